@@ -1,0 +1,35 @@
+# What every target of the project is compiled with. Included once, from the top.
+#
+# occlude_options carries the flags privately: nothing of it reaches a project that links our libraries.
+add_library(occlude_options INTERFACE)
+target_compile_features(occlude_options INTERFACE cxx_std_20)
+target_compile_options(occlude_options INTERFACE
+  # A contracted a*b+c rounds once instead of twice and differs between machines; the error bounds would still hold, but the
+  # `plain` arithmetic and every figure in the files would no longer be the same everywhere.
+  -ffp-contract=off)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(occlude_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # False positives on std::string concatenation (GCC bug 105651, fixed in 13).
+    target_compile_options(occlude_options INTERFACE -Wno-restrict)
+  endif()
+endif()
+
+set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined or thread")
+if(OCCLUDE_SANITIZE)
+  target_compile_options(occlude_options INTERFACE
+    -fsanitize=${OCCLUDE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(occlude_options INTERFACE -fsanitize=${OCCLUDE_SANITIZE})
+endif()
+
+# occlude_module(NAME DIRECTORY): the library occlude::NAME from DIRECTORY/src, its public headers in DIRECTORY/include.
+function(occlude_module name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/src/*/*.cpp)
+  add_library(occlude_${name} STATIC ${sources})
+  add_library(occlude::${name} ALIAS occlude_${name})
+  target_include_directories(occlude_${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_compile_features(occlude_${name} PUBLIC cxx_std_20)
+  target_link_libraries(occlude_${name} PRIVATE $<BUILD_INTERFACE:occlude_options>)
+endfunction()

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The camera of one frame and the planes of its view frustum. Reading order: 2.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
+
+namespace occlude::culler {
+
+enum class Projection { perspective, orthographic };
+
+/// A right-handed camera looking from `eye` to `target`, `up` towards the top of the picture.
+struct Camera {
+  glm::dvec3 eye{0, 0, 0};
+  glm::dvec3 target{1, 0, 0};
+  glm::dvec3 up{0, 0, 1};
+  Projection projection = Projection::perspective;
+  double fov_y_deg = 60;  ///< full vertical opening angle, perspective only
+  double height = 100;    ///< full vertical extent in model units, orthographic only
+  double aspect = 16.0 / 9.0;  ///< width over height of the picture
+  double near = 0.1;      ///< distance of the near plane from the eye, model units
+  double far = std::numeric_limits<double>::infinity();
+
+  /// Orthonormal axes of the picture: right, up, forward.
+  struct Axes {
+    glm::dvec3 right, up, forward;
+  };
+  /// REQUIRES: target != eye and up not parallel to the line of sight.
+  [[nodiscard]] Axes axes() const;
+};
+
+/// A half-space {x : normal . x + offset >= 0}.
+struct HalfSpace {
+  glm::dvec3 normal{0, 0, 0};
+  double offset = 0;
+};
+
+/// The half-spaces whose intersection holds everything the renderer can draw: left, right, bottom, top, near and, where the
+/// camera has one, far. Each lies outside the renderer's own clip plane by more than rounding can move it.
+[[nodiscard]] std::vector<HalfSpace> view_frustum(const Camera& camera);
+
+}  // namespace occlude::culler

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The paper's pipeline behind two calls: build once, cull each frame. Reading order: last.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "occlude/culler/camera.h"
+#include "occlude/culler/hierarchy.h"
+#include "occlude/culler/occluder_grid.h"
+#include "occlude/kernel/operations.h"
+#include "occlude/kernel/shadow_frustum.h"
+
+namespace occlude::culler {
+
+struct CullOptions {
+  /// n_occ, how many occluders a frame uses; 0 is view-frustum culling alone. The paper finds 5 to 10 worth their cost.
+  std::size_t occluders = 8;
+  kernel::Near near = kernel::Near::surface;
+  kernel::Arithmetic arithmetic = kernel::Arithmetic::certified;
+  kernel::Test test = kernel::Test::conservative;
+};
+
+/// An occluder in use: a polygon of Culler::hierarchy().soup() and its shadow.
+struct Occluder {
+  std::uint32_t polygon = 0;
+  kernel::ShadowFrustum frustum;
+};
+
+/// A subtree that was not drawn, and why.
+struct Culled {
+  enum class By { view, shadow };
+  std::uint32_t node = 0;
+  By by = By::view;
+  std::uint32_t index = 0;  ///< of the half-space in CullResult::view, or of the occluder
+};
+
+struct CullStats {
+  std::size_t nodes_visited = 0;
+  std::size_t view_tests = 0;    ///< box against half-space
+  std::size_t shadow_tests = 0;  ///< box against shadow frustum
+  std::size_t potential_occluders = 0, occluders_in_view = 0;
+  std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;
+};
+
+struct CullResult {
+  std::vector<PolygonRange> drawn;  ///< in the order of the soup, neighbours merged
+  std::vector<Culled> culled;
+  std::vector<HalfSpace> view;
+  std::vector<Occluder> occluders;
+  CullStats stats;
+};
+
+/// Const calls may run on several threads at once.
+class Culler {
+ public:
+  struct Config {
+    Hierarchy::Config hierarchy;
+    OccluderGrid::Config grid;
+  };
+
+  /// REQUIRES: soup is not empty and its coordinates are in the kernel's legal range.
+  explicit Culler(const PolygonSoup& soup, const Config& config = {});
+
+  /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
+  /// visible is culled when options.arithmetic is certified.
+  [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options) const;
+
+  /// The operations that the shadow tests of such a frame cost in plain arithmetic (Table 1).
+  [[nodiscard]] kernel::Operations count_operations(const Camera& camera, const CullOptions& options) const;
+
+  [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
+  [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
+
+ private:
+  Hierarchy hierarchy_;
+  OccluderGrid grid_;
+};
+
+}  // namespace occlude::culler

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The model: an arbitrary set of polygons without adjacency, as section 3 of the paper takes it. Reading order: 1.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace occlude::culler {
+
+/// A run of polygons [first, first + count).
+struct PolygonRange {
+  std::uint32_t first = 0, count = 0;
+
+  friend bool operator==(const PolygonRange&, const PolygonRange&) = default;
+};
+
+/// Polygons as loops of vertex indices. Polygon p is drawn as the fan of triangles (v0, vi, vi+1) of its loop; both sides
+/// are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the tools.
+struct PolygonSoup {
+  std::vector<glm::dvec3> vertices;
+  std::vector<std::uint32_t> indices;     ///< the loops of all polygons, one after another
+  std::vector<std::uint32_t> first = {0}; ///< polygon p owns indices [first[p], first[p + 1])
+
+  [[nodiscard]] std::size_t size() const { return first.size() - 1; }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+
+  /// The vertex indices of polygon p, in loop order.
+  [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t p) const {
+    return std::span(indices).subspan(first[p], first[p + 1] - first[p]);
+  }
+  /// Number of triangles in the fan of polygon p.
+  [[nodiscard]] std::size_t triangles(std::size_t p) const { return first[p + 1] - first[p] - 2; }
+
+  /// Adds a vertex and returns its index.
+  std::uint32_t add_vertex(const glm::dvec3& v) {
+    vertices.push_back(v);
+    return static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+  /// Adds a polygon over existing vertices. REQUIRES: at least three indices, all below vertices.size().
+  void add_polygon(std::span<const std::uint32_t> polygon) {
+    indices.insert(indices.end(), polygon.begin(), polygon.end());
+    first.push_back(static_cast<std::uint32_t>(indices.size()));
+  }
+};
+
+}  // namespace occlude::culler

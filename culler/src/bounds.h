@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Small box arithmetic of the culler, and the border between GLM and the kernel.
+#pragma once
+
+#include <algorithm>
+#include <glm/vec3.hpp>
+#include <limits>
+
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+[[nodiscard]] inline kernel::Vec3 to_kernel(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// The box that holds nothing: any point grows it to that point.
+[[nodiscard]] inline kernel::Aabb empty_box() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
+
+inline void grow(kernel::Aabb& box, const kernel::Aabb& other) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = std::min(box.min[axis], other.min[axis]);
+    box.max[axis] = std::max(box.max[axis], other.max[axis]);
+  }
+}
+
+inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kernel::Aabb{point, point}); }
+
+/// Half the surface of a non-empty box.
+[[nodiscard]] inline double half_area(const kernel::Aabb& box) {
+  const double x = box.max.x - box.min.x, y = box.max.y - box.min.y, z = box.max.z - box.min.z;
+  return x * y + y * z + z * x;
+}
+
+[[nodiscard]] inline kernel::Aabb polygon_box(const PolygonSoup& soup, std::size_t polygon) {
+  kernel::Aabb box = empty_box();
+  for (const std::uint32_t index : soup.loop(polygon)) grow(box, to_kernel(soup.vertices[index]));
+  return box;
+}
+
+}  // namespace occlude::culler

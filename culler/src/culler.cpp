@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/culler.h"
+
+#include "bounds.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+#include "occluder_choice.h"
+#include "traverse.h"
+
+namespace occlude::culler {
+namespace {
+
+/// One frame, the shadow tests done by `shadow_test(frustum, box)`.
+template <class ShadowTest>
+CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera, const CullOptions& options,
+                      ShadowTest&& shadow_test) {
+  CullResult result;
+  result.view = view_frustum(camera);
+  result.occluders = choose_occluders(hierarchy, grid, camera, result.view, options, result.stats);
+
+  std::vector<kernel::HalfSpace> planes;
+  for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
+  auto test_view = [&](std::uint32_t i, const kernel::Aabb& box) {
+    return kernel::relation(planes[i], box, options.arithmetic);
+  };
+  auto test_shadow = [&](std::uint32_t i, const kernel::Aabb& box) { return shadow_test(result.occluders[i].frustum, box); };
+  Traversal(hierarchy, test_view, test_shadow, result).run();
+  return result;
+}
+
+}  // namespace
+
+Culler::Culler(const PolygonSoup& soup, const Config& config)
+    : hierarchy_(Hierarchy::build(soup, config.hierarchy)), grid_(OccluderGrid::build(hierarchy_, config.grid)) {}
+
+CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
+  return cull_frame(hierarchy_, grid_, camera, options, [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
+    return kernel::relation(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+  });
+}
+
+kernel::Operations Culler::count_operations(const Camera& camera, const CullOptions& options) const {
+  kernel::Operations total;
+  const auto test_and_count = [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
+    total += kernel::count_operations(frustum, box, options.test);
+    return kernel::relation(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+  };
+  static_cast<void>(cull_frame(hierarchy_, grid_, camera, options, test_and_count));
+  return total;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "occluder_choice.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "bounds.h"
+#include "occlude/kernel/overlap.h"
+
+namespace occlude::culler {
+namespace {
+
+struct Candidate {
+  double score;
+  std::uint32_t polygon;
+
+  /// Best first; equals in the order of the soup, so that the choice never depends on the sorting algorithm.
+  friend bool operator<(const Candidate& a, const Candidate& b) {
+    return a.score != b.score ? a.score > b.score : a.polygon < b.polygon;
+  }
+};
+
+/// Whether the box is beyond one of the half-spaces. A heuristic question: rounding may answer it either way.
+bool out_of_view(const kernel::Aabb& box, std::span<const HalfSpace> view) {
+  return std::any_of(view.begin(), view.end(), [&](const HalfSpace& h) {
+    const glm::dvec3 farthest{h.normal.x >= 0 ? box.max.x : box.min.x, h.normal.y >= 0 ? box.max.y : box.min.y,
+                              h.normal.z >= 0 ? box.max.z : box.min.z};
+    return glm::dot(h.normal, farthest) + h.offset < 0;
+  });
+}
+
+/// The camera's view of a polygon in steradians, or for parallel rays its area as projected over the picture's.
+double score(const PotentialOccluder& occluder, const Camera& camera, const glm::dvec3& forward) {
+  if (camera.projection == Projection::perspective) return occluder.area_angle(camera.eye);
+  return std::fabs(glm::dot(occluder.area_normal, forward)) / (camera.height * camera.height * camera.aspect);
+}
+
+std::vector<Candidate> candidates(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera,
+                                  std::span<const HalfSpace> view, CullStats& stats) {
+  const auto list = grid.list(camera.eye);
+  const glm::dvec3 forward = camera.axes().forward;
+  std::vector<Candidate> result;
+  for (const std::uint32_t polygon : list) {
+    if (!out_of_view(hierarchy.box(polygon), view)) {
+      result.push_back({score(grid.occluder(polygon), camera, forward), polygon});
+    }
+  }
+  stats.potential_occluders = list.size();
+  stats.occluders_in_view = result.size();
+  return result;
+}
+
+/// The least depth of a vertex at which the renderer is sure not to clip it: the near plane and a margin far above the
+/// rounding of its single precision, 2^-23 of the distances involved.
+constexpr double kNearMargin = 1 + 0x1p-10;
+
+bool clipped_by_near_plane(std::span<const kernel::Vec3> loop, const Camera& camera, const glm::dvec3& forward) {
+  return std::any_of(loop.begin(), loop.end(), [&](const kernel::Vec3& v) {
+    return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera.eye, forward) < camera.near * kNearMargin;
+  });
+}
+
+bool in_shadow_of(const std::vector<Occluder>& chosen, const kernel::Aabb& box) {
+  return std::any_of(chosen.begin(), chosen.end(), [&](const Occluder& o) {
+    return kernel::conservative_certified(o.frustum, box, kernel::NearBoundary::open).relation == kernel::Relation::inside;
+  });
+}
+
+}  // namespace
+
+std::vector<Occluder> choose_occluders(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera,
+                                       std::span<const HalfSpace> view, const CullOptions& options, CullStats& stats) {
+  std::vector<Occluder> chosen;
+  if (options.occluders == 0) return chosen;
+  const glm::dvec3 forward = camera.axes().forward;
+  const auto viewpoint = camera.projection == Projection::perspective ? kernel::Viewpoint::eye(to_kernel(camera.eye))
+                                                                      : kernel::Viewpoint::direction(to_kernel(forward));
+  std::vector<Candidate> heap = candidates(hierarchy, grid, camera, view, stats);
+  const auto worse = [](const Candidate& a, const Candidate& b) { return b < a; };
+  std::make_heap(heap.begin(), heap.end(), worse);
+  std::vector<kernel::Vec3> loop;
+  while (!heap.empty() && chosen.size() < options.occluders) {
+    std::pop_heap(heap.begin(), heap.end(), worse);
+    const std::uint32_t polygon = heap.back().polygon;
+    heap.pop_back();
+    loop.clear();
+    for (const std::uint32_t i : hierarchy.soup().loop(polygon)) loop.push_back(to_kernel(hierarchy.soup().vertices[i]));
+    if (clipped_by_near_plane(loop, camera, forward) || in_shadow_of(chosen, hierarchy.box(polygon))) continue;
+    auto [frustum, refusal] = kernel::ShadowFrustum::make(viewpoint, loop, options.near);
+    if (frustum) chosen.push_back({polygon, std::move(*frustum)});
+  }
+  return chosen;
+}
+
+}  // namespace occlude::culler

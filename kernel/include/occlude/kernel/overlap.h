@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The kernel's question: does this box lie in this shadow, across its border, or outside? Reading order: last.
+#pragma once
+
+#include "occlude/kernel/operations.h"
+#include "occlude/kernel/shadow_frustum.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::kernel {
+
+struct Decision {
+  Relation relation = Relation::partial;
+  Stage stage = Stage::filter;
+};
+
+/// Whether a box that touches the near plane may be `inside`. Culling takes `open`: what is coplanar with an occluder is
+/// drawn. The definition of the shadow frustum is `closed`.
+enum class NearBoundary { closed, open };
+
+/// Relation of `box` to `frustum`. REQUIRES: check(box) == Refusal::none.
+///
+/// Properties of `certified`:
+/// (1) overlap: exactly the relation of the two sets of real numbers, touching being `partial` unless the box is inside.
+/// (2) conservative: `inside` and `outside` are exactly true; whatever no single plane of the frustum decides is `partial`.
+/// (3) The answer depends on the sets alone: permuting axes, mirroring, scaling by a power of two, exact translation,
+///     reversing the loop, repeated or collinear vertices change nothing.
+/// (4) A box within another that is `inside` is `inside`.
+/// `plain` is wrong where rounding makes it so.
+[[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Aabb& box,
+                                     NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Aabb& box,
+                                          NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box,
+                                         NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Decision conservative_certified(const ShadowFrustum& frustum, const Aabb& box,
+                                              NearBoundary near = NearBoundary::closed);
+
+/// The same, chosen at run time.
+[[nodiscard]] Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test,
+                                NearBoundary near = NearBoundary::closed);
+
+/// What overlap_plain and conservative_plain cost on this box, counted operation by operation (Table 1).
+[[nodiscard]] Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Test test);
+
+}  // namespace occlude::kernel

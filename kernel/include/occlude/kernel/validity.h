@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Which inputs the kernel answers for, and the reasons for which it refuses the others. Reading order: 2.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+
+#include "occlude/kernel/types.h"
+
+namespace occlude::kernel {
+
+enum class Refusal {
+  none,
+  not_finite,
+  out_of_range,
+  min_above_max,
+  too_few_vertices,
+  not_convex,
+  eye_in_plane,
+  zero_direction,
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::none: return "";
+    case Refusal::not_finite: return "number is not finite";
+    case Refusal::out_of_range: return "number out of range: magnitude must be 0 or in [2^-100, 2^100]";
+    case Refusal::min_above_max: return "box has min > max";
+    case Refusal::too_few_vertices: return "fewer than 3 distinct silhouette vertices";
+    case Refusal::not_convex: return "loop is not convex seen from the viewpoint";
+    case Refusal::eye_in_plane: return "viewpoint lies in the occluder's plane";
+    case Refusal::zero_direction: return "direction of view is zero";
+  }
+  return "";
+}
+
+/// The exact stage works on products of up to six differences of coordinates. With every magnitude 0 or in this range the
+/// smallest non-zero difference is 2^-152, so the tiniest term of such a product is at least 2^-912 and the largest at most
+/// 2^(6 * 101 + 12): neither underflows (2^-1022) nor overflows (2^1024).
+inline constexpr double kMinMagnitude = 0x1p-100;
+inline constexpr double kMaxMagnitude = 0x1p+100;
+
+[[nodiscard]] inline Refusal check(double x) {
+  if (!std::isfinite(x)) return Refusal::not_finite;
+  const double magnitude = std::fabs(x);
+  return magnitude == 0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude) ? Refusal::none : Refusal::out_of_range;
+}
+
+[[nodiscard]] inline Refusal check(const Vec3& v) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (const Refusal refusal = check(v[axis]); refusal != Refusal::none) return refusal;
+  }
+  return Refusal::none;
+}
+
+[[nodiscard]] inline Refusal check(const Aabb& box) {
+  for (const Vec3& corner : {box.min, box.max}) {
+    if (const Refusal refusal = check(corner); refusal != Refusal::none) return refusal;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min[axis] > box.max[axis]) return Refusal::min_above_max;
+  }
+  return Refusal::none;
+}
+
+}  // namespace occlude::kernel

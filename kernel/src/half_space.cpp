@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/kernel/half_space.h"
+
+#include <cmath>
+
+#include "box_plane.h"
+
+namespace occlude::kernel {
+namespace {
+
+/// Exact sign of the half-space's value at x.
+int exact_sign(const HalfSpace& h, const Vec3& x) {
+  return certified([&]<class A>(A& arithmetic) {
+    return arithmetic.sign(dot(difference<A>(h.normal, {}), difference<A>(x, {})) + A::constant(h.offset));
+  });
+}
+
+/// Sign of the value at x, by the bound kHalfSpaceError where it suffices.
+int sign_at(const HalfSpace& h, const Vec3& x, Arithmetic arithmetic) {
+  const double value = h.normal.x * x.x + h.normal.y * x.y + h.normal.z * x.z + h.offset;
+  if (arithmetic == Arithmetic::plain) return PlainArithmetic::sign(value);
+  const double magnitude = std::fabs(h.normal.x * x.x) + std::fabs(h.normal.y * x.y) + std::fabs(h.normal.z * x.z) +
+                           std::fabs(h.offset);
+  if (std::fabs(value) > kHalfSpaceError * magnitude) return value > 0 ? 1 : -1;
+  return exact_sign(h, x);
+}
+
+}  // namespace
+
+Relation relation(const HalfSpace& h, const Aabb& box, Arithmetic arithmetic) {
+  const bool x = h.normal.x >= 0, y = h.normal.y >= 0, z = h.normal.z >= 0;
+  if (sign_at(h, extremal_vertex(box, x, y, z), arithmetic) < 0) return Relation::outside;
+  return sign_at(h, extremal_vertex(box, !x, !y, !z), arithmetic) >= 0 ? Relation::inside : Relation::partial;
+}
+
+}  // namespace occlude::kernel

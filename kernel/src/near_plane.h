@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The near plane of a shadow frustum.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "occlude/kernel/shadow_frustum.h"
+
+namespace occlude::kernel {
+
+/// Through the vertex of `loop` farthest from the viewpoint (the first of equals), normal to the line of sight to it.
+[[nodiscard]] ExactPlane farthest_plane(const Viewpoint& viewpoint, std::span<const Vec3> loop);
+
+/// The plane of the polygon turned away from the viewpoint, when all vertices lie in one plane exactly.
+/// REQUIRES: `corners` as silhouette() returns them.
+[[nodiscard]] std::optional<ExactPlane> polygon_plane(std::span<const Vec3> corners, std::span<const Vec3> loop);
+
+/// A plane with all of `loop` on or before it and the viewpoint strictly before it, close to the loop's mean plane.
+[[nodiscard]] SupportPlane support_plane(const Viewpoint& viewpoint, std::span<const Vec3> corners, std::span<const Vec3> loop);
+
+[[nodiscard]] ExactPlane exact_plane(const SupportPlane& plane);
+
+}  // namespace occlude::kernel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The silhouette of a polygon from a viewpoint: its loop, turned counter-clockwise and freed of what does not matter.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "occlude/kernel/shadow_frustum.h"
+
+namespace occlude::kernel {
+
+/// The plane through the viewpoint and the edge from -> to; its inner side is to the left of the edge seen from the
+/// viewpoint: det(from - V, to - V, x - V) >= 0, or det(d, to - from, x - from) >= 0 for a direction d.
+[[nodiscard]] ExactPlane side_plane(const Viewpoint& viewpoint, const Vec3& from, const Vec3& to);
+
+struct Silhouette {
+  std::vector<Vec3> corners;  ///< strictly convex, counter-clockwise seen from the viewpoint
+  Refusal refusal = Refusal::none;
+};
+
+/// REQUIRES: all numbers in the legal range.
+[[nodiscard]] Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> loop);
+
+}  // namespace occlude::kernel

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Reading of checked values from JSON lines: numbers that are numbers, triples that have three.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "occlude/kernel/types.h"
+
+namespace occlude::cli {
+
+/// A line that is not what it should be; the message names the member at fault.
+struct LineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The object on a line. Numbers too large for a double read as infinite, as their text would; the kernel refuses them.
+[[nodiscard]] nlohmann::json parse_object(std::string_view line);
+
+[[nodiscard]] const nlohmann::json& member(const nlohmann::json& object, const char* name);
+
+/// A number; null and the strings "nan", "inf", "-inf", which JSON has no numbers for, read as what they say.
+[[nodiscard]] double number(const nlohmann::json& value, const char* name);
+
+[[nodiscard]] kernel::Vec3 vec3(const nlohmann::json& value, const char* name);
+
+[[nodiscard]] std::vector<kernel::Vec3> vec3s(const nlohmann::json& value, const char* name);
+
+/// The member "eye" or "direction".
+[[nodiscard]] kernel::Viewpoint viewpoint(const nlohmann::json& object);
+
+/// The member "box" with "min" and "max".
+[[nodiscard]] kernel::Aabb aabb(const nlohmann::json& object);
+
+}  // namespace occlude::cli

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <mutex>
+
+#include "json_input.h"
+#include "oracle_types.h"
+
+namespace occlude::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+bool contains(const kernel::Aabb& outer, const kernel::Aabb& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.min[axis] < outer.min[axis] || inner.max[axis] > outer.max[axis]) return false;
+  }
+  return true;
+}
+
+/// Whether all that the camera can show is on the inner side of the plane: the corners of its near face, and those of its far
+/// face or, where there is none, the directions of its corner rays.
+bool is_outside_of_view(const std::array<double, 4>& plane, const culler::Camera& camera) {
+  const auto [right, up, forward] = camera.axes();
+  const glm::dvec3 normal{plane[0], plane[1], plane[2]};
+  const auto value = [&](const glm::dvec3& x) { return glm::dot(normal, x) + plane[3]; };
+  const bool perspective = camera.projection == culler::Projection::perspective;
+  const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
+  for (const double x : {-half * camera.aspect, half * camera.aspect}) {
+    for (const double y : {-half, half}) {
+      const glm::dvec3 across = x * right + y * up;
+      const glm::dvec3 ray = perspective ? forward + across : forward;
+      const glm::dvec3 origin = perspective ? camera.eye : camera.eye + across;
+      if (value(origin + camera.near * ray) < 0) return false;
+      if (std::isfinite(camera.far) ? value(origin + camera.far * ray) < 0 : glm::dot(normal, ray) < 0) return false;
+    }
+  }
+  return true;
+}
+
+bool is_clipped(const std::vector<kernel::Vec3>& loop, const culler::Camera& camera) {
+  const glm::dvec3 forward = camera.axes().forward;
+  return std::any_of(loop.begin(), loop.end(), [&](const kernel::Vec3& v) {
+    return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera.eye, forward) < camera.near;
+  });
+}
+
+oracle::Near near_of(const Json& near) {
+  if (near == "farthest") return to_oracle(kernel::Near::farthest);
+  if (near == "surface") return to_oracle(kernel::Near::surface);
+  if (!near.is_object()) throw LineError("\"near\": expected \"farthest\", \"surface\" or an object");
+  return to_oracle(kernel::SupportPlane{vec3(member(near, "normal"), "normal"), vec3(member(near, "point"), "point")});
+}
+
+std::vector<kernel::Vec3> occluder_of(const Json& object) {
+  const Json& occluders = member(object, "occluders");
+  if (!occluders.is_array() || occluders.size() != 1) throw LineError("\"occluders\": expected one occluder");
+  if (!occluders[0].is_object()) throw LineError("\"occluders\": expected objects");
+  return vec3s(member(occluders[0], "polygon"), "polygon");
+}
+
+std::array<double, 4> plane_of(const Json& object) {
+  const Json& plane = member(object, "plane");
+  if (!plane.is_array() || plane.size() != 4) throw LineError("\"plane\": expected [a, b, c, d]");
+  std::array<double, 4> coefficients{};
+  for (std::size_t i = 0; i < 4; ++i) coefficients[i] = number(plane[i], "plane");
+  return coefficients;
+}
+
+std::array<std::size_t, 2> triangles_of(const Json& object) {
+  const Json& triangles = member(object, "triangles");
+  if (!triangles.is_array() || triangles.size() != 2 || !triangles[0].is_number_unsigned() || !triangles[1].is_number_unsigned()) {
+    throw LineError("\"triangles\": expected [first, count]");
+  }
+  return {triangles[0].get<std::size_t>(), triangles[1].get<std::size_t>()};
+}
+
+std::array<double, 3> key(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+Prover::Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect)
+    : hierarchy_(hierarchy), path_(path), aspect_(aspect) {
+  const culler::PolygonSoup& soup = hierarchy.soup();
+  for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
+  for (std::size_t p = 0; p < soup.size(); ++p) {
+    by_first_vertex_.emplace_back(key(soup.vertices[soup.loop(p)[0]]), static_cast<std::uint32_t>(p));
+  }
+  std::sort(by_first_vertex_.begin(), by_first_vertex_.end());
+}
+
+std::string Prover::prove(std::string_view line) const {
+  try {
+    return prove_members(line);
+  } catch (const LineError& error) {
+    return error.what();
+  }
+}
+
+std::string Prover::prove_members(std::string_view line) const {
+  const Json object = parse_object(line);
+  const Json& frame = member(object, "frame");
+  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return "no such frame";
+  const culler::Camera camera = path_.camera(frame.get<std::size_t>(), aspect_);
+
+  const auto [first, count] = triangles_of(object);
+  const std::size_t total = first_triangle_.back();
+  if (count == 0 || first >= total || count > total - first) return "no such triangles";
+  const kernel::Aabb box = aabb(object);
+  if (!contains(box, box_of_triangles(first, count))) return "the triangles are not in the box";
+
+  const Json& by = member(object, "by");
+  if (by == "view") {
+    const auto plane = plane_of(object);
+    if (!is_outside_of_view(plane, camera)) return "the plane cuts what the camera shows";
+    return oracle::refute_view_cull(plane, to_oracle(box));
+  }
+  if (by != "shadow") return "\"by\": expected \"view\" or \"shadow\"";
+
+  const kernel::Viewpoint view = viewpoint(object);
+  const glm::dvec3 expected = view.is_eye() ? camera.eye : camera.axes().forward;
+  const bool perspective = camera.projection == culler::Projection::perspective;
+  if (view.is_eye() != perspective || view.value != kernel::Vec3{expected.x, expected.y, expected.z}) {
+    return "the viewpoint is not the frame's";
+  }
+  const auto loop = occluder_of(object);
+  if (!is_model_polygon_outside(loop, first, count)) return "the occluder is not a polygon of the model outside the subtree";
+  if (is_clipped(loop, camera)) return "the renderer clips the occluder";
+  return oracle::refute_shadow_cull(to_oracle(view), to_oracle(loop), near_of(member(object, "near")), to_oracle(box));
+}
+
+kernel::Aabb Prover::box_of_triangles(std::size_t first, std::size_t count) const {
+  const std::uint64_t run = (static_cast<std::uint64_t>(first) << 32U) | count;
+  {
+    const std::shared_lock lock(mutex_);
+    if (const auto found = boxes_.find(run); found != boxes_.end()) return found->second;
+  }
+  // The polygons that any of the triangles belong to: at least what is asked for.
+  const auto begin = std::prev(std::upper_bound(first_triangle_.begin(), first_triangle_.end(), first));
+  const auto end = std::lower_bound(begin, first_triangle_.end(), first + count);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  kernel::Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  const culler::PolygonSoup& soup = hierarchy_.soup();
+  for (auto p = begin; p != end; ++p) {
+    for (const std::uint32_t index : soup.loop(static_cast<std::size_t>(p - first_triangle_.begin()))) {
+      const glm::dvec3& v = soup.vertices[index];
+      for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = std::min(box.min[axis], v[axis]);
+        box.max[axis] = std::max(box.max[axis], v[axis]);
+      }
+    }
+  }
+  const std::unique_lock lock(mutex_);
+  return boxes_.emplace(run, box).first->second;
+}
+
+bool Prover::is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first, std::size_t count) const {
+  if (loop.empty()) return false;
+  const culler::PolygonSoup& soup = hierarchy_.soup();
+  const auto is_polygon = [&](std::uint32_t p) {
+    const auto indices = soup.loop(p);
+    return std::equal(indices.begin(), indices.end(), loop.begin(), loop.end(), [&](std::uint32_t index, const kernel::Vec3& v) {
+      return soup.vertices[index] == glm::dvec3{v.x, v.y, v.z};
+    });
+  };
+  const std::array<double, 3> wanted{loop[0].x, loop[0].y, loop[0].z};
+  auto candidate = std::lower_bound(by_first_vertex_.begin(), by_first_vertex_.end(), std::pair{wanted, std::uint32_t{0}});
+  for (; candidate != by_first_vertex_.end() && candidate->first == wanted; ++candidate) {
+    const std::uint32_t p = candidate->second;
+    const bool outside = first_triangle_[p + 1] <= first || first_triangle_[p] >= first + count;
+    if (outside && is_polygon(p)) return true;
+  }
+  return false;
+}
+
+}  // namespace occlude::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The proof of one witness: everything that culling promises about one culled subtree, checked exactly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <shared_mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "occlude/culler/hierarchy.h"
+#include "occlude/render/camera_path.h"
+
+namespace occlude::cli {
+
+/// Checks witnesses against the model and path they claim to be of. prove() may run on several threads at once.
+class Prover {
+ public:
+  /// `hierarchy` gives the order in which a witness counts triangles; `aspect` is the picture's width over height.
+  Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect);
+
+  /// Empty when the witness on this line is proved, else what is wrong with it:
+  /// - the triangles named exist and lie in the box named;
+  /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
+  /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
+  ///   plane, the occluder is a polygon of the model that is not among the triangles, and the renderer does not clip it.
+  [[nodiscard]] std::string prove(std::string_view line) const;
+
+ private:
+  [[nodiscard]] std::string prove_members(std::string_view line) const;
+  [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
+  [[nodiscard]] bool is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first, std::size_t count) const;
+
+  const culler::Hierarchy& hierarchy_;
+  const render::CameraPath& path_;
+  double aspect_;
+  std::vector<std::size_t> first_triangle_;        ///< of each polygon, and the total
+  std::vector<std::pair<std::array<double, 3>, std::uint32_t>> by_first_vertex_;  ///< polygons, sorted by their first vertex
+  /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
+  mutable std::shared_mutex mutex_;
+  mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;
+};
+
+}  // namespace occlude::cli

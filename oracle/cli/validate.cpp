@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// occlude validate: every cull of a walk proved in exact arithmetic.
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "occlude/render/camera_path.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/witness.h"
+#include "proof.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  std::string model, path, witness;
+  WalkArguments walk;
+  bool json = false;
+};
+
+struct Outcome {
+  std::size_t proved = 0, failed = 0;
+  std::string first_failure;  ///< of the lowest line
+};
+
+/// Proves lines and adds them to the outcome, which is the same for any number of threads.
+void prove_all(const Prover& prover, const std::vector<std::string>& lines, Outcome& outcome) {
+  std::vector<std::string> failures(lines.size());
+  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) { failures[i] = prover.prove(lines[i]); });
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (failures[i].empty()) {
+      ++outcome.proved;
+      continue;
+    }
+    if (outcome.failed++ == 0) {
+      outcome.first_failure = fmt::format("witness {}: {}\n{}", outcome.proved + outcome.failed, failures[i], lines[i]);
+    }
+  }
+}
+
+/// As many lines as keep all threads busy and memory small.
+constexpr std::size_t kBatch = 16384;
+
+Outcome prove_file(const Prover& prover, const std::string& file) {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(file, error);
+  std::ifstream in(file);
+  if (error || !in) throw render::InputError(file + ": cannot be opened");
+  render::Progress progress("proved MB", bytes >> 20U);
+  Outcome outcome;
+  std::vector<std::string> lines;
+  std::string line;
+  std::size_t read = 0;
+  const auto prove_batch = [&] {
+    render::check_interrupt();
+    prove_all(prover, lines, outcome);
+    lines.clear();
+    progress.update(read >> 20U);
+  };
+  while (std::getline(in, line)) {
+    read += line.size() + 1;
+    lines.push_back(line);
+    if (lines.size() == kBatch) prove_batch();
+  }
+  prove_batch();
+  return outcome;
+}
+
+/// Culls every frame anew and proves what was culled.
+Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const render::CameraPath& path,
+                   const render::WalkOptions& options) {
+  const std::vector<std::size_t> frames = render::frames_of(path, options);
+  render::Progress progress("proved frame", frames.size());
+  Outcome outcome;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    render::check_interrupt();
+    const culler::Camera camera = path.camera(frames[i], render::aspect(options));
+    render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull), options.cull.near);
+    if (lines.size() >= kBatch || i + 1 == frames.size()) {
+      prove_all(prover, lines, outcome);
+      lines.clear();
+    }
+    progress.update(i + 1);
+  }
+  return outcome;
+}
+
+int validate(Arguments& arguments) {
+  const render::WalkOptions options = arguments.walk.options();
+  const render::CameraPath path = render::read_camera_path(arguments.path);
+  const culler::Culler culler(render::read_model(arguments.model));
+  const Prover prover(culler.hierarchy(), path, render::aspect(options));
+  const Outcome outcome =
+      arguments.witness.empty() ? prove_walk(prover, culler, path, options) : prove_file(prover, arguments.witness);
+  const std::size_t total = outcome.proved + outcome.failed;
+  if (arguments.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"witnesses", total}, {"proved", outcome.proved}, {"failed", outcome.failed}}.dump(2));
+  } else {
+    fmt::print("{} of {} witnesses proved\n", outcome.proved, total);
+  }
+  if (outcome.failed == 0) return 0;
+  fmt::print(stderr, "{}\n", outcome.first_failure);
+  return 1;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("validate", "Prove every cull of a walk in exact arithmetic");
+  command->footer(
+      "Exit code 0 when every witness is proved, 1 when one is not (it is printed), 2 for bad input.\n"
+      "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
+  const auto a = std::make_shared<Arguments>();
+  command->add_option("MODEL", a->model, "the model walked through")->required();
+  command->add_option("--path", a->path, "camera path (JSON)")->required();
+  command->add_option("--witness", a->witness, "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  a->walk.add_to(*command);
+  command->add_flag("--json", a->json, "print the counts as JSON");
+  command->callback([a, &exit_code] { exit_code = validate(*a); });
+}
+
+}  // namespace occlude::cli

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The judge: the kernel's questions answered in exact rational arithmetic, written from the definitions alone.
+// It shares no code with the kernel, and no type of the arithmetic library shows here.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace occlude::oracle {
+
+using Point = std::array<double, 3>;
+
+struct Viewpoint {
+  Point value{};              ///< the eye, or the direction of view when at_infinity
+  bool at_infinity = false;
+};
+
+/// The near side of a shadow frustum.
+struct Near {
+  enum class Kind { farthest, surface, plane };
+  Kind kind = Kind::farthest;
+  Point normal{}, point{};  ///< `plane` only: shadow where normal . (x - point) >= 0
+};
+
+struct Box {
+  Point min{}, max{};
+};
+
+enum class Relation { inside, partial, outside };
+
+struct Answer {
+  std::string refusal;  ///< empty when there is an answer, else why there is none
+  Relation relation = Relation::partial;
+};
+
+/// Relation of `box` to the shadow frustum of the convex polygon `loop`, or the reason for refusing the case.
+/// Near `surface` of a polygon that is not exactly coplanar is refused (the definition leaves the plane open: pass `plane`).
+[[nodiscard]] Answer relation(const Viewpoint& view, std::span<const Point> loop, const Near& near, const Box& box);
+
+/// Proof that `box` lies in the shadow of the polygon `loop` and strictly beyond its near plane, that plane being sound for
+/// the polygon (`plane`: normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side).
+/// Empty when proved, else what failed.
+[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, std::span<const Point> loop, const Near& near, const Box& box);
+
+/// Proof that every point of `box` has a*x + b*y + c*z + d < 0. Empty when proved, else what failed.
+[[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box);
+
+}  // namespace occlude::oracle

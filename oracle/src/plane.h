@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A plane defined by exact numbers, and the side of it on which a point lies.
+#pragma once
+
+#include <optional>
+
+#include "numbers.h"
+
+namespace occlude::oracle {
+
+/// The closed half-space normal . (x - point) >= 0.
+template <class N>
+struct HalfSpace {
+  Vector<N> normal;
+  Vector<N> point;
+
+  /// Positive inside, zero on the plane, negative outside.
+  [[nodiscard]] N height(const Point& x) const { return normal * (vector_of<N>(x) - point); }
+};
+
+/// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, in rationals when first
+/// needed, and kept.
+template <class Definition>
+class Plane {
+ public:
+  explicit Plane(const Definition& definition)
+      : definition_(definition), approximate_(definition.template operator()<Interval>()) {}
+
+  /// Sign of the height of `x`, exact.
+  CGAL::Sign side(const Point& x) {
+    const CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(approximate_.height(x));
+    return CGAL::is_certain(sign) ? CGAL::get_certain(sign) : CGAL::sign(exact().height(x));
+  }
+
+  const HalfSpace<Exact>& exact() {
+    if (!exact_) exact_ = definition_.template operator()<Exact>();
+    return *exact_;
+  }
+
+ private:
+  Definition definition_;
+  HalfSpace<Interval> approximate_;
+  std::optional<HalfSpace<Exact>> exact_;
+};
+
+}  // namespace occlude::oracle

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The command `occlude`: assembles the subcommands and turns what they throw into one line and an exit code.
+#include <fmt/core.h>
+
+#include <exception>
+#include <new>
+
+#include "commands.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/progress.h"
+
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells expect
+
+int run(int argc, char** argv) {
+  int exit_code = 0;
+  CLI::App app("Occlusion culling with shadow frusta, certified: nothing visible is ever culled.", "occlude");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", OCCLUDE_VERSION);
+  occlude::cli::add_generate(app, exit_code);
+  occlude::cli::add_walk(app, exit_code);
+  occlude::cli::add_classify(app, exit_code);
+  occlude::cli::add_validate(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = error.get_exit_code();
+    if (code == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
+    fmt::print(stderr, "occlude: {} (see occlude --help)\n", error.what());
+    return kBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  occlude::render::catch_interrupts();
+  try {
+    return run(argc, argv);
+  } catch (const occlude::render::Interrupted&) {
+    fmt::print(stderr, "occlude: interrupted, nothing written\n");
+    return kInterrupted;
+  } catch (const occlude::render::InputError& error) {
+    fmt::print(stderr, "occlude: {}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "occlude: out of memory\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "occlude: {}\n", error.what());
+  }
+  return kBadInput;
+}

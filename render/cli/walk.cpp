@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// occlude walk
+#include "occlude/render/walk.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "occlude/render/camera_path.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/walk_summary.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  std::string model, path, out, witness;
+  WalkArguments walk;
+  bool no_render = false, json = false;
+};
+
+int walk(const Arguments& arguments) {
+  render::WalkOptions options = arguments.walk.options();
+  options.render = !arguments.no_render;
+  if (!arguments.witness.empty()) options.witness = arguments.witness;
+  const render::CameraPath path = render::read_camera_path(arguments.path);
+  const culler::PolygonSoup soup = render::read_model(arguments.model);
+  const std::string name = std::filesystem::path(arguments.model).filename().string();
+  const render::WalkResult result = render::walk(soup, path, options, name, arguments.out);
+  if (arguments.json) {
+    fmt::print("{}", render::summary_json(result, options, name));
+  } else {
+    fmt::print("{}report: {}\n", render::summary_text(result, options, name),
+               (std::filesystem::path(arguments.out) / "report.html").string());
+  }
+  return render::passed(result) ? 0 : 1;
+}
+
+}  // namespace
+
+void add_walk(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("walk", "Walk a path through a model with and without occlusion culling, and compare");
+  command->footer(
+      "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
+      "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n"
+      "Example: occlude walk city.ply --path city.json --out report");
+  const auto a = std::make_shared<Arguments>();
+  command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
+  command->add_option("--path", a->path, "camera path (JSON)")->required();
+  command->add_option("--out", a->out, "folder to write to")->required();
+  a->walk.add_to(*command);
+  command->add_flag("--no-render", a->no_render, "measure culling alone");
+  command->add_option("--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
+  command->add_flag("--json", a->json, "print summary.json instead of Table 2");
+  command->callback([a, &exit_code] { exit_code = walk(*a); });
+}
+
+}  // namespace occlude::cli

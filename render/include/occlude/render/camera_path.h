@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A path of the camera through the model: keyframes and their interpolation (JSON).
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <vector>
+
+#include "occlude/culler/camera.h"
+
+namespace occlude::render {
+
+struct CameraPath {
+  struct Keyframe {
+    glm::dvec3 eye, target;
+  };
+  enum class Interpolation { linear, smooth };
+
+  std::size_t frames = 0;
+  std::vector<Keyframe> keyframes;  ///< at least two
+  Interpolation interpolation = Interpolation::linear;
+  culler::Projection projection = culler::Projection::perspective;
+  double fov_y_deg = 60;
+  double height = 100;  ///< orthographic only, model units
+  double near = 0.1;
+  double far = std::numeric_limits<double>::infinity();
+  glm::dvec3 up{0, 0, 1};
+
+  /// The camera of `frame`: eye and target run from the first keyframe (frame 0) to the last (frame frames - 1), keyframes
+  /// equally spaced in time. `linear` joins them by straight lines, `smooth` by a Catmull-Rom spline.
+  [[nodiscard]] culler::Camera camera(std::size_t frame, double aspect) const;
+};
+
+/// Throws InputError, naming the file and the member at fault, for anything the contract of the format does not allow:
+/// fewer than two keyframes, fewer than two frames, numbers that are not finite, eye on target, up along the line of
+/// sight, near <= 0, far <= near, an unknown interpolation or projection, orthographic without height.
+[[nodiscard]] CameraPath read_camera_path(const std::filesystem::path& file);
+
+void write_camera_path(const std::filesystem::path& file, const CameraPath& path);
+
+}  // namespace occlude::render

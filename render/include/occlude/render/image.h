@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Pictures in memory and as PNG files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace occlude::render {
+
+/// Rows from top to bottom, pixels from left to right.
+template <class Pixel>
+struct Raster {
+  int width = 0, height = 0;
+  std::vector<Pixel> pixels;
+
+  [[nodiscard]] const Pixel& at(int x, int y) const {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+};
+
+struct Rgba {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  friend bool operator==(const Rgba&, const Rgba&) = default;
+};
+
+using Image = Raster<Rgba>;
+
+/// Polygon seen at each pixel, by index in the drawn soup; kNothing where there is none.
+using ItemBuffer = Raster<std::uint32_t>;
+inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
+
+void write_png(const std::filesystem::path& file, const Image& image);
+
+}  // namespace occlude::render

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Models in and out.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "occlude/culler/polygon_soup.h"
+
+namespace occlude::render {
+
+/// Reads a model as polygon soup; polygons keep their sides. PLY and OBJ keep double precision; every other format the
+/// Assimp library knows (glTF, COLLADA, STL, ...) comes in its single precision.
+/// Throws InputError with file and place for: a file that cannot be read or parsed, a coordinate that is not finite or
+/// outside {0} or [2^-100, 2^100] in magnitude, an index out of range, a polygon of fewer than three vertices, no polygons.
+[[nodiscard]] culler::PolygonSoup read_model(const std::filesystem::path& file);
+
+/// Writes binary little-endian PLY with double coordinates and list uchar/uint32 faces; `comments` become header comments.
+void write_ply(const std::filesystem::path& file, const culler::PolygonSoup& soup, const std::string& comment);
+
+}  // namespace occlude::render

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// An OpenGL context without a window. The one place that knows which library provides it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace occlude::render {
+
+/// Makes OpenGL 4.5 core current on the constructing thread for as long as it lives.
+class OffscreenContext {
+ public:
+  virtual ~OffscreenContext() = default;
+  /// The renderer's own name for itself, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+  [[nodiscard]] virtual std::string description() const = 0;
+};
+
+/// Throws std::runtime_error when the machine has no such context.
+[[nodiscard]] std::unique_ptr<OffscreenContext> make_offscreen_context();
+
+}  // namespace occlude::render

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// One rewritten line on stderr while a command works, and the wish of the user to stop it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace occlude::render {
+
+/// Shows "LABEL done/total  time left" once a second has passed, only when stderr is a terminal; the destructor clears it.
+class Progress {
+ public:
+  Progress(std::string label, std::size_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void update(std::size_t done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string label_;
+  std::size_t total_;
+  Clock::time_point start_, last_;
+  bool terminal_, shown_ = false;
+};
+
+/// From now on Ctrl-C (and SIGTERM) only sets a flag.
+void catch_interrupts();
+
+/// Throws Interrupted when the flag is set. Long work calls it between its steps.
+void check_interrupt();
+
+}  // namespace occlude::render

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Draws ranges of a polygon soup off screen: shaded picture and item buffer in one pass.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "occlude/culler/camera.h"
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/render/image.h"
+
+namespace occlude::render {
+
+using culler::PolygonRange;
+
+/// A set of ranges drawn in one manner.
+struct Layer {
+  std::span<const PolygonRange> ranges;
+  std::optional<Rgba> tint;  ///< blends this colour (by its alpha) over the polygon's own; none: as it is
+};
+
+/// A straight line in model space, drawn over the picture where not hidden.
+struct Line {
+  glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
+  Rgba colour;
+};
+
+class SceneRenderer {
+ public:
+  /// Uploads the polygons in their order; pixels of the item buffer hold their index. Coordinates are recentred before they
+  /// are narrowed to float. REQUIRES: an OffscreenContext current on this thread, for the lifetime of the object.
+  SceneRenderer(const culler::PolygonSoup& soup, int width, int height);
+  ~SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+  /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed.
+  void draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines = {});
+
+  /// What the last draw left.
+  [[nodiscard]] Image image() const;
+  [[nodiscard]] ItemBuffer item_buffer() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace occlude::render

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The paper's experiment (section 6.3): a path through a model, with view-frustum culling alone and with occlusion culling.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "occlude/culler/culler.h"
+#include "occlude/render/camera_path.h"
+
+namespace occlude::render {
+
+struct WalkOptions {
+  int width = 640, height = 360;             ///< of the picture, pixels
+  std::size_t begin = 0, end = SIZE_MAX, step = 1;  ///< frames walked: begin, begin + step, ... below end
+  culler::CullOptions cull;
+  bool render = true;                        ///< draw and compare; without it only culling is measured
+  std::optional<std::filesystem::path> witness;  ///< where to write the proof of every culled subtree (JSON Lines)
+};
+
+/// Width over height of the pictures.
+[[nodiscard]] inline double aspect(const WalkOptions& options) { return static_cast<double>(options.width) / options.height; }
+
+/// The frames that a walk of this path visits. Throws InputError when there are none.
+[[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
+
+/// One frame. Times in milliseconds, polygons of the model.
+struct FrameRecord {
+  std::size_t frame = 0;
+  std::size_t view_frustum_polygons = 0;  ///< drawn with view-frustum culling alone
+  std::size_t rendered_polygons = 0;      ///< drawn with occlusion culling
+  std::size_t visible_polygons = 0;       ///< with a pixel in the item buffer
+  double view_frustum_cull_ms = 0, view_frustum_frame_ms = 0;
+  double cull_ms = 0, frame_ms = 0;
+  std::size_t occluders = 0;
+  culler::CullStats stats;
+  /// Pixels at which the pictures of the two methods differ, and those of them that the renderer's rounding of vertices to
+  /// 1/256 pixel explains: the pixel's centre is as near as that to the silhouette of the occluder.
+  std::size_t wrong_pixels = 0, snapped_pixels = 0;
+  /// Culled polygons with a pixel in the item buffer that snapping does not explain.
+  std::size_t false_culls = 0;
+};
+
+struct Plate {
+  std::string file;     ///< name within plates/
+  std::string caption;
+};
+
+struct WalkResult {
+  std::size_t polygons = 0, triangles = 0;  ///< of the model
+  std::vector<FrameRecord> frames;
+  std::size_t reference_frames = 0;  ///< frames whose item buffer was drawn from the whole model, without any culling
+  std::size_t witnesses = 0;
+  kernel::Operations operations;     ///< of the shadow tests on the reference frames, plain arithmetic
+  double preprocess_s = 0;
+  std::string renderer;              ///< as the driver names itself
+  std::vector<Plate> plates;
+};
+
+/// Walks the path and writes frames.csv, summary.json, report.html, plates/*.png into `directory` (and the witness file), all
+/// at the end and each file whole. Throws InputError for an unusable folder, fewer than two polygons or an empty frame range,
+/// Interrupted on Ctrl-C.
+WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
+                const std::string& model_name, const std::filesystem::path& directory);
+
+}  // namespace occlude::render

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/camera_path.h"
+
+#include <algorithm>
+
+namespace occlude::render {
+namespace {
+
+using glm::dvec3;
+
+/// The straight line from a (t = 0) to b (t = 1), exact at both ends.
+dvec3 linear(const dvec3& a, const dvec3& b, double t) { return (1 - t) * a + t * b; }
+
+/// The uniform Catmull-Rom segment from b (t = 0) to c (t = 1), with neighbours a and d: a cubic Hermite curve with the tangents
+/// (c - a) / 2 and (d - b) / 2. Exact at both ends.
+dvec3 catmull_rom(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, double t) {
+  const double u = 1 - t;
+  const dvec3 tangent_b = 0.5 * (c - a), tangent_c = 0.5 * (d - b);
+  return (1 + 2 * t) * u * u * b + t * u * u * tangent_b + t * t * (3 - 2 * t) * c - t * t * u * tangent_c;
+}
+
+/// The keyframe at `index`, which may lie one off either end: there the path goes on as the mirror image of its first or last
+/// segment, so that two keyframes give a straight line.
+CameraPath::Keyframe extended(const std::vector<CameraPath::Keyframe>& keys, std::size_t index_plus_one) {
+  if (index_plus_one == 0) return {2.0 * keys[0].eye - keys[1].eye, 2.0 * keys[0].target - keys[1].target};
+  if (index_plus_one <= keys.size()) return keys[index_plus_one - 1];
+  const auto &last = keys.back(), &before = keys[keys.size() - 2];
+  return {2.0 * last.eye - before.eye, 2.0 * last.target - before.target};
+}
+
+}  // namespace
+
+culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
+  // In whole numbers, so that a frame on a keyframe lies on it exactly.
+  const std::size_t steps = frame * (keyframes.size() - 1);
+  const std::size_t segment = std::min(steps / (frames - 1), keyframes.size() - 2);
+  const double t = static_cast<double>(steps - segment * (frames - 1)) / static_cast<double>(frames - 1);
+  const Keyframe &from = keyframes[segment], &to = keyframes[segment + 1];
+
+  culler::Camera camera;
+  if (interpolation == Interpolation::linear) {
+    camera.eye = linear(from.eye, to.eye, t);
+    camera.target = linear(from.target, to.target, t);
+  } else {
+    const Keyframe before = extended(keyframes, segment), after = extended(keyframes, segment + 3);
+    camera.eye = catmull_rom(before.eye, from.eye, to.eye, after.eye, t);
+    camera.target = catmull_rom(before.target, from.target, to.target, after.target, t);
+  }
+  camera.up = up;
+  camera.projection = projection;
+  camera.fov_y_deg = fov_y_deg;
+  camera.height = height;
+  camera.aspect = aspect;
+  camera.near = near;
+  camera.far = far;
+  return camera;
+}
+
+}  // namespace occlude::render

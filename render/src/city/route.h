@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The way of the camera through the model, in plan, and the room that is kept free along it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "builder.h"
+#include "occlude/render/camera_path.h"
+#include "terrain.h"
+#include "units.h"
+
+namespace occlude::render::city {
+
+/// The way as a chain of points about a metre apart or closer, z the ground under it.
+class Route {
+ public:
+  explicit Route(const Terrain& terrain);
+
+  [[nodiscard]] Length length() const { return at_.back(); }
+  /// The ground under the way, `distance` along it (clamped to its ends).
+  [[nodiscard]] Point point(Length distance) const;
+  /// Whether something standing on `rect` would be within `kClearance` (in plan) of the way.
+  [[nodiscard]] bool crosses(const Rect& rect) const;
+  /// As above with a margin of the caller's.
+  [[nodiscard]] bool crosses(const Rect& rect, Length margin) const;
+
+  static constexpr Length kClearance = m(1.5);
+
+ private:
+  std::vector<Point> points_;
+  std::vector<Length> at_;  ///< distance of each point from the start
+  /// Bounds of runs of kChunk points, for `crosses`.
+  static constexpr std::size_t kChunk = 64;
+  std::vector<Rect> chunks_;
+};
+
+/// Level ground in pieces of about `cell`, each cut into `parts` x `parts` where the camera passes within 9 m: what is near
+/// the camera looks large, and would crowd out walls as occluder.
+void build_pavement(Builder& b, const Route& route, const Rect& rect, Length z, Length cell, Length parts);
+
+/// The camera path of 2748 frames (as many as the paper's) along `route`.
+[[nodiscard]] CameraPath film(const Route& route, const Terrain& terrain);
+
+/// The middle line of the lane through the hills, west to east; the route follows it.
+[[nodiscard]] const std::vector<Point>& lane();
+
+}  // namespace occlude::render::city

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "gl_program.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace occlude::render {
+
+GlProgram::GlProgram(const char* vertex_shader, const char* fragment_shader) : name_(glCreateProgram()) {
+  attach(GL_VERTEX_SHADER, vertex_shader);
+  attach(GL_FRAGMENT_SHADER, fragment_shader);
+  glLinkProgram(name_);
+  GLint linked = GL_FALSE, length = 0;
+  glGetProgramiv(name_, GL_LINK_STATUS, &linked);
+  if (linked == GL_TRUE) return;
+  // A shader that did not compile does not link either, and the log says why.
+  glGetProgramiv(name_, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(length), '\0');
+  glGetProgramInfoLog(name_, length, nullptr, log.data());
+  glDeleteProgram(name_);
+  throw std::runtime_error("OpenGL refuses the shaders: " + log);
+}
+
+void GlProgram::attach(GLenum stage, const char* text) const {
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  glAttachShader(name_, shader);
+  glDeleteShader(shader);  // it lives on as long as the program
+}
+
+}  // namespace occlude::render

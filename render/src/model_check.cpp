@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "model_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "occlude/render/errors.h"
+
+namespace occlude::render {
+namespace {
+
+// The kernel is exact for magnitudes between these, 2^-100 and 2^100.
+constexpr double kSmallest = 0x1p-100;
+constexpr double kLargest = 0x1p+100;
+
+std::optional<std::string> coordinate_fault(char axis, double value) {
+  const double magnitude = std::fabs(value);
+  if (value == 0 || (magnitude >= kSmallest && magnitude <= kLargest)) return std::nullopt;
+  if (!std::isfinite(value)) return fmt::format("{} is not finite", axis);
+  return fmt::format("{} is out of range (neither 0 nor of magnitude 2^-100 to 2^100)", axis);
+}
+
+}  // namespace
+
+std::optional<std::string> vertex_fault(const glm::dvec3& v) {
+  if (auto fault = coordinate_fault('x', v.x)) return fault;
+  if (auto fault = coordinate_fault('y', v.y)) return fault;
+  return coordinate_fault('z', v.z);
+}
+
+std::optional<std::string> loop_fault(std::span<const std::int64_t> loop, std::size_t vertices, int base) {
+  if (loop.size() < 3) return fmt::format("{} vertices (a polygon needs 3)", loop.size());
+  for (const std::int64_t index : loop) {
+    if (index < 0 || static_cast<std::uint64_t>(index) >= vertices)
+      return fmt::format("vertex index {} is out of range ({} vertices)", index + base, vertices);
+  }
+  return std::nullopt;
+}
+
+void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop) {
+  for (const std::int64_t index : loop) soup.indices.push_back(static_cast<std::uint32_t>(index));
+  soup.first.push_back(static_cast<std::uint32_t>(soup.indices.size()));
+}
+
+void require_usable(const std::filesystem::path& file, const culler::PolygonSoup& soup) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (soup.empty()) throw InputError(file.string() + ": no polygons");
+  if (soup.vertices.size() > kMost || soup.indices.size() > kMost)
+    throw InputError(fmt::format("{}: more than {} polygon corners", file.string(), kMost));
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The values that follow the header of a PLY file, in any of its three encodings.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "ply_header.h"
+
+namespace occlude::render::ply {
+
+/// Takes one value after another. Throws InputError naming the file and, in text, the line, when there is none.
+class ValueReader {
+ public:
+  ValueReader(const std::filesystem::path& file, const Header& header, std::string_view bytes);
+
+  [[nodiscard]] double real(Scalar type);
+  /// REQUIRES: is_integer(type).
+  [[nodiscard]] std::int64_t integer(Scalar type);
+  /// Passes over `property` of one element.
+  void skip(const Property& property);
+
+  /// Throws unless the rest of the file can hold `element`. To be called before anything is allocated for it.
+  void expect_room_for(const Element& element) const;
+  /// What is being read, for messages: "face 17".
+  void enter(const Element& element, std::size_t index) { element_ = &element, index_ = index; }
+  /// The file and the place in it: "model.ply: face 17" or, in text, "model.ply:40: face 17".
+  [[nodiscard]] std::string place() const;
+  [[noreturn]] void fail(const std::string& reason) const;
+
+ private:
+  template <class T>
+  T take();
+  template <class T>
+  T take_text();
+  template <class T>
+  T take_binary();
+  [[nodiscard]] std::string_view token();
+
+  const std::filesystem::path& file_;
+  const Element* element_ = nullptr;
+  std::size_t index_ = 0;
+  Encoding encoding_;
+  std::string_view rest_;
+  std::size_t line_;
+};
+
+}  // namespace occlude::render::ply

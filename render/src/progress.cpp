@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "occlude/render/errors.h"
+
+namespace occlude::render {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void on_interrupt(int) { interrupted = 1; }
+
+}  // namespace
+
+Progress::Progress(std::string label, std::size_t total)
+    : label_(std::move(label)), total_(total), start_(Clock::now()), last_(start_), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::update(std::size_t done) {
+  const Clock::time_point now = Clock::now();
+  // Twice a second is smooth enough to watch, and the first second is not worth a line.
+  if (!terminal_ || now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(500)) return;
+  last_ = now;
+  shown_ = true;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const double left = done == 0 ? 0 : elapsed / static_cast<double>(done) * static_cast<double>(total_ - done);
+  fmt::print(stderr, "\r\033[K{} {}/{}  {:.0f} s left", label_, done, total_, left);
+  std::fflush(stderr);
+}
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+void check_interrupt() {
+  if (interrupted) throw Interrupted();
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// From model space to the clip space of the renderer, with reversed depth.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "occlude/culler/camera.h"
+
+namespace occlude::render {
+
+/// The box that holds all vertices.
+struct Extent {
+  glm::dvec3 min{0, 0, 0}, max{0, 0, 0};
+};
+
+/// Takes vectors relative to the eye to clip space: depth 1 at the near plane, 0 at the far plane or at infinity. Half the
+/// values a float can take between 0 and 1 lie below 2^-63, which spreads its precision evenly over the distances. An
+/// orthographic view without a far plane gets one behind `model`.
+[[nodiscard]] glm::mat4 clip_from_eye_relative(const culler::Camera& camera, const Extent& model);
+
+}  // namespace occlude::render

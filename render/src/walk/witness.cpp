@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/witness.h"
+
+#include <fmt/format.h>
+
+namespace occlude::render {
+namespace {
+
+// fmt prints the shortest decimal that reads back to the same double.
+template <class Vector>
+std::string triple(const Vector& v) {
+  return fmt::format("[{},{},{}]", v.x, v.y, v.z);
+}
+
+std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near) {
+  if (const auto& plane = frustum.support_plane()) {
+    return fmt::format(R"({{"normal":{},"point":{}}})", triple(plane->normal), triple(plane->point));
+  }
+  return near == kernel::Near::farthest ? R"("farthest")" : R"("surface")";
+}
+
+/// `"by":"shadow",...` for each occluder of the frame.
+std::vector<std::string> shadow_members(const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  std::vector<std::string> members;
+  for (const culler::Occluder& occluder : result.occluders) {
+    std::string polygon;
+    for (const std::uint32_t index : soup.loop(occluder.polygon)) {
+      polygon += (polygon.empty() ? "" : ",") + triple(soup.vertices[index]);
+    }
+    members.push_back(fmt::format(R"("by":"shadow","occluders":[{{"polygon":[{}]}}],"near":{})", polygon,
+                                  near_member(occluder.frustum, near)));
+  }
+  return members;
+}
+
+std::vector<std::string> view_members(const culler::CullResult& result) {
+  std::vector<std::string> members;
+  for (const culler::HalfSpace& h : result.view) {
+    members.push_back(
+        fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset));
+  }
+  return members;
+}
+
+}  // namespace
+
+void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
+                      const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
+  const culler::Hierarchy& hierarchy = culler.hierarchy();
+  const auto by_view = view_members(result), by_shadow = shadow_members(culler, result, near);
+  const std::string viewpoint = camera.projection == culler::Projection::perspective
+                                    ? fmt::format(R"("eye":{})", triple(camera.eye))
+                                    : fmt::format(R"("direction":{})", triple(camera.axes().forward));
+  for (const culler::Culled& culled : result.culled) {
+    const culler::Hierarchy::Node& node = hierarchy.nodes()[culled.node];
+    const std::size_t first = hierarchy.first_triangle(node.first);
+    const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
+    const auto& reason = (culled.by == culler::Culled::By::view ? by_view : by_shadow)[culled.index];
+    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{{"min":{},"max":{}}},"triangles":[{},{}],{}}})", frame, viewpoint,
+                                triple(node.box.min), triple(node.box.max), first, count, reason));
+  }
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The kernel held against the oracle on every family of degenerate cases.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "occlude/fuzz/cases.h"
+#include "occlude/kernel/overlap.h"
+#include "occlude/oracle/oracle.h"
+
+namespace {
+
+using namespace occlude;
+
+oracle::Point point(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
+
+oracle::Answer exact_answer(const fuzz::Case& c, const std::optional<kernel::SupportPlane>& support) {
+  oracle::Near near{c.near == kernel::Near::farthest ? oracle::Near::Kind::farthest : oracle::Near::Kind::surface, {}, {}};
+  if (support) near = {oracle::Near::Kind::plane, point(support->normal), point(support->point)};
+  std::vector<oracle::Point> loop;
+  for (const kernel::Vec3& v : c.polygon) loop.push_back(point(v));
+  return oracle::relation({point(c.viewpoint.value), !c.viewpoint.is_eye()}, loop, near, {point(c.box.min), point(c.box.max)});
+}
+
+class Family : public testing::TestWithParam<fuzz::Family> {};
+
+TEST_P(Family, CertifiedEqualsOracle) {
+  const char* const requested = std::getenv("OCCLUDE_SEED");
+  const std::uint64_t base = requested ? std::stoull(requested) : 1;
+  constexpr std::uint64_t kCases = 4000;
+  std::array<std::size_t, 3> answers{};
+  std::array<std::size_t, 2> stages{};
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    const std::uint64_t seed = base * kCases + i;
+    SCOPED_TRACE("family " + std::string(fuzz::name(GetParam())) + ", seed " + std::to_string(seed));
+    const fuzz::Case c = fuzz::make_case(GetParam(), seed);
+    const auto made = kernel::ShadowFrustum::make(c.viewpoint, c.polygon, c.near);
+    const auto support = made.frustum ? made.frustum->support_plane() : std::nullopt;
+    const oracle::Answer exact = exact_answer(c, support);
+    ASSERT_EQ(made.frustum.has_value(), exact.refusal.empty()) << exact.refusal << " / " << kernel::to_string(made.refusal);
+    if (!made.frustum) continue;
+    const kernel::Decision overlap = kernel::overlap_certified(*made.frustum, c.box);
+    ASSERT_EQ(static_cast<int>(overlap.relation), static_cast<int>(exact.relation));
+    const kernel::Decision planes = kernel::conservative_certified(*made.frustum, c.box);
+    ASSERT_TRUE(planes.relation == overlap.relation || planes.relation == kernel::Relation::partial);
+    ASSERT_EQ(planes.relation == kernel::Relation::inside, overlap.relation == kernel::Relation::inside);
+    ++answers[static_cast<std::size_t>(overlap.relation)];
+    ++stages[static_cast<std::size_t>(overlap.stage)];
+  }
+  std::printf("%-28s inside %5zu partial %5zu outside %5zu, filter %5zu exact %5zu\n", std::string(fuzz::name(GetParam())).c_str(),
+              answers[0], answers[1], answers[2], stages[0], stages[1]);
+  EXPECT_GT(answers[0] + answers[1] + answers[2], kCases / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Family, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
+                         [](const auto& info) { return std::string(fuzz::name(info.param)); });
+
+}  // namespace

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/scene_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "occlude/render/offscreen_context.h"
+
+namespace occlude::render {
+namespace {
+
+using culler::Camera;
+using culler::PolygonSoup;
+using glm::dvec3;
+
+constexpr int kWidth = 64, kHeight = 36;
+
+class SceneRendererTest : public testing::Test {
+ protected:
+  /// A camera at `eye` that looks along +x.
+  [[nodiscard]] static Camera camera_at(const dvec3& eye) {
+    Camera camera;
+    camera.eye = eye;
+    camera.target = eye + dvec3(1, 0, 0);
+    return camera;
+  }
+  /// Adds the quadrilateral at x, with y to the left of a camera looking along +x and z up.
+  static void add_wall(PolygonSoup& soup, double x, double y0, double y1, double z0, double z1) {
+    const std::array<std::uint32_t, 4> loop = {soup.add_vertex({x, y0, z0}), soup.add_vertex({x, y1, z0}),
+                                               soup.add_vertex({x, y1, z1}), soup.add_vertex({x, y0, z1})};
+    soup.add_polygon(loop);
+  }
+  [[nodiscard]] static std::uint32_t count(const PolygonSoup& soup) { return static_cast<std::uint32_t>(soup.size()); }
+  [[nodiscard]] static std::size_t pixels(const ItemBuffer& items, std::uint32_t item) {
+    return static_cast<std::size_t>(std::ranges::count(items.pixels, item));
+  }
+  static void draw(SceneRenderer& renderer, const Camera& camera, const std::vector<PolygonRange>& ranges) {
+    const std::array<Layer, 1> layers = {Layer{ranges, {}}};
+    renderer.draw(camera, layers);
+  }
+  [[nodiscard]] static ItemBuffer items_of(const PolygonSoup& soup, const Camera& camera) {
+    SceneRenderer renderer(soup, kWidth, kHeight);
+    draw(renderer, camera, {{0, count(soup)}});
+    return renderer.item_buffer();
+  }
+  /// Crossing walls before the camera, many of them hidden.
+  [[nodiscard]] static PolygonSoup clutter(std::size_t polygons) {
+    std::mt19937 random(7);
+    const auto uniform = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    PolygonSoup soup;
+    for (std::size_t p = 0; p < polygons; ++p) {
+      const dvec3 centre(uniform(2, 40), uniform(-20, 20), uniform(-12, 12));
+      std::array<std::uint32_t, 4> loop;
+      const dvec3 u(uniform(-3, 3), uniform(-3, 3), 0), v(uniform(-1, 1), 0, uniform(1, 4));
+      const std::array<dvec3, 4> corners = {centre - u - v, centre + u - v, centre + u + v, centre - u + v};
+      for (std::size_t i = 0; i < 4; ++i) loop[i] = soup.add_vertex(corners[i]);
+      soup.add_polygon(loop);
+    }
+    return soup;
+  }
+
+  std::unique_ptr<OffscreenContext> context_ = make_offscreen_context();
+};
+
+TEST_F(SceneRendererTest, AWallCoversItsPixels) {
+  // At distance 1 the picture is 2 tan 30 high; the wall takes its left upper quarter.
+  const double top = 0.57735026918962576, left = top * 16 / 9;
+  PolygonSoup soup;
+  add_wall(soup, 10, 0, 20 * left, 0, 20 * top);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  draw(renderer, camera_at({0, 0, 0}), {{0, 1}});
+  const ItemBuffer items = renderer.item_buffer();
+  const Image image = renderer.image();
+  const Rgba sky = image.at(kWidth - 1, kHeight - 1);
+  ASSERT_EQ(items.width, kWidth);
+  ASSERT_EQ(items.height, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const bool covered = x < kWidth / 2 && y < kHeight / 2;
+      EXPECT_EQ(items.at(x, y), covered ? 0 : kNothing) << x << ' ' << y;
+      EXPECT_EQ(image.at(x, y) == sky, !covered) << x << ' ' << y;
+      EXPECT_EQ(image.at(x, y).a, 255);
+    }
+  }
+}
+
+TEST_F(SceneRendererTest, NothingDrawnIsSkyAndNoItem) {
+  PolygonSoup soup;
+  add_wall(soup, -10, -5, 5, -5, 5);  // behind the eye
+  EXPECT_EQ(pixels(items_of(soup, camera_at({0, 0, 0})), kNothing), std::size_t{kWidth * kHeight});
+}
+
+TEST_F(SceneRendererTest, TheNearerPolygonHidesTheFartherInEitherOrder) {
+  for (const bool near_first : {true, false}) {
+    PolygonSoup soup;
+    add_wall(soup, near_first ? 10 : 20, -1e3, 1e3, -1e3, 1e3);
+    add_wall(soup, near_first ? 20 : 10, -1e3, 1e3, -1e3, 1e3);
+    EXPECT_EQ(pixels(items_of(soup, camera_at({0, 0, 0})), near_first ? 0 : 1), std::size_t{kWidth * kHeight});
+  }
+}
+
+TEST_F(SceneRendererTest, BothSidesAreOpaque) {
+  PolygonSoup soup;
+  add_wall(soup, 10, 1e3, -1e3, -1e3, 1e3);
+  EXPECT_EQ(pixels(items_of(soup, camera_at({0, 0, 0})), 0), std::size_t{kWidth * kHeight});
+  Camera back = camera_at({20, 0, 0});
+  back.target = {0, 0, 0};
+  EXPECT_EQ(pixels(items_of(soup, back), 0), std::size_t{kWidth * kHeight});
+}
+
+TEST_F(SceneRendererTest, ItemsAreExactToTheLastNumber) {
+  // More polygons than a float counts in steps of one; all but the last few lie in a point.
+  PolygonSoup soup;
+  const std::uint32_t point = soup.add_vertex({5, 0, 0});
+  const std::array<std::uint32_t, 3> degenerate = {point, point, point};
+  constexpr std::uint32_t kMany = (1 << 17) + 1;
+  for (std::uint32_t i = 0; i < kMany; ++i) soup.add_polygon(degenerate);
+  for (int strip = 0; strip < 4; ++strip) add_wall(soup, 10, 100, -100, -100.0 + 50 * strip, -50.0 + 50 * strip);
+  const ItemBuffer items = items_of(soup, camera_at({0, 0, 0}));
+  EXPECT_EQ(pixels(items, kMany + 1) + pixels(items, kMany + 2), std::size_t{kWidth * kHeight});
+  EXPECT_EQ(items.at(5, 0), kMany + 2);
+  EXPECT_EQ(items.at(5, kHeight - 1), kMany + 1);
+}
+
+TEST_F(SceneRendererTest, OnlyTheRangesGivenAreDrawn) {
+  PolygonSoup soup;
+  for (int i = 0; i < 6; ++i) add_wall(soup, 10, -6.0 + 2 * i, -4.0 + 2 * i, -4, 4);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  draw(renderer, camera_at({0, 0, 0}), {{0, 1}, {1, 1}, {3, 0}, {4, 2}});
+  const ItemBuffer items = renderer.item_buffer();
+  for (const std::uint32_t drawn : {0U, 1U, 4U, 5U}) EXPECT_GT(pixels(items, drawn), 20U) << drawn;
+  for (const std::uint32_t left_out : {2U, 3U}) EXPECT_EQ(pixels(items, left_out), 0U) << left_out;
+}
+
+TEST_F(SceneRendererTest, DepthSeparatesFiveCentimetresAtTwoKilometres) {
+  for (const bool near_first : {true, false}) {
+    PolygonSoup soup;
+    add_wall(soup, near_first ? 2000 : 2000.05, -2e3, 2e3, -2e3, 2e3);
+    add_wall(soup, near_first ? 2000.05 : 2000, -2e3, 2e3, -2e3, 2e3);
+    EXPECT_EQ(pixels(items_of(soup, camera_at({0, 0, 0})), near_first ? 0 : 1), std::size_t{kWidth * kHeight});
+  }
+}
+
+TEST_F(SceneRendererTest, AModelFarFromTheOriginLooksTheSame) {
+  const PolygonSoup soup = clutter(200);
+  PolygonSoup moved = soup;
+  const dvec3 offset(4e6, -3e6, 1e5);
+  for (dvec3& v : moved.vertices) v += offset;
+  const ItemBuffer here = items_of(soup, camera_at({0, 0, 0})), there = items_of(moved, camera_at(offset));
+  // Doubles round at 4e6 to 5e-10: no pixel but one on an edge may change.
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < here.pixels.size(); ++i) different += here.pixels[i] != there.pixels[i];
+  EXPECT_LE(different, 2U);
+}
+
+TEST_F(SceneRendererTest, HiddenPolygonsLeaveNoTrace) {
+  const PolygonSoup soup = clutter(3000);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  draw(renderer, camera_at({0, 0, 0}), {{0, count(soup)}});
+  const ItemBuffer all = renderer.item_buffer();
+  const Image picture = renderer.image();
+  std::vector<bool> seen(soup.size());
+  for (const std::uint32_t item : all.pixels) {
+    if (item != kNothing) seen[item] = true;
+  }
+  std::vector<PolygonRange> visible;
+  for (std::uint32_t p = 0; p < count(soup); ++p) {
+    if (seen[p]) visible.push_back({p, 1});
+  }
+  ASSERT_LT(visible.size(), soup.size() / 2);
+  draw(renderer, camera_at({0, 0, 0}), visible);
+  EXPECT_EQ(renderer.item_buffer().pixels, all.pixels);
+  EXPECT_EQ(renderer.image().pixels, picture.pixels);
+}
+
+TEST_F(SceneRendererTest, OfCoplanarPolygonsTheFirstIsSeen) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -100, 100, -100, 100);
+  add_wall(soup, 10, -100, 100, -100, 100);
+  EXPECT_EQ(pixels(items_of(soup, camera_at({0, 0, 0})), 0), std::size_t{kWidth * kHeight});
+}
+
+TEST_F(SceneRendererTest, NearAndFarPlanesClip) {
+  PolygonSoup soup;
+  add_wall(soup, 5, -100, 100, -100, 100);
+  add_wall(soup, 10, -100, 100, -100, 100);
+  add_wall(soup, 20, -100, 100, -100, 100);
+  Camera camera = camera_at({0, 0, 0});
+  camera.near = 6;
+  EXPECT_EQ(pixels(items_of(soup, camera), 1), std::size_t{kWidth * kHeight});
+  camera.near = 11;
+  camera.far = 19;
+  EXPECT_EQ(pixels(items_of(soup, camera), kNothing), std::size_t{kWidth * kHeight});
+  camera.far = 21;
+  EXPECT_EQ(pixels(items_of(soup, camera), 2), std::size_t{kWidth * kHeight});
+}
+
+TEST_F(SceneRendererTest, OrthographicSizesDoNotShrinkWithDistance) {
+  PolygonSoup soup;
+  add_wall(soup, 10, 0, 100, 0, 100);
+  add_wall(soup, 9000, -100, 0, -100, 0);
+  Camera camera = camera_at({0, 0, 0});
+  camera.projection = culler::Projection::orthographic;
+  camera.height = 36;
+  const ItemBuffer items = items_of(soup, camera);
+  EXPECT_EQ(pixels(items, 0), std::size_t{kWidth / 2 * kHeight / 2});
+  EXPECT_EQ(pixels(items, 1), std::size_t{kWidth / 2 * kHeight / 2});
+  EXPECT_EQ(items.at(0, 0), 0U);
+  camera.far = 8000;
+  EXPECT_EQ(pixels(items_of(soup, camera), 1), 0U);
+  camera.near = 11;
+  EXPECT_EQ(pixels(items_of(soup, camera), 0), 0U);
+}
+
+TEST_F(SceneRendererTest, TintsAndLinesChangeThePictureAndNotTheItems) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -100, 100, -100, 100);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  const std::vector<PolygonRange> all = {{0, 1}};
+  const std::array<Layer, 1> tinted = {Layer{all, Rgba{0, 0, 255, 255}}};
+  const Camera camera = camera_at({0, 0, 0});
+  renderer.draw(camera, tinted);
+  const Image blue = renderer.image();
+  EXPECT_GT(blue.at(3, 3).b, blue.at(3, 3).r);
+
+  // One line before the wall, at the height of the picture's middle, and one behind it further up.
+  const std::array<Line, 2> lines = {Line{{8, 100, 0}, {8, -100, 0}, {255, 0, 0, 255}},
+                                     Line{{20, 100, 6}, {20, -100, 6}, {255, 0, 0, 255}}};
+  renderer.draw(camera, tinted, lines);
+  const Image lined = renderer.image();
+  int strong = 0, faint = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    const Rgba pixel = lined.at(20, y);
+    EXPECT_EQ(pixel.a, 255);
+    if (pixel.r == 255 && pixel.b == 0) ++strong;
+    if (pixel.r > blue.at(20, y).r && pixel.b > 0) ++faint;
+  }
+  EXPECT_GE(strong, 1);
+  EXPECT_GE(faint, 1);
+  EXPECT_EQ(pixels(renderer.item_buffer(), 0), std::size_t{kWidth * kHeight});
+}
+
+TEST_F(SceneRendererTest, ImpossibleSizesAreRefused) {
+  PolygonSoup soup;
+  add_wall(soup, 5, 0, 1, 0, 1);
+  EXPECT_THROW(SceneRenderer(soup, 0, 10), std::runtime_error);
+  EXPECT_THROW(SceneRenderer(soup, 10, 1 << 20), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace occlude::render
