@@ -2,11 +2,14 @@
 #include "comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <set>
+#include <span>
 
 namespace occlude::render {
 namespace {
@@ -15,24 +18,52 @@ namespace {
 /// axis, sqrt(2)/512; the occluder's border and the hidden polygon's may move towards each other.
 const double kSnapping = 2 * std::sqrt(2.0) / 512;
 
-/// The position of a point in the picture, in pixels from the top left corner. REQUIRES: the point is before the camera.
-glm::dvec2 project(const culler::Camera& camera, const culler::Camera::Axes& axes, const glm::dvec3& point, int width, int height) {
-  const glm::dvec3 v = point - camera.eye;
-  double x = glm::dot(v, axes.right), y = glm::dot(v, axes.up);
-  double half_height = camera.height / 2;
-  if (camera.projection == culler::Projection::perspective) {
-    half_height = std::tan(glm::radians(camera.fov_y_deg) / 2) * glm::dot(v, axes.forward);
+/// Where points of the model lie in the picture.
+class Projector {
+ public:
+  Projector(const culler::Camera& camera, int width, int height)
+      : camera_(camera), axes_(camera.axes()), width_(width), height_(height) {}
+
+  [[nodiscard]] bool is_before_camera(const glm::dvec3& point) const {
+    return glm::dot(point - camera_.eye, axes_.forward) >= camera_.near;
   }
-  x /= half_height * camera.aspect;
-  y /= half_height;
-  return {(1 + x) / 2 * width, (1 - y) / 2 * height};
-}
+
+  /// In pixels from the top left corner. REQUIRES: the point is before the camera.
+  [[nodiscard]] glm::dvec2 operator()(const glm::dvec3& point) const {
+    const glm::dvec3 v = point - camera_.eye;
+    const double half_height = camera_.projection == culler::Projection::perspective
+                                   ? std::tan(glm::radians(camera_.fov_y_deg) / 2) * glm::dot(v, axes_.forward)
+                                   : camera_.height / 2;
+    const double x = glm::dot(v, axes_.right) / (half_height * camera_.aspect), y = glm::dot(v, axes_.up) / half_height;
+    return {(1 + x) / 2 * width_, (1 - y) / 2 * height_};
+  }
+
+ private:
+  const culler::Camera& camera_;
+  culler::Camera::Axes axes_;
+  double width_, height_;
+};
 
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 ab = b - a;
   const double length = glm::dot(ab, ab);
   const double t = length == 0 ? 0 : std::clamp(glm::dot(p - a, ab) / length, 0.0, 1.0);
   return glm::distance(p, a + t * ab);
+}
+
+double distance_to_outline(const glm::dvec2& p, std::span<const glm::dvec2> outline) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    nearest = std::min(nearest, distance_to_segment(p, outline[i], outline[(i + 1) % outline.size()]));
+  }
+  return nearest;
+}
+
+/// Height of a triangle over its longest edge.
+double thickness(const std::array<glm::dvec2, 3>& t) {
+  const glm::dvec2 u = t[1] - t[0], v = t[2] - t[0];
+  const double longest = std::max({glm::length(u), glm::length(v), glm::distance(t[1], t[2])});
+  return longest == 0 ? 0 : std::fabs(u.x * v.y - u.y * v.x) / longest;
 }
 
 /// What a frame did to each polygon.
@@ -57,18 +88,21 @@ class Fate {
   const culler::CullResult& result_;
 };
 
-/// Whether the centre of the pixel is within snapping of the silhouette of the occluder that took the polygon.
-bool is_snapping(const culler::Culled& cull, const culler::CullResult& result, const culler::Camera& camera,
-                 const culler::Camera::Axes& axes, int x, int y, int width, int height) {
-  if (cull.by != culler::Culled::By::shadow) return false;
-  const auto corners = result.occluders[cull.index].frustum.silhouette();
-  const glm::dvec2 centre{x + 0.5, y + 0.5};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto at = [&](std::size_t k) {
-      const kernel::Vec3& c = corners[k % corners.size()];
-      return project(camera, axes, {c.x, c.y, c.z}, width, height);
-    };
-    if (distance_to_segment(centre, at(i), at(i + 1)) <= kSnapping) return true;
+/// Whether snapping can make this pixel show a polygon that lies in the shadow of an occluder. Two ways it can:
+/// the pixel's centre is on the silhouette of the occluder, give or take the snapping; or it is on a triangle of the hidden
+/// polygon seen so nearly edge-on that snapping is larger than its thickness, and with it its depth at the pixel arbitrary.
+bool is_snapping(const glm::dvec2& centre, const Projector& project, const culler::Occluder& occluder,
+                 const culler::PolygonSoup& soup, std::uint32_t hidden) {
+  std::vector<glm::dvec2> silhouette;
+  for (const kernel::Vec3& c : occluder.frustum.silhouette()) silhouette.push_back(project({c.x, c.y, c.z}));
+  if (distance_to_outline(centre, silhouette) <= kSnapping) return true;
+
+  const auto loop = soup.loop(hidden);
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const std::array<glm::dvec3, 3> triangle{soup.vertices[loop[0]], soup.vertices[loop[i]], soup.vertices[loop[i + 1]]};
+    if (!std::all_of(triangle.begin(), triangle.end(), [&](const auto& v) { return project.is_before_camera(v); })) continue;
+    const std::array<glm::dvec2, 3> seen{project(triangle[0]), project(triangle[1]), project(triangle[2])};
+    if (thickness(seen) <= kSnapping && distance_to_outline(centre, seen) <= kSnapping) return true;
   }
   return false;
 }
@@ -78,10 +112,10 @@ bool is_snapping(const culler::Culled& cull, const culler::CullResult& result, c
 void compare(const Picture& full, const Picture& culled, const culler::Culler& culler, const culler::Camera& camera,
              const culler::CullResult& result, FrameRecord& record) {
   const Fate fate(culler, result);
-  const auto axes = camera.axes();
   std::vector<std::uint32_t> visible;
   std::set<std::uint32_t> falsely_culled;
   const int width = full.items.width, height = full.items.height;
+  const Projector project(camera, width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::uint32_t polygon = full.items.at(x, y);
@@ -90,7 +124,8 @@ void compare(const Picture& full, const Picture& culled, const culler::Culler& c
       if (same) continue;
       ++record.wrong_pixels;
       const culler::Culled* cull = polygon == kNothing ? nullptr : fate.cull_of(polygon);
-      if (cull && is_snapping(*cull, result, camera, axes, x, y, width, height)) {
+      if (cull && cull->by == culler::Culled::By::shadow &&
+          is_snapping({x + 0.5, y + 0.5}, project, result.occluders[cull->index], culler.hierarchy().soup(), polygon)) {
         ++record.snapped_pixels;
       } else if (cull) {
         falsely_culled.insert(polygon);
