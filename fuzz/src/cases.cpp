@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/fuzz/cases.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

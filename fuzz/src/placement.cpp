@@ -60,7 +60,7 @@ Vec3 weighted_sum(const std::vector<Vec3>& vertices, const std::vector<double>& 
   return sum;
 }
 
-/// Planes, normals of which go to the contact: sides that hold every weighted vertex, and perhaps the near plane.
+/// Normals of the planes on which the contact lies: of the sides that hold every weighted vertex, perhaps of the near plane.
 std::vector<Vec3> normals_at(const std::vector<SketchPlane>& planes, const Case& scene, const std::vector<double>& weights,
                              bool on_near_plane) {
   const std::size_t count = scene.polygon.size();
@@ -86,7 +86,7 @@ void reduce(double& a, double& b) {
   }
 }
 
-/// Along the sum u of the weighted rays the near plane lies at parameter past / short: short * u_p^2 ... , exact on a lattice.
+/// Where the near plane cuts a ray: at the eye + numerator / denominator * ray, both integers on a lattice.
 struct Reach {
   double numerator, denominator;
 };

@@ -22,20 +22,31 @@ bool has_lower_angle(const Step& p, const Step& q) {
   return half(p) != half(q) ? half(q) : cross(p, q) > 0;
 }
 
-/// Edges, sorted by angle, of a convex polygon: `count - 1` of them random, the last one closing the loop.
-std::vector<Step> lattice_edges(Random& random, int count, int reach) {
+bool have_one_direction(const Step& p, const Step& q) { return cross(p, q) == 0 && p.a * q.a + p.b * q.b > 0; }
+
+/// `count - 1` random steps of different directions, and the one that leads back.
+std::vector<Step> closed_steps(Random& random, int count, int reach) {
   std::vector<Step> steps;
   Step closing;
   while (static_cast<int>(steps.size()) < count - 1) {
     const Step step{random.integer(-reach, reach), random.integer(-reach, reach)};
-    const bool is_new = std::ranges::none_of(steps, [&](const Step& s) { return cross(s, step) == 0 && s.a * step.a >= 0 && s.b * step.b >= 0; });
-    if ((step.a == 0 && step.b == 0) || !is_new) continue;
+    const bool is_old = std::ranges::any_of(steps, [&](const Step& s) { return have_one_direction(s, step); });
+    if ((step.a == 0 && step.b == 0) || is_old) continue;
     steps.push_back(step);
     closing = {closing.a - step.a, closing.b - step.b};
   }
   if (closing.a != 0 || closing.b != 0) steps.push_back(closing);
-  std::ranges::sort(steps, has_lower_angle);
   return steps;
+}
+
+/// The edges, sorted by angle, of a convex polygon of about `count` sides.
+std::vector<Step> lattice_edges(Random& random, int count, int reach) {
+  while (true) {
+    std::vector<Step> steps = closed_steps(random, count, reach);
+    if (std::ranges::all_of(steps, [&](const Step& s) { return cross(steps[0], s) == 0; })) continue;  // no area
+    std::ranges::sort(steps, has_lower_angle);
+    return steps;
+  }
 }
 
 Vec3 lattice_vector(Random& random, int reach) {
@@ -60,7 +71,7 @@ std::array<Vec3, 2> lattice_basis(Random& random) {
 
 Near random_near(Random& random) { return random.chance(0.5) ? Near::farthest : Near::surface; }
 
-/// `polygon` of the steps in a random lattice plane, about the point `near_point`.
+/// The polygon of the steps in a random lattice plane.
 std::vector<Vec3> embed(Random& random, const std::vector<Step>& steps) {
   const auto [e, f] = lattice_basis(random);
   std::vector<Vec3> polygon;
@@ -73,7 +84,7 @@ std::vector<Vec3> embed(Random& random, const std::vector<Step>& steps) {
   return polygon;
 }
 
-/// A plane normal of the polygon, which is coplanar and has no three vertices collinear at its start.
+/// A normal of the plane of a coplanar polygon.
 Vec3 plane_normal(const std::vector<Vec3>& polygon) {
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const Vec3 normal = fuzz::cross(polygon[1] - polygon[0], polygon[i] - polygon[0]);
@@ -102,17 +113,14 @@ Case lattice_scene_of(Random& random, const std::vector<Step>& steps, bool is_ey
   return scene;
 }
 
-std::vector<Step> few_edges(Random& random) {
-  while (true) {
-    std::vector<Step> steps = lattice_edges(random, random.integer(3, 6), 3);
-    if (steps.size() >= 3 && cross(steps[0], steps[1]) != 0) return steps;
-  }
-}
+std::vector<Step> few_edges(Random& random) { return lattice_edges(random, random.integer(3, 6), 3); }
 
 Case exchange_axes(Random& random, Case scene) {
   const int shift = random.integer(0, 2);
   const std::array<double, 3> sign{random.chance(0.5) ? 1.0 : -1.0, random.chance(0.5) ? 1.0 : -1.0, 1.0};
-  const auto exchange = [&](Vec3& v) { v = {sign[0] * v[shift], sign[1] * v[(shift + 1) % 3], sign[2] * v[(shift + 2) % 3]}; };
+  const auto exchange = [&](Vec3& v) {
+    v = {sign[0] * v[shift], sign[1] * v[(shift + 1) % 3], sign[2] * v[(shift + 2) % 3]};
+  };
   std::ranges::for_each(scene.polygon, exchange);
   exchange(scene.viewpoint.value);
   return scene;
@@ -180,10 +188,7 @@ Case lattice_scene(Random& random) { return lattice_scene_of(random, few_edges(r
 
 Case many_sided_scene(Random& random) {
   const int sides = random.chance(0.5) ? random.integer(3, 12) : random.integer(13, 64);
-  while (true) {
-    const std::vector<Step> steps = lattice_edges(random, sides, sides < 13 ? 4 : 9);
-    if (steps.size() >= 3) return lattice_scene_of(random, steps);
-  }
+  return lattice_scene_of(random, lattice_edges(random, sides, sides < 13 ? 4 : 9));
 }
 
 Case collinear_scene(Random& random) {

@@ -11,16 +11,16 @@ using glm::dvec3;
 /// The straight line from a (t = 0) to b (t = 1), exact at both ends.
 dvec3 linear(const dvec3& a, const dvec3& b, double t) { return (1 - t) * a + t * b; }
 
-/// The uniform Catmull-Rom segment from b (t = 0) to c (t = 1), with neighbours a and d: a cubic Hermite curve with the tangents
-/// (c - a) / 2 and (d - b) / 2. Exact at both ends.
+/// The uniform Catmull-Rom segment from b (t = 0) to c (t = 1), with neighbours a and d: a cubic Hermite curve with the
+/// tangents (c - a) / 2 and (d - b) / 2. Exact at both ends.
 dvec3 catmull_rom(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d, double t) {
   const double u = 1 - t;
   const dvec3 tangent_b = 0.5 * (c - a), tangent_c = 0.5 * (d - b);
   return (1 + 2 * t) * u * u * b + t * u * u * tangent_b + t * t * (3 - 2 * t) * c - t * t * u * tangent_c;
 }
 
-/// The keyframe at `index`, which may lie one off either end: there the path goes on as the mirror image of its first or last
-/// segment, so that two keyframes give a straight line.
+/// The keyframe at `index`, which may lie one off either end: there the path goes on as the mirror image of its first or
+/// last segment, so that two keyframes give a straight line.
 CameraPath::Keyframe extended(const std::vector<CameraPath::Keyframe>& keys, std::size_t index_plus_one) {
   if (index_plus_one == 0) return {2.0 * keys[0].eye - keys[1].eye, 2.0 * keys[0].target - keys[1].target};
   if (index_plus_one <= keys.size()) return keys[index_plus_one - 1];

@@ -14,7 +14,8 @@ class FrameBuffer {
   /// Throws std::runtime_error if OpenGL offers no buffers of this size.
   FrameBuffer(int width, int height);
 
-  /// Makes it the target of drawing and reading, with `sky` everywhere, nothing in the item buffer and depth 0, the farthest.
+  /// Makes it the target of drawing and reading, with `sky` everywhere, nothing in the item buffer and depth 0, the
+  /// farthest.
   void begin(const Rgba& sky);
   /// Whether drawing from here on writes the item buffer besides the picture.
   void write_items(bool on);

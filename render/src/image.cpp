@@ -19,7 +19,7 @@ std::string encode(const std::filesystem::path& file, const Image& picture) {
   png.format = PNG_FORMAT_RGBA;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::string bytes(size, '\0');
-  constexpr int kAllBits = 0;    // no reduction to 8 bits: there are no more
+  constexpr int kAllBits = 0;     // no reduction to 8 bits: there are no more
   constexpr int kPackedRows = 0;  // row stride: rows follow one another
   if (png_image_write_to_memory(&png, bytes.data(), &size, kAllBits, picture.pixels.data(), kPackedRows, nullptr) == 0)
     throw InputError(file.string() + ": cannot encode the picture: " + png.message);

@@ -18,8 +18,15 @@ class OsMesaContext : public OffscreenContext {
     // Mesa would otherwise write compiled shaders to the user's cache folder.
     constexpr int kKeepWhatTheUserSet = 0;
     setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepWhatTheUserSet);
-    constexpr std::array<int, 9> kAttributes = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                                OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 5, 0};
+    constexpr std::array<int, 9> kAttributes = {OSMESA_FORMAT,
+                                                OSMESA_RGBA,
+                                                OSMESA_PROFILE,
+                                                OSMESA_CORE_PROFILE,
+                                                OSMESA_CONTEXT_MAJOR_VERSION,
+                                                4,
+                                                OSMESA_CONTEXT_MINOR_VERSION,
+                                                5,
+                                                0};
     context_ = OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
     if (context_ == nullptr) throw std::runtime_error("OSMesa offers no OpenGL 4.5 core context");
     if (OSMesaMakeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
@@ -27,13 +34,14 @@ class OsMesaContext : public OffscreenContext {
       throw std::runtime_error("OSMesa cannot make its context current");
     }
   }
-  ~OsMesaContext() override { OSMesaDestroyContext(context_); }
+  ~OsMesaContext() override {
+    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    OSMesaDestroyContext(context_);
+  }
   OsMesaContext(const OsMesaContext&) = delete;
   OsMesaContext& operator=(const OsMesaContext&) = delete;
 
-  [[nodiscard]] std::string description() const override {
-    return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  }
+  [[nodiscard]] std::string description() const override { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
 
  private:
   OSMesaContext context_;

@@ -33,7 +33,8 @@ void ValueReader::fail(const std::string& reason) const { throw InputError(place
 
 void ValueReader::expect_room_for(const Element& element) const {
   std::size_t least = 0;
-  for (const Property& property : element.properties) least += least_bytes(encoding_, property.count.value_or(property.type));
+  for (const Property& property : element.properties)
+    least += least_bytes(encoding_, property.count.value_or(property.type));
   // The last value of a text need not have a blank behind it.
   const std::size_t room = rest_.size() + (encoding_ == Encoding::ascii ? 1 : 0);
   if (least != 0 && element.count > room / least) {
@@ -85,12 +86,18 @@ double ValueReader::real(Scalar type) {
 std::int64_t ValueReader::integer(Scalar type) {
   if (encoding_ == Encoding::ascii) return take_text<std::int64_t>();
   switch (type) {
-    case Scalar::int8: return take_binary<std::int8_t>();
-    case Scalar::uint8: return take_binary<std::uint8_t>();
-    case Scalar::int16: return take_binary<std::int16_t>();
-    case Scalar::uint16: return take_binary<std::uint16_t>();
-    case Scalar::int32: return take_binary<std::int32_t>();
-    default: return take_binary<std::uint32_t>();
+    case Scalar::int8:
+      return take_binary<std::int8_t>();
+    case Scalar::uint8:
+      return take_binary<std::uint8_t>();
+    case Scalar::int16:
+      return take_binary<std::int16_t>();
+    case Scalar::uint16:
+      return take_binary<std::uint16_t>();
+    case Scalar::int32:
+      return take_binary<std::int32_t>();
+    default:
+      return take_binary<std::uint32_t>();
   }
 }
 

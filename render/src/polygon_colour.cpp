@@ -26,8 +26,12 @@ constexpr double kLevel = 0.99, kGround = 0.82, kRoof = 0.3;
 constexpr std::array<dvec3, 2> kPavement = {{{0.66, 0.66, 0.60}, {0.71, 0.70, 0.64}}};
 constexpr std::array<dvec3, 2> kGrass = {{{0.53, 0.62, 0.42}, {0.60, 0.66, 0.46}}};
 constexpr std::array<dvec3, 4> kTiles = {{{0.72, 0.42, 0.32}, {0.66, 0.46, 0.38}, {0.55, 0.50, 0.50}, {0.76, 0.50, 0.36}}};
-constexpr std::array<dvec3, 6> kWalls = {
-    {{0.78, 0.56, 0.45}, {0.88, 0.80, 0.66}, {0.84, 0.70, 0.54}, {0.92, 0.87, 0.78}, {0.72, 0.50, 0.42}, {0.80, 0.74, 0.66}}};
+constexpr std::array<dvec3, 6> kWalls = {{{0.78, 0.56, 0.45},
+                                          {0.88, 0.80, 0.66},
+                                          {0.84, 0.70, 0.54},
+                                          {0.92, 0.87, 0.78},
+                                          {0.72, 0.50, 0.42},
+                                          {0.80, 0.74, 0.66}}};
 
 /// Newell's normal of the loop, length one, or zero without area.
 dvec3 unit_normal(const culler::PolygonSoup& soup, std::size_t polygon) {
@@ -63,8 +67,8 @@ std::uint64_t combine(std::uint64_t hash, double value) {
   return scramble(hash ^ static_cast<std::uint64_t>(std::llround(std::clamp(value, -kLargest, kLargest))));
 }
 
-/// The same number for polygons that continue each other: of one cell of 64 units, one normal to 1/8, and one distance from the
-/// cell's middle to 4 units. Coarse enough that the triangles of a scanned wall, never quite in one plane, mostly agree.
+/// The same number for polygons that continue each other: of one cell of 64 units, one normal to 1/8, and one distance from
+/// the cell's middle to 4 units. Coarse enough that the triangles of a scanned wall, never quite in one plane, mostly agree.
 std::uint64_t plane_hash(const dvec3& normal, const dvec3& point) {
   constexpr double kCell = 64, kDirections = 8, kDistance = 4;
   const dvec3 cell = glm::floor(point / kCell);

@@ -27,8 +27,8 @@ glm::mat4 perspective(const Camera& camera, const Camera::Axes& axes) {
   const bool endless = std::isinf(camera.far);
   const double slope = endless ? 0 : -camera.near / (camera.far - camera.near);
   const double constant = endless ? camera.near : camera.near * (camera.far / (camera.far - camera.near));
-  return from_rows(row(y_scale / camera.aspect * axes.right, 0), row(y_scale * axes.up, 0), row(slope * axes.forward, constant),
-                   row(axes.forward, 0));
+  return from_rows(row(y_scale / camera.aspect * axes.right, 0), row(y_scale * axes.up, 0),
+                   row(slope * axes.forward, constant), row(axes.forward, 0));
 }
 
 /// Distance along the line of sight of the farthest corner of `model`.
@@ -51,7 +51,8 @@ glm::mat4 orthographic(const Camera& camera, const Camera::Axes& axes, const Ext
 
 glm::mat4 clip_from_eye_relative(const Camera& camera, const Extent& model) {
   const Camera::Axes axes = camera.axes();
-  return camera.projection == culler::Projection::perspective ? perspective(camera, axes) : orthographic(camera, axes, model);
+  return camera.projection == culler::Projection::perspective ? perspective(camera, axes)
+                                                              : orthographic(camera, axes, model);
 }
 
 }  // namespace occlude::render

@@ -15,7 +15,7 @@ struct Extent {
 };
 
 /// Takes vectors relative to the eye to clip space: depth 1 at the near plane, 0 at the far plane or at infinity. Half the
-/// values a float can take between 0 and 1 lie below 2^-63, which spreads its precision evenly over the distances. An
+/// values a float can take between 0 and 1 lie below 2^-63, so distant surfaces are told apart as well as near ones. An
 /// orthographic view without a far plane gets one behind `model`.
 [[nodiscard]] glm::mat4 clip_from_eye_relative(const culler::Camera& camera, const Extent& model);
 

@@ -125,7 +125,10 @@ void use_reversed_depth() {
 
 struct SceneRenderer::Impl {
   Impl(const TriangleList& list, int width, int height)
-      : target(width, height), program(kVertexShader, kFragmentShader), extent(list.extent), centre(list.centre),
+      : target(width, height),
+        program(kVertexShader, kFragmentShader),
+        extent(list.extent),
+        centre(list.centre),
         first_corner(list.first) {
     corners.upload(list.corners, GL_STATIC_DRAW);
     use_reversed_depth();

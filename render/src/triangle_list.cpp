@@ -33,8 +33,8 @@ bool stays_exact(const dvec3& v) {
   return true;
 }
 
-/// What is subtracted before coordinates are narrowed to float: nothing where they are floats already, else the centre of the
-/// model in whole units, which leaves the fractions of the coordinates alone.
+/// What is subtracted before coordinates are narrowed to float: nothing where they are floats already, else the centre of
+/// the model in whole units, which leaves the fractions of the coordinates alone.
 dvec3 choose_centre(const std::vector<dvec3>& vertices, const Extent& extent) {
   if (std::ranges::all_of(vertices, stays_exact)) return {0, 0, 0};
   return glm::round(0.5 * extent.min + 0.5 * extent.max);

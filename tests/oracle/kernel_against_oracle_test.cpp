@@ -55,6 +55,6 @@ TEST_P(Family, CertifiedEqualsOracle) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Family, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
-                         [](const auto& info) { return std::string(fuzz::name(info.param)); });
+                         [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
 }  // namespace

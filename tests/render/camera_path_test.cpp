@@ -89,7 +89,9 @@ TEST_F(CameraPathTest, LinearFramesLieOnTheKeyframes) {
 
 TEST_F(CameraPathTest, KeyframesAreHitExactlyWhateverTheirNumbers) {
   CameraPath path;
-  for (int i = 0; i < 8; ++i) path.keyframes.push_back({glm::dvec3(0.1 * i, 1e5 / 3 + i, -0.7), glm::dvec3(0.3 * i, 9, 1.0 / 3)});
+  // Coordinates so far apart that the sum of one and their difference is not the other.
+  for (int i = 0; i < 8; ++i)
+    path.keyframes.push_back({{i % 2 == 0 ? 1e17 : 0.1, 1e5 / 3 + i, -0.7}, {0.3 * i, i % 2 == 0 ? 1e17 : 0.7, 1.0 / 3}});
   path.frames = 7 * 13 + 1;
   for (const auto interpolation : {CameraPath::Interpolation::linear, CameraPath::Interpolation::smooth}) {
     path.interpolation = interpolation;
@@ -112,7 +114,8 @@ TEST_F(CameraPathTest, SmoothRoundsTheCorner) {
 TEST_F(CameraPathTest, WritingAndReadingKeepsEveryBit) {
   CameraPath path;
   path.frames = 77;
-  path.keyframes = {{{0.1, -1.0 / 3, 1e20}, {4e6 + 1e-9, 0x1p-100, 5}}, {{-0.1, 2, 3}, {1.7976931348623157e30, -0x1p100, 8}}};
+  path.keyframes = {{{0.1, -1.0 / 3, 1e20}, {4e6 + 1e-9, 0x1p-100, 5}},
+                    {{-0.1, 2, 3}, {1.2345678901234567e30, -0x1p100, 8}}};
   path.interpolation = CameraPath::Interpolation::smooth;
   path.projection = culler::Projection::orthographic;
   path.height = 12.3;

@@ -81,13 +81,15 @@ class ModelIoTest : public testing::Test {
   static constexpr const char* kCorners = "0 0 0\n1 0 0\n0 1 0\n";
 
   static std::string binary_ply(std::endian order) {
-    std::string out = std::string("ply\nformat binary_") + (order == std::endian::big ? "big" : "little") +
-                      "_endian 1.0\ncomment x\nelement vertex 3\nproperty uchar red\nproperty float z\nproperty double x\n"
-                      "property list ushort short extra\nproperty short y\nelement edge 1\nproperty int from\n"
-                      "element face 1\nproperty list uint8 uint32 other\nproperty list int ushort vertex_index\nend_header\n";
+    std::string out =
+        std::string("ply\nformat binary_") + (order == std::endian::big ? "big" : "little") +
+        "_endian 1.0\ncomment x\nelement vertex 3\nproperty uchar red\nproperty float z\nproperty double x\n"
+        "property list ushort short extra\nproperty short y\nelement edge 1\nproperty int from\n"
+        "element face 1\nproperty list uint8 uint32 other\nproperty list int ushort vertex_index\nend_header\n";
     for (const int i : {1, 2, 3}) {
-      out += '\x7f' + bytes_of(0.5F * static_cast<float>(i), order) + bytes_of(0.1 * i, order) + bytes_of(std::uint16_t{2}, order) +
-             bytes_of(std::int16_t{9}, order) + bytes_of(std::int16_t{9}, order) + bytes_of(static_cast<std::int16_t>(-i), order);
+      out += '\x7f' + bytes_of(0.5F * static_cast<float>(i), order) + bytes_of(0.1 * i, order) +
+             bytes_of(std::uint16_t{2}, order) + bytes_of(std::int16_t{9}, order) + bytes_of(std::int16_t{9}, order) +
+             bytes_of(static_cast<std::int16_t>(-i), order);
     }
     out += bytes_of(std::int32_t{7}, order);
     out += '\1' + bytes_of(std::uint32_t{5}, order) + bytes_of(std::int32_t{3}, order);
@@ -145,8 +147,9 @@ TEST_F(ModelIoTest, TextPlyKeepsDoublesAndTakesAnyBlanks) {
 }
 
 TEST_F(ModelIoTest, FacesMayComeBeforeVertices) {
-  EXPECT_EQ(read("a.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\n"
-                          "property float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n")
+  EXPECT_EQ(read("a.ply",
+                 "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nelement vertex 3\n"
+                 "property float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n")
                 .size(),
             1U);
 }
@@ -234,32 +237,37 @@ TEST_F(ModelIoTest, DataFaultsNameThePlace) {
 TEST_F(ModelIoTest, HugeCountsAreRefusedBeforeAnythingIsAllocated) {
   const std::string head = "ply\nformat binary_little_endian 1.0\nelement vertex ";
   const std::string rest =
-      "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uint int "
+      "vertex_indices\nend_header\n";
   for (const char* const count : {"1000000000000", "18446744073709551615", "99999999999999999999999"}) {
     const std::string message = failure("a.ply", head + count + rest + std::string(100, '\0'));
     EXPECT_NE(message.find("but the file is too short"), std::string::npos) << message;
   }
   // A face that announces four thousand million indices.
-  EXPECT_EQ(failure("a.ply", head + "0" + rest + std::string(4, '\xff') + std::string(8, '\0')), ": face 0: the file ends here");
+  EXPECT_EQ(failure("a.ply", head + "0" + rest + std::string(4, '\xff') + std::string(8, '\0')),
+            ": face 0: the file ends here");
   // Elements without properties take no bytes, however many.
-  EXPECT_EQ(failure("a.ply", "ply\nformat ascii 1.0\nelement void 18446744073709551615\nelement vertex 0\nproperty int x\n"
-                             "property int y\nproperty int z\nelement face 0\nproperty list int int vertex_indices\nend_header\n"),
+  EXPECT_EQ(failure("a.ply",
+                    "ply\nformat ascii 1.0\nelement void 18446744073709551615\nelement vertex 0\nproperty int x\n"
+                    "property int y\nproperty int z\nelement face 0\nproperty list int int vertex_indices\nend_header\n"),
             ": no polygons");
 }
 
 TEST_F(ModelIoTest, PlyWithoutPolygons) {
-  EXPECT_EQ(failure("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
-                             "end_header\n1 2 3\n"),
+  EXPECT_EQ(failure("a.ply",
+                    "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
+                    "end_header\n1 2 3\n"),
             ": no polygons");
   EXPECT_EQ(failure("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int z\nend_header\n1 2\n"),
             ": element vertex has no number y");
 }
 
 TEST_F(ModelIoTest, ObjKeepsQuadsAndDoubles) {
-  const PolygonSoup soup = read("a.obj",
-                                "# a comment\nmtllib none.mtl\no thing\nv 0.1 0.30000000000000004 4000000.000000001\nv 1 0 0 # c\n"
-                                "vt 0 0\nvn 0 0 1\nv 1 1 0 1.0\nv 0 1 0\r\nusemtl none\ng a b\nf 1/1/1 2/1/1 \\\n 3//1 4\n"
-                                "f -4 -3 -2\nl 1 2\np 1\nf 1 2 5 # comes later\nv 2 2 2\n");
+  const PolygonSoup soup =
+      read("a.obj",
+           "# a comment\nmtllib none.mtl\no thing\nv 0.1 0.30000000000000004 4000000.000000001\nv 1 0 0 # c\n"
+           "vt 0 0\nvn 0 0 1\nv 1 1 0 1.0\nv 0 1 0\r\nusemtl none\ng a b\nf 1/1/1 2/1/1 \\\n 3//1 4\n"
+           "f -4 -3 -2\nl 1 2\np 1\nf 1 2 5 # comes later\nv 2 2 2\n");
   ASSERT_EQ(soup.size(), 3U);
   EXPECT_EQ(soup.vertices[0], dvec3(0.1, 0.1 + 0.2, 4000000.000000001));
   EXPECT_EQ(soup.indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 1, 2, 0, 1, 4}));
@@ -283,9 +291,10 @@ TEST_F(ModelIoTest, ObjFaultsNameTheLine) {
 }
 
 TEST_F(ModelIoTest, StlThroughAssimp) {
-  const PolygonSoup soup = read("a.stl",
-                                "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\nendloop\n"
-                                "endfacet\nendsolid a\n");
+  const PolygonSoup soup =
+      read("a.stl",
+           "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\nendloop\n"
+           "endfacet\nendsolid a\n");
   ASSERT_EQ(soup.size(), 1U);
   EXPECT_EQ(soup.vertices[soup.loop(0)[2]], dvec3(0, 1.5, 0));
 }
@@ -322,10 +331,11 @@ TEST_F(ModelIoTest, WhatAssimpRefusesIsOneLine) {
   EXPECT_EQ(failure("a.gltf", "{\"asset\":").rfind(": cannot import: ", 0), 0U);
   EXPECT_EQ(failure("a.xyz", "1 2 3").rfind(": cannot import: ", 0), 0U);
   EXPECT_EQ(failure("a", "").rfind(": cannot import: ", 0), 0U);
-  EXPECT_NE(failure("a.stl",
-                    "solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
-                    "endsolid a\n"),
-            "no error");
+  EXPECT_NE(
+      failure("a.stl",
+              "solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+              "endsolid a\n"),
+      "no error");
 }
 
 TEST_F(ModelIoTest, WritingNowhereNamesTheFile) {

@@ -143,8 +143,8 @@ TEST_F(SceneRendererTest, OnlyTheRangesGivenAreDrawn) {
 TEST_F(SceneRendererTest, DepthSeparatesFiveCentimetresAtTwoKilometres) {
   for (const bool near_first : {true, false}) {
     PolygonSoup soup;
-    add_wall(soup, near_first ? 2000 : 2000.05, -2e3, 2e3, -2e3, 2e3);
-    add_wall(soup, near_first ? 2000.05 : 2000, -2e3, 2e3, -2e3, 2e3);
+    add_wall(soup, near_first ? 2000 : 2000.05, -3e3, 3e3, -3e3, 3e3);
+    add_wall(soup, near_first ? 2000.05 : 2000, -3e3, 3e3, -3e3, 3e3);
     EXPECT_EQ(pixels(items_of(soup, camera_at({0, 0, 0})), near_first ? 0 : 1), std::size_t{kWidth * kHeight});
   }
 }
@@ -159,6 +159,16 @@ TEST_F(SceneRendererTest, AModelFarFromTheOriginLooksTheSame) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < here.pixels.size(); ++i) different += here.pixels[i] != there.pixels[i];
   EXPECT_LE(different, 2U);
+}
+
+TEST_F(SceneRendererTest, TheEyeKeepsWhatFloatCannotHold) {
+  // Floats are 1/256 apart at 40000. The wall lies 7/64 before the eye and its right edge 1/512 to the right of the
+  // picture's middle, which is 0.56 pixels: the first column right of the middle is covered.
+  PolygonSoup soup;
+  add_wall(soup, 40000 + 8.0 / 64, 40000, 50000, -100, 100);
+  const ItemBuffer items = items_of(soup, camera_at({40000 + 1.0 / 64, 40000 + 1.0 / 512, 0}));
+  EXPECT_EQ(items.at(kWidth / 2, 5), 0U);
+  EXPECT_EQ(items.at(kWidth / 2 + 1, 5), kNothing);
 }
 
 TEST_F(SceneRendererTest, HiddenPolygonsLeaveNoTrace) {

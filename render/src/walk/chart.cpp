@@ -11,7 +11,7 @@ namespace occlude::render {
 namespace {
 
 // The drawing's own coordinates, scaled by the page to its width.
-constexpr double kWidth = 960, kHeight = 300, kLeft = 70, kRight = 12, kTop = 34, kBottom = 44;
+constexpr double kWidth = 960, kHeight = 300, kLeft = 86, kRight = 12, kTop = 34, kBottom = 44;
 
 /// A round step (1, 2 or 5 times a power of ten) that divides `range` into about five.
 double round_step(double range) {

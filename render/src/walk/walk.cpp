@@ -155,6 +155,8 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   }
   const Walker walker(culler, path, options, stage.renderer.get());
   const std::size_t reference_step = std::max<std::size_t>(1, frames.size() / kReferenceFrames);
+  culler::CullResult warm_up;  // the first picture pays for what the renderer prepares once
+  static_cast<void>(walker.frame(frames.front(), false, warm_up));
   std::vector<std::string> lines;
   {
     Progress progress("frame", frames.size());

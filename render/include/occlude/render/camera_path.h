@@ -34,10 +34,12 @@ struct CameraPath {
 };
 
 /// Throws InputError, naming the file and the member at fault, for anything the contract of the format does not allow:
-/// fewer than two keyframes, fewer than two frames, numbers that are not finite, eye on target, up along the line of
-/// sight, near <= 0, far <= near, an unknown interpolation or projection, orthographic without height.
+/// fewer than two keyframes, fewer than two or more than a million frames, coordinates that are not finite or that
+/// read_model would refuse, eye on target or up along the line of sight in any frame, near <= 0, far <= near, an unknown
+/// interpolation or projection, orthographic without height. Unknown members are ignored.
 [[nodiscard]] CameraPath read_camera_path(const std::filesystem::path& file);
 
+/// Writes the same bytes for the same path on every machine; numbers read back to the same double.
 void write_camera_path(const std::filesystem::path& file, const CameraPath& path);
 
 }  // namespace occlude::render

@@ -8,7 +8,8 @@
 
 namespace occlude::render {
 
-/// A file written under a temporary name beside its own and renamed by commit(); without commit() it vanishes.
+/// A file written under a temporary name beside its own and renamed by commit(); without commit() it vanishes. A device or
+/// pipe (/dev/stdout) is written directly.
 /// Throws InputError, naming the file, when it cannot be created or written.
 class OutputFile {
  public:

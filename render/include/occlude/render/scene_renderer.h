@@ -22,7 +22,7 @@ struct Layer {
   std::optional<Rgba> tint;  ///< blends this colour (by its alpha) over the polygon's own; none: as it is
 };
 
-/// A straight line in model space, drawn over the picture where not hidden.
+/// A straight line in model space, drawn over the picture: faintly where something hides it.
 struct Line {
   glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
   Rgba colour;
@@ -31,13 +31,15 @@ struct Line {
 class SceneRenderer {
  public:
   /// Uploads the polygons in their order; pixels of the item buffer hold their index. Coordinates are recentred before they
-  /// are narrowed to float. REQUIRES: an OffscreenContext current on this thread, for the lifetime of the object.
+  /// are narrowed to float. Throws std::runtime_error for a picture or model larger than OpenGL allows.
+  /// REQUIRES: an OffscreenContext current on this thread, for the lifetime of the object.
   SceneRenderer(const culler::PolygonSoup& soup, int width, int height);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-  /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed.
+  /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed. Of polygons at the same
+  /// depth the one drawn first is seen, so leaving out hidden polygons changes no pixel. Lines leave the item buffer alone.
   void draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines = {});
 
   /// What the last draw left.

@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The paper's experiment from nothing: installs what is missing, builds, makes the city, walks through it and says where the
+# report lies. Usage: bash render/demo.sh [OPTIONS OF occlude walk ...], for instance --frames 0:2748:10.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bash .ci/packages.sh
+[ -f build/release/build.ninja ] || cmake --preset release >/dev/null
+cmake --build --preset release --target occlude
+
+demo=build/demo
+mkdir -p "$demo"
+if [ ! -f "$demo/city.ply" ] || [ ! -f "$demo/city.json" ] || [ build/release/occlude -nt "$demo/city.ply" ]; then
+  build/release/occlude generate city --polygons 500000 --seed 1 --out "$demo/city.ply" --path "$demo/city.json"
+fi
+build/release/occlude walk "$demo/city.ply" --path "$demo/city.json" --out "$demo/report" \
+  --witness "$demo/witness.jsonl" "$@"
+build/release/occlude validate "$demo/city.ply" --path "$demo/city.json" --witness "$demo/witness.jsonl"

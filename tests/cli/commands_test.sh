@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The command as its users meet it: what good input writes, what bad input says.
+# Usage: commands_test.sh PATH_OF_OCCLUDE [FOLDER_OF_REAL_MODELS]
+set -uo pipefail
+occlude=$(realpath "$1")
+here=$(mktemp -d)
+trap 'chmod -R u+w "$here"; rm -rf "$here"' EXIT
+cd "$here"
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# expect_error TEXT COMMAND...: exit code 2, one line on stderr that holds TEXT, nothing on stdout, and no file made.
+expect_error() {
+  local text=$1 before after status
+  shift
+  before=$(find . ! -name 'std*' | sort)
+  "$@" >stdout 2>stderr
+  status=$?
+  after=$(find . ! -name 'std*' | sort)
+  [ $status -eq 2 ] || fail "exit code $status instead of 2: $*"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "not one line: $* said: $(cat stderr)"
+  grep -qF -- "$text" stderr || fail "'$text' is not in: $(cat stderr)"
+  [ "$before" = "$after" ] || fail "left files behind: $*"
+}
+
+ply() { # ply FILE VERTICES FACES BODY: an ascii PLY
+  printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty double x\nproperty double y\nproperty double z\nelement face %s\nproperty list uchar int vertex_indices\nend_header\n%b' "$2" "$3" "$4" >"$1"
+}
+# A wall at x = 2, and 63 more squares of its size behind it.
+vertices= faces=
+for i in $(seq 0 63); do
+  vertices+="$((2 + i)) -1 -1\n$((2 + i)) 1 -1\n$((2 + i)) 1 1\n$((2 + i)) -1 1\n"
+  faces+="4 $((4 * i)) $((4 * i + 1)) $((4 * i + 2)) $((4 * i + 3))\n"
+done
+ply good.ply 256 64 "$vertices$faces"
+path='{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}'
+echo "$path" >path.json
+
+# Models.
+printf 'this is no model\n' >text.ply
+ply nan.ply 3 1 'nan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
+ply index.ply 3 1 '0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n'
+ply empty.ply 0 0 ''
+ply one.ply 3 1 '2 0 0\n2 1 0\n2 0 1\n3 0 1 2\n'
+head -c $(($(wc -c <good.ply) - 20)) good.ply >truncated.ply
+: >nothing.ply
+for model in missing.ply text.ply truncated.ply nan.ply index.ply empty.ply one.ply nothing.ply; do
+  expect_error "$model" "$occlude" walk "$model" --path path.json --out out
+done
+expect_error "truncated" "$occlude" walk truncated.ply --path path.json --out out
+expect_error "out of range" "$occlude" walk index.ply --path path.json --out out
+expect_error "not finite" "$occlude" walk nan.ply --path path.json --out out
+
+# Paths.
+echo '{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]}]}' >single.json
+echo '{"frames":4,"keyframes":[' >broken.json
+echo '{"frames":4,"keyframes":[{"eye":[0,0,"x"],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,0,0]}]}' >words.json
+for file in single.json broken.json words.json missing.json; do
+  expect_error "$file" "$occlude" walk good.ply --path "$file" --out out
+done
+
+# Folders and options.
+touch file
+expect_error "file" "$occlude" walk good.ply --path path.json --out file/out
+expect_error "no frame" "$occlude" walk good.ply --path path.json --out out --frames 9:10
+expect_error "--frames" "$occlude" walk good.ply --path path.json --out out --frames 1
+expect_error "--size" "$occlude" walk good.ply --path path.json --out out --size 0x10
+expect_error "--arithmetic" "$occlude" walk good.ply --path path.json --out out --arithmetic float
+expect_error "--polygons" "$occlude" generate city --polygons 5 --out city.ply --path city.json
+expect_error "missing/city.ply" "$occlude" generate city --polygons 20000 --out missing/city.ply --path city.json
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked && chmod a-w locked
+  expect_error "locked" "$occlude" walk good.ply --path path.json --out locked/out
+fi
+
+# A walk.
+"$occlude" walk good.ply --path path.json --out report --size 64x36 --witness witness.jsonl >stdout || fail "walk"
+grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk said: $(cat stdout)"
+for file in summary.json frames.csv report.html plates; do
+  [ -e "report/$file" ] || fail "no $file"
+done
+[ "$(wc -l <report/frames.csv)" -eq 5 ] || fail "frames.csv has not a line a frame"
+grep -q '"by":"shadow"' witness.jsonl || fail "no witness of a shadow cull"
+"$occlude" validate good.ply --path path.json --witness witness.jsonl >stdout || fail "validate"
+total=$(wc -l <witness.jsonl)
+grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(cat stdout)"
+"$occlude" validate good.ply --path path.json --size 64x36 >again || fail "validate without file"
+cmp -s stdout again || fail "culling anew proves something else: $(cat again)"
+
+# Witnesses that lie are found out.
+lie() { # lie WHAT SED_SCRIPT
+  sed "$2" witness.jsonl >lie.jsonl
+  cmp -s witness.jsonl lie.jsonl && fail "the lie about $1 changed nothing"
+  "$occlude" validate good.ply --path path.json --witness lie.jsonl >stdout 2>stderr
+  [ $? -eq 1 ] || fail "a lie about $1 was believed"
+}
+lie "the box" '/shadow/s/"max":\[\([0-9]*\),1,1\]/"max":[\1,99,1]/'
+lie "the eye" 's/"eye":\[0,0,0\]/"eye":[0,0,0.5]/'
+lie "the occluder" 's/"polygon":\[\[2,-1,-1\]/"polygon":[[2,-2,-2]/'
+lie "the triangles" '/shadow/s/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/'
+
+# Interrupted, it leaves nothing behind.
+"$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
+"$occlude" generate city --polygons 20000 --out again.ply --path again.json >/dev/null || fail "generate"
+cmp -s city.ply again.ply && cmp -s city.json again.json || fail "two cities of one seed differ"
+"$occlude" walk city.ply --path city.json --out stopped --witness stopped.jsonl 2>stderr >stdout &
+sleep 1
+kill -INT $!
+wait $!
+[ $? -eq 130 ] || fail "Ctrl-C: exit code, said: $(cat stderr)"
+[ -z "$(find stopped -type f 2>/dev/null)" ] && [ ! -e stopped.jsonl ] || fail "Ctrl-C left files behind"
+
+# classify.
+case='"eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface"'
+cat >cases.jsonl <<END
+{"id":"inside",$case,"box":{"min":[4,-2,-2],"max":[4,2,2]},"expect":"inside"}
+{"id":"reversed",$case,"box":{"min":[4,2,-2],"max":[4,1,2]}}
+{"id":"touch",$case,"box":{"min":[4,2,0],"max":[4,3,1]},"expect":"partial"}
+END
+"$occlude" classify cases.jsonl >stdout || fail "classify"
+cat >expected <<'END'
+{"id":"inside","certified":"inside","stage":"exact","plain":"inside","conservative":"inside","oracle":"inside"}
+{"id":"reversed","error":"box has min > max"}
+{"id":"touch","certified":"partial","stage":"exact","plain":"partial","conservative":"partial","oracle":"partial"}
+END
+diff expected stdout || fail "classify answered otherwise"
+sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify - >/dev/null
+[ $? -eq 1 ] || fail "a wrong expectation was accepted"
+(head -1 cases.jsonl; echo '{"id":') | "$occlude" classify >stdout 2>stderr
+[ $? -eq 2 ] || fail "a broken line was accepted"
+[ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"
+grep -q 'standard input:2: ' stderr || fail "the line is not named: $(cat stderr)"
+
+for command in "" generate "generate city" walk classify validate; do
+  "$occlude" $command --help | grep -q . || fail "no help for '$command'"
+done
+
+# A real model, where there is one.
+models=${2:-}
+if [ -n "$models" ] && [ -f "$models/sponza.ply" ]; then
+  "$occlude" walk "$models/sponza.ply" --path "$models/sponza_path1.json" --out sponza --frames 0:300:60 --size 160x90 >stdout ||
+    fail "sponza: $(cat stdout)"
+else
+  echo "No real models (OCCLUDE_DATA): skipped"
+fi
+
+[ $failures -eq 0 ] && echo "All command tests passed"
+exit $failures

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// The pipeline against brute force, and the situations in which other cullers fail.
+#include "occlude/culler/culler.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+kernel::HalfSpace to_kernel(const HalfSpace& h) { return {{h.normal.x, h.normal.y, h.normal.z}, h.offset}; }
+
+/// Which polygons to draw, asking every leaf about every half-space and shadow.
+std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, kernel::Arithmetic arithmetic, kernel::Test test) {
+  std::vector<bool> drawn(culler.hierarchy().soup().size(), false);
+  for (const Hierarchy::Node& node : culler.hierarchy().nodes()) {
+    if (!node.is_leaf()) continue;
+    bool visible = true;
+    for (const HalfSpace& h : frame.view) {
+      visible = visible && kernel::relation(to_kernel(h), node.box, arithmetic) != kernel::Relation::outside;
+    }
+    for (const Occluder& o : frame.occluders) {
+      visible = visible &&
+                kernel::relation(o.frustum, node.box, arithmetic, test, kernel::NearBoundary::open) != kernel::Relation::inside;
+    }
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) drawn[p] = visible;
+  }
+  return drawn;
+}
+
+std::vector<bool> drawn_polygons(const Culler& culler, const CullResult& frame) {
+  std::vector<bool> drawn(culler.hierarchy().soup().size(), false);
+  for (const PolygonRange& range : frame.drawn) {
+    for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
+      EXPECT_FALSE(drawn[p]) << "drawn twice";
+      drawn[p] = true;
+    }
+  }
+  return drawn;
+}
+
+Camera random_camera(std::mt19937& random) {
+  const auto number = [&](double low, double high) { return uniform(random, low, high); };
+  Camera camera;
+  camera.eye = {number(-45, 45), number(-45, 45), number(0.5, 4)};
+  camera.target = camera.eye + glm::dvec3{number(-1, 1), number(-1, 1), number(-0.2, 0.2)};
+  if (random() % 4 == 0) camera.projection = Projection::orthographic;
+  if (random() % 3 == 0) camera.far = 40;
+  camera.height = 20;
+  return camera;
+}
+
+TEST(Culler, DrawsWhatBruteForceDraws) {
+  const Culler culler(random_town(1, 4000));
+  constexpr std::uint32_t kSeed = 42;
+  std::mt19937 random(kSeed);
+  std::size_t culled = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = random_camera(random);
+    CullOptions options;
+    options.near = i % 2 ? kernel::Near::surface : kernel::Near::farthest;
+    options.test = i % 3 ? kernel::Test::conservative : kernel::Test::overlap;
+    const CullResult frame = culler.cull(camera, options);
+    ASSERT_EQ(drawn_polygons(culler, frame), brute_force(culler, frame, options.arithmetic, options.test)) << "seed " << kSeed;
+    const CullStats& stats = frame.stats;
+    ASSERT_EQ(stats.drawn_polygons + stats.view_culled_polygons + stats.shadow_culled_polygons, culler.hierarchy().soup().size());
+    culled += stats.shadow_culled_polygons;
+  }
+  EXPECT_GT(culled, 10000U);
+}
+
+TEST(Culler, BothTestsCullTheSame) {
+  // `overlap` only tells outside from partial better than `conservative`: fewer tests, never another picture.
+  const Culler culler(random_town(2, 3000));
+  std::mt19937 random(9);
+  for (int i = 0; i < 50; ++i) {
+    const Camera camera = random_camera(random);
+    CullOptions overlap;
+    overlap.test = kernel::Test::overlap;
+    EXPECT_EQ(culler.cull(camera, {}).drawn, culler.cull(camera, overlap).drawn);
+  }
+}
+
+TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
+  const Culler culler(random_town(3, 3000));
+  const PolygonSoup& soup = culler.hierarchy().soup();
+  std::mt19937 random(77);
+  for (int i = 0; i < 50; ++i) {
+    const CullResult frame = culler.cull(random_camera(random), {});
+    for (const Culled& culled : frame.culled) {
+      if (culled.by != Culled::By::shadow) continue;
+      const Hierarchy::Node& node = culler.hierarchy().nodes()[culled.node];
+      const Occluder& occluder = frame.occluders[culled.index];
+      ASSERT_FALSE(occluder.polygon >= node.first && occluder.polygon < node.first + node.count) << "hides itself";
+      for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
+        for (const std::uint32_t index : soup.loop(p)) {
+          const glm::dvec3& v = soup.vertices[index];
+          const kernel::Vec3 point{v.x, v.y, v.z};
+          ASSERT_EQ(kernel::overlap_certified(occluder.frustum, {point, point}).relation, kernel::Relation::inside);
+        }
+      }
+    }
+  }
+}
+
+bool is_drawn(const Culler& culler, const CullResult& frame, std::uint32_t original) {
+  const auto drawn = drawn_polygons(culler, frame);
+  for (std::uint32_t p = 0; p < drawn.size(); ++p) {
+    if (culler.hierarchy().original(p) == original) return drawn[p];
+  }
+  return false;
+}
+
+/// Looking along +x from the origin; one polygon a leaf, so that each is decided for itself.
+CullResult look(const Culler& culler, const CullOptions& options = {}) {
+  Camera camera;
+  camera.eye = {0, 0, 0};
+  camera.target = {1, 0, 0};
+  return culler.cull(camera, options);
+}
+
+Culler one_polygon_leaves(const PolygonSoup& soup) {
+  Culler::Config config;
+  config.hierarchy.leaf_size = 1;
+  return Culler(soup, config);
+}
+
+TEST(Culler, HidesWhatIsBehindAWallAndNothingElse) {
+  PolygonSoup soup;
+  add_wall(soup, 2, -1, 1, -1, 1);          // 0, the wall
+  add_wall(soup, 4, -2, 2, -2, 2);          // 1, exactly in its shadow, border included
+  add_wall(soup, 4.25, -2, std::nextafter(2.125, 3), -2, 2);  // 2, one ulp beyond its shadow
+  add_wall(soup, 1, -0.1, 0.1, -0.1, 0.1);  // 3, before it
+  add_wall(soup, -4, -1, 1, -1, 1);         // 4, behind the eye
+  const Culler culler = one_polygon_leaves(soup);
+  CullOptions only_the_wall;
+  only_the_wall.occluders = 1;
+  const CullResult frame = look(culler, only_the_wall);
+  ASSERT_EQ(frame.occluders.size(), 1U);
+  ASSERT_EQ(culler.hierarchy().original(frame.occluders[0].polygon), 0U);
+  EXPECT_TRUE(is_drawn(culler, frame, 0));
+  EXPECT_FALSE(is_drawn(culler, frame, 1));
+  EXPECT_TRUE(is_drawn(culler, frame, 2));
+  EXPECT_TRUE(is_drawn(culler, frame, 3));
+  EXPECT_FALSE(is_drawn(culler, frame, 4));
+}
+
+TEST(Culler, GapsOfOneUlpBetweenWallsStayOpen) {
+  PolygonSoup soup;
+  add_wall(soup, 2, -1, 0, -1, 1);
+  add_wall(soup, 2, std::nextafter(0.0, 1.0) + 0x1p-60, 1, -1, 1);
+  add_wall(soup, 4, -0.5, 0.5, -0.5, 0.5);  // behind both, and behind neither alone
+  const Culler culler = one_polygon_leaves(soup);
+  EXPECT_TRUE(is_drawn(culler, look(culler), 2));
+}
+
+TEST(Culler, CoplanarPolygonsAreDrawn) {
+  PolygonSoup soup;
+  add_wall(soup, 2, -1, 1, -1, 1);
+  add_wall(soup, 2, -0.5, 0.5, -0.5, 0.5);
+  const Culler culler = one_polygon_leaves(soup);
+  EXPECT_TRUE(is_drawn(culler, look(culler), 1));
+}
+
+TEST(Culler, WhatTheNearPlaneClipsAwayDoesNotHide) {
+  PolygonSoup soup;
+  add_wall(soup, 0.05, -10, 10, -10, 10);  // nearer than the near plane at 0.1: not drawn, must not hide
+  add(soup, {{0.05, -3, -3}, {3, -3, -3}, {3, -3, 3}, {0.05, -3, 3}});  // reaches through the near plane
+  add_wall(soup, 5, -1, 1, -1, 1);
+  const Culler culler = one_polygon_leaves(soup);
+  const CullResult frame = look(culler);
+  EXPECT_TRUE(is_drawn(culler, frame, 2));
+  for (const Occluder& o : frame.occluders) EXPECT_EQ(culler.hierarchy().original(o.polygon), 2U);
+}
+
+TEST(Culler, EyeWithinAnOccluderPlaneOrBoxIsHarmless) {
+  PolygonSoup soup;
+  add(soup, {{-1, -1, 0}, {9, -1, 0}, {9, 1, 0}, {-1, 1, 0}});    // the eye lies on it
+  add(soup, {{-1, -1, -1}, {9, 1, -1}, {9, 1, 1}, {-1, -1, 1}});  // the eye lies in its box
+  add_wall(soup, 20, -1, 1, -1, 1);
+  const Culler culler = one_polygon_leaves(soup);
+  EXPECT_TRUE(is_drawn(culler, look(culler), 0));
+  EXPECT_TRUE(is_drawn(culler, look(culler), 2));
+}
+
+TEST(Culler, SceneFarFromTheOriginIsCulledAlike) {
+  const double o = 4e9;
+  PolygonSoup soup;
+  add_wall(soup, o + 2, o - 1, o + 1, o - 1, o + 1);
+  add_wall(soup, o + 4, o - 2, o + 2, o - 2, o + 2);
+  add_wall(soup, o + 4.5, o - 2, o + 2.5, o - 2, o + 2);
+  const Culler culler = one_polygon_leaves(soup);
+  Camera camera;
+  camera.eye = {o, o, o};
+  camera.target = {o + 1, o, o};
+  CullOptions options;
+  options.occluders = 1;
+  const CullResult frame = culler.cull(camera, options);
+  EXPECT_TRUE(is_drawn(culler, frame, 0));
+  EXPECT_FALSE(is_drawn(culler, frame, 1));
+  EXPECT_TRUE(is_drawn(culler, frame, 2));
+}
+
+TEST(Culler, AnOccluderInAnothersShadowIsNotChosen) {
+  PolygonSoup soup;
+  add_wall(soup, 2, -1, 1, -1, 1);
+  add_wall(soup, 3, -1, 1, -1, 1);
+  add_wall(soup, 3, 2, 4, -1, 1);
+  const Culler culler = one_polygon_leaves(soup);
+  const CullResult frame = look(culler);
+  ASSERT_EQ(frame.occluders.size(), 2U);
+  EXPECT_EQ(culler.hierarchy().original(frame.occluders[0].polygon), 0U);
+  EXPECT_EQ(culler.hierarchy().original(frame.occluders[1].polygon), 2U);
+}
+
+TEST(Culler, ZeroOccludersIsViewFrustumCulling) {
+  const Culler culler(random_town(5, 1000));
+  CullOptions options;
+  options.occluders = 0;
+  const CullResult frame = look(culler, options);
+  EXPECT_EQ(frame.stats.shadow_tests, 0U);
+  EXPECT_GT(frame.stats.view_culled_polygons, 0U);
+}
+
+TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = random_camera(random);
+    const auto [right, up, forward] = camera.axes();
+    const double depth = std::isfinite(camera.far) ? camera.far : 1e6;
+    const double half = camera.projection == Projection::perspective ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * depth
+                                                                     : camera.height / 2;
+    for (const double x : {-1.0, 1.0}) {
+      for (const double y : {-1.0, 1.0}) {
+        const glm::dvec3 corner = camera.eye + depth * forward + half * (x * camera.aspect * right + y * up);
+        for (const HalfSpace& h : view_frustum(camera)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
+      }
+    }
+    for (const HalfSpace& h : view_frustum(camera)) {
+      EXPECT_LT(glm::dot(h.normal, camera.eye - 1e5 * (right + up + forward)) + h.offset, 0) << "closed on no side";
+      break;
+    }
+  }
+}
+
+TEST(Culler, CountsOperationsOfTheShadowTests) {
+  const Culler culler(random_town(8, 2000));
+  Camera camera;
+  camera.eye = {-45, 0, 2};
+  camera.target = {0, 0, 2};
+  const CullResult frame = culler.cull(camera, {});
+  const kernel::Operations operations = culler.count_operations(camera, {});
+  EXPECT_EQ(operations.tests, frame.stats.shadow_tests);
+  EXPECT_GE(operations.dot, 2 * operations.tests);
+  EXPECT_EQ(operations.cross, 0U);
+}
+
+}  // namespace

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Small models for the culler's tests.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <random>
+#include <vector>
+
+#include "occlude/culler/polygon_soup.h"
+
+namespace occlude::culler {
+
+inline void add(PolygonSoup& soup, const std::vector<glm::dvec3>& polygon) {
+  std::vector<std::uint32_t> loop;
+  for (const glm::dvec3& v : polygon) loop.push_back(soup.add_vertex(v));
+  soup.add_polygon(loop);
+}
+
+/// Uniform in [low, high), the same on every machine.
+inline double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+/// The rectangle at this x, from (y0, z0) to (y1, z1).
+inline void add_wall(PolygonSoup& soup, double x, double y0, double y1, double z0, double z1) {
+  add(soup, {{x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}});
+}
+
+/// Walls across both horizontal axes and small triangles strewn among them, within [-50, 50]^2 x [0, 10].
+inline PolygonSoup random_town(std::uint32_t seed, std::size_t polygons) {
+  std::mt19937 random(seed);
+  const auto number = [&](double low, double high) { return uniform(random, low, high); };
+  PolygonSoup soup;
+  while (soup.size() < polygons) {
+    const double x = number(-50, 50), y = number(-50, 50);
+    if (soup.size() % 10 == 0) {
+      const double length = number(2, 20);
+      if (random() % 2 == 0) {
+        add_wall(soup, x, y, y + length, 0, number(3, 10));
+      } else {
+        add(soup, {{x, y, 0}, {x + length, y, 0}, {x + length, y, 5}, {x, y, 5}});
+      }
+    } else {
+      const glm::dvec3 at{x, y, number(0, 5)};
+      const auto near = [&] { return at + glm::dvec3{number(-0.5, 0.5), number(-0.5, 0.5), number(-0.5, 0.5)}; };
+      add(soup, {near(), near(), near()});
+    }
+  }
+  return soup;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The numbers under the kernel: expansions against integers, running errors and filter bounds against expansions.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "arithmetic.h"
+#include "box_plane.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+
+namespace {
+
+using namespace occlude::kernel;
+__extension__ typedef __int128 Integer;
+
+int sign(Integer x) { return (x > 0) - (x < 0); }
+
+constexpr std::uint32_t kSeed = 20261;
+
+TEST(Expansion, AgreesWithIntegers) {
+  std::mt19937_64 random(kSeed);
+  for (int i = 0; i < 20000; ++i) {
+    // 40 bits: products of three still fit in 128, and are far beyond a double's 53.
+    std::int64_t v[6];
+    for (auto& x : v) x = static_cast<std::int64_t>(random() >> 24U) - (std::int64_t{1} << 39U);
+    if (i % 3 == 0) v[3] = v[0], v[4] = v[1], v[5] = v[2] + (i % 2);  // differences that cancel to 0 or 1
+    const auto e = [&](int k) { return Expansion(static_cast<double>(v[k])); };
+    const Expansion exact = e(0) * e(1) * e(2) - e(3) * e(4) * e(5);
+    const Integer truth = Integer{v[0]} * v[1] * v[2] - Integer{v[3]} * v[4] * v[5];
+    ASSERT_EQ(exact.sign(), sign(truth)) << "seed " << kSeed << " case " << i;
+  }
+}
+
+TEST(Expansion, DifferencesAreExact) {
+  const Expansion tiny = Expansion::difference(1, 0x1p-100) - Expansion(1);
+  EXPECT_EQ((tiny + Expansion(0x1p-100)).sign(), 0);
+  EXPECT_EQ((tiny + Expansion(0x1.0000000000001p-100)).sign(), 1);
+  EXPECT_EQ(Expansion::difference(3, 3).sign(), 0);
+}
+
+/// A coordinate difference anywhere in the legal range, now and then zero.
+double wild(std::mt19937_64& random) {
+  if (random() % 8 == 0) return 0;
+  const double mantissa = 1 + static_cast<double>(random() >> 12U) * 0x1p-52;
+  return std::ldexp(random() % 2 ? mantissa : -mantissa, static_cast<int>(random() % 60) - 30);
+}
+
+TEST(RunningError, BoundsTheError) {
+  std::mt19937_64 random(kSeed);
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    double x[8];
+    for (double& v : x) v = wild(random);
+    const auto evaluate = [&]<class A>(A) {
+      const auto d = [&](int k) { return A::difference(x[k], x[k + 1]); };
+      return d(0) * d(1) * d(2) - d(3) * d(4) * d(5) + d(6);
+    };
+    const RunningError approximate = evaluate(FilterArithmetic{});
+    const Expansion error = evaluate(ExactArithmetic{}) - Expansion(approximate.value);
+    const Expansion bound(approximate.error);
+    ASSERT_GE((bound - error).sign(), 0) << "seed " << kSeed << " case " << i;
+    ASSERT_GE((bound + error).sign(), 0) << "seed " << kSeed << " case " << i;
+    // How much of the bound is used: a bound ten times too large would be sound and useless.
+    for (double part = 1; part > 0.01 && worst < part; part -= 0.01) {
+      const Expansion share(approximate.error * part);
+      if ((share - error).sign() < 0 || (share + error).sign() < 0) worst = part;
+    }
+  }
+  std::printf("worst error: %.2f of the bound\n", worst);
+  EXPECT_GT(worst, 0.1);
+}
+
+/// The largest |error| / bound of filter planes at points, found by search; the filter is sound while it is at most 1.
+TEST(PlaneFilter, BoundHoldsAndIsNotSlack) {
+  std::mt19937_64 random(kSeed);
+  double worst = 0;
+  for (int i = 0; i < 30000; ++i) {
+    // Coordinates with full mantissas about a distant point: all roundings happen.
+    const auto coordinate = [&] { return 1 + static_cast<double>(random() >> 11U) * 0x1p-53; };
+    const auto point = [&] { return Vec3{coordinate(), coordinate(), coordinate()}; };
+    const Vec3 eye{coordinate() - 3, coordinate(), coordinate()};
+    const std::vector<Vec3> loop{point(), point(), point()};
+    const auto made = ShadowFrustum::make(Viewpoint::eye(eye), loop, i % 2 ? Near::surface : Near::farthest);
+    if (!made.frustum) continue;
+    const Vec3 x = point();
+    for (std::size_t k = 0; k < made.frustum->filter_planes().size(); ++k) {
+      const FilterPlane& plane = made.frustum->filter_planes()[k];
+      const ExtremalValues<PlainArithmetic> values(plane, {x, x});
+      const Expansion error = value<ExactArithmetic>(made.frustum->exact_planes()[k], x) - Expansion(values.low);
+      double reach = 0;
+      for (int axis = 0; axis < 3; ++axis) reach = std::max(reach, std::fabs(x[axis] - plane.origin[axis]));
+      const double bound = plane.bound * reach;
+      ASSERT_GE((Expansion(bound) - error).sign(), 0) << "seed " << kSeed << " case " << i;
+      ASSERT_GE((Expansion(bound) + error).sign(), 0) << "seed " << kSeed << " case " << i;
+      while (worst < 1 && ((Expansion(bound * worst) - error).sign() < 0 || (Expansion(bound * worst) + error).sign() < 0)) {
+        worst += 0.01;
+      }
+    }
+  }
+  std::printf("worst error: %.2f of the bound\n", worst);
+  EXPECT_GT(worst, 0.05);
+}
+
+TEST(HalfSpace, DecidesExactlyOnThePlane) {
+  // x + y + z = 0.3 with 0.1 + 0.1 + 0.1: in doubles the sum is 0.30000000000000004, in reals it exceeds the double 0.3.
+  const HalfSpace h{{1, 1, 1}, -0.3};
+  const Aabb touching{{-1, -1, -1}, {0.1, 0.1, 0.1}};
+  EXPECT_EQ(relation(h, touching, Arithmetic::certified), Relation::partial);
+  const HalfSpace thirds{{1, 1, 1}, -1};
+  const double third = 1.0 / 3;  // below a third, so three of them fall short of 1 by 2^-54 and round to 1
+  EXPECT_EQ(relation(thirds, {{-1, -1, -1}, {third, third, third}}, Arithmetic::certified), Relation::outside);
+  EXPECT_EQ(relation(thirds, {{-1, -1, -1}, {third, third, third}}, Arithmetic::plain), Relation::partial);
+  EXPECT_EQ(relation(thirds, {{0.5, 0.25, 0.25}, {1, 1, 1}}, Arithmetic::certified), Relation::inside);
+}
+
+TEST(Operations, BestCaseIsTwoDotProductsAndNoCrossProductEver) {
+  const std::vector<Vec3> wall{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}};
+  const auto frustum = *ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), wall, Near::farthest).frustum;
+  const Operations best = count_operations(frustum, {{0.1, 0, 0}, {0.2, 0.1, 0.1}}, occlude::kernel::Test::overlap);
+  EXPECT_EQ(best.dot, 2U);
+  EXPECT_EQ(best.scalar + best.cross, 0U);
+  const Operations all_planes = count_operations(frustum, {{9, 0, 0}, {10, 1, 1}}, occlude::kernel::Test::overlap);
+  EXPECT_EQ(all_planes.dot, 10U);
+}
+
+}  // namespace

@@ -1,0 +1,509 @@
+// SPDX-License-Identifier: MIT
+// The oracle held to cases worked out by hand, to a second way of deciding them in whole numbers, and to what must not matter.
+#include "occlude/oracle/oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "occlude/fuzz/cases.h"
+#include "occlude/fuzz/random.h"
+
+namespace occlude::oracle {
+
+void PrintTo(Relation relation, std::ostream* out) {
+  *out << (relation == Relation::inside ? "inside" : relation == Relation::partial ? "partial" : "outside");
+}
+
+namespace {
+
+using Loop = std::vector<Point>;
+
+constexpr Relation kInside = Relation::inside, kPartial = Relation::partial, kOutside = Relation::outside;
+constexpr Near kFarthest{}, kSurface{Near::Kind::surface, {}, {}};
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Question {
+  Viewpoint view;
+  Loop loop;
+  Near near;
+  Box box;
+};
+
+Answer ask(const Question& q) { return relation(q.view, q.loop, q.near, q.box); }
+std::string refute(const Question& q) { return refute_shadow_cull(q.view, q.loop, q.near, q.box); }
+
+double above(double value) { return std::nextafter(value, kInfinity); }
+double below(double value) { return std::nextafter(value, -kInfinity); }
+
+// ---------------------------------------------------------------------------------------------------- worked out by hand
+
+const Viewpoint kOrigin{};
+
+// From the origin, with near `surface`: F is |x| <= z, |y| <= z, z >= 1.
+const Loop kSquare{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
+
+// From the origin, with near `surface`: F is |x| + |y| <= 2z, z >= 1.
+const Loop kDiamond{{2, 0, 1}, {0, 2, 1}, {-2, 0, 1}, {0, -2, 1}};
+
+// From the origin, with near `surface`: F is 0 <= x <= z, 0 <= y <= z, z >= 1.
+const Loop kQuadrant{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+
+// From the origin the farthest vertex is (2, 0, 1), so that F is x >= 0, y >= 0, x + 2y <= 2z, 2x + z >= 5.
+const Loop kTriangle{{0, 0, 1}, {2, 0, 1}, {0, 1, 1}};
+
+struct HandCase {
+  const char* what;
+  Question question;
+  Relation expected;
+};
+
+TEST(Oracle, AgreesWithCasesWorkedOutByHand) {
+  const HandCase cases[] = {
+      {"well inside", {kOrigin, kSquare, kSurface, {{-1, -1, 2}, {1, 1, 3}}}, kInside},
+      {"inside, four corners on four side planes", {kOrigin, kSquare, kSurface, {{-2, -2, 2}, {2, 2, 3}}}, kInside},
+      {"the same, poking out by an ulp", {kOrigin, kSquare, kSurface, {{-2, -2, 2}, {above(2), 2, 3}}}, kPartial},
+      {"one vertex touches a ray", {kOrigin, kSquare, kSurface, {{2, 2, 1}, {3, 3, 2}}}, kPartial},
+      {"the same, short by an ulp", {kOrigin, kSquare, kSurface, {{above(2), 2, 1}, {3, 3, 2}}}, kOutside},
+      {"an edge lies in a side plane", {kOrigin, kSquare, kSurface, {{2, 0, 1}, {3, 1, 2}}}, kPartial},
+      {"the same, short by an ulp", {kOrigin, kSquare, kSurface, {{2, 0, 1}, {3, 1, below(2)}}}, kOutside},
+      {"an edge crosses a ray", {kOrigin, kDiamond, kSurface, {{4, -1, 1}, {5, 1, 2}}}, kPartial},
+      {"the same, short by an ulp", {kOrigin, kDiamond, kSurface, {{above(4), -1, 1}, {5, 1, 2}}}, kOutside},
+      {"a long box spears F", {kOrigin, kSquare, kSurface, {{-9, -0.1, 3}, {9, 0.1, 3.5}}}, kPartial},
+      {"a box around F's whole start", {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, 9}}}, kPartial},
+      {"the eye in the box, near plane not reached", {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, below(1)}}}, kOutside},
+      {"the eye in the box, near plane touched", {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, 1}}}, kPartial},
+      {"the eye as a point box", {kOrigin, kSquare, kSurface, {{0, 0, 0}, {0, 0, 0}}}, kOutside},
+      {"behind the eye, in the opposite cone", {kOrigin, kSquare, kSurface, {{-1, -1, -9}, {1, 1, -8}}}, kOutside},
+      {"between eye and occluder", {kOrigin, kSquare, kSurface, {{-0.1, -0.1, 0.4}, {0.1, 0.1, 0.6}}}, kOutside},
+      {"through the occluder", {kOrigin, kSquare, kSurface, {{-0.1, -0.1, 0.5}, {0.1, 0.1, 2}}}, kPartial},
+      {"the occluder itself", {kOrigin, kSquare, kSurface, {{-1, -1, 1}, {1, 1, 1}}}, kInside},
+      {"standing on the near plane", {kOrigin, kSquare, kSurface, {{-0.5, -0.5, 1}, {0.5, 0.5, 2}}}, kInside},
+      {"under the near plane, touching", {kOrigin, kSquare, kSurface, {{-0.5, -0.5, 0.5}, {0.5, 0.5, 1}}}, kPartial},
+      {"flat, in a side plane", {kOrigin, kQuadrant, kSurface, {{0, 1, 3}, {0, 2, 4}}}, kInside},
+      {"flat, just off a side plane", {kOrigin, kQuadrant, kSurface, {{-0x1p-100, 1, 3}, {-0x1p-100, 2, 4}}}, kOutside},
+      {"a point on a ray", {kOrigin, kSquare, kSurface, {{7, 7, 7}, {7, 7, 7}}}, kInside},
+      {"a point an ulp off a ray", {kOrigin, kSquare, kSurface, {{7, above(7), 7}, {7, above(7), 7}}}, kOutside},
+      {"the farthest vertex", {kOrigin, kTriangle, kFarthest, {{2, 0, 1}, {2, 0, 1}}}, kInside},
+      {"behind the surface, before the farthest plane", {kOrigin, kTriangle, kFarthest, {{0.1, 0.1, 2}, {0.2, 0.2, 3}}}, kOutside},
+      {"the same for the surface", {kOrigin, kTriangle, kSurface, {{0.1, 0.1, 2}, {0.2, 0.2, 3}}}, kInside},
+      {"a corner on the farthest plane", {kOrigin, kTriangle, kFarthest, {{0, 0, 3}, {1, 1, 3}}}, kPartial},
+      {"an edge on the farthest plane, from beyond", {kOrigin, kTriangle, kFarthest, {{1, 0, 3}, {1, 1, 4}}}, kInside},
+      {"a given plane", {kOrigin, kSquare, {Near::Kind::plane, {0, 0, 2}, {7, 7, 3}}, {{-1, -1, 3}, {1, 1, 4}}}, kInside},
+      {"short of it", {kOrigin, kSquare, {Near::Kind::plane, {0, 0, 2}, {7, 7, 3}}, {{-1, -1, 2}, {1, 1, below(3)}}}, kOutside},
+  };
+  for (const auto& [what, question, expected] : cases) {
+    const Answer answer = ask(question);
+    EXPECT_EQ(answer.refusal, "") << what;
+    EXPECT_EQ(answer.relation, expected) << what;
+  }
+}
+
+TEST(Oracle, ViewsAlongADirection) {
+  const Viewpoint up{{0, 0, 1}, true};
+  const Loop tilted{{-1, -1, 0}, {1, -1, 0}, {1, 1, 2}, {-1, 1, 2}};  // F: |x| <= 1, |y| <= 1, z >= y + 1 or z >= 2
+  EXPECT_EQ(ask({up, tilted, kSurface, {{-1, -1, 2}, {1, 1, 9}}}).relation, kInside);
+  EXPECT_EQ(ask({up, tilted, kSurface, {{-1, -1, below(2)}, {1, 1, 9}}}).relation, kPartial);
+  EXPECT_EQ(ask({up, tilted, kSurface, {{-1, -1, 0}, {1, -1, 9}}}).relation, kInside);
+  EXPECT_EQ(ask({up, tilted, kFarthest, {{-1, -1, 0}, {1, -1, below(2)}}}).relation, kOutside);
+  EXPECT_EQ(ask({up, tilted, kFarthest, {{-1, -1, 2}, {1, 1, 2}}}).relation, kInside);
+  EXPECT_EQ(ask({up, tilted, kSurface, {{1, 1, 2}, {5, 5, 9}}}).relation, kPartial);
+  EXPECT_EQ(ask({up, tilted, kSurface, {{above(1), 1, 2}, {5, 5, 9}}}).relation, kOutside);
+  EXPECT_EQ(ask({{{0, 0, -1}, true}, tilted, kSurface, {{-1, 1, -9}, {1, 1, 2}}}).relation, kInside);
+}
+
+Loop circle(int sides, double radius, double z) {
+  Loop loop;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::acos(-1.0) * i / sides;
+    loop.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+  }
+  return loop;
+}
+
+TEST(Oracle, TakesManySides) {
+  const Loop loop = circle(64, 1, 1);  // vertex 0 is (1, 0, 1) exactly
+  EXPECT_EQ(ask({kOrigin, loop, kSurface, {{-1.4, -1.4, 2}, {1.4, 1.4, 3}}}).relation, kInside);
+  EXPECT_EQ(ask({kOrigin, loop, kSurface, {{-1.5, -1.5, 2}, {1.5, 1.5, 3}}}).relation, kPartial);
+  EXPECT_EQ(ask({kOrigin, loop, kSurface, {{2, -9, 1}, {3, 9, 2}}}).relation, kPartial) << "touches the ray of vertex 0";
+  EXPECT_EQ(ask({kOrigin, loop, kSurface, {{above(2), -9, 1}, {3, 9, 2}}}).relation, kOutside);
+}
+
+TEST(Oracle, TakesTwoHundredSidesInFiftyMilliseconds) {
+  const Loop loop = circle(200, 1, 1);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(ask({kOrigin, loop, kSurface, {{above(2), -9, 1}, {3, 9, 2}}}).relation, kOutside);
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  EXPECT_LT(taken.count(), 50);
+#endif
+}
+
+// ------------------------------------------------------------------------------------------------------------- refusals
+
+Loop star() {
+  const Loop five = circle(5, 1, 1);
+  return {five[0], five[2], five[4], five[1], five[3]};
+}
+
+TEST(Oracle, RefusesWithAReason) {
+  const Box box{{-1, -1, 2}, {1, 1, 3}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto loop = [&](Loop vertices) { return Question{kOrigin, std::move(vertices), kFarthest, box}; };
+  const auto viewed = [&](const Viewpoint& view) { return Question{view, kSquare, kFarthest, box}; };
+  const auto boxed = [&](const Box& other) { return Question{kOrigin, kSquare, kFarthest, other}; };
+  const auto with_near = [&](const Near& near) { return Question{kOrigin, kSquare, near, box}; };
+  const Loop twice{kSquare[0], kSquare[1], kSquare[2], kSquare[3], kSquare[0], kSquare[1], kSquare[2], kSquare[3]};
+  const Loop bent{{0, 0, 1}, {1, 0, 1}, {1, 1, 2}, {0, 1, 1}};
+
+  const std::string concave = "the loop is not convex seen from the eye", in_plane = "the eye lies in the polygon's plane";
+  const std::string not_finite = "a number is not finite", out_of_range = "a coordinate is out of range";
+  const std::string few = "fewer than 3 distinct vertices";
+  const std::pair<Question, std::string> cases[] = {
+      {boxed({{-1, -1, 2}, {1, nan, 3}}), not_finite},
+      {viewed({{0, kInfinity, 0}, false}), not_finite},
+      {loop({{-1, -1, 1}, {1, -kInfinity, 1}, {0, 1, 1}}), not_finite},
+      {with_near({Near::Kind::plane, {0, 0, nan}, {0, 0, 1}}), not_finite},
+      {boxed({{-1, -1, 2}, {1, 1, above(0x1p100)}}), out_of_range},
+      {boxed({{-1, below(0x1p-100), 2}, {1, 1, 3}}), out_of_range},
+      {viewed({{0, 0x1p-101, 0}, false}), out_of_range},
+      {boxed({{-1, -1, 3}, {1, 1, 2}}), "the box has min > max"},
+      {loop({}), few},
+      {loop({{-1, -1, 1}, {1, 1, 1}}), few},
+      {loop({{-1, -1, 1}, {1, 1, 1}, {-1, -1, 1}, {1, 1, 1}, {1, 1, 1}}), few},
+      {loop({{0, 0, 1}, {1, 0, 1}, {2, 0, 1}}), in_plane},
+      {loop({{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}), in_plane},
+      {viewed({{1, 1, 1}, false}), in_plane},
+      {viewed({{1, 0, 0}, true}), in_plane},
+      {viewed({{0, 0, 0}, true}), "the direction of view is zero"},
+      {loop(star()), concave},
+      {loop(twice), concave},
+      {loop({{0, 0, 1}, {4, 0, 1}, {1, 1, 1}, {0, 4, 1}}), concave},
+      {loop({{-1, -1, 1}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}}), concave},               // a bow tie
+      {loop({{-1, -1, 1}, {3, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}), concave},   // a spike along an edge
+      {loop({{-1, -1, 1}, {1, -1, 1}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}), concave},  // an edge gone over three times
+      {loop({{-1, -1, 1}, {0, 0, 1}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}), concave},   // an antenna
+      {loop({{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}), "the eye lies in the polygon"},
+      {Question{kOrigin, bent, kSurface, box}, "the vertices are not coplanar: give a support plane as near"},
+      {with_near({Near::Kind::plane, {0, 0, 1}, {0, 0, below(1)}}), "part of the polygon lies behind the near plane"},
+      {with_near({Near::Kind::plane, {1, 0, 0}, {1, 0, 0}}), ""},
+      {with_near({Near::Kind::plane, {0, 0, 0}, {0, 0, 1}}), "the near plane does not face the eye"},
+      {with_near({Near::Kind::plane, {0, 0, -1}, {0, 0, 0}}), "the near plane does not face the eye"},
+  };
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    const auto& [question, reason] = cases[i];
+    EXPECT_EQ(ask(question).refusal, reason) << "case " << i;
+    if (!reason.empty()) {
+      EXPECT_EQ(refute(question), reason) << "case " << i;
+    }
+  }
+}
+
+TEST(Oracle, TakesTheEndsOfTheRange) {
+  for (const double unit : {0x1p-100, 0x1p99}) {
+    Loop loop = kSquare;
+    for (Point& p : loop) p = {p[0] * unit, p[1] * unit, p[2] * unit};
+    EXPECT_EQ(ask({kOrigin, loop, kSurface, {{unit, unit, unit}, {2 * unit, unit, 2 * unit}}}).relation, kPartial);
+    EXPECT_EQ(ask({kOrigin, loop, kSurface, {{unit, unit, unit}, {unit, unit, 2 * unit}}}).relation, kInside);
+  }
+}
+
+// ----------------------------------------------------------------------------------------------------- the second way
+// Whole numbers only, small enough for 64 bits; nothing shared with the oracle. A common point of box and F exists when some
+// vertex of the arrangement of their planes lies in all of their half-spaces, because the intersection is bounded.
+
+using Whole = std::int64_t;
+using WholePoint = std::array<Whole, 3>;
+
+struct WholePlane {  // normal . x >= offset
+  WholePoint normal;
+  Whole offset;
+};
+
+Whole dot(const WholePoint& a, const WholePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+WholePoint minus(const WholePoint& a, const WholePoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+WholePoint cross(const WholePoint& a, const WholePoint& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// With `within` on the positive side.
+WholePlane plane_through(const WholePoint& point, WholePoint normal, const WholePoint& within) {
+  if (dot(normal, minus(within, point)) < 0) normal = {-normal[0], -normal[1], -normal[2]};
+  return {normal, dot(normal, point)};
+}
+
+struct WholeCase {
+  WholePoint eye;
+  bool at_infinity;
+  std::vector<WholePoint> loop;
+  bool is_surface;
+  WholePoint min, max;
+};
+
+/// The half-spaces of F. A vertex that is not on a side plane tells which side of it is the inner one.
+std::vector<WholePlane> planes_of_frustum(const WholeCase& c) {
+  std::vector<WholePlane> planes;
+  const std::size_t count = c.loop.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const WholePoint &a = c.loop[i], &b = c.loop[(i + 1) % count];
+    const WholePoint normal = cross(c.at_infinity ? c.eye : minus(a, c.eye), minus(b, a));
+    const auto off = std::ranges::find_if(c.loop, [&](const WholePoint& v) { return dot(normal, minus(v, a)) != 0; });
+    if (off != c.loop.end()) planes.push_back(plane_through(a, normal, *off));
+  }
+  const auto sight = [&](const WholePoint& p) { return c.at_infinity ? c.eye : minus(p, c.eye); };
+  if (c.is_surface) {
+    const WholePoint &p = c.loop[0], s = sight(p);
+    const WholePoint normal = cross(minus(c.loop[1], p), minus(c.loop.back(), p));
+    planes.push_back(plane_through(p, normal, {p[0] + s[0], p[1] + s[1], p[2] + s[2]}));
+  } else {
+    const auto remoteness = [&](const WholePoint& p) { return dot(sight(p), c.at_infinity ? p : sight(p)); };
+    const WholePoint& p = *std::ranges::max_element(c.loop, {}, remoteness);  // the first on a tie
+    planes.push_back({sight(p), dot(sight(p), p)});
+  }
+  return planes;
+}
+
+/// Whether the three planes meet in one point, and that point is in all half-spaces.
+bool meet_within(const WholePlane& p, const WholePlane& q, const WholePlane& r, const std::vector<WholePlane>& all) {
+  const WholePoint qr = cross(q.normal, r.normal), rp = cross(r.normal, p.normal), pq = cross(p.normal, q.normal);
+  const Whole w = dot(p.normal, qr);  // the point is x / w
+  if (w == 0) return false;
+  WholePoint x;
+  for (std::size_t k = 0; k < 3; ++k) x[k] = p.offset * qr[k] + q.offset * rp[k] + r.offset * pq[k];
+  return std::ranges::all_of(all, [&](const WholePlane& h) {
+    const Whole height = dot(h.normal, x) - h.offset * w;
+    return w > 0 ? height >= 0 : height <= 0;
+  });
+}
+
+bool share_a_point(const std::vector<WholePlane>& planes) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        if (meet_within(planes[i], planes[j], planes[k], planes)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+Relation second_way(const WholeCase& c) {
+  std::vector<WholePlane> planes = planes_of_frustum(c);
+  const bool is_inside = std::ranges::all_of(planes, [&](const WholePlane& plane) {
+    Whole lowest = -plane.offset;
+    for (std::size_t k = 0; k < 3; ++k) lowest += std::min(plane.normal[k] * c.min[k], plane.normal[k] * c.max[k]);
+    return lowest >= 0;
+  });
+  if (is_inside) return kInside;
+  for (std::size_t k = 0; k < 3; ++k) {
+    WholePoint up{}, down{};
+    up[k] = 1;
+    down[k] = -1;
+    planes.push_back({up, c.min[k]});
+    planes.push_back({down, -c.max[k]});
+  }
+  return share_a_point(planes) ? kPartial : kOutside;
+}
+
+WholePoint whole_point(fuzz::Random& random, int reach) {
+  const auto next = [&] { return Whole{random.integer(-reach, reach)}; };
+  const Whole x = next(), y = next(), z = next();
+  return {x, y, z};
+}
+
+/// Triangles and parallelograms, some with a middle vertex on an edge or a vertex twice.
+WholeCase whole_case(fuzz::Random& random) {
+  WholeCase c{whole_point(random, 4), random.chance(0.25), {}, random.chance(0.5), {}, {}};
+  const WholePoint start = whole_point(random, 3), e = whole_point(random, 2), f = whole_point(random, 2);
+  const auto at = [&](Whole a, Whole b) {
+    return WholePoint{start[0] + a * e[0] + b * f[0], start[1] + a * e[1] + b * f[1], start[2] + a * e[2] + b * f[2]};
+  };
+  c.loop = {at(0, 0), at(2, 0), at(2, 2), at(0, 2)};
+  if (random.chance(0.5)) c.loop.erase(c.loop.begin() + 2);
+  if (random.chance(0.2)) c.loop.insert(c.loop.begin() + 2, c.loop[1]);
+  if (random.chance(0.2)) c.loop.insert(c.loop.begin() + 1, at(1, 0));
+  const WholePoint p = whole_point(random, 9), size = whole_point(random, random.chance(0.5) ? 2 : 18);
+  for (std::size_t k = 0; k < 3; ++k) {
+    c.min[k] = p[k];
+    c.max[k] = std::max(p[k], p[k] + size[k]);  // flat half the time
+  }
+  return c;
+}
+
+Point to_point(const WholePoint& p) {
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+Question to_question(const WholeCase& c) {
+  Question q{{to_point(c.eye), c.at_infinity}, {}, c.is_surface ? kSurface : kFarthest, {to_point(c.min), to_point(c.max)}};
+  for (const WholePoint& v : c.loop) q.loop.push_back(to_point(v));
+  return q;
+}
+
+/// Whether such a case has a frustum: its loops are convex whenever they are seen with an area at all.
+bool is_seen_edge_on(const WholeCase& c) {
+  const WholePoint& a = c.loop[0];
+  const WholePoint normal = cross(minus(c.loop[1], a), minus(c.loop.back(), a));
+  return dot(normal, c.at_infinity ? c.eye : minus(a, c.eye)) == 0;
+}
+
+TEST(Oracle, AgreesWithTheSecondWay) {
+  fuzz::Random random(1);
+  std::array<int, 3> counts{};
+  int refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const WholeCase c = whole_case(random);
+    const Answer answer = ask(to_question(c));
+    ASSERT_EQ(!answer.refusal.empty(), is_seen_edge_on(c)) << "case " << i << ": " << answer.refusal;
+    if (!answer.refusal.empty()) {
+      ++refused;
+      continue;
+    }
+    ASSERT_EQ(answer.relation, second_way(c)) << "case " << i;
+    ++counts[static_cast<std::size_t>(answer.relation)];
+  }
+  for (const int count : counts) EXPECT_GT(count, 200);
+  EXPECT_LT(refused, 8000);
+}
+
+// ------------------------------------------------------------------------------------------------ what must not matter
+
+Point to_point(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
+
+Question to_question(const fuzz::Case& made) {
+  Question q{{to_point(made.viewpoint.value), !made.viewpoint.is_eye()},
+             {},
+             made.near == fuzz::Near::farthest ? kFarthest : kSurface,
+             {to_point(made.box.min), to_point(made.box.max)}};
+  for (const kernel::Vec3& v : made.polygon) q.loop.push_back(to_point(v));
+  return q;
+}
+
+/// `map` applied to every point of the question; the corners of the box put in order again.
+Question mapped(Question q, const std::function<Point(const Point&)>& map) {
+  q.view.value = map(q.view.value);
+  for (Point& vertex : q.loop) vertex = map(vertex);
+  const Point a = map(q.box.min), b = map(q.box.max);
+  for (std::size_t k = 0; k < 3; ++k) {
+    q.box.min[k] = std::min(a[k], b[k]);
+    q.box.max[k] = std::max(a[k], b[k]);
+  }
+  return q;
+}
+
+void for_each_case(int count, const std::function<void(fuzz::Family, const Question&)>& check) {
+  for (const fuzz::Family family : fuzz::families()) {
+    for (int seed = 0; seed < count; ++seed) check(family, to_question(fuzz::make_case(family, static_cast<std::uint64_t>(seed))));
+  }
+}
+
+void expect_same(const Question& q, const Question& other, const char* what) {
+  const Answer a = ask(q), b = ask(other);
+  EXPECT_EQ(a.refusal, b.refusal) << what;
+  EXPECT_EQ(a.relation, b.relation) << what;
+}
+
+TEST(Oracle, CaresNeitherForAxesNorForScale) {
+  for_each_case(100, [](fuzz::Family family, const Question& q) {
+    SCOPED_TRACE(fuzz::name(family));
+    expect_same(q, mapped(q, [](const Point& p) { return Point{p[1], p[2], p[0]}; }), "axes permuted");
+    expect_same(q, mapped(q, [](const Point& p) { return Point{p[1], p[0], p[2]}; }), "axes exchanged");
+    expect_same(q, mapped(q, [](const Point& p) { return Point{p[0], -p[1], p[2]}; }), "mirrored");
+    const double scale = family == fuzz::Family::huge_scale ? 0x1p-37 : 0x1p11;
+    expect_same(q, mapped(q, [&](const Point& p) { return Point{scale * p[0], scale * p[1], scale * p[2]}; }), "scaled");
+  });
+}
+
+TEST(Oracle, CaresNotWhereTheSceneIs) {
+  using fuzz::Family;
+  for_each_case(200, [](Family family, const Question& q) {
+    const bool is_whole = family == Family::lattice || family == Family::ray_touch || family == Family::collinear ||
+                          family == Family::many_sided || family == Family::eye_in_box;
+    if (!is_whole) return;
+    Question moved = mapped(q, [](const Point& p) { return Point{p[0] + 1000, p[1] - 77, p[2] + 123456}; });
+    expect_same(q, moved, "moved");
+  });
+}
+
+TEST(Oracle, CaresNotHowTheLoopIsWritten) {
+  for_each_case(100, [](fuzz::Family family, Question q) {
+    if (q.near.kind == Near::Kind::farthest) return;  // its plane may depend on the order
+    SCOPED_TRACE(fuzz::name(family));
+    const Question before = q;
+    std::ranges::reverse(q.loop);
+    expect_same(before, q, "reversed");
+    std::ranges::rotate(q.loop, q.loop.begin() + 1);
+    expect_same(before, q, "rotated");
+    q.loop.insert(q.loop.begin() + 1, {q.loop[1], q.loop[1]});
+    q.loop.push_back(q.loop.front());
+    if (q.loop.size() > 6) expect_same(before, q, "vertices repeated");
+  });
+}
+
+TEST(Oracle, TakesTheFirstOfEquallyFarVertices) {
+  // All four corners of the square are equally far: the plane is -x - y + z >= 3 from the first, x + y + z >= 3 from the third.
+  const Box corner{{-1, -1, 1}, {-1, -1, 1}};
+  EXPECT_EQ(ask({kOrigin, kSquare, kFarthest, corner}).relation, kInside);
+  Loop rotated = kSquare;
+  std::ranges::rotate(rotated, rotated.begin() + 2);
+  EXPECT_EQ(ask({kOrigin, rotated, kFarthest, corner}).relation, kOutside);
+}
+
+// -------------------------------------------------------------------------------------------------------- proofs of culls
+
+TEST(Oracle, ProvesAShadowCullOnlyStrictlyBeyondTheNearPlane) {
+  EXPECT_EQ(refute({kOrigin, kSquare, kSurface, {{-1, -1, above(1)}, {1, 1, 2}}}), "");
+  EXPECT_EQ(refute({kOrigin, kSquare, kSurface, {{-2, -2, 2}, {2, 2, 3}}}), "") << "side planes may be touched";
+  EXPECT_EQ(refute({kOrigin, kSquare, kSurface, {{-1, -1, 1}, {1, 1, 2}}}), "the box touches the near plane");
+  EXPECT_EQ(refute({kOrigin, kSquare, kSurface, {{-1, -1, 1}, {1, 1, 1}}}), "the box touches the near plane");
+  EXPECT_EQ(refute({kOrigin, kSquare, kSurface, {{-2, -2, 2}, {above(2), 2, 3}}}), "the box is not inside the frustum");
+  EXPECT_EQ(refute({kOrigin, kSquare, kSurface, {{-1, -1, below(1)}, {1, 1, 2}}}), "the box is not inside the frustum");
+  const Near plane{Near::Kind::plane, {0, 0, 1}, {0, 0, 2}};
+  EXPECT_EQ(refute({kOrigin, kSquare, plane, {{-1, -1, above(2)}, {1, 1, 3}}}), "");
+  EXPECT_EQ(refute({kOrigin, kSquare, plane, {{-1, -1, 2}, {1, 1, 3}}}), "the box touches the near plane");
+  EXPECT_EQ(refute({{{0, 0, 1}, true}, kSquare, kFarthest, {{-1, -1, above(1)}, {1, 1, 3}}}), "");
+  EXPECT_EQ(refute({{{0, 0, 1}, true}, kSquare, kFarthest, {{-1, -1, 1}, {1, 1, 3}}}), "the box touches the near plane");
+}
+
+TEST(Oracle, ProvesAShadowCullExactlyWhenInsideAndOffTheNearPlane) {
+  int proved = 0, touching = 0;
+  for_each_case(200, [&](fuzz::Family family, const Question& q) {
+    const Answer answer = ask(q);
+    const std::string refutation = refute(q);
+    SCOPED_TRACE(fuzz::name(family));
+    if (!answer.refusal.empty()) {
+      EXPECT_EQ(refutation, answer.refusal);
+    } else if (answer.relation == kInside) {
+      EXPECT_TRUE(refutation.empty() || refutation == "the box touches the near plane") << refutation;
+      ++(refutation.empty() ? proved : touching);
+    } else {
+      EXPECT_EQ(refutation, "the box is not inside the frustum");
+    }
+  });
+  EXPECT_GT(proved, 500);
+  EXPECT_GT(touching, 200);
+}
+
+TEST(Oracle, ProvesAViewCullExactly) {
+  const Box box{{-1, -1, -1}, {1, 1, 1}};
+  EXPECT_EQ(refute_view_cull({1, 1, 1, -4}, box), "");
+  EXPECT_EQ(refute_view_cull({1, 1, 1, -3}, box), "the box reaches the plane");
+  EXPECT_EQ(refute_view_cull({1, 1, 1, below(-3)}, box), "");
+  EXPECT_EQ(refute_view_cull({0, 0, 0, 0}, box), "the box reaches the plane");
+  // 3 * 0.1, as doubles, lies between the doubles 0.3 and 0.30000000000000004.
+  const Box three{{3, 0, 0}, {3, 0, 0}};
+  EXPECT_EQ(refute_view_cull({0.1, 0, 0, -0.30000000000000004}, three), "");
+  EXPECT_EQ(refute_view_cull({0.1, 0, 0, -0.3}, three), "the box reaches the plane");
+  EXPECT_EQ(refute_view_cull({0.1, 0, 0, kInfinity}, three), "a number is not finite");
+  EXPECT_EQ(refute_view_cull({1, 0, 0, -9}, {{3, 0, 0}, {2, 0, 0}}), "the box has min > max");
+}
+
+}  // namespace
+}  // namespace occlude::oracle
