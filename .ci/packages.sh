@@ -7,7 +7,7 @@ packages=(
   g++ cmake ninja-build pkg-config ccache
   libglm-dev                       # culler
   libcgal-dev                      # oracle
-  libosmesa6-dev libpng-dev libassimp-dev libtinyobjloader-dev  # render
+  libosmesa6-dev libpng-dev libassimp-dev  # render
   libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev          # the command
   libgtest-dev                     # tests
 )

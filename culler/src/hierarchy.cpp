@@ -18,12 +18,14 @@ using kernel::Vec3;
 constexpr std::size_t kBins = 16;
 
 struct Builder {
-  const std::vector<Aabb>& boxes;       ///< of the polygons, by original index
-  std::vector<std::uint32_t>& order;    ///< the permutation that the build establishes
+  const std::vector<Aabb>& boxes;     ///< of the polygons, by original index
+  std::vector<std::uint32_t>& order;  ///< the permutation that the build establishes
   std::vector<Hierarchy::Node>& nodes;
   std::uint32_t leaf_size;
 
-  double centre(std::uint32_t polygon, int axis) const { return boxes[polygon].min[axis] / 2 + boxes[polygon].max[axis] / 2; }
+  double centre(std::uint32_t polygon, int axis) const {
+    return boxes[polygon].min[axis] / 2 + boxes[polygon].max[axis] / 2;
+  }
 
   /// Appends the subtree over order[first, first + count).
   void build(std::uint32_t first, std::uint32_t count) {
@@ -105,9 +107,8 @@ struct Builder {
     if (best.bin == 0) return count / 2;  // all centres coincide, or areas overflow: any halves will do
     const Binning bin = binning(first, count, best.axis);
     const auto begin = order.begin() + first;
-    const auto middle = std::stable_partition(begin, begin + count, [&](std::uint32_t polygon) {
-      return bin(centre(polygon, best.axis)) < best.bin;
-    });
+    const auto middle = std::stable_partition(
+        begin, begin + count, [&](std::uint32_t polygon) { return bin(centre(polygon, best.axis)) < best.bin; });
     return static_cast<std::uint32_t>(middle - begin);
   }
 };

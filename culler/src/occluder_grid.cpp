@@ -83,9 +83,8 @@ OccluderGrid OccluderGrid::build(const Hierarchy& hierarchy, const Config& confi
   grid.polygons_.resize(first.back());
   std::vector<std::size_t> end(first.begin(), first.end() - 1);
   for (std::size_t p = 0; p < soup.size(); ++p) {
-    grid.for_each_region(grid.occluders_[p], config.threshold, [&](std::size_t region) {
-      grid.polygons_[end[region]++] = static_cast<std::uint32_t>(p);
-    });
+    grid.for_each_region(grid.occluders_[p], config.threshold,
+                         [&](std::size_t region) { grid.polygons_[end[region]++] = static_cast<std::uint32_t>(p); });
   }
   return grid;
 }

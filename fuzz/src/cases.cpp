@@ -29,8 +29,8 @@ void nudge(Random& random, Case& made) {
   Vec3& min = made.box.min;
   Vec3& max = made.box.max;
   for (int moves = random.integer(1, 3); moves > 0; --moves) {
-    const std::array<Vec3*, 6> points{&min, &max, &min, &max, &made.viewpoint.value,
-                                      may_bend ? &made.polygon[random.index(made.polygon.size())] : &max};
+    const std::array<Vec3*, 6> points{
+        &min, &max, &min, &max, &made.viewpoint.value, may_bend ? &made.polygon[random.index(made.polygon.size())] : &max};
     double& value = (*points[random.index(points.size())])[random.integer(0, 2)];
     if (value != 0) value = std::nextafter(value, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
   }

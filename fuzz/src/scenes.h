@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Viewpoints and convex polygons, without a box yet. Lattice scenes have small integer coordinates and exactly coplanar polygons.
+// Viewpoints and convex polygons, without a box yet. Lattice scenes have small integer coordinates and exactly coplanar
+// polygons.
 #pragma once
 
 #include "occlude/fuzz/cases.h"

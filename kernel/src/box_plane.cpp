@@ -23,7 +23,8 @@ Side filter_side(const FilterPlane& plane, const Aabb& box) {
   return Side::unknown;
 }
 
-/// The exact sign of the plane at the extremal vertex of the box, nearest (`direction` = -1) or farthest (1) along its normal.
+/// The exact sign of the plane at the extremal vertex of the box, nearest (`direction` = -1) or farthest (1) along its
+/// normal.
 template <class A>
 int extremal_sign(A& arithmetic, const ExactPlane& plane, const Aabb& box, int direction) {
   const auto n = normal<A>(plane);

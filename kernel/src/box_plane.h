@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stage 1 of the overlap test (section 5.3): the box against each plane by its two extremal vertices. Reading order: 6.
 //
-// The normal of a plane picks the vertex of the box farthest along it and the one nearest: two values decide what eight would.
+// The normal of a plane picks the vertex of the box farthest along it and the one nearest: two values decide what eight
+// would.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,8 @@ struct ExtremalValues {
 
   ExtremalValues(const FilterPlane& plane, const Aabb& box) {
     const bool x = plane.normal.x >= 0, y = plane.normal.y >= 0, z = plane.normal.z >= 0;
-    const Vector3<typename A::Number> n{A::constant(plane.normal.x), A::constant(plane.normal.y), A::constant(plane.normal.z)};
+    const Vector3<typename A::Number> n{A::constant(plane.normal.x), A::constant(plane.normal.y),
+                                        A::constant(plane.normal.z)};
     low = dot(n, difference<A>(extremal_vertex(box, !x, !y, !z), plane.origin));
     high = dot(n, difference<A>(extremal_vertex(box, x, y, z), plane.origin));
   }

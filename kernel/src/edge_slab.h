@@ -50,7 +50,8 @@ class FrustumEdges {
 
   /// Along ray i, V + t d_i, the near plane n . (x - r) has the value t a_i - a with a_i = n . d_i and a = n . (r - V): the
   /// shadow begins at t = a / a_i when a_i > 0 and never otherwise. Between a ray that reaches the near plane and one that
-  /// does not, the near face runs to infinity along a_i d_j - a_j d_i, which lies in the side plane and parallel to the near.
+  /// does not, the near face runs to infinity along a_i d_j - a_j d_i, which lies in the side plane and parallel to the
+  /// near.
   void build_perspective(A& arithmetic, const ShadowFrustum& frustum) {
     const auto corners = frustum.silhouette();
     const ExactPlane& near = frustum.exact_planes()[0];

@@ -19,8 +19,8 @@ int exact_sign(const HalfSpace& h, const Vec3& x) {
 int sign_at(const HalfSpace& h, const Vec3& x, Arithmetic arithmetic) {
   const double value = h.normal.x * x.x + h.normal.y * x.y + h.normal.z * x.z + h.offset;
   if (arithmetic == Arithmetic::plain) return PlainArithmetic::sign(value);
-  const double magnitude = std::fabs(h.normal.x * x.x) + std::fabs(h.normal.y * x.y) + std::fabs(h.normal.z * x.z) +
-                           std::fabs(h.offset);
+  const double magnitude =
+      std::fabs(h.normal.x * x.x) + std::fabs(h.normal.y * x.y) + std::fabs(h.normal.z * x.z) + std::fabs(h.offset);
   if (std::fabs(value) > kHalfSpaceError * magnitude) return value > 0 ? 1 : -1;
   return exact_sign(h, x);
 }

@@ -69,12 +69,22 @@ ExactPlane farthest_plane(const Viewpoint& viewpoint, std::span<const Vec3> loop
     if (compare_distance(viewpoint, v, farthest) > 0) farthest = v;
   }
   return viewpoint.is_eye()
-             ? ExactPlane{.direct = true, .a_to = farthest, .a_from = viewpoint.value, .b_to = {}, .b_from = {}, .origin = farthest}
-             : ExactPlane{.direct = true, .a_to = viewpoint.value, .a_from = {}, .b_to = {}, .b_from = {}, .origin = farthest};
+             ? ExactPlane{.direct = true,
+                          .a_to = farthest,
+                          .a_from = viewpoint.value,
+                          .b_to = {},
+                          .b_from = {},
+                          .origin = farthest}
+             : ExactPlane{
+                   .direct = true, .a_to = viewpoint.value, .a_from = {}, .b_to = {}, .b_from = {}, .origin = farthest};
 }
 
 std::optional<ExactPlane> polygon_plane(std::span<const Vec3> corners, std::span<const Vec3> loop) {
-  const ExactPlane plane{.direct = false, .a_to = corners[1], .a_from = corners[0], .b_to = corners[2], .b_from = corners[0],
+  const ExactPlane plane{.direct = false,
+                         .a_to = corners[1],
+                         .a_from = corners[0],
+                         .b_to = corners[2],
+                         .b_from = corners[0],
                          .origin = corners[0]};
   const bool coplanar = std::all_of(loop.begin(), loop.end(), [&](const Vec3& v) { return sign_at(plane, v) == 0; });
   return coplanar ? std::optional(plane) : std::nullopt;

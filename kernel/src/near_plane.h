@@ -17,7 +17,8 @@ namespace occlude::kernel {
 [[nodiscard]] std::optional<ExactPlane> polygon_plane(std::span<const Vec3> corners, std::span<const Vec3> loop);
 
 /// A plane with all of `loop` on or before it and the viewpoint strictly before it, close to the loop's mean plane.
-[[nodiscard]] SupportPlane support_plane(const Viewpoint& viewpoint, std::span<const Vec3> corners, std::span<const Vec3> loop);
+[[nodiscard]] SupportPlane support_plane(const Viewpoint& viewpoint, std::span<const Vec3> corners,
+                                         std::span<const Vec3> loop);
 
 [[nodiscard]] ExactPlane exact_plane(const SupportPlane& plane);
 

@@ -45,8 +45,7 @@ Decision conservative_certified(const ShadowFrustum& frustum, const Aabb& box, N
 Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
   Decision decision = box_planes_certified(frustum, box, near);
   if (decision.relation == Relation::partial) {
-    decision.relation =
-        certified([&](auto& arithmetic) { return edge_stages(arithmetic, frustum, box); }, &decision.stage);
+    decision.relation = certified([&](auto& arithmetic) { return edge_stages(arithmetic, frustum, box); }, &decision.stage);
   }
   return decision;
 }
@@ -55,7 +54,8 @@ Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arit
   if (arithmetic == Arithmetic::plain) {
     return test == Test::overlap ? overlap_plain(frustum, box, near) : conservative_plain(frustum, box, near);
   }
-  return (test == Test::overlap ? overlap_certified(frustum, box, near) : conservative_certified(frustum, box, near)).relation;
+  return (test == Test::overlap ? overlap_certified(frustum, box, near) : conservative_certified(frustum, box, near))
+      .relation;
 }
 
 Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Test test) {

@@ -6,7 +6,8 @@ namespace occlude::kernel {
 
 /// What half-spaces leave of a closed segment P Q. A half-space comes as its (affine) values at P and Q, >= 0 inside; the
 /// endpoints may be homogeneous, with weights >= 0 not both zero, which keeps the values affine along the segment.
-/// Clip parameters are quotients gP / (gP - gQ); they are compared by cross-multiplication, so that exact numbers stay exact.
+/// Clip parameters are quotients gP / (gP - gQ); they are compared by cross-multiplication, so that exact numbers stay
+/// exact.
 template <class A>
 class SegmentClip {
  public:
@@ -39,9 +40,7 @@ class SegmentClip {
 
   /// Whether t_b > t_a for crossings with parameters t = p / (p - q) that both enter; for two that leave, the denominators
   /// have the other sign and it is the same question: t_a.p t_b.q > t_b.p t_a.q.
-  [[nodiscard]] bool later(const Crossing& a, const Crossing& b) {
-    return arithmetic_.sign(a.p * b.q - b.p * a.q) > 0;
-  }
+  [[nodiscard]] bool later(const Crossing& a, const Crossing& b) { return arithmetic_.sign(a.p * b.q - b.p * a.q) > 0; }
 
   A& arithmetic_;
   Crossing enter_{}, leave_{};  ///< the latest entering and the earliest leaving crossing, once there is one

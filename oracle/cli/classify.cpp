@@ -75,7 +75,8 @@ bool classify(const Case& c, Json& answer) {
   const kernel::Decision certified = kernel::overlap_certified(*frustum, c.box);
   const oracle::Near near = frustum->support_plane() ? to_oracle(*frustum->support_plane()) : to_oracle(c.near);
   const oracle::Answer exact = oracle::relation(to_oracle(c.viewpoint), to_oracle(c.polygon), near, to_oracle(c.box));
-  const std::string judged = exact.refusal.empty() ? text(static_cast<kernel::Relation>(exact.relation)) : "refused: " + exact.refusal;
+  const std::string judged =
+      exact.refusal.empty() ? text(static_cast<kernel::Relation>(exact.relation)) : "refused: " + exact.refusal;
   answer["certified"] = text(certified.relation);
   answer["stage"] = certified.stage == kernel::Stage::filter ? "filter" : "exact";
   answer["plain"] = text(kernel::overlap_plain(*frustum, c.box));
@@ -116,7 +117,8 @@ int classify_file(const std::string& file) {
 }  // namespace
 
 void add_classify(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("classify", "Answer cases (JSON Lines) by every arithmetic and by the exact oracle");
+  CLI::App* command =
+      app.add_subcommand("classify", "Answer cases (JSON Lines) by every arithmetic and by the exact oracle");
   command->footer(
       "Exit code 0; 1 when an \"expect\" or the oracle differs from `certified`; 2 for a line that is not a case.\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[3,0,0],"max":[4,1,1]}}' | occlude classify)");

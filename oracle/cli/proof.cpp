@@ -23,8 +23,8 @@ bool contains(const kernel::Aabb& outer, const kernel::Aabb& inner) {
   return true;
 }
 
-/// Whether all that the camera can show is on the inner side of the plane: the corners of its near face, and those of its far
-/// face or, where there is none, the directions of its corner rays.
+/// Whether all that the camera can show is on the inner side of the plane: the corners of its near face, and those of its
+/// far face or, where there is none, the directions of its corner rays.
 bool is_outside_of_view(const std::array<double, 4>& plane, const culler::Camera& camera) {
   const auto [right, up, forward] = camera.axes();
   const glm::dvec3 normal{plane[0], plane[1], plane[2]};
@@ -74,7 +74,8 @@ std::array<double, 4> plane_of(const Json& object) {
 
 std::array<std::size_t, 2> triangles_of(const Json& object) {
   const Json& triangles = member(object, "triangles");
-  if (!triangles.is_array() || triangles.size() != 2 || !triangles[0].is_number_unsigned() || !triangles[1].is_number_unsigned()) {
+  if (!triangles.is_array() || triangles.size() != 2 || !triangles[0].is_number_unsigned() ||
+      !triangles[1].is_number_unsigned()) {
     throw LineError("\"triangles\": expected [first, count]");
   }
   return {triangles[0].get<std::size_t>(), triangles[1].get<std::size_t>()};
@@ -164,9 +165,10 @@ bool Prover::is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std
   const culler::PolygonSoup& soup = hierarchy_.soup();
   const auto is_polygon = [&](std::uint32_t p) {
     const auto indices = soup.loop(p);
-    return std::equal(indices.begin(), indices.end(), loop.begin(), loop.end(), [&](std::uint32_t index, const kernel::Vec3& v) {
-      return soup.vertices[index] == glm::dvec3{v.x, v.y, v.z};
-    });
+    return std::equal(indices.begin(), indices.end(), loop.begin(), loop.end(),
+                      [&](std::uint32_t index, const kernel::Vec3& v) {
+                        return soup.vertices[index] == glm::dvec3{v.x, v.y, v.z};
+                      });
   };
   const std::array<double, 3> wanted{loop[0].x, loop[0].y, loop[0].z};
   auto candidate = std::lower_bound(by_first_vertex_.begin(), by_first_vertex_.end(), std::pair{wanted, std::uint32_t{0}});

@@ -32,12 +32,13 @@ class Prover {
  private:
   [[nodiscard]] std::string prove_members(std::string_view line) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
-  [[nodiscard]] bool is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first, std::size_t count) const;
+  [[nodiscard]] bool is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first,
+                                              std::size_t count) const;
 
   const culler::Hierarchy& hierarchy_;
   const render::CameraPath& path_;
   double aspect_;
-  std::vector<std::size_t> first_triangle_;        ///< of each polygon, and the total
+  std::vector<std::size_t> first_triangle_;                                       ///< of each polygon, and the total
   std::vector<std::pair<std::array<double, 3>, std::uint32_t>> by_first_vertex_;  ///< polygons, sorted by their first vertex
   /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
   mutable std::shared_mutex mutex_;

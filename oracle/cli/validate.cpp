@@ -107,7 +107,8 @@ int validate(Arguments& arguments) {
       arguments.witness.empty() ? prove_walk(prover, culler, path, options) : prove_file(prover, arguments.witness);
   const std::size_t total = outcome.proved + outcome.failed;
   if (arguments.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"witnesses", total}, {"proved", outcome.proved}, {"failed", outcome.failed}}.dump(2));
+    fmt::print("{}\n",
+               nlohmann::ordered_json{{"witnesses", total}, {"proved", outcome.proved}, {"failed", outcome.failed}}.dump(2));
   } else {
     fmt::print("{} of {} witnesses proved\n", outcome.proved, total);
   }
@@ -126,7 +127,8 @@ void add_validate(CLI::App& app, int& exit_code) {
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "the model walked through")->required();
   command->add_option("--path", a->path, "camera path (JSON)")->required();
-  command->add_option("--witness", a->witness, "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  command->add_option("--witness", a->witness,
+                      "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   a->walk.add_to(*command);
   command->add_flag("--json", a->json, "print the counts as JSON");
   command->callback([a, &exit_code] { exit_code = validate(*a); });

@@ -42,8 +42,8 @@ void find_sides(const Scene& scene, std::size_t edge, std::span<CGAL::Sign> side
   }
 }
 
-/// Whether every vertex lies strictly ahead of the eye, so that the eye is not in the hull of the polygon. (A convex loop for
-/// which this fails is folded around a line through the eye.)
+/// Whether every vertex lies strictly ahead of the eye, so that the eye is not in the hull of the polygon. (A convex loop
+/// for which this fails is folded around a line through the eye.)
 bool lies_ahead(const Scene& scene, CGAL::Sign turn) {
   Plane across([&]<class N>() { return HalfSpace<N>{vector_area<N>(scene), vector_of<N>(scene.view.value)}; });
   return std::ranges::all_of(scene.loop, [&](const Point& vertex) { return across.side(vertex) == turn; });

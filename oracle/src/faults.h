@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What makes a question unanswerable. Every check is decided exactly; a reason is one line, empty when there is nothing wrong.
+// What makes a question unanswerable. Every check is decided exactly; a reason is one line, empty when there is nothing
+// wrong.
 #pragma once
 
 #include <span>

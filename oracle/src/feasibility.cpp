@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Seidel's incremental linear programming. Keep the lowest point (by a linear cost) of the inequalities seen so far; one that
-// the point violates holds with equality at the new lowest point, if there is any, which leaves the same question in one
-// variable fewer.
+// Seidel's incremental linear programming. Keep the lowest point (by a linear cost) of the inequalities seen so far; one
+// that the point violates holds with equality at the new lowest point, if there is any, which leaves the same question in
+// one variable fewer.
 #include "feasibility.h"
 
 #include <algorithm>

@@ -18,8 +18,8 @@ struct Scene {
   [[nodiscard]] const Point& next(std::size_t i) const { return loop[i + 1 == loop.size() ? 0 : i + 1]; }
 };
 
-/// The plane through the viewpoint and the edge from vertex `edge` to the next: height(x) is det(s_i - V, s_(i+1) - V, x - V),
-/// or det(d, s_(i+1) - s_i, x - s_i) for a direction d. All zero for an edge seen as a point.
+/// The plane through the viewpoint and the edge from vertex `edge` to the next: height(x) is det(s_i - V, s_(i+1) - V, x -
+/// V), or det(d, s_(i+1) - s_i, x - s_i) for a direction d. All zero for an edge seen as a point.
 template <class N>
 HalfSpace<N> side_plane(const Scene& scene, std::size_t edge) {
   const Point &eye = scene.view.value, &a = scene.loop[edge], &b = scene.next(edge);

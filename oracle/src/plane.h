@@ -18,8 +18,8 @@ struct HalfSpace {
   [[nodiscard]] N height(const Point& x) const { return normal * (vector_of<N>(x) - point); }
 };
 
-/// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, in rationals when first
-/// needed, and kept.
+/// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, in rationals when
+/// first needed, and kept.
 template <class Definition>
 class Plane {
  public:

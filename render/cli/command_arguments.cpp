@@ -61,7 +61,8 @@ void WalkArguments::add_to(CLI::App& command) {
   command.add_option("--arithmetic", cull_.arithmetic, "certified, or plain (the paper's, to be measured)")
       ->transform(CLI::CheckedTransformer(arithmetics))
       ->default_str("certified");
-  const std::map<std::string, kernel::Test> tests{{"conservative", kernel::Test::conservative}, {"overlap", kernel::Test::overlap}};
+  const std::map<std::string, kernel::Test> tests{{"conservative", kernel::Test::conservative},
+                                                  {"overlap", kernel::Test::overlap}};
   command.add_option("--test", cull_.test, "conservative (planes alone) or overlap (all three relations exact)")
       ->transform(CLI::CheckedTransformer(tests))
       ->default_str("conservative");

@@ -20,7 +20,8 @@ struct Arguments {
 
 void generate(const Arguments& arguments) {
   const render::City city = render::generate_city(arguments.polygons, arguments.seed);
-  const std::string comment = fmt::format("occlude generate city --polygons {} --seed {}; metres, Z up", arguments.polygons, arguments.seed);
+  const std::string comment =
+      fmt::format("occlude generate city --polygons {} --seed {}; metres, Z up", arguments.polygons, arguments.seed);
   render::write_ply(arguments.out, city.soup, comment);
   render::write_camera_path(arguments.path, city.path);
   fmt::print("{}: {} polygons, {} vertices\n{}: {} frames\n", arguments.out, city.soup.size(), city.soup.vertices.size(),
@@ -32,7 +33,8 @@ void generate(const Arguments& arguments) {
 void add_generate(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("generate", "Make a model and a camera path");
   command->require_subcommand(1);
-  CLI::App* city = command->add_subcommand("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
+  CLI::App* city =
+      command->add_subcommand("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
   city->footer("Example: occlude generate city --polygons 500000 --seed 1 --out city.ply --path city.json");
   const auto arguments = std::make_shared<Arguments>();
   city->add_option("--polygons", arguments->polygons, "at least so many polygons")

@@ -42,7 +42,8 @@ int walk(const Arguments& arguments) {
 }  // namespace
 
 void add_walk(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("walk", "Walk a path through a model with and without occlusion culling, and compare");
+  CLI::App* command =
+      app.add_subcommand("walk", "Walk a path through a model with and without occlusion culling, and compare");
   command->footer(
       "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
       "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n"

@@ -13,8 +13,8 @@
 
 namespace occlude::render {
 
-/// One corner of a triangle. Corners are not shared through an index buffer: llvmpipe draws many short ranges of plain corners
-/// some 10 % faster than indexed ones, even of quads.
+/// One corner of a triangle. Corners are not shared through an index buffer: llvmpipe draws many short ranges of plain
+/// corners some 10 % faster than indexed ones, even of quads.
 struct Corner {
   std::array<float, 3> position;  ///< relative to the list's centre
   Rgba colour;

@@ -22,7 +22,8 @@ using namespace occlude::culler;
 kernel::HalfSpace to_kernel(const HalfSpace& h) { return {{h.normal.x, h.normal.y, h.normal.z}, h.offset}; }
 
 /// Which polygons to draw, asking every leaf about every half-space and shadow.
-std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, kernel::Arithmetic arithmetic, kernel::Test test) {
+std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, kernel::Arithmetic arithmetic,
+                              kernel::Test test) {
   std::vector<bool> drawn(culler.hierarchy().soup().size(), false);
   for (const Hierarchy::Node& node : culler.hierarchy().nodes()) {
     if (!node.is_leaf()) continue;
@@ -31,8 +32,8 @@ std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, ker
       visible = visible && kernel::relation(to_kernel(h), node.box, arithmetic) != kernel::Relation::outside;
     }
     for (const Occluder& o : frame.occluders) {
-      visible = visible &&
-                kernel::relation(o.frustum, node.box, arithmetic, test, kernel::NearBoundary::open) != kernel::Relation::inside;
+      visible = visible && kernel::relation(o.frustum, node.box, arithmetic, test, kernel::NearBoundary::open) !=
+                               kernel::Relation::inside;
     }
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) drawn[p] = visible;
   }
@@ -72,9 +73,11 @@ TEST(Culler, DrawsWhatBruteForceDraws) {
     options.near = i % 2 ? kernel::Near::surface : kernel::Near::farthest;
     options.test = i % 3 ? kernel::Test::conservative : kernel::Test::overlap;
     const CullResult frame = culler.cull(camera, options);
-    ASSERT_EQ(drawn_polygons(culler, frame), brute_force(culler, frame, options.arithmetic, options.test)) << "seed " << kSeed;
+    ASSERT_EQ(drawn_polygons(culler, frame), brute_force(culler, frame, options.arithmetic, options.test))
+        << "seed " << kSeed;
     const CullStats& stats = frame.stats;
-    ASSERT_EQ(stats.drawn_polygons + stats.view_culled_polygons + stats.shadow_culled_polygons, culler.hierarchy().soup().size());
+    ASSERT_EQ(stats.drawn_polygons + stats.view_culled_polygons + stats.shadow_culled_polygons,
+              culler.hierarchy().soup().size());
     culled += stats.shadow_culled_polygons;
   }
   EXPECT_GT(culled, 10000U);
@@ -138,11 +141,11 @@ Culler one_polygon_leaves(const PolygonSoup& soup) {
 
 TEST(Culler, HidesWhatIsBehindAWallAndNothingElse) {
   PolygonSoup soup;
-  add_wall(soup, 2, -1, 1, -1, 1);          // 0, the wall
-  add_wall(soup, 4, -2, 2, -2, 2);          // 1, exactly in its shadow, border included
+  add_wall(soup, 2, -1, 1, -1, 1);                            // 0, the wall
+  add_wall(soup, 4, -2, 2, -2, 2);                            // 1, exactly in its shadow, border included
   add_wall(soup, 4.25, -2, std::nextafter(2.125, 3), -2, 2);  // 2, one ulp beyond its shadow
-  add_wall(soup, 1, -0.1, 0.1, -0.1, 0.1);  // 3, before it
-  add_wall(soup, -4, -1, 1, -1, 1);         // 4, behind the eye
+  add_wall(soup, 1, -0.1, 0.1, -0.1, 0.1);                    // 3, before it
+  add_wall(soup, -4, -1, 1, -1, 1);                           // 4, behind the eye
   const Culler culler = one_polygon_leaves(soup);
   CullOptions only_the_wall;
   only_the_wall.occluders = 1;
@@ -239,8 +242,9 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
     const Camera camera = random_camera(random);
     const auto [right, up, forward] = camera.axes();
     const double depth = std::isfinite(camera.far) ? camera.far : 1e6;
-    const double half = camera.projection == Projection::perspective ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * depth
-                                                                     : camera.height / 2;
+    const double half = camera.projection == Projection::perspective
+                            ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * depth
+                            : camera.height / 2;
     for (const double x : {-1.0, 1.0}) {
       for (const double y : {-1.0, 1.0}) {
         const glm::dvec3 corner = camera.eye + depth * forward + half * (x * camera.aspect * right + y * up);

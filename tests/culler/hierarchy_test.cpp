@@ -13,7 +13,8 @@ namespace {
 using namespace occlude::culler;
 
 bool encloses(const occlude::kernel::Aabb& box, const glm::dvec3& v) {
-  return v.x >= box.min.x && v.x <= box.max.x && v.y >= box.min.y && v.y <= box.max.y && v.z >= box.min.z && v.z <= box.max.z;
+  return v.x >= box.min.x && v.x <= box.max.x && v.y >= box.min.y && v.y <= box.max.y && v.z >= box.min.z &&
+         v.z <= box.max.z;
 }
 
 void check(const PolygonSoup& soup, const Hierarchy& hierarchy, std::uint32_t leaf_size) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The numbers under the kernel: expansions against integers, running errors and filter bounds against expansions.
+#include "arithmetic.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <random>
 
-#include "arithmetic.h"
 #include "box_plane.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"

@@ -80,11 +80,26 @@ struct Copy {
 };
 
 const Copy kCopies[] = {
-    {"axes permuted", [](const Vec3& v) { return Vec3{v.y, v.z, v.x}; }},
-    {"axes swapped", [](const Vec3& v) { return Vec3{v.y, v.x, v.z}; }},
-    {"mirrored", [](const Vec3& v) { return Vec3{-v.x, v.y, -v.z}; }},
-    {"scaled by 2^-60", [](const Vec3& v) { return Vec3{v.x * 0x1p-60, v.y * 0x1p-60, v.z * 0x1p-60}; }},
-    {"scaled by 2^60", [](const Vec3& v) { return Vec3{v.x * 0x1p60, v.y * 0x1p60, v.z * 0x1p60}; }},
+    {"axes permuted",
+     [](const Vec3& v) {
+       return Vec3{v.y, v.z, v.x};
+     }},
+    {"axes swapped",
+     [](const Vec3& v) {
+       return Vec3{v.y, v.x, v.z};
+     }},
+    {"mirrored",
+     [](const Vec3& v) {
+       return Vec3{-v.x, v.y, -v.z};
+     }},
+    {"scaled by 2^-60",
+     [](const Vec3& v) {
+       return Vec3{v.x * 0x1p-60, v.y * 0x1p-60, v.z * 0x1p-60};
+     }},
+    {"scaled by 2^60",
+     [](const Vec3& v) {
+       return Vec3{v.x * 0x1p60, v.y * 0x1p60, v.z * 0x1p60};
+     }},
 };
 
 Aabb mapped(const Aabb& box, const Copy& copy) {

@@ -21,7 +21,8 @@ oracle::Answer exact_answer(const fuzz::Case& c, const std::optional<kernel::Sup
   if (support) near = {oracle::Near::Kind::plane, point(support->normal), point(support->point)};
   std::vector<oracle::Point> loop;
   for (const kernel::Vec3& v : c.polygon) loop.push_back(point(v));
-  return oracle::relation({point(c.viewpoint.value), !c.viewpoint.is_eye()}, loop, near, {point(c.box.min), point(c.box.max)});
+  return oracle::relation({point(c.viewpoint.value), !c.viewpoint.is_eye()}, loop, near,
+                          {point(c.box.min), point(c.box.max)});
 }
 
 class Family : public testing::TestWithParam<fuzz::Family> {};
@@ -49,8 +50,8 @@ TEST_P(Family, CertifiedEqualsOracle) {
     ++answers[static_cast<std::size_t>(overlap.relation)];
     ++stages[static_cast<std::size_t>(overlap.stage)];
   }
-  std::printf("%-28s inside %5zu partial %5zu outside %5zu, filter %5zu exact %5zu\n", std::string(fuzz::name(GetParam())).c_str(),
-              answers[0], answers[1], answers[2], stages[0], stages[1]);
+  std::printf("%-28s inside %5zu partial %5zu outside %5zu, filter %5zu exact %5zu\n",
+              std::string(fuzz::name(GetParam())).c_str(), answers[0], answers[1], answers[2], stages[0], stages[1]);
   EXPECT_GT(answers[0] + answers[1] + answers[2], kCases / 2);
 }
 

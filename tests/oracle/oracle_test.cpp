@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The oracle held to cases worked out by hand, to a second way of deciding them in whole numbers, and to what must not matter.
+// The oracle held to cases worked out by hand, to a second way of deciding them in whole numbers, and to what must not
+// matter.
 #include "occlude/oracle/oracle.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,9 @@ TEST(Oracle, AgreesWithCasesWorkedOutByHand) {
       {"the same, short by an ulp", {kOrigin, kDiamond, kSurface, {{above(4), -1, 1}, {5, 1, 2}}}, kOutside},
       {"a long box spears F", {kOrigin, kSquare, kSurface, {{-9, -0.1, 3}, {9, 0.1, 3.5}}}, kPartial},
       {"a box around F's whole start", {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, 9}}}, kPartial},
-      {"the eye in the box, near plane not reached", {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, below(1)}}}, kOutside},
+      {"the eye in the box, near plane not reached",
+       {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, below(1)}}},
+       kOutside},
       {"the eye in the box, near plane touched", {kOrigin, kSquare, kSurface, {{-9, -9, -9}, {9, 9, 1}}}, kPartial},
       {"the eye as a point box", {kOrigin, kSquare, kSurface, {{0, 0, 0}, {0, 0, 0}}}, kOutside},
       {"behind the eye, in the opposite cone", {kOrigin, kSquare, kSurface, {{-1, -1, -9}, {1, 1, -8}}}, kOutside},
@@ -92,12 +95,16 @@ TEST(Oracle, AgreesWithCasesWorkedOutByHand) {
       {"a point on a ray", {kOrigin, kSquare, kSurface, {{7, 7, 7}, {7, 7, 7}}}, kInside},
       {"a point an ulp off a ray", {kOrigin, kSquare, kSurface, {{7, above(7), 7}, {7, above(7), 7}}}, kOutside},
       {"the farthest vertex", {kOrigin, kTriangle, kFarthest, {{2, 0, 1}, {2, 0, 1}}}, kInside},
-      {"behind the surface, before the farthest plane", {kOrigin, kTriangle, kFarthest, {{0.1, 0.1, 2}, {0.2, 0.2, 3}}}, kOutside},
+      {"behind the surface, before the farthest plane",
+       {kOrigin, kTriangle, kFarthest, {{0.1, 0.1, 2}, {0.2, 0.2, 3}}},
+       kOutside},
       {"the same for the surface", {kOrigin, kTriangle, kSurface, {{0.1, 0.1, 2}, {0.2, 0.2, 3}}}, kInside},
       {"a corner on the farthest plane", {kOrigin, kTriangle, kFarthest, {{0, 0, 3}, {1, 1, 3}}}, kPartial},
       {"an edge on the farthest plane, from beyond", {kOrigin, kTriangle, kFarthest, {{1, 0, 3}, {1, 1, 4}}}, kInside},
       {"a given plane", {kOrigin, kSquare, {Near::Kind::plane, {0, 0, 2}, {7, 7, 3}}, {{-1, -1, 3}, {1, 1, 4}}}, kInside},
-      {"short of it", {kOrigin, kSquare, {Near::Kind::plane, {0, 0, 2}, {7, 7, 3}}, {{-1, -1, 2}, {1, 1, below(3)}}}, kOutside},
+      {"short of it",
+       {kOrigin, kSquare, {Near::Kind::plane, {0, 0, 2}, {7, 7, 3}}, {{-1, -1, 2}, {1, 1, below(3)}}},
+       kOutside},
   };
   for (const auto& [what, question, expected] : cases) {
     const Answer answer = ask(question);
@@ -400,7 +407,8 @@ Question mapped(Question q, const std::function<Point(const Point&)>& map) {
 
 void for_each_case(int count, const std::function<void(fuzz::Family, const Question&)>& check) {
   for (const fuzz::Family family : fuzz::families()) {
-    for (int seed = 0; seed < count; ++seed) check(family, to_question(fuzz::make_case(family, static_cast<std::uint64_t>(seed))));
+    for (int seed = 0; seed < count; ++seed)
+      check(family, to_question(fuzz::make_case(family, static_cast<std::uint64_t>(seed))));
   }
 }
 
@@ -448,7 +456,8 @@ TEST(Oracle, CaresNotHowTheLoopIsWritten) {
 }
 
 TEST(Oracle, TakesTheFirstOfEquallyFarVertices) {
-  // All four corners of the square are equally far: the plane is -x - y + z >= 3 from the first, x + y + z >= 3 from the third.
+  // All four corners of the square are equally far: the plane is -x - y + z >= 3 from the first, x + y + z >= 3 from the
+  // third.
   const Box corner{{-1, -1, 1}, {-1, -1, 1}};
   EXPECT_EQ(ask({kOrigin, kSquare, kFarthest, corner}).relation, kInside);
   Loop rotated = kSquare;

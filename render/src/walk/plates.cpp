@@ -23,7 +23,8 @@ constexpr Rgba kOccluder{255, 196, 0, 235};
 constexpr Rgba kFrustumLine{20, 60, 200, 255};
 constexpr Rgba kShadowLine{255, 160, 0, 255};
 
-std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const culler::CullResult& result, culler::Culled::By by) {
+std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const culler::CullResult& result,
+                                        culler::Culled::By by) {
   std::vector<PolygonRange> ranges;
   for (const culler::Culled& culled : result.culled) {
     const auto& node = culler.hierarchy().nodes()[culled.node];
@@ -107,8 +108,8 @@ void add_shadows(std::vector<Line>& lines, const culler::CullResult& result, con
   for (const culler::Occluder& occluder : result.occluders) {
     for (const kernel::Vec3& c : occluder.frustum.silhouette()) {
       const glm::dvec3 corner{c.x, c.y, c.z};
-      const glm::dvec3 along = camera.projection == culler::Projection::perspective ? glm::normalize(corner - camera.eye)
-                                                                                    : camera.axes().forward;
+      const glm::dvec3 along =
+          camera.projection == culler::Projection::perspective ? glm::normalize(corner - camera.eye) : camera.axes().forward;
       lines.push_back({corner, corner + depth * along, kShadowLine});
     }
   }
@@ -141,13 +142,14 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
                                       Layer{out_of_view, kViewCulled}};
     renderer.draw(outside_camera(camera, depth), layers, lines);
     const culler::CullStats& stats = result.stats;
-    plates.push_back({{name + "_outside.png",
-                       fmt::format("Frame {} from outside: {} polygons drawn (their own colours), {} culled by shadow (red), {} "
-                                   "outside the view (pale), {} occluders (yellow), the edges of their shadows (orange) and of "
-                                   "the view frustum (blue).",
-                                   frame, stats.drawn_polygons, stats.shadow_culled_polygons,
-                                   stats.view_culled_polygons, result.occluders.size())},
-                      renderer.image()});
+    plates.push_back(
+        {{name + "_outside.png",
+          fmt::format("Frame {} from outside: {} polygons drawn (their own colours), {} culled by shadow (red), {} "
+                      "outside the view (pale), {} occluders (yellow), the edges of their shadows (orange) and of "
+                      "the view frustum (blue).",
+                      frame, stats.drawn_polygons, stats.shadow_culled_polygons, stats.view_culled_polygons,
+                      result.occluders.size())},
+         renderer.image()});
   }
   return plates;
 }

@@ -18,6 +18,7 @@ struct DrawnPlate {
 /// A street view and a view from outside for each of up to four of `frames`, spread over them.
 /// REQUIRES: an OffscreenContext current on this thread.
 [[nodiscard]] std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
-                                                  const std::vector<FrameRecord>& frames, const culler::CullOptions& options);
+                                                  const std::vector<FrameRecord>& frames,
+                                                  const culler::CullOptions& options);
 
 }  // namespace occlude::render

@@ -30,18 +30,24 @@ figure { margin: 1rem 0; } figure img { width: 100%; border-radius: .4rem; displ
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
-    if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '&') result += "&amp;";
-    else if (c == '"') result += "&quot;";
-    else result += c;
+    if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '&')
+      result += "&amp;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
   }
   return result;
 }
 
 std::string grouped(double value) {
   std::string digits = fmt::format("{:.0f}", value);
-  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), ",");
   return digits;
 }
 
@@ -54,36 +60,43 @@ std::string fact(const std::string& value, const std::string& what, bool bad = f
 /// What a reader wants to know first.
 std::string facts(const Json& summary) {
   std::string html = R"(<div class="facts">)";
-  html += fact(fmt::format("{:.1f} %", 100 * summary["culled_share"].get<double>()), "of the polygons in the view frustum culled");
+  html += fact(fmt::format("{:.1f} %", 100 * summary["culled_share"].get<double>()),
+               "of the polygons in the view frustum culled");
   if (!summary["speedup"].is_null()) {
     const auto wrong = summary["wrong_pixels"].get<std::size_t>();
     const auto snapped = summary["wrong_pixels_explained_by_snapping"].get<std::size_t>();
     const auto false_culls = summary["false_culls"].get<std::size_t>();
-    html += fact(fmt::format("{:.2f} &times;", summary["speedup"].get<double>()), "frames a second, against view-frustum culling");
+    html += fact(fmt::format("{:.2f} &times;", summary["speedup"].get<double>()),
+                 "frames a second, against view-frustum culling");
     html += fact(fmt::format("{}", false_culls), "visible polygons culled", false_culls != 0);
-    html += fact(fmt::format("{}", wrong),
-                 snapped == 0 ? "pixels that differ"
-                              : fmt::format("pixels that differ, {} of them by the renderer's 1/256-pixel rounding", snapped),
-                 wrong != snapped);
+    html +=
+        fact(fmt::format("{}", wrong),
+             snapped == 0 ? "pixels that differ"
+                          : fmt::format("pixels that differ, {} of them by the renderer's 1/256-pixel rounding", snapped),
+             wrong != snapped);
   }
   return html + "</div>";
 }
 
 std::string table(const Json& summary) {
   const Json& mean = summary["mean"];
-  const auto fps = [](const Json& ms) { return ms.is_null() ? std::string("&ndash;") : fmt::format("{:.1f}", 1000 / ms.get<double>()); };
-  const auto gain = [](const Json& ratio) { return ratio.is_null() ? std::string("&ndash;") : percent(ratio.get<double>()); };
-  return fmt::format(R"(<table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
+  const auto fps = [](const Json& ms) {
+    return ms.is_null() ? std::string("&ndash;") : fmt::format("{:.1f}", 1000 / ms.get<double>());
+  };
+  const auto gain = [](const Json& ratio) {
+    return ratio.is_null() ? std::string("&ndash;") : percent(ratio.get<double>());
+  };
+  return fmt::format(
+      R"(<table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
 <tr><td>View-frustum culling</td><td>{}</td><td>{}</td><td>49,196</td><td>3.6</td></tr>
 <tr><td>With occlusion culling</td><td>{}</td><td>{}</td><td>29,749</td><td>5.6</td></tr>
 <tr><td>Polygons culled; speedup</td><td>{:.1f} %</td><td>{}</td><td>39.5 %</td><td>+55 %</td></tr>
 <tr><td>Limit of the speedup: ratio of polygons drawn</td><td></td><td>{}</td><td></td><td>+65 %</td></tr>
 <tr><td>Limit of the speedup: drawing only what is visible</td><td></td><td>{}</td><td></td><td>&ndash;</td></tr>
 </tbody></table>)",
-                     grouped(mean["view_frustum_polygons"].get<double>()), fps(mean["frame_ms_view_frustum_only"]),
-                     grouped(mean["rendered_polygons"].get<double>()), fps(mean["frame_ms"]),
-                     100 * summary["culled_share"].get<double>(), gain(summary["speedup"]),
-                     gain(summary["speedup_limit"]["polygons"]), gain(summary["speedup_limit"]["visible"]));
+      grouped(mean["view_frustum_polygons"].get<double>()), fps(mean["frame_ms_view_frustum_only"]),
+      grouped(mean["rendered_polygons"].get<double>()), fps(mean["frame_ms"]), 100 * summary["culled_share"].get<double>(),
+      gain(summary["speedup"]), gain(summary["speedup_limit"]["polygons"]), gain(summary["speedup_limit"]["visible"]));
 }
 
 template <class Member>
@@ -109,7 +122,8 @@ std::string figures(const WalkResult& result, bool rendered) {
   std::vector<Series> polygons{series(result, "view-frustum culling", before, &FrameRecord::view_frustum_polygons),
                                series(result, "with occlusion culling", after, &FrameRecord::rendered_polygons)};
   if (rendered) polygons.push_back(series(result, "visible", seen, &FrameRecord::visible_polygons));
-  html += "<h2>Polygons rendered (the paper's figure 3)</h2><figure>" + line_chart("frame", "polygons", frames, polygons) + "</figure>";
+  html += "<h2>Polygons rendered (the paper's figure 3)</h2><figure>" + line_chart("frame", "polygons", frames, polygons) +
+          "</figure>";
   return html;
 }
 
@@ -117,7 +131,8 @@ std::string plates(const WalkResult& result) {
   if (result.plates.empty()) return "";
   std::string html = "<h2>Plates</h2>";
   for (const Plate& plate : result.plates) {
-    fmt::format_to(std::back_inserter(html), R"(<figure><img src="plates/{0}" alt="{1}" loading="lazy"><figcaption>{1}</figcaption></figure>)",
+    fmt::format_to(std::back_inserter(html),
+                   R"(<figure><img src="plates/{0}" alt="{1}" loading="lazy"><figcaption>{1}</figcaption></figure>)",
                    plate.file, escaped(plate.caption));
   }
   return html;
@@ -128,13 +143,15 @@ std::string conditions(const Json& summary) {
   const Json& machine = summary["machine"];
   const std::string renderer = machine["renderer"].is_null() ? "nothing drawn" : machine["renderer"].get<std::string>();
   return fmt::format(
-      "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders, near plane {}, {} arithmetic, {} test, AABB tree. "
+      "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders, near plane {}, {} arithmetic, {} test, AABB "
+      "tree. "
       "{} frames; on {} of them the item buffer was drawn from the whole model without any culling. Preprocess {:.1f} s. "
       "Every frame was drawn with both methods, one after the other, in alternating order. {}, {} threads; {}.</p>",
       options["size"][0].get<int>(), options["size"][1].get<int>(), options["occluders"].get<std::size_t>(),
       options["near"].get<std::string>(), options["arithmetic"].get<std::string>(), options["test"].get<std::string>(),
-      summary["frames"].get<std::size_t>(), summary["reference_frames"].get<std::size_t>(), summary["preprocess_s"].get<double>(),
-      escaped(machine["processor"].get<std::string>()), machine["threads"].get<unsigned>(), escaped(renderer));
+      summary["frames"].get<std::size_t>(), summary["reference_frames"].get<std::size_t>(),
+      summary["preprocess_s"].get<double>(), escaped(machine["processor"].get<std::string>()),
+      machine["threads"].get<unsigned>(), escaped(renderer));
 }
 
 }  // namespace

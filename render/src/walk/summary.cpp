@@ -64,7 +64,9 @@ Json options_used(const WalkOptions& options) {
 /// Table 2 of the paper beside the summary.
 std::string table2(const Json& summary) {
   const Json& mean = summary["mean"];
-  const auto fps = [](const Json& ms) { return ms.is_null() ? std::string("-") : fmt::format("{:.1f}", 1000 / ms.get<double>()); };
+  const auto fps = [](const Json& ms) {
+    return ms.is_null() ? std::string("-") : fmt::format("{:.1f}", 1000 / ms.get<double>());
+  };
   const auto percent = [](const Json& ratio) {
     return ratio.is_null() ? std::string("-") : fmt::format("{:+.0f} %", 100 * (ratio.get<double>() - 1));
   };
@@ -81,7 +83,6 @@ std::string table2(const Json& summary) {
       percent(summary["speedup"]), percent(summary["speedup_limit"]["polygons"]));
 }
 
-
 }  // namespace
 
 Json summarise(const WalkResult& result, const WalkOptions& options, const std::string& model) {
@@ -93,8 +94,9 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
   const double viewed = mean_of(&FrameRecord::view_frustum_polygons), drawn = mean_of(&FrameRecord::rendered_polygons);
   const double visible = mean_of(&FrameRecord::visible_polygons);
   const double viewed_ms = mean_of(&FrameRecord::view_frustum_frame_ms), frame_ms = mean_of(&FrameRecord::frame_ms);
-  const double hidden =
-      mean(result, [](const FrameRecord& r) { return r.view_frustum_polygons - std::min(r.view_frustum_polygons, r.visible_polygons); });
+  const double hidden = mean(result, [](const FrameRecord& r) {
+    return r.view_frustum_polygons - std::min(r.view_frustum_polygons, r.visible_polygons);
+  });
 
   Json json;
   json["model"] = model;
@@ -128,12 +130,13 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
 
 std::string frames_csv(const WalkResult& result) {
   std::string csv =
-      "frame,view_frustum_polygons,rendered_polygons,visible_polygons,view_frustum_cull_ms,view_frustum_frame_ms,cull_ms,frame_ms,"
+      "frame,view_frustum_polygons,rendered_polygons,visible_polygons,view_frustum_cull_ms,view_frustum_frame_ms,cull_ms,"
+      "frame_ms,"
       "occluders,potential_occluders,nodes_visited,view_tests,shadow_tests,view_culled_polygons,shadow_culled_polygons,"
       "wrong_pixels,snapped_pixels,false_culls\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n", r.frame,
-                   r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
+    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n",
+                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
                    r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
                    r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.view_culled_polygons,
                    r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels, r.false_culls);

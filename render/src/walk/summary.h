@@ -10,7 +10,8 @@
 namespace occlude::render {
 
 /// summary.json. Members that need pictures are null when the walk did not render.
-[[nodiscard]] nlohmann::ordered_json summarise(const WalkResult& result, const WalkOptions& options, const std::string& model);
+[[nodiscard]] nlohmann::ordered_json summarise(const WalkResult& result, const WalkOptions& options,
+                                               const std::string& model);
 
 /// frames.csv, a header line and a line for each frame.
 [[nodiscard]] std::string frames_csv(const WalkResult& result);

@@ -79,8 +79,8 @@ class Walker {
   }
 
  private:
-  culler::CullResult timed(const culler::Camera& camera, const culler::CullOptions& options, double& cull_ms, double& frame_ms,
-                           Picture& picture) const {
+  culler::CullResult timed(const culler::Camera& camera, const culler::CullOptions& options, double& cull_ms,
+                           double& frame_ms, Picture& picture) const {
     const Clock::time_point start = Clock::now();
     culler::CullResult result = culler_.cull(camera, options);
     cull_ms = milliseconds_since(start);

@@ -37,8 +37,7 @@ std::vector<std::string> shadow_members(const culler::Culler& culler, const cull
 std::vector<std::string> view_members(const culler::CullResult& result) {
   std::vector<std::string> members;
   for (const culler::HalfSpace& h : result.view) {
-    members.push_back(
-        fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset));
+    members.push_back(fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset));
   }
   return members;
 }

@@ -18,10 +18,10 @@ struct Camera {
   glm::dvec3 target{1, 0, 0};
   glm::dvec3 up{0, 0, 1};
   Projection projection = Projection::perspective;
-  double fov_y_deg = 60;  ///< full vertical opening angle, perspective only
-  double height = 100;    ///< full vertical extent in model units, orthographic only
+  double fov_y_deg = 60;       ///< full vertical opening angle, perspective only
+  double height = 100;         ///< full vertical extent in model units, orthographic only
   double aspect = 16.0 / 9.0;  ///< width over height of the picture
-  double near = 0.1;      ///< distance of the near plane from the eye, model units
+  double near = 0.1;           ///< distance of the near plane from the eye, model units
   double far = std::numeric_limits<double>::infinity();
 
   /// Orthonormal axes of the picture: right, up, forward.

@@ -56,7 +56,7 @@ class OccluderGrid {
   glm::dvec3 origin_{0, 0, 0};
   double edge_ = 1;  ///< of a region, model units
   std::array<std::size_t, 3> size_{1, 1, 1};
-  std::vector<std::size_t> first_;        ///< region r lists polygons_[first_[r], first_[r + 1])
+  std::vector<std::size_t> first_;  ///< region r lists polygons_[first_[r], first_[r + 1])
   std::vector<std::uint32_t> polygons_;
   std::vector<PotentialOccluder> occluders_;
 };

@@ -21,8 +21,8 @@ struct PolygonRange {
 /// are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the tools.
 struct PolygonSoup {
   std::vector<glm::dvec3> vertices;
-  std::vector<std::uint32_t> indices;     ///< the loops of all polygons, one after another
-  std::vector<std::uint32_t> first = {0}; ///< polygon p owns indices [first[p], first[p + 1])
+  std::vector<std::uint32_t> indices;      ///< the loops of all polygons, one after another
+  std::vector<std::uint32_t> first = {0};  ///< polygon p owns indices [first[p], first[p + 1])
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] bool empty() const { return size() == 0; }

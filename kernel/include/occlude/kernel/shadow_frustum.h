@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shadow frustum of an occluder (section 5 of the paper): what a convex polygon hides from a viewpoint. Reading order: 5.
+// The shadow frustum of an occluder (section 5 of the paper): what a convex polygon hides from a viewpoint. Reading
+// order: 5.
 #pragma once
 
 #include <cstddef>

@@ -22,14 +22,22 @@ enum class Refusal {
 
 [[nodiscard]] constexpr std::string_view to_string(Refusal refusal) {
   switch (refusal) {
-    case Refusal::none: return "";
-    case Refusal::not_finite: return "number is not finite";
-    case Refusal::out_of_range: return "number out of range: magnitude must be 0 or in [2^-100, 2^100]";
-    case Refusal::min_above_max: return "box has min > max";
-    case Refusal::too_few_vertices: return "fewer than 3 distinct silhouette vertices";
-    case Refusal::not_convex: return "loop is not convex seen from the viewpoint";
-    case Refusal::eye_in_plane: return "viewpoint lies in the occluder's plane";
-    case Refusal::zero_direction: return "direction of view is zero";
+    case Refusal::none:
+      return "";
+    case Refusal::not_finite:
+      return "number is not finite";
+    case Refusal::out_of_range:
+      return "number out of range: magnitude must be 0 or in [2^-100, 2^100]";
+    case Refusal::min_above_max:
+      return "box has min > max";
+    case Refusal::too_few_vertices:
+      return "fewer than 3 distinct silhouette vertices";
+    case Refusal::not_convex:
+      return "loop is not convex seen from the viewpoint";
+    case Refusal::eye_in_plane:
+      return "viewpoint lies in the occluder's plane";
+    case Refusal::zero_direction:
+      return "direction of view is zero";
   }
   return "";
 }
@@ -43,7 +51,8 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
 [[nodiscard]] inline Refusal check(double x) {
   if (!std::isfinite(x)) return Refusal::not_finite;
   const double magnitude = std::fabs(x);
-  return magnitude == 0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude) ? Refusal::none : Refusal::out_of_range;
+  return magnitude == 0 || (magnitude >= kMinMagnitude && magnitude <= kMaxMagnitude) ? Refusal::none
+                                                                                      : Refusal::out_of_range;
 }
 
 [[nodiscard]] inline Refusal check(const Vec3& v) {

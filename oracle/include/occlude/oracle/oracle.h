@@ -13,7 +13,7 @@ namespace occlude::oracle {
 using Point = std::array<double, 3>;
 
 struct Viewpoint {
-  Point value{};              ///< the eye, or the direction of view when at_infinity
+  Point value{};  ///< the eye, or the direction of view when at_infinity
   bool at_infinity = false;
 };
 
@@ -42,7 +42,8 @@ struct Answer {
 /// Proof that `box` lies in the shadow of the polygon `loop` and strictly beyond its near plane, that plane being sound for
 /// the polygon (`plane`: normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side).
 /// Empty when proved, else what failed.
-[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, std::span<const Point> loop, const Near& near, const Box& box);
+[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, std::span<const Point> loop, const Near& near,
+                                             const Box& box);
 
 /// Proof that every point of `box` has a*x + b*y + c*z + d < 0. Empty when proved, else what failed.
 [[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box);

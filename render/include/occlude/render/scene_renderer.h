@@ -38,8 +38,9 @@ class SceneRenderer {
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-  /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed. Of polygons at the same
-  /// depth the one drawn first is seen, so leaving out hidden polygons changes no pixel. Lines leave the item buffer alone.
+  /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed. Of polygons at the
+  /// same depth the one drawn first is seen, so leaving out hidden polygons changes no pixel. Lines leave the item buffer
+  /// alone.
   void draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines = {});
 
   /// What the last draw left.

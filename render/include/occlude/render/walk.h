@@ -15,15 +15,17 @@
 namespace occlude::render {
 
 struct WalkOptions {
-  int width = 640, height = 360;             ///< of the picture, pixels
+  int width = 640, height = 360;                    ///< of the picture, pixels
   std::size_t begin = 0, end = SIZE_MAX, step = 1;  ///< frames walked: begin, begin + step, ... below end
   culler::CullOptions cull;
-  bool render = true;                        ///< draw and compare; without it only culling is measured
+  bool render = true;                            ///< draw and compare; without it only culling is measured
   std::optional<std::filesystem::path> witness;  ///< where to write the proof of every culled subtree (JSON Lines)
 };
 
 /// Width over height of the pictures.
-[[nodiscard]] inline double aspect(const WalkOptions& options) { return static_cast<double>(options.width) / options.height; }
+[[nodiscard]] inline double aspect(const WalkOptions& options) {
+  return static_cast<double>(options.width) / options.height;
+}
 
 /// The frames that a walk of this path visits. Throws InputError when there are none.
 [[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
@@ -46,7 +48,7 @@ struct FrameRecord {
 };
 
 struct Plate {
-  std::string file;     ///< name within plates/
+  std::string file;  ///< name within plates/
   std::string caption;
 };
 
@@ -55,15 +57,15 @@ struct WalkResult {
   std::vector<FrameRecord> frames;
   std::size_t reference_frames = 0;  ///< frames whose item buffer was drawn from the whole model, without any culling
   std::size_t witnesses = 0;
-  kernel::Operations operations;     ///< of the shadow tests on the reference frames, plain arithmetic
+  kernel::Operations operations;  ///< of the shadow tests on the reference frames, plain arithmetic
   double preprocess_s = 0;
-  std::string renderer;              ///< as the driver names itself
+  std::string renderer;  ///< as the driver names itself
   std::vector<Plate> plates;
 };
 
-/// Walks the path and writes frames.csv, summary.json, report.html, plates/*.png into `directory` (and the witness file), all
-/// at the end and each file whole. Throws InputError for an unusable folder, fewer than two polygons or an empty frame range,
-/// Interrupted on Ctrl-C.
+/// Walks the path and writes frames.csv, summary.json, report.html, plates/*.png into `directory` (and the witness file),
+/// all at the end and each file whole. Throws InputError for an unusable folder, fewer than two polygons or an empty frame
+/// range, Interrupted on Ctrl-C.
 WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
                 const std::string& model_name, const std::filesystem::path& directory);
 
