@@ -6,7 +6,9 @@ target_compile_features(occlude_options INTERFACE cxx_std_20)
 target_compile_options(occlude_options INTERFACE
   # A contracted a*b+c rounds once instead of twice and differs between machines; the error bounds would still hold, but the
   # `plain` arithmetic and every figure in the files would no longer be the same everywhere.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Whoever embeds us may compile with -ffast-math; the kernel's arithmetic must not be rearranged.
+  -fno-fast-math)
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(occlude_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -18,6 +20,7 @@ endif()
 set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined or thread")
 if(OCCLUDE_SANITIZE)
   target_compile_options(occlude_options INTERFACE
+    -Wno-error  # the checks that are compiled in mislead the compiler's own flow analysis
     -fsanitize=${OCCLUDE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(occlude_options INTERFACE -fsanitize=${OCCLUDE_SANITIZE})
 endif()

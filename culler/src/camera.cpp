@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "bounds.h"
+#include "occlude/kernel/validity.h"
+
 namespace occlude::culler {
 namespace {
 
@@ -16,18 +19,46 @@ constexpr double kMargin = 0x1p-20;
 /// Coefficients below this fraction of the normal's length are dropped so that all stay within the kernel's legal range.
 constexpr double kNegligible = 0x1p-60;
 
-/// The half-space beyond `point` along `inward`, moved outward by more than rounding moved the coefficients: the offset
-/// sums three products of |normal_k| |point_k|, each term with at most four roundings and a dropped coefficient.
-HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point) {
+/// The half-space beyond `point` along `inward`, moved outward by more than rounding moves it: the offset sums three
+/// products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient, and a normal off by a few
+/// roundings tilts the plane by as much at `reach` from the point.
+HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double reach) {
   glm::dvec3 normal = inward / glm::length(inward);
   for (int axis = 0; axis < 3; ++axis) {
     if (std::fabs(normal[axis]) < kNegligible) normal[axis] = 0;
   }
-  const double reach = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z);
-  return {normal, -glm::dot(normal, point) + 0x1p-50 * reach};
+  const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + reach;
+  return {normal, -glm::dot(normal, point) + 0x1p-48 * size};
+}
+
+bool is_legal(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }
+
+bool is_legal_length(double x) { return x > 0 && kernel::check(x) == kernel::Refusal::none; }
+
+/// Sine of the least angle between the line of sight and `up`: below it rounding decides which way the picture is turned.
+constexpr double kLeastSine = 1e-9;
+
+bool has_line_of_sight(const Camera& camera) {
+  const glm::dvec3 sight = camera.target - camera.eye;
+  const double length = glm::length(sight) * glm::length(camera.up);
+  return length > 0 && glm::length(glm::cross(sight, camera.up)) > kLeastSine * length;
 }
 
 }  // namespace
+
+std::string fault(const Camera& camera) {
+  if (!is_legal(camera.eye) || !is_legal(camera.target) || !is_legal(camera.up))
+    return "a number is not finite or out of range";
+  if (!has_line_of_sight(camera)) return "eye and target meet, or up lies along the line of sight";
+  // A smaller opening would drown the planes' margin in rounding; the tangent of half a larger one grows without bound.
+  if (!(camera.fov_y_deg >= 0.001 && camera.fov_y_deg <= 179)) return "the opening must be from 0.001 to 179 degrees";
+  if (!is_legal_length(camera.near)) return "the near plane must be before the eye and in range";
+  if (!(camera.far > camera.near) || (std::isfinite(camera.far) && !is_legal_length(camera.far)))
+    return "the far plane must be beyond the near plane";
+  if (!is_legal_length(camera.height) || !is_legal_length(camera.aspect))
+    return "the picture must have a height and a width";
+  return "";
+}
 
 Camera::Axes Camera::axes() const {
   const glm::dvec3 forward = glm::normalize(target - eye);
@@ -35,24 +66,27 @@ Camera::Axes Camera::axes() const {
   return {right, glm::cross(right, forward), forward};
 }
 
-std::vector<HalfSpace> view_frustum(const Camera& camera) {
+std::vector<HalfSpace> view_frustum(const Camera& camera, double depth) {
   const auto [right, up, forward] = camera.axes();
   std::vector<HalfSpace> planes;
   if (camera.projection == Projection::perspective) {
     const double y = std::tan(glm::radians(camera.fov_y_deg) / 2) * (1 + kMargin);
     const double x = y * camera.aspect;
     for (const glm::dvec3& inward : {x * forward + right, x * forward - right, y * forward + up, y * forward - up}) {
-      planes.push_back(half_space(inward, camera.eye));
+      planes.push_back(half_space(inward, camera.eye, 0));  // what rounding tilts, kMargin has opened further
     }
   } else {
     const double y = camera.height / 2 * (1 + kMargin);
     const double x = y * camera.aspect;
-    for (const glm::dvec3& outward : {-x * right, x * right, -y * up, y * up}) {
-      planes.push_back(half_space(-outward, camera.eye + outward));
-    }
+    planes.push_back(half_space(right, camera.eye - x * right, depth));
+    planes.push_back(half_space(-right, camera.eye + x * right, depth));
+    planes.push_back(half_space(up, camera.eye - y * up, depth));
+    planes.push_back(half_space(-up, camera.eye + y * up, depth));
   }
-  planes.push_back(half_space(forward, camera.eye + camera.near * (1 - kMargin) * forward));
-  if (std::isfinite(camera.far)) planes.push_back(half_space(-forward, camera.eye + camera.far * (1 + kMargin) * forward));
+  planes.push_back(half_space(forward, camera.eye + camera.near * (1 - kMargin) * forward, depth));
+  if (std::isfinite(camera.far)) {
+    planes.push_back(half_space(-forward, camera.eye + camera.far * (1 + kMargin) * forward, depth));
+  }
   return planes;
 }
 

@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/culler.h"
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <string>
+
 #include "bounds.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
+#include "occlude/kernel/validity.h"
 #include "occluder_choice.h"
 #include "traverse.h"
 
 namespace occlude::culler {
 namespace {
 
+const PolygonSoup& checked(const PolygonSoup& soup) {
+  if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
+  for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
+    if (const auto refusal = kernel::check(to_kernel(soup.vertices[v])); refusal != kernel::Refusal::none) {
+      throw std::invalid_argument("vertex " + std::to_string(v) + ": " + std::string(kernel::to_string(refusal)));
+    }
+  }
+  return soup;
+}
+
+/// No point of the box is farther from the eye than this.
+double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
+  glm::dvec3 farthest{};
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest[axis] = std::max(std::fabs(box.min[axis] - eye[axis]), std::fabs(box.max[axis] - eye[axis]));
+  }
+  return farthest.x + farthest.y + farthest.z;
+}
+
 /// One frame, the shadow tests done by `shadow_test(frustum, box)`.
 template <class ShadowTest>
 CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera, const CullOptions& options,
                       ShadowTest&& shadow_test) {
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
   CullResult result;
-  result.view = view_frustum(camera);
+  result.view = view_frustum(camera, depth(hierarchy.nodes()[0].box, camera.eye));
   result.occluders = choose_occluders(hierarchy, grid, camera, result.view, options, result.stats);
 
   std::vector<kernel::HalfSpace> planes;
@@ -31,7 +57,7 @@ CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, cons
 }  // namespace
 
 Culler::Culler(const PolygonSoup& soup, const Config& config)
-    : hierarchy_(Hierarchy::build(soup, config.hierarchy)), grid_(OccluderGrid::build(hierarchy_, config.grid)) {}
+    : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)), grid_(OccluderGrid::build(hierarchy_, config.grid)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   return cull_frame(hierarchy_, grid_, camera, options, [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {

@@ -6,6 +6,10 @@
 // and underflow from every expression here: all are of degree at most six in coordinate differences.
 #pragma once
 
+#ifdef __FAST_MATH__
+#error "the kernel is exact only in IEEE arithmetic: compile it without -ffast-math"
+#endif
+
 #include <cfloat>
 #include <limits>
 

@@ -3,20 +3,66 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace occlude::cli {
 
 using Json = nlohmann::json;
 
+namespace {
+
+/// Far more than any line needs, far less than recursion over a hostile one could bear.
+constexpr int kDeepest = 16;
+
+Json parse(std::string_view line) {
+  return Json::parse(line, [](int depth, Json::parse_event_t, Json&) {
+    if (depth > kDeepest) throw LineError("nested too deeply");
+    return true;
+  });
+}
+
+/// Puts the numbers that JSON cannot write, NaN, Infinity and those too large for a double, in quotes as "nan", "inf",
+/// "-inf".
+std::string with_special_numbers_quoted(std::string_view line) {
+  std::string result;
+  bool in_string = false;
+  for (std::size_t i = 0; i < line.size();) {
+    const std::string_view rest = line.substr(i);
+    const std::size_t word = in_string ? 0 : std::min(rest.find_first_of(",]} \t\r\n:\""), rest.size());
+    const std::string text(rest.substr(0, word));
+    char* end = nullptr;
+    const double value = word == 0 ? 0 : std::strtod(text.c_str(), &end);
+    if (word != 0 && end == text.c_str() + word && !std::isfinite(value)) {
+      result += std::isnan(value) ? "\"nan\"" : value > 0 ? "\"inf\"" : "\"-inf\"";
+      i += word;
+      continue;
+    }
+    if (in_string && line[i] == '\\') result += line[i++];
+    if (i < line.size()) {
+      if (line[i] == '"') in_string = !in_string;
+      result += line[i++];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 Json parse_object(std::string_view line) {
   Json object;
   try {
-    object = Json::parse(line);
-  } catch (const Json::parse_error& error) {
-    throw LineError(fmt::format("not JSON, at column {}", error.byte));
-  } catch (const Json::out_of_range&) {
-    throw LineError("a number is out of range");
+    object = parse(line);
+  } catch (const Json::exception&) {
+    try {
+      object = parse(with_special_numbers_quoted(line));
+    } catch (const Json::parse_error& error) {
+      throw LineError(fmt::format("not JSON, near column {}", error.byte));
+    } catch (const Json::exception&) {
+      throw LineError("not JSON");
+    }
   }
   if (!object.is_object()) throw LineError("not a JSON object");
   return object;
@@ -30,7 +76,6 @@ const Json& member(const Json& object, const char* name) {
 
 double number(const Json& value, const char* name) {
   if (value.is_number()) return value.get<double>();
-  if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (value.is_string()) {
     const auto& text = value.get_ref<const std::string&>();
     if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
@@ -53,6 +98,7 @@ std::vector<kernel::Vec3> vec3s(const Json& value, const char* name) {
 }
 
 kernel::Viewpoint viewpoint(const Json& object) {
+  if (object.contains("direction") && object.contains("eye")) throw LineError("both \"eye\" and \"direction\"");
   if (object.contains("direction")) return kernel::Viewpoint::direction(vec3(object["direction"], "direction"));
   return kernel::Viewpoint::eye(vec3(member(object, "eye"), "eye"));
 }

@@ -17,12 +17,13 @@ struct LineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The object on a line. Numbers too large for a double read as infinite, as their text would; the kernel refuses them.
+/// The object on a line, at most sixteen levels deep. NaN, Infinity and numbers beyond the doubles read as what they are, so
+/// that the case is refused for them and not the line.
 [[nodiscard]] nlohmann::json parse_object(std::string_view line);
 
 [[nodiscard]] const nlohmann::json& member(const nlohmann::json& object, const char* name);
 
-/// A number; null and the strings "nan", "inf", "-inf", which JSON has no numbers for, read as what they say.
+/// A number; the strings "nan", "inf" and "-inf" stand for those that JSON has no numbers for.
 [[nodiscard]] double number(const nlohmann::json& value, const char* name);
 
 [[nodiscard]] kernel::Vec3 vec3(const nlohmann::json& value, const char* name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The proof of one witness: everything that culling promises about one culled subtree, checked exactly.
+// The proof of one witness: everything that culling promises about one culled subtree. Where the box lies is proved exactly;
+// what the renderer clips is compared in doubles, as the renderer itself computes it.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ class Prover {
   /// `hierarchy` gives the order in which a witness counts triangles; `aspect` is the picture's width over height.
   Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect);
 
-  /// Empty when the witness on this line is proved, else what is wrong with it:
+  /// Empty when the witness on this line is proved, else what is wrong with it (LineError when it is no witness at all):
   /// - the triangles named exist and lie in the box named;
   /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
@@ -30,7 +31,6 @@ class Prover {
   [[nodiscard]] std::string prove(std::string_view line) const;
 
  private:
-  [[nodiscard]] std::string prove_members(std::string_view line) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first,
                                               std::size_t count) const;

@@ -14,6 +14,7 @@
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "json_input.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/model_io.h"
@@ -30,22 +31,37 @@ struct Arguments {
   bool json = false;
 };
 
+/// A witness and where it stands.
+struct Place {
+  std::string line, name;
+};
+
 struct Outcome {
   std::size_t proved = 0, failed = 0;
   std::string first_failure;  ///< of the lowest line
 };
 
-/// Proves lines and adds them to the outcome, which is the same for any number of threads.
-void prove_all(const Prover& prover, const std::vector<std::string>& lines, Outcome& outcome) {
-  std::vector<std::string> failures(lines.size());
-  tbb::parallel_for(std::size_t{0}, lines.size(), [&](std::size_t i) { failures[i] = prover.prove(lines[i]); });
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (failures[i].empty()) {
-      ++outcome.proved;
-      continue;
+/// Proves witnesses and adds them to the outcome, which is the same for any number of threads. Throws InputError for a line
+/// that is no witness.
+void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& outcome) {
+  struct Verdict {
+    std::string failure, unreadable;
+  };
+  std::vector<Verdict> verdicts(places.size());
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+    try {
+      verdicts[i].failure = prover.prove(places[i].line);
+    } catch (const LineError& error) {
+      verdicts[i].unreadable = error.what();
     }
-    if (outcome.failed++ == 0) {
-      outcome.first_failure = fmt::format("witness {}: {}\n{}", outcome.proved + outcome.failed, failures[i], lines[i]);
+  });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [failure, unreadable] = verdicts[i];
+    if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
+    if (failure.empty()) {
+      ++outcome.proved;
+    } else if (outcome.failed++ == 0) {
+      outcome.first_failure = fmt::format("{}: {}", places[i].name, failure);
     }
   }
 }
@@ -60,21 +76,23 @@ Outcome prove_file(const Prover& prover, const std::string& file) {
   if (error || !in) throw render::InputError(file + ": cannot be opened");
   render::Progress progress("proved MB", bytes >> 20U);
   Outcome outcome;
-  std::vector<std::string> lines;
+  std::vector<Place> places;
   std::string line;
   std::size_t read = 0;
   const auto prove_batch = [&] {
     render::check_interrupt();
-    prove_all(prover, lines, outcome);
-    lines.clear();
+    prove_all(prover, places, outcome);
+    places.clear();
     progress.update(read >> 20U);
   };
-  while (std::getline(in, line)) {
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
     read += line.size() + 1;
-    lines.push_back(line);
-    if (lines.size() == kBatch) prove_batch();
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    places.push_back({line, fmt::format("{}:{}", file, number)});
+    if (places.size() == kBatch) prove_batch();
   }
   prove_batch();
+  if (outcome.proved + outcome.failed == 0) throw render::InputError(file + ": no witnesses");
   return outcome;
 }
 
@@ -85,13 +103,16 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
   render::Progress progress("proved frame", frames.size());
   Outcome outcome;
   std::vector<std::string> lines;
+  std::vector<Place> places;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     render::check_interrupt();
     const culler::Camera camera = path.camera(frames[i], render::aspect(options));
+    lines.clear();
     render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull), options.cull.near);
-    if (lines.size() >= kBatch || i + 1 == frames.size()) {
-      prove_all(prover, lines, outcome);
-      lines.clear();
+    for (std::string& line : lines) places.push_back({std::move(line), fmt::format("frame {}", frames[i])});
+    if (places.size() >= kBatch || i + 1 == frames.size()) {
+      prove_all(prover, places, outcome);
+      places.clear();
     }
     progress.update(i + 1);
   }
@@ -127,9 +148,10 @@ void add_validate(CLI::App& app, int& exit_code) {
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "the model walked through")->required();
   command->add_option("--path", a->path, "camera path (JSON)")->required();
-  command->add_option("--witness", a->witness,
-                      "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
-  a->walk.add_to(*command);
+  CLI::Option* witness = command->add_option(
+      "--witness", a->witness, "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  a->walk.add_size_to(*command);
+  for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
   command->add_flag("--json", a->json, "print the counts as JSON");
   command->callback([a, &exit_code] { exit_code = validate(*a); });
 }

@@ -2,8 +2,11 @@
 #include "command_arguments.h"
 
 #include <charconv>
-#include <map>
-#include <vector>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "occlude/render/errors.h"
 
 namespace occlude::cli {
 namespace {
@@ -45,35 +48,56 @@ void parse_size(const std::string& text, render::WalkOptions& options) {
 
 }  // namespace
 
-void WalkArguments::add_to(CLI::App& command) {
-  command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B (default: all)");
-  command.add_option("--size", size_, "WxH, size of the pictures in pixels")->default_val("640x360");
+void WalkArguments::add_size_to(CLI::App& command) {
+  command.add_option("--size", size_, "WxH, size of the pictures in pixels")->capture_default_str();
+}
+
+std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs a test at every node that it does not decide
-  command.add_option("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{0}, kMostOccluders));
-  const std::map<std::string, kernel::Near> nears{{"surface", kernel::Near::surface}, {"farthest", kernel::Near::farthest}};
-  command.add_option("--near", cull_.near, "where a shadow begins: surface, farthest (the paper's)")
-      ->transform(CLI::CheckedTransformer(nears))
-      ->default_str("surface");
-  const std::map<std::string, kernel::Arithmetic> arithmetics{{"certified", kernel::Arithmetic::certified},
-                                                              {"plain", kernel::Arithmetic::plain}};
-  command.add_option("--arithmetic", cull_.arithmetic, "certified, or plain (the paper's, to be measured)")
-      ->transform(CLI::CheckedTransformer(arithmetics))
-      ->default_str("certified");
-  const std::map<std::string, kernel::Test> tests{{"conservative", kernel::Test::conservative},
-                                                  {"overlap", kernel::Test::overlap}};
-  command.add_option("--test", cull_.test, "conservative (planes alone) or overlap (all three relations exact)")
-      ->transform(CLI::CheckedTransformer(tests))
-      ->default_str("conservative");
+  const auto choice = [&](const char* name, std::string& value, const std::vector<std::string>& choices, const char* text) {
+    return command.add_option(name, value, text)->capture_default_str()->check(CLI::IsMember(choices));
+  };
+  return {
+      command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B (default: all)"),
+      command.add_option("--occluders", occluders_, "occluders a frame; 0: view-frustum culling alone")
+          ->capture_default_str()
+          ->check(CLI::Range(std::size_t{0}, kMostOccluders)),
+      choice("--near", near_, {"surface", "farthest"},
+             "where a shadow begins: at the polygon, or at its farthest vertex (the paper's)"),
+      choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
+      choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
+      choice("--bounds", bounds_, {"aabb"}, "bounding volumes of the hierarchy"),
+  };
 }
 
 render::WalkOptions WalkArguments::options() const {
   render::WalkOptions options;
   if (!frames_.empty()) parse_frames(frames_, options);
   parse_size(size_, options);
-  options.cull = cull_;
+  options.cull.occluders = occluders_;
+  options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
+  options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
+  options.cull.test = test_ == "overlap" ? kernel::Test::overlap : kernel::Test::conservative;
   return options;
+}
+
+std::uint64_t whole_number(const std::string& option, const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || next != end) throw CLI::ValidationError(option, "cannot read '" + text + "'");
+  return value;
+}
+
+void check_distinct(const std::vector<std::string>& files) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string& file : files) {
+    std::error_code error;
+    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
+    if (!std::filesystem::is_regular_file(path, error) && std::filesystem::exists(path, error))
+      continue;  // a device or pipe
+    if (!seen.insert(path).second) throw render::InputError(file + ": named twice, as two different files");
+  }
 }
 
 }  // namespace occlude::cli

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "occlude/render/walk.h"
 
@@ -12,14 +13,23 @@ namespace occlude::cli {
 /// Which frames, seen how and culled how.
 class WalkArguments {
  public:
-  void add_to(CLI::App& command);
+  void add_size_to(CLI::App& command);
+  /// The options that decide what is culled; returns them.
+  std::vector<CLI::Option*> add_culling_to(CLI::App& command);
 
   /// What the user chose. Throws CLI::ValidationError for text that cannot be read.
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
-  std::string frames_, size_;
-  culler::CullOptions cull_;
+  std::string frames_, size_ = "640x360", near_ = "surface", arithmetic_ = "certified", test_ = "conservative",
+                       bounds_ = "aabb";
+  std::size_t occluders_ = culler::CullOptions{}.occluders;
 };
+
+/// The whole number in `text`; throws CLI::ValidationError, naming the option, for anything else.
+[[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);
+
+/// Throws InputError when two of these files, inputs and outputs of a command, are one.
+void check_distinct(const std::vector<std::string>& files);
 
 }  // namespace occlude::cli

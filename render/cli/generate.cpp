@@ -3,27 +3,42 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
+#include "command_arguments.h"
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
 #include "occlude/render/model_io.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/progress.h"
 
 namespace occlude::cli {
 namespace {
 
 struct Arguments {
   std::size_t polygons = 500'000;
-  std::uint64_t seed = 1;
-  std::string out, path;
+  std::string seed = "1", out, path;
+  bool json = false;
 };
 
 void generate(const Arguments& arguments) {
-  const render::City city = render::generate_city(arguments.polygons, arguments.seed);
+  check_distinct({arguments.out, arguments.path});
+  const render::City city = render::generate_city(arguments.polygons, whole_number("--seed", arguments.seed));
+  render::check_interrupt();
   const std::string comment =
       fmt::format("occlude generate city --polygons {} --seed {}; metres, Z up", arguments.polygons, arguments.seed);
-  render::write_ply(arguments.out, city.soup, comment);
-  render::write_camera_path(arguments.path, city.path);
+  render::OutputFile model(arguments.out), path(arguments.path);
+  render::write_ply(model, city.soup, comment);
+  render::write_camera_path(path, city.path);
+  model.commit();
+  path.commit();
+  if (arguments.json) {
+    const nlohmann::ordered_json summary{
+        {"polygons", city.soup.size()}, {"vertices", city.soup.vertices.size()}, {"frames", city.path.frames}};
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
   fmt::print("{}: {} polygons, {} vertices\n{}: {} frames\n", arguments.out, city.soup.size(), city.soup.vertices.size(),
              arguments.path, city.path.frames);
 }
@@ -33,6 +48,7 @@ void generate(const Arguments& arguments) {
 void add_generate(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("generate", "Make a model and a camera path");
   command->require_subcommand(1);
+  command->footer("Example: occlude generate city --out city.ply --path city.json");
   CLI::App* city =
       command->add_subcommand("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
   city->footer("Example: occlude generate city --polygons 500000 --seed 1 --out city.ply --path city.json");
@@ -40,9 +56,10 @@ void add_generate(CLI::App& app, int&) {
   city->add_option("--polygons", arguments->polygons, "at least so many polygons")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{20'000}, std::size_t{20'000'000}));
-  city->add_option("--seed", arguments->seed, "same seed, same bytes, on any machine")->capture_default_str();
+  city->add_option("--seed", arguments->seed, "whole number; same seed, same bytes, on any machine")->capture_default_str();
   city->add_option("--out", arguments->out, "PLY file to write")->required();
   city->add_option("--path", arguments->path, "JSON file to write the camera path to")->required();
+  city->add_flag("--json", arguments->json, "print the counts as JSON");
   city->callback([arguments] { generate(*arguments); });
 }
 

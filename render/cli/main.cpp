@@ -2,6 +2,7 @@
 // The command `occlude`: assembles the subcommands and turns what they throw into one line and an exit code.
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <exception>
 #include <new>
 
@@ -17,7 +18,10 @@ constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells expect
 int run(int argc, char** argv) {
   int exit_code = 0;
   CLI::App app("Occlusion culling with shadow frusta, certified: nothing visible is ever culled.", "occlude");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // that there is one is checked below, after an unknown word has been named
+  app.footer(
+      "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json --out "
+      "report");
   app.set_version_flag("--version", OCCLUDE_VERSION);
   occlude::cli::add_generate(app, exit_code);
   occlude::cli::add_walk(app, exit_code);
@@ -31,6 +35,12 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "occlude: {} (see occlude --help)\n", error.what());
     return kBadInput;
   }
+  if (app.get_subcommands().empty()) {
+    fmt::print(stderr, "occlude: which command? (see occlude --help)\n");
+    return kBadInput;
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw occlude::render::InputError("standard output: cannot be written");
   return exit_code;
 }
 

@@ -26,6 +26,11 @@ int walk(const Arguments& arguments) {
   render::WalkOptions options = arguments.walk.options();
   options.render = !arguments.no_render;
   if (!arguments.witness.empty()) options.witness = arguments.witness;
+  const std::filesystem::path out = arguments.out;
+  std::vector<std::string> files{arguments.model, arguments.path, out / "summary.json", out / "frames.csv",
+                                 out / "report.html"};
+  if (options.witness) files.push_back(arguments.witness);
+  check_distinct(files);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const culler::PolygonSoup soup = render::read_model(arguments.model);
   const std::string name = std::filesystem::path(arguments.model).filename().string();
@@ -33,8 +38,7 @@ int walk(const Arguments& arguments) {
   if (arguments.json) {
     fmt::print("{}", render::summary_json(result, options, name));
   } else {
-    fmt::print("{}report: {}\n", render::summary_text(result, options, name),
-               (std::filesystem::path(arguments.out) / "report.html").string());
+    fmt::print("{}report: {}\n", render::summary_text(result, options, name), (out / "report.html").string());
   }
   return render::passed(result) ? 0 : 1;
 }
@@ -52,7 +56,8 @@ void add_walk(CLI::App& app, int& exit_code) {
   command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
   command->add_option("--path", a->path, "camera path (JSON)")->required();
   command->add_option("--out", a->out, "folder to write to")->required();
-  a->walk.add_to(*command);
+  a->walk.add_size_to(*command);
+  a->walk.add_culling_to(*command);
   command->add_flag("--no-render", a->no_render, "measure culling alone");
   command->add_option("--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
   command->add_flag("--json", a->json, "print summary.json instead of Table 2");

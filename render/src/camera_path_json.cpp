@@ -21,16 +21,8 @@ namespace {
 using culler::Projection;
 using nlohmann::json;
 
-// Nine hours at 30 frames a second. Every frame's line of sight is checked while reading, so the number must have a bound.
+// Nine hours at 30 frames a second. Every frame's camera is checked while reading, so the number must have a bound.
 constexpr std::uint64_t kMostFrames = 1'000'000;
-
-// Sine of the least angle between the line of sight and `up`: below it rounding decides which way the picture is turned.
-constexpr double kLeastSine = 1e-9;
-
-bool is_usable_sight(const glm::dvec3& sight, const glm::dvec3& up) {
-  const double length = glm::length(sight) * glm::length(up);
-  return length > 0 && glm::length(glm::cross(sight, up)) > kLeastSine * length;
-}
 
 /// What the JSON library says went wrong, without its own prefix "[json.exception.parse_error.101] parse error at ...: ".
 std::string reason_of(const json::exception& error) {
@@ -64,7 +56,7 @@ class PathReader {
     read_keyframes();
     read_manner();
     read_lens();
-    check_sight();
+    check_frames();
     return std::move(path_);
   }
 
@@ -137,7 +129,7 @@ class PathReader {
 
   void read_lens() {
     path_.fov_y_deg = positive("fov_y_deg", path_.fov_y_deg);
-    if (path_.fov_y_deg >= 180) fail("fov_y_deg", "must be less than 180");
+    if (path_.fov_y_deg < 0.001 || path_.fov_y_deg > 179) fail("fov_y_deg", "must be from 0.001 to 179");
     if (path_.projection == Projection::orthographic) static_cast<void>(required(root_, "height", "height"));
     path_.height = positive("height", path_.height);
     path_.near = positive("near", path_.near);
@@ -147,16 +139,14 @@ class PathReader {
     if (path_.up == glm::dvec3(0, 0, 0)) fail("up", "must not be zero");
   }
 
-  void check_sight() const {
+  void check_frames() const {
     for (std::size_t i = 0; i < path_.keyframes.size(); ++i) {
       const auto& [eye, target] = path_.keyframes[i];
       if (eye == target) fail(fmt::format("keyframes[{}]", i), "eye and target are the same point");
-      if (!is_usable_sight(target - eye, path_.up)) fail(fmt::format("keyframes[{}]", i), "up lies along the line of sight");
     }
     for (std::size_t frame = 0; frame < path_.frames; ++frame) {
-      const culler::Camera camera = path_.camera(frame, 1);
-      if (!is_usable_sight(camera.target - camera.eye, camera.up))
-        fail("keyframes", fmt::format("in frame {} eye and target meet, or up lies along the line of sight", frame));
+      const std::string fault = culler::fault(path_.camera(frame, 1));
+      if (!fault.empty()) fail("keyframes", fmt::format("in frame {} {}", frame, fault));
     }
   }
 
@@ -183,8 +173,7 @@ std::string manner(const CameraPath& path) {
 
 CameraPath read_camera_path(const std::filesystem::path& file) { return PathReader(file).read(); }
 
-void write_camera_path(const std::filesystem::path& file, const CameraPath& path) {
-  OutputFile output(file);
+void write_camera_path(OutputFile& output, const CameraPath& path) {
   output.write(fmt::format("{{\"frames\": {},\n", path.frames) + manner(path) + " \"keyframes\": [\n");
   const char* separator = "";
   for (const auto& [eye, target] : path.keyframes) {
@@ -192,7 +181,6 @@ void write_camera_path(const std::filesystem::path& file, const CameraPath& path
     separator = ",\n";
   }
   output.write("\n]}\n");
-  output.commit();
 }
 
 }  // namespace occlude::render

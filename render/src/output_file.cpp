@@ -26,9 +26,9 @@ fs::path temporary_name(const fs::path& path) {
 }  // namespace
 
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
-  errno = 0;
-  if (!path_.has_filename()) errno = EISDIR;
-  if (errno == 0) stream_.open(temporary_, std::ios::binary | std::ios::trunc);
+  const bool is_folder = !path_.has_filename() || fs::is_directory(path_);
+  errno = is_folder ? EISDIR : 0;
+  if (!is_folder) stream_.open(temporary_, std::ios::binary | std::ios::trunc);
   if (!stream_.is_open()) throw InputError(path_.string() + ": cannot create: " + reason(errno));
 }
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "occlude/render/model_io.h"
-#include "occlude/render/output_file.h"
+#include "occlude/render/progress.h"
 
 namespace occlude::render {
 namespace {
@@ -47,19 +47,31 @@ std::string header(const PolygonSoup& soup, const std::string& comment) {
 
 }  // namespace
 
-void write_ply(const std::filesystem::path& file, const PolygonSoup& soup, const std::string& comment) {
+void write_ply(OutputFile& file, const PolygonSoup& soup, const std::string& comment) {
+  // Written in pieces of about a megabyte: memory stays small, and Ctrl-C is heard.
+  constexpr std::size_t kPiece = 1U << 20U;
   std::string out = header(soup, comment);
   const std::size_t length = length_bytes(soup);
+  Progress progress("write: item", soup.vertices.size() + soup.size());
+  std::size_t items = 0;
+  const auto flush_when_full = [&] {
+    ++items;
+    if (out.size() < kPiece) return;
+    check_interrupt();
+    file.write(out);
+    out.clear();
+    progress.update(items);
+  };
   for (const glm::dvec3& v : soup.vertices) {
     for (const double coordinate : {v.x, v.y, v.z}) append(out, std::bit_cast<std::uint64_t>(coordinate), sizeof(double));
+    flush_when_full();
   }
   for (std::size_t p = 0; p < soup.size(); ++p) {
     append(out, soup.loop(p).size(), length);
     for (const std::uint32_t index : soup.loop(p)) append(out, index, sizeof(std::uint32_t));
+    flush_when_full();
   }
-  OutputFile output(file);
-  output.write(out);
-  output.commit();
+  file.write(out);
 }
 
 }  // namespace occlude::render

@@ -92,6 +92,28 @@ grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(ca
 "$occlude" validate good.ply --path path.json --size 64x36 >again || fail "validate without file"
 cmp -s stdout again || fail "culling anew proves something else: $(cat again)"
 
+# Parallel projection, without a far plane.
+echo '{"frames":5,"projection":"orthographic","height":3,"keyframes":[{"eye":[0,0.1,0.2],"target":[3,1,0.5]},{"eye":[0.5,0,0],"target":[7,-0.4,0.1]}]}' >parallel.json
+"$occlude" walk good.ply --path parallel.json --out parallel --size 64x36 --witness parallel.jsonl >stdout || fail "parallel walk: $(cat stdout)"
+grep -q '"direction"' parallel.jsonl || fail "no direction in parallel witnesses"
+"$occlude" validate good.ply --path parallel.json --witness parallel.jsonl --size 64x36 >stdout 2>&1 || fail "parallel: $(cat stdout)"
+
+# Files that are in each other's way, and options that would do nothing.
+expect_error "named twice" "$occlude" walk good.ply --path path.json --out other --witness good.ply
+expect_error "named twice" "$occlude" walk good.ply --path path.json --out other --witness other/summary.json
+expect_error "named twice" "$occlude" generate city --polygons 20000 --out same --path same
+expect_error "nodir/h.json" "$occlude" generate city --polygons 20000 --out h.ply --path nodir/h.json
+expect_error "--seed" "$occlude" generate city --polygons 20000 --seed -1 --out h.ply --path h.json
+expect_error "--witness" "$occlude" validate good.ply --path path.json --witness witness.jsonl --occluders 3
+expect_error "frobnicate" "$occlude" frobnicate
+mkdir -p inway/summary.json
+expect_error "inway/summary.json" "$occlude" walk good.ply --path path.json --out inway
+: >none.jsonl
+expect_error "no witnesses" "$occlude" validate good.ply --path path.json --witness none.jsonl
+expect_error "good.ply:1" "$occlude" validate good.ply --path path.json --witness good.ply
+"$occlude" walk good.ply --path path.json --out report --frames 0:2 --size 64x36 >/dev/null || fail "second walk"
+[ "$(ls report/plates | wc -l)" -eq 4 ] || fail "plates of an earlier walk are left"
+
 # Witnesses that lie are found out.
 lie() { # lie WHAT SED_SCRIPT
   sed "$2" witness.jsonl >lie.jsonl
@@ -113,7 +135,12 @@ sleep 1
 kill -INT $!
 wait $!
 [ $? -eq 130 ] || fail "Ctrl-C: exit code, said: $(cat stderr)"
-[ -z "$(find stopped -type f 2>/dev/null)" ] && [ ! -e stopped.jsonl ] || fail "Ctrl-C left files behind"
+[ ! -e stopped ] && [ ! -e stopped.jsonl ] || fail "Ctrl-C left files behind"
+"$occlude" generate city --polygons 5000000 --out big.ply --path big.json 2>stderr >stdout &
+sleep 0.5
+kill -INT $!
+wait $!
+[ $? -eq 130 ] && [ ! -e big.ply ] && [ ! -e big.json ] || fail "Ctrl-C did not stop generate"
 
 # classify.
 case='"eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface"'
@@ -135,6 +162,18 @@ sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify
 [ $? -eq 2 ] || fail "a broken line was accepted"
 [ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"
 grep -q 'standard input:2: ' stderr || fail "the line is not named: $(cat stderr)"
+
+# Numbers that JSON has no words for are refused with the case; what is no case is an error of the line.
+echo "{\"id\":\"n\",$case,\"box\":{\"min\":[NaN,0,0],\"max\":[4,3,1e999]}}" | "$occlude" classify >stdout || fail "NaN"
+grep -q '{"id":"n","error":"number is not finite"}' stdout || fail "NaN: $(cat stdout)"
+echo "{\"id\":1,$case,\"box\":{\"center\":[0,0,0]},\"expect\":\"inside\"}" | "$occlude" classify >/dev/null
+[ $? -eq 1 ] || fail "an expectation of an unsupported case was passed over"
+nested=$(printf '[%.0s' $(seq 1 20000))
+for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],\"box\":{\"min\":[0,0,0],\"max\":[1,1,1]}}" '[]' '"x"'; do
+  echo "$line" >line.jsonl
+  expect_error "line.jsonl:1: " "$occlude" classify line.jsonl
+done
+[ ! -e /dev/full ] || expect_error "standard output" bash -c '"$0" classify cases.jsonl >/dev/full' "$occlude"
 
 for command in "" generate "generate city" walk classify validate; do
   "$occlude" $command --help | grep -q . || fail "no help for '$command'"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -248,14 +249,51 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
     for (const double x : {-1.0, 1.0}) {
       for (const double y : {-1.0, 1.0}) {
         const glm::dvec3 corner = camera.eye + depth * forward + half * (x * camera.aspect * right + y * up);
-        for (const HalfSpace& h : view_frustum(camera)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
+        for (const HalfSpace& h : view_frustum(camera, 1e6)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
       }
     }
-    for (const HalfSpace& h : view_frustum(camera)) {
+    for (const HalfSpace& h : view_frustum(camera, 1e6)) {
       EXPECT_LT(glm::dot(h.normal, camera.eye - 1e5 * (right + up + forward)) + h.offset, 0) << "closed on no side";
       break;
     }
   }
+}
+
+template <class Call>
+std::string refusal(Call&& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
+  EXPECT_EQ(refusal([] { Culler(PolygonSoup{}); }), "the soup has no polygon");
+  PolygonSoup soup = random_town(4, 100);
+  const Culler culler(soup);
+  soup.vertices[7].y = std::nan("");
+  EXPECT_EQ(refusal([&] { Culler{soup}; }), "vertex 7: number is not finite");
+  soup.vertices[7].y = 1e300;
+  EXPECT_EQ(refusal([&] { Culler{soup}; }).substr(0, 29), "vertex 7: number out of range");
+
+  const auto fault_with = [&](auto&& change) {
+    Camera camera;
+    change(camera);
+    const std::string reason = fault(camera);
+    EXPECT_EQ(refusal([&] { static_cast<void>(culler.cull(camera)); }), reason.empty() ? "" : "camera: " + reason);
+    return reason;
+  };
+  EXPECT_EQ(fault_with([](Camera&) {}), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.eye.x = std::nan(""); }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.target = c.eye; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.up = c.target - c.eye; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.fov_y_deg = 180; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.fov_y_deg = 1e-9; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.near = 0; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.far = c.near; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.height = 1e-200; }), "");
 }
 
 TEST(Culler, CountsOperationsOfTheShadowTests) {

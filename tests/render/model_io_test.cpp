@@ -31,6 +31,12 @@ std::string bytes_of(T value, std::endian order) {
   return text;
 }
 
+void save(const fs::path& file, const PolygonSoup& soup, const std::string& comment) {
+  OutputFile output(file);
+  write_ply(output, soup, comment);
+  output.commit();
+}
+
 class ModelIoTest : public testing::Test {
  protected:
   ModelIoTest() { fs::create_directories(folder_); }
@@ -102,12 +108,12 @@ class ModelIoTest : public testing::Test {
 
 TEST_F(ModelIoTest, PlyRoundTripKeepsEveryBit) {
   const PolygonSoup soup = sample();
-  write_ply(folder_ / "a.ply", soup, "first\nsecond");
+  save(folder_ / "a.ply", soup, "first\nsecond");
   expect_equal(read_model(folder_ / "a.ply"), soup);
 }
 
 TEST_F(ModelIoTest, WrittenPlyHasCommentsAndFixedBytes) {
-  write_ply(folder_ / "a.ply", sample(), "first\nsecond");
+  save(folder_ / "a.ply", sample(), "first\nsecond");
   std::ostringstream bytes;
   bytes << std::ifstream(folder_ / "a.ply", std::ios::binary).rdbuf();
   const std::string header =
@@ -122,7 +128,7 @@ TEST_F(ModelIoTest, PolygonsOfMoreThan255VerticesSurvive) {
   std::vector<std::uint32_t> loop;
   for (int i = 0; i < 300; ++i) loop.push_back(soup.add_vertex({i, i * i, 0}));
   soup.add_polygon(loop);
-  write_ply(folder_ / "a.ply", soup, "");
+  save(folder_ / "a.ply", soup, "");
   expect_equal(read_model(folder_ / "a.ply"), soup);
   std::string obj, face = "f";
   for (int i = 0; i < 300; ++i) {
@@ -338,9 +344,7 @@ TEST_F(ModelIoTest, WhatAssimpRefusesIsOneLine) {
       "no error");
 }
 
-TEST_F(ModelIoTest, WritingNowhereNamesTheFile) {
-  EXPECT_THROW(write_ply(folder_ / "none" / "a.ply", sample(), ""), InputError);
-}
+TEST_F(ModelIoTest, WritingNowhereNamesTheFile) { EXPECT_THROW(save(folder_ / "none" / "a.ply", sample(), ""), InputError); }
 
 }  // namespace
 }  // namespace occlude::render

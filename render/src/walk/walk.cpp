@@ -106,23 +106,43 @@ class Walker {
   culler::CullOptions view_only_;
 };
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("{}: cannot create the folder: {}", folder.string(), error.message()));
-}
+/// A folder that exists from now on; if it is new and nothing has come into it, it goes again.
+class Folder {
+ public:
+  explicit Folder(std::filesystem::path path) : path_(std::move(path)) {
+    if (path_.empty()) throw InputError("no folder named to write to");
+    std::error_code error;
+    is_new_ = std::filesystem::create_directories(path_, error);
+    if (error) throw InputError(fmt::format("{}: cannot create the folder: {}", path_.string(), error.message()));
+  }
+  ~Folder() {
+    std::error_code not_empty;
+    if (is_new_) std::filesystem::remove(path_, not_empty);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
 
-void write_file(const std::filesystem::path& file, std::string_view text) {
-  OutputFile output(file);
-  output.write(text);
-  output.commit();
+ private:
+  std::filesystem::path path_;
+  bool is_new_ = false;
+};
+
+/// Plates of an earlier walk would be taken for this one's.
+void remove_old_plates(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame_") && (name.ends_with("_view.png") || name.ends_with("_outside.png"))) {
+      std::filesystem::remove(entry.path());
+    }
+  }
 }
 
 }  // namespace
 
 std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options) {
   std::vector<std::size_t> frames;
-  for (std::size_t f = options.begin; f < std::min(options.end, path.frames); f += options.step) frames.push_back(f);
+  const std::size_t end = std::min(options.end, path.frames);
+  for (std::size_t f = options.begin; f < end; f += std::min(options.step, end - f)) frames.push_back(f);
   if (frames.empty()) {
     throw InputError(fmt::format("no frame to walk: the path has frames 0 to {}", path.frames - 1));
   }
@@ -135,8 +155,9 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     throw InputError(fmt::format("{}: one polygon only: nothing can hide behind another", model_name));
   }
   const std::vector<std::size_t> frames = frames_of(path, options);
-  make_folder(directory / "plates");
-  OutputFile csv(directory / "frames.csv");
+  const Folder folder(directory), plates_folder(directory / "plates");
+  // All files are opened before the work and committed after it: what cannot be written is known at once.
+  OutputFile csv(directory / "frames.csv"), report(directory / "report.html"), summary_file(directory / "summary.json");
   std::optional<OutputFile> witness;
   if (options.witness) witness.emplace(*options.witness);
 
@@ -183,17 +204,20 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     stage.renderer.reset();
     plates = draw_plates(culler, path, result.frames, options.cull);
   }
+  check_interrupt();
+  remove_old_plates(directory / "plates");
   for (const DrawnPlate& drawn : plates) {
-    check_interrupt();
     write_png(directory / "plates" / drawn.plate.file, drawn.image);
     result.plates.push_back(drawn.plate);
   }
   const nlohmann::ordered_json summary = summarise(result, options, model_name);
   csv.write(frames_csv(result));
-  csv.commit();
+  report.write(report_html(result, summary));
+  summary_file.write(summary.dump(2) + "\n");
   if (witness) witness->commit();
-  write_file(directory / "report.html", report_html(result, summary));
-  write_file(directory / "summary.json", summary.dump(2) + "\n");
+  csv.commit();
+  report.commit();
+  summary_file.commit();
   return result;
 }
 

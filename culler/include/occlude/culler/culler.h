@@ -60,12 +60,13 @@ class Culler {
     OccluderGrid::Config grid;
   };
 
-  /// REQUIRES: soup is not empty and its coordinates are in the kernel's legal range.
+  /// Throws std::invalid_argument, with the vertex and the reason, for a soup that is empty or has a coordinate that is not
+  /// finite or out of the kernel's legal range.
   explicit Culler(const PolygonSoup& soup, const Config& config = {});
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
-  /// visible is culled when options.arithmetic is certified.
-  [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options) const;
+  /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().
+  [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
   /// The operations that the shadow tests of such a frame cost in plain arithmetic (Table 1).
   [[nodiscard]] kernel::Operations count_operations(const Camera& camera, const CullOptions& options) const;

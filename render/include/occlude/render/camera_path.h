@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "occlude/culler/camera.h"
+#include "occlude/render/output_file.h"
 
 namespace occlude::render {
 
@@ -40,6 +41,7 @@ struct CameraPath {
 [[nodiscard]] CameraPath read_camera_path(const std::filesystem::path& file);
 
 /// Writes the same bytes for the same path on every machine; numbers read back to the same double.
-void write_camera_path(const std::filesystem::path& file, const CameraPath& path);
+/// The caller commits the file.
+void write_camera_path(OutputFile& output, const CameraPath& path);
 
 }  // namespace occlude::render

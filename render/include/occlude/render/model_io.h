@@ -6,6 +6,7 @@
 #include <string>
 
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/render/output_file.h"
 
 namespace occlude::render {
 
@@ -16,6 +17,7 @@ namespace occlude::render {
 [[nodiscard]] culler::PolygonSoup read_model(const std::filesystem::path& file);
 
 /// Writes binary little-endian PLY with double coordinates and list uchar/uint32 faces; `comments` become header comments.
-void write_ply(const std::filesystem::path& file, const culler::PolygonSoup& soup, const std::string& comment);
+/// The caller commits the file. Throws Interrupted on Ctrl-C.
+void write_ply(OutputFile& file, const culler::PolygonSoup& soup, const std::string& comment);
 
 }  // namespace occlude::render
