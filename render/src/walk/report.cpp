@@ -20,7 +20,7 @@ p.lead, figcaption, .soft { color: var(--soft); }
 .facts { display: grid; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); gap: .8rem; margin: 1.5rem 0; }
 .fact { background: var(--wash); border-radius: .6rem; padding: .8rem 1rem; } .fact b { display: block; font-size: 1.6rem; }
 .fact.bad { background: #fdecea; color: #a3201a; }
-table { border-collapse: collapse; width: 100%; } th, td { text-align: right; padding: .45rem .7rem; border-bottom: 1px solid var(--line); }
+.wide { overflow-x: auto; } table { border-collapse: collapse; width: 100%; } th, td { text-align: right; padding: .45rem .7rem; border-bottom: 1px solid var(--line); }
 th:first-child, td:first-child { text-align: left; } thead th { font-weight: 600; color: var(--soft); }
 svg { width: 100%; height: auto; font: 13px system-ui, sans-serif; fill: var(--ink); } svg polyline { fill: none; stroke-width: 1.3; }
 svg .grid { stroke: var(--line); }
@@ -86,17 +86,22 @@ std::string table(const Json& summary) {
   const auto gain = [](const Json& ratio) {
     return ratio.is_null() ? std::string("&ndash;") : percent(ratio.get<double>());
   };
+  const auto share = [](const Json& part) {
+    return part.is_null() ? std::string("&ndash;") : fmt::format("{:.1f} %", 100 * part.get<double>());
+  };
   return fmt::format(
-      R"(<table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
+      R"(<div class="wide"><table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
 <tr><td>View-frustum culling</td><td>{}</td><td>{}</td><td>49,196</td><td>3.6</td></tr>
 <tr><td>With occlusion culling</td><td>{}</td><td>{}</td><td>29,749</td><td>5.6</td></tr>
 <tr><td>Polygons culled; speedup</td><td>{:.1f} %</td><td>{}</td><td>39.5 %</td><td>+55 %</td></tr>
 <tr><td>Limit of the speedup: ratio of polygons drawn</td><td></td><td>{}</td><td></td><td>+65 %</td></tr>
 <tr><td>Limit of the speedup: drawing only what is visible</td><td></td><td>{}</td><td></td><td>&ndash;</td></tr>
-</tbody></table>)",
+<tr><td>Of the hidden polygons in the view frustum, culled</td><td>{}</td><td></td><td></td><td></td></tr>
+</tbody></table></div>)",
       grouped(mean["view_frustum_polygons"].get<double>()), fps(mean["frame_ms_view_frustum_only"]),
       grouped(mean["rendered_polygons"].get<double>()), fps(mean["frame_ms"]), 100 * summary["culled_share"].get<double>(),
-      gain(summary["speedup"]), gain(summary["speedup_limit"]["polygons"]), gain(summary["speedup_limit"]["visible"]));
+      gain(summary["speedup"]), gain(summary["speedup_limit"]["polygons"]), gain(summary["speedup_limit"]["visible"]),
+      share(summary["culled_share_of_hidden"]));
 }
 
 template <class Member>
@@ -116,7 +121,7 @@ std::string figures(const WalkResult& result, bool rendered) {
             line_chart("frame", "milliseconds", frames,
                        {series(result, "view-frustum culling", before, &FrameRecord::view_frustum_frame_ms),
                         series(result, "with occlusion culling", after, &FrameRecord::frame_ms),
-                        series(result, "of it culling", "#d9822b", &FrameRecord::cull_ms)}) +
+                        series(result, "culling alone", "#d9822b", &FrameRecord::cull_ms)}) +
             "</figure>";
   }
   std::vector<Series> polygons{series(result, "view-frustum culling", before, &FrameRecord::view_frustum_polygons),
@@ -146,12 +151,13 @@ std::string conditions(const Json& summary) {
       "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders, near plane {}, {} arithmetic, {} test, AABB "
       "tree. "
       "{} frames; on {} of them the item buffer was drawn from the whole model without any culling. Preprocess {:.1f} s. "
-      "Every frame was drawn with both methods, one after the other, in alternating order. {}, {} threads; {}.</p>",
+      "Every frame was drawn with both methods, one after the other, in alternating order. {}, {} threads; {}; compiled by "
+      "{}.</p>",
       options["size"][0].get<int>(), options["size"][1].get<int>(), options["occluders"].get<std::size_t>(),
       options["near"].get<std::string>(), options["arithmetic"].get<std::string>(), options["test"].get<std::string>(),
       summary["frames"].get<std::size_t>(), summary["reference_frames"].get<std::size_t>(),
       summary["preprocess_s"].get<double>(), escaped(machine["processor"].get<std::string>()),
-      machine["threads"].get<unsigned>(), escaped(renderer));
+      machine["threads"].get<unsigned>(), escaped(renderer), escaped(machine["compiler"].get<std::string>()));
 }
 
 }  // namespace
@@ -163,7 +169,7 @@ std::string report_html(const WalkResult& result, const Json& summary) {
 <h1>A walk through {0}</h1><p class="lead">{2} polygons, {3} frames; after Hudson et al. 1997, section 6.3.</p>)",
       model, kStyle, grouped(static_cast<double>(result.polygons)), result.frames.size());
   html += facts(summary) + "<h2>Averages (the paper's table 2)</h2>" + table(summary);
-  html += figures(result, !summary["speedup"].is_null()) + plates(result) + conditions(summary);
+  html += figures(result, !summary["speedup"].is_null()) + conditions(summary) + plates(result);
   return html + "</body></html>\n";
 }
 
