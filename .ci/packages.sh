@@ -5,11 +5,11 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build pkg-config ccache
-  libglm-dev                       # culler
-  libcgal-dev                      # oracle
-  libosmesa6-dev libpng-dev libassimp-dev  # render
-  libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev          # the command
-  libgtest-dev                     # tests
+  libglm-dev                                  # culler
+  libcgal-dev                                 # oracle
+  libosmesa6-dev libpng-dev libassimp-dev     # render
+  libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
+  libgtest-dev                                # tests
 )
 
 missing=()

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // occlude validate: every cull of a walk proved in exact arithmetic.
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "command_arguments.h"
 #include "commands.h"
-#include "json_input.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/model_io.h"
@@ -41,6 +42,18 @@ struct Outcome {
   std::string first_failure;  ///< of the lowest line
 };
 
+/// Calls work(i) for every i below `count`, on all processors. REQUIRES: work does not throw.
+template <class Work>
+void on_all_processors(std::size_t count, Work&& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto share = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> others;
+  for (unsigned t = 1; t < std::thread::hardware_concurrency(); ++t) others.emplace_back(share);
+  share();
+}
+
 /// Proves witnesses and adds them to the outcome, which is the same for any number of threads. Throws InputError for a line
 /// that is no witness.
 void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& outcome) {
@@ -48,10 +61,10 @@ void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& 
     std::string failure, unreadable;
   };
   std::vector<Verdict> verdicts(places.size());
-  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+  on_all_processors(places.size(), [&](std::size_t i) {
     try {
       verdicts[i].failure = prover.prove(places[i].line);
-    } catch (const LineError& error) {
+    } catch (const std::exception& error) {
       verdicts[i].unreadable = error.what();
     }
   });

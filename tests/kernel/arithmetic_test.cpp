@@ -117,6 +117,24 @@ TEST(HalfSpace, DecidesExactlyOnThePlane) {
   EXPECT_EQ(relation(thirds, {{0.5, 0.25, 0.25}, {1, 1, 1}}, Arithmetic::certified), Relation::inside);
 }
 
+TEST(HalfSpace, BoundHoldsWhereTheSumCancels) {
+  std::mt19937_64 random(kSeed);
+  std::size_t misled = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto coordinate = [&] { return 1 + static_cast<double>(random() >> 11U) * 0x1p-53; };
+    const Vec3 n{coordinate(), -coordinate(), coordinate()}, x{coordinate(), coordinate(), -coordinate()};
+    const double sum = n.x * x.x + n.y * x.y + n.z * x.z;
+    const HalfSpace h{n, -sum * (1 + static_cast<double>(static_cast<int>(random() % 5) - 2) * 0x1p-52)};
+    const auto product = [](double a, double b) { return Expansion(a) * Expansion(b); };
+    const Expansion exact = product(n.x, x.x) + product(n.y, x.y) + product(n.z, x.z) + Expansion(h.offset);
+    const Relation expected = exact.sign() >= 0 ? Relation::inside : Relation::outside;
+    ASSERT_EQ(relation(h, {x, x}, Arithmetic::certified), expected) << "seed " << kSeed << " case " << i;
+    misled += relation(h, {x, x}, Arithmetic::plain) != expected;
+  }
+  std::printf("plain is wrong on %zu of 20000 points at a plane\n", misled);
+  EXPECT_GT(misled, 0U);
+}
+
 TEST(Operations, BestCaseIsTwoDotProductsAndNoCrossProductEver) {
   const std::vector<Vec3> wall{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}};
   const auto frustum = *ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), wall, Near::farthest).frustum;

@@ -63,6 +63,11 @@ TEST(Refusal, LoopsThatAreNotConvexFromHere) {
   EXPECT_EQ(from_origin(spike), Refusal::not_convex);
 }
 
+TEST(Refusal, LoopsFoldedThroughTheEye) {
+  // The eye lies between the first vertex and the last: seen from it the last adds no turn, and yet it is behind.
+  EXPECT_EQ(from_origin({{2, -1, -1}, {2, 1, -1}, {2, 0, 1}, {-1, 0.5, 0.5}}), Refusal::not_convex);
+}
+
 TEST(Refusal, OneUlpOfConcavityIsSeen) {
   Loop loop{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, 0, 1}, {2, -1, 1}};
   EXPECT_EQ(from_origin(loop), Refusal::none);
