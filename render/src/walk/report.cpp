@@ -86,6 +86,9 @@ std::string table(const Json& summary) {
   const auto gain = [](const Json& ratio) {
     return ratio.is_null() ? std::string("&ndash;") : percent(ratio.get<double>());
   };
+  const auto times = [](const Json& ratio) {
+    return ratio.is_null() ? std::string("&ndash;") : fmt::format("{:.1f} &times;", ratio.get<double>());
+  };
   const auto share = [](const Json& part) {
     return part.is_null() ? std::string("&ndash;") : fmt::format("{:.1f} %", 100 * part.get<double>());
   };
@@ -100,7 +103,7 @@ std::string table(const Json& summary) {
 </tbody></table></div>)",
       grouped(mean["view_frustum_polygons"].get<double>()), fps(mean["frame_ms_view_frustum_only"]),
       grouped(mean["rendered_polygons"].get<double>()), fps(mean["frame_ms"]), 100 * summary["culled_share"].get<double>(),
-      gain(summary["speedup"]), gain(summary["speedup_limit"]["polygons"]), gain(summary["speedup_limit"]["visible"]),
+      gain(summary["speedup"]), gain(summary["speedup_limit"]["polygons"]), times(summary["speedup_limit"]["visible"]),
       share(summary["culled_share_of_hidden"]));
 }
 

@@ -27,6 +27,12 @@ std::size_t total(const WalkResult& result, Member&& member) {
   return sum;
 }
 
+#ifdef __clang__
+constexpr const char* kCompiler = "clang " __clang_version__;
+#else
+constexpr const char* kCompiler = "g++ " __VERSION__;
+#endif
+
 Json machine(const WalkResult& result) {
   std::string processor = "unknown", line;
   std::ifstream cpuinfo("/proc/cpuinfo");
@@ -39,7 +45,7 @@ Json machine(const WalkResult& result) {
   return {{"processor", processor},
           {"threads", std::thread::hardware_concurrency()},
           {"renderer", result.renderer.empty() ? Json(nullptr) : Json(result.renderer)},
-          {"compiler", __VERSION__}};
+          {"compiler", kCompiler}};
 }
 
 Json operations(const kernel::Operations& counted) {
