@@ -5,7 +5,10 @@
 // none. All sets are closed: sharing a single point is touching.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace occlude::kernel {
 
@@ -22,6 +25,21 @@ struct Aabb {
   Vec3 min, max;
 
   friend bool operator==(const Aabb&, const Aabb&) = default;
+};
+
+/// Oriented box {center + a half_edges[0] + b half_edges[1] + g half_edges[2] : |a|, |b|, |g| <= 1}: exactly that
+/// parallelepiped, whatever the angles between the half edges; they may be zero or dependent.
+struct Obb {
+  Vec3 center;
+  std::array<Vec3, 3> half_edges;
+
+  friend bool operator==(const Obb&, const Obb&) = default;
+};
+
+/// A polytope as given: faces are loops of indices into `vertices`, either way round.
+struct Polytope {
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<std::uint32_t>> faces;
 };
 
 /// Where the scene is seen from: a point, or a direction of view (orthographic: the eye at infinity along -direction).

@@ -18,6 +18,10 @@ enum class Refusal {
   not_convex,
   eye_in_plane,
   zero_direction,
+  bad_face_index,
+  polytope_not_convex,
+  polytope_not_closed,
+  eye_in_polytope,
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Refusal refusal) {
@@ -38,6 +42,14 @@ enum class Refusal {
       return "viewpoint lies in the occluder's plane";
     case Refusal::zero_direction:
       return "direction of view is zero";
+    case Refusal::bad_face_index:
+      return "face names a vertex that does not exist";
+    case Refusal::polytope_not_convex:
+      return "polytope is not convex with plane faces";
+    case Refusal::polytope_not_closed:
+      return "polytope is not closed";
+    case Refusal::eye_in_polytope:
+      return "viewpoint lies in the polytope";
   }
   return "";
 }
@@ -68,6 +80,14 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (box.min[axis] > box.max[axis]) return Refusal::min_above_max;
+  }
+  return Refusal::none;
+}
+
+[[nodiscard]] inline Refusal check(const Obb& box) {
+  if (const Refusal refusal = check(box.center); refusal != Refusal::none) return refusal;
+  for (const Vec3& half_edge : box.half_edges) {
+    if (const Refusal refusal = check(half_edge); refusal != Refusal::none) return refusal;
   }
   return Refusal::none;
 }
