@@ -68,7 +68,7 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 kernel::Operations Culler::count_operations(const Camera& camera, const CullOptions& options) const {
   kernel::Operations total;
   const auto test_and_count = [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
-    total += kernel::count_operations(frustum, box, options.test);
+    total += kernel::count_operations(frustum, box, options.arithmetic, options.test);
     return kernel::relation(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
   };
   static_cast<void>(cull_frame(hierarchy_, grid_, camera, options, test_and_count));

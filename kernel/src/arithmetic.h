@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The three arithmetics in which one and the same test can be run. Reading order: 4.
+// The arithmetics in which one and the same expression can be evaluated. Reading order: 4.
 //
-// A test is written once, as a template over an arithmetic A: numbers are A::Number, made from differences of input doubles
-// and combined by + - *; the only question ever asked of a number is its sign, and it is asked of the arithmetic object.
+// An expression is written once, as a template over an arithmetic A: numbers are A::Number, made from differences of input
+// doubles and combined by + - *; the only question ever asked of a number is its sign, and it is asked of the arithmetic
+// object. An arithmetic that cannot tell a sign answers 0 and remembers: what was computed then means nothing, and failed()
+// says so.
 #pragma once
 
+#include <cmath>
+
+#include "double_double.h"
 #include "expansion.h"
 #include "occlude/kernel/types.h"
 #include "running_error.h"
@@ -16,17 +21,19 @@ struct PlainArithmetic {
   using Number = double;
   static double constant(double x) { return x; }
   static double difference(double a, double b) { return a - b; }
+  static double magnitude(double x) { return std::fabs(x); }
+  static double rounded(double x) { return x; }
   static int sign(double x) { return (x > 0) - (x < 0); }
   static bool failed() { return false; }
 };
 
-/// Doubles with a running error bound. A sign that the bound cannot decide is answered 0 and remembered: what was computed
-/// then means nothing, and failed() says so.
+/// Doubles with a running error bound.
 class FilterArithmetic {
  public:
   using Number = RunningError;
   static RunningError constant(double x) { return {x, 0}; }
   static RunningError difference(double a, double b) { return RunningError::difference(a, b); }
+  static RunningError magnitude(const RunningError& x) { return {std::fabs(x.value), x.error}; }
   int sign(const RunningError& x) {
     if (x.value > x.error) return 1;
     if (x.value < -x.error) return -1;
@@ -39,14 +46,42 @@ class FilterArithmetic {
   bool failed_ = false;
 };
 
+/// Twice that precision, with a running error bound.
+class DoubleDoubleArithmetic {
+ public:
+  using Number = DoubleDouble;
+  static DoubleDouble constant(double x) { return {x, {}}; }
+  static DoubleDouble difference(double a, double b) { return DoubleDouble::difference(a, b); }
+  static DoubleDouble magnitude(const DoubleDouble& x) { return x.high < 0 ? -x : x; }
+  int sign(const DoubleDouble& x) {
+    if (!x.is_certain()) failed_ = true;
+    return x.certain_sign();
+  }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  bool failed_ = false;
+};
+
 /// Exact.
 struct ExactArithmetic {
   using Number = Expansion;
   static Expansion constant(double x) { return Expansion(x); }
   static Expansion difference(double a, double b) { return Expansion::difference(a, b); }
+  static Expansion magnitude(const Expansion& x) { return x.sign() < 0 ? -x : x; }
   static int sign(const Expansion& x) { return x.sign(); }
   static bool failed() { return false; }
 };
+
+/// The result of `question(arithmetic)`, exactly, by the first step of the exact stage that can tell.
+template <class Question>
+[[nodiscard]] auto exactly(Question&& question) {
+  DoubleDoubleArithmetic twice;
+  const auto answer = question(twice);
+  if (!twice.failed()) return answer;
+  ExactArithmetic exact;
+  return question(exact);
+}
 
 /// The result of `question(arithmetic)`, by the filter where its bounds suffice, else exactly; `stage` learns which.
 template <class Question>
@@ -55,8 +90,7 @@ template <class Question>
   const auto answer = question(filter);
   if (!filter.failed()) return answer;
   if (stage) *stage = Stage::exact;
-  ExactArithmetic exact;
-  return question(exact);
+  return exactly(question);
 }
 
 }  // namespace occlude::kernel

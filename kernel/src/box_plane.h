@@ -5,11 +5,11 @@
 // would.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 
+#include "box_frame.h"
 #include "occlude/kernel/overlap.h"
-#include "plane_value.h"
+#include "plane_coefficients.h"
 
 namespace occlude::kernel {
 
@@ -18,35 +18,69 @@ namespace occlude::kernel {
   return {positive_x ? box.max.x : box.min.x, positive_y ? box.max.y : box.min.y, positive_z ? box.max.z : box.min.z};
 }
 
-/// Values of a rounded plane at the extremal vertices of the box, nearest and farthest along its normal.
+/// Sign of the plane at the extremal vertex of the box, nearest (`direction` = -1) or farthest (1) along its normal.
 template <class A>
-struct ExtremalValues {
-  typename A::Number low, high;
-
-  ExtremalValues(const FilterPlane& plane, const Aabb& box) {
-    const bool x = plane.normal.x >= 0, y = plane.normal.y >= 0, z = plane.normal.z >= 0;
-    const Vector3<typename A::Number> n{A::constant(plane.normal.x), A::constant(plane.normal.y),
-                                        A::constant(plane.normal.z)};
-    low = dot(n, difference<A>(extremal_vertex(box, !x, !y, !z), plane.origin));
-    high = dot(n, difference<A>(extremal_vertex(box, x, y, z), plane.origin));
+[[nodiscard]] int extremal_sign(A& arithmetic, const PlaneCoefficients<A>& plane, const Vec3& origin, const Aabb& box,
+                                int direction) {
+  const auto positive = [&](int axis) { return direction * arithmetic.sign(plane.normal[axis]) >= 0; };
+  const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));
+  return arithmetic.sign(dot(plane.normal, difference<A>(vertex, origin)) + plane.offset);
+}
+template <class A>
+[[nodiscard]] int extremal_sign(A& arithmetic, const PlaneCoefficients<A>& plane, const Vec3& origin, const Obb& box,
+                                int direction) {
+  auto value = dot(plane.normal, difference<A>(box.center, origin)) + plane.offset;
+  for (const Vec3& half_edge : box.half_edges) {
+    const auto spread = A::magnitude(dot(plane.normal, constants<A>(half_edge)));
+    value = direction > 0 ? value + spread : value - spread;
   }
-};
+  return arithmetic.sign(value);
+}
 
-/// The whole stage in plain double arithmetic. `A` is PlainArithmetic or CountingArithmetic.
-template <class A>
-[[nodiscard]] Relation box_planes_plain(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
+/// Exact sign of plane `i` of the frustum at the extremal vertex of the box, where the filter could not tell.
+[[nodiscard]] int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Aabb& box, double reach,
+                                      int direction);
+[[nodiscard]] int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Obb& box, double reach,
+                                      int direction);
+
+/// The whole stage in plain double arithmetic.
+template <class Frame>
+[[nodiscard]] Relation box_planes_plain(const ShadowFrustum& frustum, const Frame& frame, NearBoundary near) {
   bool inside = true;
-  int least_inner = near == NearBoundary::open ? 1 : 0;  // of the near plane, the first; touching the others is inside
-  for (const FilterPlane& plane : frustum.filter_planes()) {
-    const ExtremalValues<A> values(plane, box);
-    if (A::sign(values.high) < 0) return Relation::outside;
-    inside = inside && A::sign(values.low) >= least_inner;
-    least_inner = 0;
+  for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
+    const auto [low, high] = frame.extremes(frustum.filter_planes()[i]);
+    if (high < 0) return Relation::outside;
+    const bool must_be_beyond = near == NearBoundary::open && i < frustum.near_count();
+    inside = inside && (must_be_beyond ? low > 0 : low >= 0);
   }
   return inside ? Relation::inside : Relation::partial;
 }
 
-/// The whole stage, certified: true answers, by the filter where its error bounds suffice.
-[[nodiscard]] Decision box_planes_certified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near);
+/// The whole stage, certified: true answers, by the filter where its error bounds suffice. `frame` is the box's.
+template <class Box, class Frame>
+[[nodiscard]] Decision box_planes_certified(const ShadowFrustum& frustum, const Box& box, const Frame& frame,
+                                            NearBoundary near) {
+  Decision decision{Relation::inside, Stage::filter};
+  for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
+    const FilterPlane& plane = frustum.filter_planes()[i];
+    const double error = frame.error(plane);
+    const auto [low, high] = frame.extremes(plane);
+    if (high < -error) return {Relation::outside, decision.stage};
+    if (low > error) continue;
+    if (high <= error) {
+      decision.stage = Stage::exact;
+      if (exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0) return {Relation::outside, Stage::exact};
+    }
+    if (decision.relation == Relation::partial) continue;
+    if (low < -error) {
+      decision.relation = Relation::partial;
+    } else {
+      decision.stage = Stage::exact;
+      const int least_inner = near == NearBoundary::open && i < frustum.near_count() ? 1 : 0;
+      if (exact_extremal_sign(frustum, i, box, frame.reach(), -1) < least_inner) decision.relation = Relation::partial;
+    }
+  }
+  return decision;
+}
 
 }  // namespace occlude::kernel

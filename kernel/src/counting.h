@@ -46,6 +46,8 @@ struct CountingArithmetic {
   using Number = Counted;
   static Counted constant(double x) { return {x}; }
   static Counted difference(double a, double b) { return {a - b}; }
+  static Counted magnitude(Counted x) { return {std::fabs(x.value)}; }
+  static double rounded(Counted x) { return x.value; }
   static int sign(Counted x) { return PlainArithmetic::sign(x.value); }
   static bool failed() { return false; }
 };

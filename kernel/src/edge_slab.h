@@ -1,121 +1,106 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 of the overlap test (section 5.3): each edge of the frustum against the box as three slabs. Reading order: 8.
-//
-// The edges are the rays in which neighbouring side planes meet, from the near plane outwards, and the border of the near
-// face. Their ends are homogeneous points (v, w) = v / w relative to an origin, w = 0 at infinity, so that no near plane,
-// however oblique or behind the eye, needs a division or a special case.
+// Stage 2 of the paper's overlap test (section 5.3): each edge of the frustum against the box as three slabs.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <vector>
 
-#include "plane_value.h"
+#include "counting.h"
+#include "occlude/kernel/shadow_frustum.h"
 #include "segment_clip.h"
 
 namespace occlude::kernel {
 
-template <class Number>
-struct HomogeneousPoint {
-  Vector3<Number> v;
-  Number w;
-};
-
-template <class Number>
-struct FrustumEdge {
-  HomogeneousPoint<Number> from, to;
-};
-
-/// The edges of a frustum, and the origin they are relative to: the eye, or a corner of the silhouette for directions.
+/// The slabs of an axis-aligned box: bounds of the coordinates, relative to the origin of the frustum.
 template <class A>
-class FrustumEdges {
+class AabbSlabs {
  public:
-  using Number = typename A::Number;
-  using Point = HomogeneousPoint<Number>;
+  using Vector = Vector3<typename A::Number>;
+  AabbSlabs(const Aabb& box, const Vec3& origin)
+      : low_(difference<A>(box.min, origin)), high_(difference<A>(box.max, origin)) {}
 
-  FrustumEdges(A& arithmetic, const ShadowFrustum& frustum)
-      : origin_(frustum.viewpoint().is_eye() ? frustum.viewpoint().value : frustum.silhouette()[0]) {
-    if (frustum.viewpoint().is_eye()) {
-      build_perspective(arithmetic, frustum);
-    } else {
-      build_orthographic(frustum);
-    }
-  }
-
-  [[nodiscard]] const Vec3& origin() const { return origin_; }
-  [[nodiscard]] const std::vector<FrustumEdge<Number>>& edges() const { return edges_; }
+  /// Values of the six faces at a point, >= 0 within: the lower ones, then the upper ones.
+  [[nodiscard]] std::array<Vector, 2> at_point(const Vec3& p) const { return {constants<A>(p) - low_, high_ - constants<A>(p)}; }
+  /// The same for a point at infinity.
+  [[nodiscard]] std::array<Vector, 2> at_direction(const Vec3& d) const { return {constants<A>(d), constants<A>({}) - constants<A>(d)}; }
 
  private:
-  static Number zero() { return A::constant(0); }
-  static Number one() { return A::constant(1); }
+  Vector low_, high_;
+};
 
-  /// Along ray i, V + t d_i, the near plane n . (x - r) has the value t a_i - a with a_i = n . d_i and a = n . (r - V): the
-  /// shadow begins at t = a / a_i when a_i > 0 and never otherwise. Between a ray that reaches the near plane and one that
-  /// does not, the near face runs to infinity along a_i d_j - a_j d_i, which lies in the side plane and parallel to the
-  /// near.
-  void build_perspective(A& arithmetic, const ShadowFrustum& frustum) {
-    const auto corners = frustum.silhouette();
-    const ExactPlane& near = frustum.exact_planes()[0];
-    const auto n = normal<A>(near);
-    const Number a = frustum.near_is_polygon() ? one() : dot(n, difference<A>(near.origin, origin_));
-    std::vector<Vector3<Number>> d;
-    std::vector<Number> weight;
-    std::vector<bool> reaches;
-    for (const Vec3& corner : corners) {
-      d.push_back(difference<A>(corner, origin_));
-      weight.push_back(frustum.near_is_polygon() ? one() : dot(n, d.back()));
-      reaches.push_back(arithmetic.sign(weight.back()) > 0);
-    }
-    const auto start = [&](std::size_t i) { return Point{a * d[i], weight[i]}; };
-    for (std::size_t i = 0; i < d.size(); ++i) {
-      const std::size_t j = (i + 1) % d.size();
-      if (reaches[i]) edges_.push_back({start(i), {d[i], zero()}});
-      if (reaches[i] && reaches[j]) {
-        edges_.push_back({start(i), start(j)});
-      } else if (reaches[i]) {
-        edges_.push_back({start(i), {weight[i] * d[j] - weight[j] * d[i], zero()}});
-      } else if (reaches[j]) {
-        edges_.push_back({start(j), {weight[j] * d[i] - weight[i] * d[j], zero()}});
+/// The slabs of an oriented box: normals that are cross products of its edges. An edge that is zero gives way to a direction
+/// across the others, so that flat boxes and needles are bounded too.
+template <class A>
+class ObbSlabs {
+ public:
+  using Vector = Vector3<typename A::Number>;
+  ObbSlabs(const Obb& box, const Vec3& origin) : center_(difference<A>(box.center, origin)) {
+    std::array<Vector, 3> edges;
+    for (std::size_t k = 0; k < 3; ++k) edges[k] = constants<A>(box.half_edges[k]);
+    complete(edges);
+    std::array<Vector, 3> normals;
+    for (std::size_t k = 0; k < 3; ++k) normals[k] = cross(edges[(k + 1) % 3], edges[(k + 2) % 3]);
+    normals_ = normals;
+    half_widths_ = {half_width(box, 0), half_width(box, 1), half_width(box, 2)};
+  }
+
+  [[nodiscard]] std::array<Vector, 2> at_point(const Vec3& p) const {
+    const Vector along = project(constants<A>(p) - center_);
+    return {along + half_widths_, half_widths_ - along};
+  }
+  [[nodiscard]] std::array<Vector, 2> at_direction(const Vec3& d) const {
+    const Vector along = project(constants<A>(d));
+    return {along, constants<A>({}) - along};
+  }
+
+ private:
+  static bool is_zero(const Vector& v) { return A::sign(v.x) == 0 && A::sign(v.y) == 0 && A::sign(v.z) == 0; }
+
+  static void complete(std::array<Vector, 3>& edges) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!is_zero(edges[k])) continue;
+      edges[k] = cross(edges[(k + 1) % 3], edges[(k + 2) % 3]);
+      for (int axis = 0; axis < 3 && is_zero(edges[k]); ++axis) {
+        Vec3 unit;
+        unit[axis] = 1;
+        const Vector& other = is_zero(edges[(k + 1) % 3]) ? edges[(k + 2) % 3] : edges[(k + 1) % 3];
+        edges[k] = is_zero(other) ? constants<A>(unit) : cross(other, constants<A>(unit));
       }
     }
   }
 
-  /// Along line i, s_i + t d, the near plane has the value n . (s_i - r) + t n . d, and n . d > 0.
-  void build_orthographic(const ShadowFrustum& frustum) {
-    const auto corners = frustum.silhouette();
-    const ExactPlane& near = frustum.exact_planes()[0];
-    const auto n = normal<A>(near);
-    const auto d = difference<A>(frustum.viewpoint().value, {});
-    const auto start = [&](const Vec3& corner) {
-      const auto s = difference<A>(corner, origin_);
-      if (frustum.near_is_polygon()) return Point{s, one()};
-      const Number speed = dot(n, d);
-      return Point{speed * s - dot(n, difference<A>(corner, near.origin)) * d, speed};
-    };
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Point from = start(corners[i]);
-      edges_.push_back({from, {d, zero()}});
-      edges_.push_back({from, start(corners[(i + 1) % corners.size()])});
-    }
+  [[nodiscard]] typename A::Number half_width(const Obb& box, std::size_t k) const {
+    return A::magnitude(dot(normals_[k], constants<A>(box.half_edges[k])));
+  }
+  [[nodiscard]] Vector project(const Vector& v) const {
+    return {dot(normals_[0], v), dot(normals_[1], v), dot(normals_[2], v)};
   }
 
-  Vec3 origin_;
-  std::vector<FrustumEdge<Number>> edges_;
+  Vector center_, half_widths_;
+  std::array<Vector, 3> normals_;
 };
 
-/// Whether an edge of the frustum shares a point with the box.
 template <class A>
-[[nodiscard]] bool edge_slab(A& arithmetic, const ShadowFrustum& frustum, const Aabb& box) {
-  const FrustumEdges<A> frustum_edges(arithmetic, frustum);
-  const auto low = difference<A>(box.min, frustum_edges.origin());
-  const auto high = difference<A>(box.max, frustum_edges.origin());
-  for (const auto& [from, to] : frustum_edges.edges()) {
-    SegmentClip<A> edge(arithmetic);
-    for (int axis = 0; axis < 3; ++axis) {
-      edge.clip(from.v[axis] - low[axis] * from.w, to.v[axis] - low[axis] * to.w);
-      edge.clip(high[axis] * from.w - from.v[axis], high[axis] * to.w - to.v[axis]);
+[[nodiscard]] AabbSlabs<A> slabs_of(const Aabb& box, const Vec3& origin) {
+  return {box, origin};
+}
+template <class A>
+[[nodiscard]] ObbSlabs<A> slabs_of(const Obb& box, const Vec3& origin) {
+  return {box, origin};
+}
+
+/// Whether an edge of the frustum shares a point with the box.
+template <class A, class Box>
+[[nodiscard]] bool edge_slab(const ShadowFrustum& frustum, const Box& box) {
+  const auto slabs = slabs_of<A>(box, frustum.origin());
+  for (const PlainEdge& edge : frustum.plain_edges()) {
+    const auto from = slabs.at_point(edge.from), to = edge.is_ray ? slabs.at_direction(edge.to) : slabs.at_point(edge.to);
+    SegmentClip<A> left;
+    for (std::size_t face = 0; face < 2; ++face) {
+      for (int axis = 0; axis < 3; ++axis) left.clip(from[face][axis], to[face][axis]);
     }
-    if (!edge.empty()) return true;
-    if (arithmetic.failed()) return false;
+    if (!left.empty()) return true;
   }
   return false;
 }

@@ -2,8 +2,11 @@
 // Every constant of the floating-point filter under its derivation. Reading order: 3.
 //
 // Model: IEEE double, round to nearest, u = 2^-53. Without overflow or underflow fl(a op b) = (a op b)(1 + d), |d| <= u;
-// a product of n such factors is 1 + t with |t| <= g(n) = n u / (1 - n u). The legal range (validity.h) excludes overflow
-// and underflow from every expression here: all are of degree at most six in coordinate differences.
+// a product of n such factors is 1 + t with |t| <= g(n) = n u / (1 - n u). With every magnitude 0 or in the legal range
+// (validity.h) the smallest non-zero difference of coordinates is 2^-152 and the largest 2^101. All expressions are of degree
+// at most six in those, so they and their 53-bit tails and error terms stay between 2^-1022 and 2^1023: nothing overflows
+// and nothing underflows. Fused multiply-adds round less often than the model and in any order of summation every bound
+// below holds: instruction sets and compilers may differ, answers do not.
 #pragma once
 
 #ifdef __FAST_MATH__
@@ -19,27 +22,41 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0, "t
 
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-/// Plane value f(x) = N . (x - r) with N = a cross b, where a, b and x - r are differences of two coordinates each.
+/// Bounds are themselves computed in doubles, each from at most six rounded operations on non-negative numbers, which lose
+/// less than a factor 1 - 6 u: multiplying by this factor, 1 + 8 u, itself rounded once, makes up for it.
+inline constexpr double kBoundInflation = 1 + 0x1p-50;
+
+/// Plane value f(x) = N . y + o, y = x - origin, evaluated as fl(n . fl(y) + w) with coefficients n, w that are off by at
+/// most e_k in component k and by e_w.
 ///
-///   a, b, x - r        one rounding each: factor 1 + t1
-///   a_j b_k            t1 t1 and its own rounding: t3;     the difference of two such: t4, of a_j b_k and a_k b_j alike
-///   N_k (x - r)_k      t4, t1 and its own rounding: t6;    two additions: t8
+///   y_k                       one rounding: t1
+///   n_k y_k                   t1 and its own: t2;  up to three additions: t5
+///   w                         up to three additions: t3
 ///
-/// so |fl(f) - f| <= g(8) sum_k P_k |x - r|_k with P_k = |a_j b_k| + |a_k b_j|. A normal given by a single difference or by
-/// its coordinates has fewer roundings and P_k = |N_k|; the same constant covers it.
-///
-/// The bound is computed as c * u * (P_x + P_y + P_z) * max_k |x - r|_k in doubles. That computation loses at most a factor
-/// g(11): t4 in each P_k, two additions, t1 in |x - r|, the products with c u (u is a power of two: exact; c: one), with the
-/// sum and with the maximum: three. g(8) (1 + g(11)) < 8 u (1 + 2^-48), hence any c >= 8 (1 + 2^-48) is sound:
-inline constexpr double kPlaneError = (8 + 0x1p-40) * kUnitRoundoff;
+/// so |fl(f) - f| <= g(5) sum_k |n_k y_k| + g(3) |w| + sum_k e_k |y_k| + e_w
+///                <= (g(5) sum_k |n_k| + sum_k e_k) max_k |y_k| + (g(3) |w| + e_w),
+/// which is slope * reach + base. Reach is the largest |fl(y_k)|, within a factor 1 + 2 u of the largest |y_k|; this and the
+/// second order in g are less than 2^-45 of the whole:
+inline constexpr double kPlaneError = (5 + 0x1p-40) * kUnitRoundoff;
+inline constexpr double kOffsetError = (3 + 0x1p-40) * kUnitRoundoff;
+
+/// An oriented box adds to the value at its centre the spread sum_k |n . h_k|: products t1 and two additions t3, two
+/// additions among the three t5, one to the value at the centre t6, which raises that one's t5 to t6 and t3 to t4. With
+/// reach = max_k |c_k| + sum_j max_k |h_j,k| the bound above holds times max(6 / 5, 4 / 3):
+inline constexpr double kSpreadInflation = 4.0 / 3 * (1 + 0x1p-40);
+
+/// Value of a refined plane, n + m in place of n, w + v in place of w, with |m| <= u |n| and |v| <= u |w|: products n_k y_k and
+/// their sums with w by error-free transformations; what these lose, n_k times the tail of y_k, m_k y_k and v, 13 terms in
+/// all, in doubles. With S = sum_k |n_k y_k| + |w| those terms sum to less than 8 u S: three partial sums lose 3 u S, the
+/// other ten terms at most 4 u S together. Adding them up in any order errs by less than 13 u times that, and m_k times the
+/// tail of y_k, u^2 S, is left out: 105 u^2 S in all. The constant is rounded up to a power of two. That slack, and any
+/// other here, is of no account: what doubles leave within 2^-99 S of zero is zero in all but contrived cases, and no bound
+/// could tell it.
+inline constexpr double kRefinedError = 0x1p7 * kUnitRoundoff * kUnitRoundoff;
 
 /// Half-space value g(x) = n_x x + n_y y + n_z z + d with coefficients and coordinates given: products t1, three additions
 /// t4 in all, so |fl(g) - g| <= g(4) (sum_k |n_k x_k| + |d|). The sum is computed with at most g(4) loss, the product with
 /// the constant loses one more u: any c >= 4 (1 + 2^-48) is sound.
 inline constexpr double kHalfSpaceError = (4 + 0x1p-40) * kUnitRoundoff;
-
-/// Running error analysis (running_error.h) adds up at most six rounded operations on non-negative numbers for each bound,
-/// which lose less than a factor 1 - 6 u: multiplying by this factor, 1 + 8 u, itself rounded once, makes up for it.
-inline constexpr double kRunningErrorInflation = 1 + 0x1p-50;
 
 }  // namespace occlude::kernel

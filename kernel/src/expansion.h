@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Exact numbers: sums of doubles that do not overlap (Priest 1991, Shewchuk 1997, "Adaptive precision floating-point
 // arithmetic and fast robust geometric predicates").
-//
-// REQUIRES: round to nearest and no overflow or underflow, which the legal range of the kernel guarantees.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
-#include <utility>
-#include <vector>
+
+#include "error_free.h"
 
 namespace occlude::kernel {
 
@@ -16,86 +18,132 @@ namespace occlude::kernel {
 class Expansion {
  public:
   Expansion() = default;
-  explicit Expansion(double x) {
-    if (x != 0) terms_.push_back(x);
+  explicit Expansion(double x) { append(x); }
+  Expansion(const Expansion& other) : size_(other.size_) { std::copy_n(other.terms_.begin(), size_, terms_.begin()); }
+  Expansion& operator=(const Expansion& other) {
+    size_ = other.size_;
+    std::copy_n(other.terms_.begin(), size_, terms_.begin());
+    return *this;
   }
+  ~Expansion() = default;
 
   /// a - b, exactly.
   static Expansion difference(double a, double b) {
     Expansion result;
-    const double high = a - b;
-    const double b_virtual = a - high;
-    const double a_virtual = high + b_virtual;
-    result.append((a - a_virtual) + (b_virtual - b));
-    result.append(high);
+    const TwoTerms d = two_difference(a, b);
+    result.append(d.low);
+    result.append(d.high);
     return result;
   }
 
-  [[nodiscard]] int sign() const { return terms_.empty() ? 0 : terms_.back() > 0 ? 1 : -1; }
+  [[nodiscard]] int sign() const { return size_ == 0 ? 0 : terms_[size_ - 1] > 0 ? 1 : -1; }
 
   Expansion operator-() const {
     Expansion result = *this;
-    for (double& term : result.terms_) term = -term;
+    std::for_each_n(result.terms_.begin(), size_, [](double& term) { term = -term; });
     return result;
   }
 
-  friend Expansion operator+(const Expansion& a, const Expansion& b) { return add(a, b); }
-  friend Expansion operator-(const Expansion& a, const Expansion& b) { return add(a, -b); }
+  friend Expansion operator+(const Expansion& a, const Expansion& b) { return Terms().add(a.view(), b.view()).compressed(); }
+  friend Expansion operator-(const Expansion& a, const Expansion& b) { return a + -b; }
   friend Expansion operator*(const Expansion& a, const Expansion& b) {
-    const auto& [longer, shorter] = a.terms_.size() >= b.terms_.size() ? std::tie(a, b) : std::tie(b, a);
+    const auto& [longer, shorter] = a.size_ >= b.size_ ? std::tie(a, b) : std::tie(b, a);
     Expansion product;
-    for (const double factor : shorter.terms_) product = add(product, scale(longer, factor));
+    for (std::size_t i = 0; i < shorter.size_; ++i) {
+      const Terms scaled = Terms().scale(longer.view(), shorter.terms_[i]);
+      product = Terms().add(product.view(), scaled.view()).compressed();
+    }
     return product;
   }
 
  private:
+  /// Compressed terms stand at least 53 binary places apart. The lowest bit of an input is at least 2^-152 and the kernel
+  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 12), which 30 terms span.
+  static constexpr std::size_t kCapacity = 32;
+
+  struct View {
+    const double* first;
+    std::size_t size;
+  };
+
+  /// Room for a sum or a product before it is compressed: an expansion and one scaled.
+  class Terms {
+   public:
+    /// Merges the terms by magnitude and carries one running sum through them (Shewchuk's fast expansion sum). It needs
+    /// terms that are strongly non-overlapping, as those of compressed() and scale() are under round to even.
+    Terms& add(View a, View b) {
+      std::size_t i = 0, j = 0;
+      double carry = 0;
+      while (i < a.size || j < b.size) {
+        const bool take_a = j == b.size || (i < a.size && std::fabs(a.first[i]) <= std::fabs(b.first[j]));
+        const auto [high, low] = two_sum(carry, take_a ? a.first[i++] : b.first[j++]);
+        append(low);
+        carry = high;
+      }
+      append(carry);
+      return *this;
+    }
+
+    /// a * factor (Shewchuk's scale expansion).
+    Terms& scale(View a, double factor) {
+      double carry = 0;
+      for (std::size_t i = 0; i < a.size; ++i) {
+        const auto [high, low] = two_product(a.first[i], factor);
+        const auto [middle, lowest] = two_sum(carry, low);
+        append(lowest);
+        const auto [top, next] = fast_two_sum(high, middle);
+        append(next);
+        carry = top;
+      }
+      append(carry);
+      return *this;
+    }
+
+    /// The same number in as few terms as it needs (Shewchuk's compress).
+    [[nodiscard]] Expansion compressed() {
+      Expansion result;
+      if (size_ == 0) return result;
+      std::size_t bottom = size_ - 1;
+      double carry = terms_[bottom];
+      for (std::size_t i = size_ - 1; i-- > 0;) {
+        const auto [high, low] = fast_two_sum(carry, terms_[i]);
+        if (low != 0) {
+          terms_[bottom--] = high;
+          carry = low;
+        } else {
+          carry = high;
+        }
+      }
+      terms_[bottom] = carry;
+      for (std::size_t i = bottom + 1; i < size_; ++i) {
+        const auto [high, low] = fast_two_sum(terms_[i], carry);
+        result.append(low);
+        carry = high;
+      }
+      result.append(carry);
+      return result;
+    }
+
+    [[nodiscard]] View view() const { return {terms_.data(), size_}; }
+
+   private:
+    void append(double term) {
+      if (term != 0) terms_[size_++] = term;
+    }
+
+    std::array<double, 3 * kCapacity> terms_;
+    std::size_t size_ = 0;
+  };
+
   void append(double term) {
-    if (term != 0) terms_.push_back(term);
+    if (term == 0) return;
+    assert(size_ < kCapacity);
+    terms_[size_++] = term;
   }
+  [[nodiscard]] View view() const { return {terms_.data(), size_}; }
 
-  /// a + b as high + low, exactly, for any a and b (Knuth).
-  static std::pair<double, double> two_sum(double a, double b) {
-    const double high = a + b;
-    const double b_virtual = high - a;
-    return {high, (a - (high - b_virtual)) + (b - b_virtual)};
-  }
-
-  /// Merges the terms by magnitude and carries one running sum through them (Shewchuk's fast expansion sum). It needs and
-  /// keeps terms that are strongly non-overlapping, as those of difference() and scale() are under round to even.
-  static Expansion add(const Expansion& a, const Expansion& b) {
-    Expansion result;
-    result.terms_.reserve(a.terms_.size() + b.terms_.size());
-    auto i = a.terms_.begin(), j = b.terms_.begin();
-    double carry = 0;
-    while (i != a.terms_.end() || j != b.terms_.end()) {
-      const bool take_a = j == b.terms_.end() || (i != a.terms_.end() && std::fabs(*i) <= std::fabs(*j));
-      const auto [high, low] = two_sum(carry, take_a ? *i++ : *j++);
-      result.append(low);
-      carry = high;
-    }
-    result.append(carry);
-    return result;
-  }
-
-  /// a * factor (Shewchuk's scale expansion; the error of a product by one fused multiply-add, which is exact).
-  static Expansion scale(const Expansion& a, double factor) {
-    Expansion result;
-    result.terms_.reserve(2 * a.terms_.size());
-    double carry = 0;
-    for (const double term : a.terms_) {
-      const double high = term * factor;
-      const double low = std::fma(term, factor, -high);
-      const auto [middle, lowest] = two_sum(carry, low);
-      result.append(lowest);
-      const auto [top, next] = two_sum(high, middle);
-      result.append(next);
-      carry = top;
-    }
-    result.append(carry);
-    return result;
-  }
-
-  std::vector<double> terms_;
+  std::array<double, kCapacity> terms_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace occlude::kernel

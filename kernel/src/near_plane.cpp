@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "plane_value.h"
+#include "plane_coefficients.h"
 
 namespace occlude::kernel {
 namespace {

@@ -1,56 +1,85 @@
 // SPDX-License-Identifier: MIT
-// The overlap test as the paper lists it (section 5.3): planes first, for they decide nearly always; then edges.
-//
-// A box that no plane decides meets the frustum exactly when one of its edges does (stage 3) or, failing that, when an edge
-// of the frustum meets the box (stage 2): the frustum is unbounded, so it cannot hide within the box, and if it passes
-// through the faces of the box between their edges, what it cuts from such a face has corners on the frustum's edges.
+// The overlap test. Planes first, for they decide nearly always (section 5.3): `inside` is all theirs, and a box that one of
+// them parts from the frustum is `outside`. For what they leave, `certified` asks the planes of the profile, `plain` the
+// edges, as the paper does: a box that no plane decides meets the frustum exactly when one of its edges does (stage 3) or,
+// failing that, when an edge of the frustum meets the box (stage 2), for the frustum is unbounded and cannot hide within it.
 #include "occlude/kernel/overlap.h"
 
 #include "box_plane.h"
 #include "counting.h"
 #include "edge_frustum.h"
 #include "edge_slab.h"
+#include "profile.h"
 
 namespace occlude::kernel {
 namespace {
 
-template <class A>
-Relation edge_stages(A& arithmetic, const ShadowFrustum& frustum, const Aabb& box) {
-  const bool meet = edge_frustum(arithmetic, frustum, box) || edge_slab(arithmetic, frustum, box);
-  return meet ? Relation::partial : Relation::outside;
+/// Whether a plane of the frustum's profile along the coordinate axes parts it from the box.
+template <class Frame>
+bool is_parted_by_profile(const ShadowFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
+  const auto planes = frustum.filter_planes();
+  bool unknown = false;
+  for (std::size_t i = frustum.plane_count(); i < planes.size(); ++i) {
+    const double high = frame.high(planes[i]), error = frame.error(planes[i]);
+    if (high < -error) return true;
+    unknown = unknown || high <= error;
+  }
+  if (!unknown) return false;
+  stage = Stage::exact;
+  for (std::size_t i = frustum.plane_count(); i < planes.size(); ++i) {
+    if (frame.high(planes[i]) > frame.error(planes[i])) continue;
+    if (exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0) return true;
+  }
+  return false;
 }
 
-template <class A>
-Relation overlap_uncertified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
-  const Relation by_planes = box_planes_plain<A>(frustum, box, near);
-  if (by_planes != Relation::partial) return by_planes;
-  A arithmetic;
-  return edge_stages(arithmetic, frustum, box);
+/// The same for the profile along the edges of the box.
+template <class Frame>
+bool is_parted_by_profile(const ShadowFrustum& frustum, const Obb& box, const Frame&, Stage& stage) {
+  const auto sign_along = [&](std::size_t plane, std::size_t k) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return arithmetic.sign(dot(normal<A>(plane_of(frustum, plane)), constants<A>(box.half_edges[k])));
+    };
+    return certified(question, &stage);
+  };
+  const auto parts = [&](const PlaneRecipe& recipe) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return extremal_sign(arithmetic, coefficients<A>(frustum, recipe), frustum.origin(), box, 1) < 0;
+    };
+    return certified(question, &stage);
+  };
+  return visit_profile(frustum, {box.half_edges, false}, sign_along, parts);
 }
 
-}  // namespace
-
-Relation overlap_plain(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
-  return overlap_uncertified<PlainArithmetic>(frustum, box, near);
-}
-
-Relation conservative_plain(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
-  return box_planes_plain<PlainArithmetic>(frustum, box, near);
-}
-
-Decision conservative_certified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
-  return box_planes_certified(frustum, box, near);
-}
-
-Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
-  Decision decision = box_planes_certified(frustum, box, near);
-  if (decision.relation == Relation::partial) {
-    decision.relation = certified([&](auto& arithmetic) { return edge_stages(arithmetic, frustum, box); }, &decision.stage);
+template <class A, class Box>
+Decision certified_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  const auto frame = frame_of<A>(box, frustum.origin());
+  Decision decision = box_planes_certified(frustum, box, frame, near);
+  if (decision.relation == Relation::partial && is_parted_by_profile(frustum, box, frame, decision.stage)) {
+    decision.relation = Relation::outside;
   }
   return decision;
 }
 
-Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
+template <class A, class Box>
+Decision certified_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  return box_planes_certified(frustum, box, frame_of<A>(box, frustum.origin()), near);
+}
+
+template <class A, class Box>
+Relation plain_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  const Relation by_planes = box_planes_plain(frustum, frame_of<A>(box, frustum.origin()), near);
+  if (by_planes != Relation::partial) return by_planes;
+  return edge_frustum<A>(frustum, box) || edge_slab<A>(frustum, box) ? Relation::partial : Relation::outside;
+}
+
+template <class A, class Box>
+Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  return box_planes_plain(frustum, frame_of<A>(box, frustum.origin()), near);
+}
+
+template <class Box>
+Relation relation_of(const ShadowFrustum& frustum, const Box& box, Arithmetic arithmetic, Test test, NearBoundary near) {
   if (arithmetic == Arithmetic::plain) {
     return test == Test::overlap ? overlap_plain(frustum, box, near) : conservative_plain(frustum, box, near);
   }
@@ -58,14 +87,63 @@ Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arit
       .relation;
 }
 
-Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Test test) {
+template <class Box>
+Operations count(const ShadowFrustum& frustum, const Box& box, Arithmetic arithmetic, Test test) {
+  using A = CountingArithmetic;
+  constexpr auto kNear = NearBoundary::closed;
   operation_counter = {.tests = 1};
-  if (test == Test::overlap) {
-    static_cast<void>(overlap_uncertified<CountingArithmetic>(frustum, box, NearBoundary::closed));
+  if (arithmetic == Arithmetic::plain) {
+    static_cast<void>(test == Test::overlap ? plain_overlap<A>(frustum, box, kNear)
+                                            : plain_conservative<A>(frustum, box, kNear));
   } else {
-    static_cast<void>(box_planes_plain<CountingArithmetic>(frustum, box, NearBoundary::closed));
+    static_cast<void>(test == Test::overlap ? certified_overlap<A>(frustum, box, kNear)
+                                            : certified_conservative<A>(frustum, box, kNear));
   }
   return operation_counter;
+}
+
+}  // namespace
+
+Relation overlap_plain(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
+  return plain_overlap<PlainArithmetic>(frustum, box, near);
+}
+Relation overlap_plain(const ShadowFrustum& frustum, const Obb& box, NearBoundary near) {
+  return plain_overlap<PlainArithmetic>(frustum, box, near);
+}
+
+Relation conservative_plain(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
+  return plain_conservative<PlainArithmetic>(frustum, box, near);
+}
+Relation conservative_plain(const ShadowFrustum& frustum, const Obb& box, NearBoundary near) {
+  return plain_conservative<PlainArithmetic>(frustum, box, near);
+}
+
+Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
+  return certified_overlap<PlainArithmetic>(frustum, box, near);
+}
+Decision overlap_certified(const ShadowFrustum& frustum, const Obb& box, NearBoundary near) {
+  return certified_overlap<PlainArithmetic>(frustum, box, near);
+}
+
+Decision conservative_certified(const ShadowFrustum& frustum, const Aabb& box, NearBoundary near) {
+  return certified_conservative<PlainArithmetic>(frustum, box, near);
+}
+Decision conservative_certified(const ShadowFrustum& frustum, const Obb& box, NearBoundary near) {
+  return certified_conservative<PlainArithmetic>(frustum, box, near);
+}
+
+Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
+  return relation_of(frustum, box, arithmetic, test, near);
+}
+Relation relation(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
+  return relation_of(frustum, box, arithmetic, test, near);
+}
+
+Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test) {
+  return count(frustum, box, arithmetic, test);
+}
+Operations count_operations(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test) {
+  return count(frustum, box, arithmetic, test);
 }
 
 }  // namespace occlude::kernel

@@ -22,13 +22,13 @@ struct RunningError {
 
   friend RunningError operator+(const RunningError& a, const RunningError& b) {
     const double sum = a.value + b.value;
-    return {sum, (a.error + b.error + kUnitRoundoff * std::fabs(sum)) * kRunningErrorInflation};
+    return {sum, (a.error + b.error + kUnitRoundoff * std::fabs(sum)) * kBoundInflation};
   }
   friend RunningError operator-(const RunningError& a, const RunningError& b) { return a + -b; }
   friend RunningError operator*(const RunningError& a, const RunningError& b) {
     const double product = a.value * b.value;
     const double inherited = std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error;
-    return {product, (inherited + kUnitRoundoff * std::fabs(product)) * kRunningErrorInflation};
+    return {product, (inherited + kUnitRoundoff * std::fabs(product)) * kBoundInflation};
   }
 };
 

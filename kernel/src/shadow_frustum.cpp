@@ -1,39 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/kernel/shadow_frustum.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
-#include "error_bounds.h"
 #include "near_plane.h"
-#include "plane_value.h"
+#include "plain_edges.h"
+#include "polytope_silhouette.h"
+#include "profile.h"
+#include "rounded_plane.h"
 #include "silhouette.h"
 
 namespace occlude::kernel {
 namespace {
 
-Refusal check_input(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
+Refusal check_viewpoint(const Viewpoint& viewpoint) {
   if (const Refusal refusal = check(viewpoint.value); refusal != Refusal::none) return refusal;
+  return !viewpoint.is_eye() && viewpoint.value == Vec3{} ? Refusal::zero_direction : Refusal::none;
+}
+
+Refusal check_input(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
   for (const Vec3& v : loop) {
     if (const Refusal refusal = check(v); refusal != Refusal::none) return refusal;
   }
-  if (!viewpoint.is_eye() && viewpoint.value == Vec3{}) return Refusal::zero_direction;
-  return Refusal::none;
+  return check_viewpoint(viewpoint);
 }
 
-/// Rounds a plane and bounds what rounding does to its values (kPlaneError).
-FilterPlane filter_plane(const ExactPlane& plane) {
-  const auto n = normal<PlainArithmetic>(plane);
-  const auto a = difference<PlainArithmetic>(plane.a_to, plane.a_from);
-  double magnitudes = std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
-  if (!plane.direct) {
-    const auto b = difference<PlainArithmetic>(plane.b_to, plane.b_from);
-    magnitudes = (std::fabs(a.y * b.z) + std::fabs(a.z * b.y)) + (std::fabs(a.z * b.x) + std::fabs(a.x * b.z)) +
-                 (std::fabs(a.x * b.y) + std::fabs(a.y * b.x));
-  }
-  return {.normal = {n.x, n.y, n.z}, .origin = plane.origin, .bound = kPlaneError * magnitudes};
+/// Where equally far vertices of a silhouette are told apart by their index.
+std::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen) {
+  std::vector<std::uint32_t> indices;
+  for (const auto& step : seen.loop) indices.push_back(step.vertex);
+  std::sort(indices.begin(), indices.end());
+  std::vector<Vec3> vertices;
+  for (const std::uint32_t i : indices) vertices.push_back(polytope.vertices()[i]);
+  return vertices;
 }
 
 }  // namespace
+
+void ShadowFrustum::add_sides() {
+  const std::size_t n = silhouette_.size();
+  near_count_ = recipes_.size();
+  for (std::size_t i = 0; i < n; ++i) recipes_.push_back(side_plane(viewpoint_, silhouette_[i], silhouette_[(i + 1) % n]));
+}
+
+void ShadowFrustum::finish() {
+  const auto sign_along = [&](std::size_t plane, std::size_t axis) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return arithmetic.sign(normal<A>(plane_of(*this, plane))[static_cast<int>(axis)]);
+    };
+    return certified(question);
+  };
+  const auto keep = [&](const PlaneRecipe& recipe) {
+    recipes_.push_back(recipe);
+    return false;
+  };
+  static_cast<void>(visit_profile(*this, BoxAxes{}, sign_along, keep));
+  filter_planes_.reserve(recipes_.size());
+  refined_planes_.reserve(recipes_.size());
+  for (const PlaneRecipe& recipe : recipes_) {
+    const auto [filter, refined] = rounded(coefficients<DoubleDoubleArithmetic>(*this, recipe));
+    filter_planes_.push_back(filter);
+    refined_planes_.push_back(refined);
+  }
+  plain_edges_ = kernel::plain_edges(*this);
+}
 
 ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
   if (const Refusal refusal = check_input(viewpoint, loop); refusal != Refusal::none) return {std::nullopt, refusal};
@@ -44,23 +75,46 @@ ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<co
   frustum.viewpoint_ = viewpoint;
   frustum.silhouette_ = std::move(outline.corners);
   const std::vector<Vec3>& corners = frustum.silhouette_;
-
-  std::vector<ExactPlane>& planes = frustum.exact_planes_;
-  planes.reserve(corners.size() + 1);
   if (near == Near::farthest) {
-    planes.push_back(farthest_plane(viewpoint, loop));
+    frustum.recipes_.push_back(farthest_plane(viewpoint, loop));
   } else if (const auto own = polygon_plane(corners, loop)) {
-    planes.push_back(*own);
-    frustum.near_is_polygon_ = true;
+    frustum.recipes_.push_back(*own);
+    frustum.cap_vertices_ = corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      frustum.cap_edges_.push_back(
+          {corners[i], corners[(i + 1) % corners.size()], static_cast<std::uint32_t>(i + 1), 0});
+    }
   } else {
     frustum.support_plane_ = kernel::support_plane(viewpoint, corners, loop);
-    planes.push_back(exact_plane(*frustum.support_plane_));
+    frustum.recipes_.push_back(exact_plane(*frustum.support_plane_));
   }
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    planes.push_back(side_plane(viewpoint, corners[i], corners[(i + 1) % corners.size()]));
+  frustum.add_sides();
+  frustum.finish();
+  return {std::move(frustum), Refusal::none};
+}
+
+ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near) {
+  if (const Refusal refusal = check_viewpoint(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
+  const PolytopeSilhouette seen = kernel::silhouette(viewpoint, polytope);
+  if (seen.loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
+  std::vector<Vec3> loop;
+  for (const auto& step : seen.loop) loop.push_back(polytope.vertices()[step.vertex]);
+  Silhouette outline = kernel::silhouette(viewpoint, loop);
+  if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
+
+  ShadowFrustum frustum;
+  frustum.viewpoint_ = viewpoint;
+  frustum.silhouette_ = std::move(outline.corners);
+  if (near == Near::farthest) {
+    frustum.recipes_.push_back(farthest_plane(viewpoint, in_order_of_input(polytope, seen)));
+    frustum.add_sides();
+  } else {
+    for (const std::uint32_t face : seen.turned_faces) frustum.recipes_.push_back(inner_plane(polytope, face));
+    frustum.add_sides();
+    frustum.cap_vertices_.assign(polytope.vertices().begin(), polytope.vertices().end());
+    frustum.cap_edges_ = kernel::cap_edges(polytope, seen, frustum.silhouette_);
   }
-  frustum.filter_planes_.reserve(planes.size());
-  for (const ExactPlane& plane : planes) frustum.filter_planes_.push_back(filter_plane(plane));
+  frustum.finish();
   return {std::move(frustum), Refusal::none};
 }
 

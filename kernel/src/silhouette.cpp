@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "plane_value.h"
+#include "plane_coefficients.h"
 
 namespace occlude::kernel {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The silhouette of a polygon from a viewpoint: its loop, turned counter-clockwise and freed of what does not matter.
+// The silhouette of a polygon from a viewpoint: its loop, turned one way and freed of what does not matter.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace occlude::kernel {
 
-/// The plane through the viewpoint and the edge from -> to; its inner side is to the left of the edge seen from the
-/// viewpoint: det(from - V, to - V, x - V) >= 0, or det(d, to - from, x - from) >= 0 for a direction d.
+/// The plane through the viewpoint and the edge from -> to; its inner side is where
+/// det(from - V, to - V, x - V) >= 0, or det(d, to - from, x - from) >= 0 for a direction d.
 [[nodiscard]] ExactPlane side_plane(const Viewpoint& viewpoint, const Vec3& from, const Vec3& to);
 
 struct Silhouette {
-  std::vector<Vec3> corners;  ///< strictly convex, counter-clockwise seen from the viewpoint
+  std::vector<Vec3> corners;  ///< strictly convex, each on the inner side of every side plane
   Refusal refusal = Refusal::none;
 };
 

@@ -111,7 +111,7 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
         for (const std::uint32_t index : soup.loop(p)) {
           const glm::dvec3& v = soup.vertices[index];
           const kernel::Vec3 point{v.x, v.y, v.z};
-          ASSERT_EQ(kernel::overlap_certified(occluder.frustum, {point, point}).relation, kernel::Relation::inside);
+          ASSERT_EQ(kernel::overlap_certified(occluder.frustum, kernel::Aabb{point, point}).relation, kernel::Relation::inside);
         }
       }
     }

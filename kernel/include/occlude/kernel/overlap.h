@@ -26,20 +26,32 @@ enum class NearBoundary { closed, open };
 ///     reversing the loop, repeated or collinear vertices change nothing.
 /// (4) A box within another that is `inside` is `inside`.
 /// `plain` is wrong where rounding makes it so.
-[[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Aabb& box,
-                                     NearBoundary near = NearBoundary::closed);
-[[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Aabb& box,
-                                          NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box,
+                                         NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const Obb& box,
                                          NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Decision conservative_certified(const ShadowFrustum& frustum, const Aabb& box,
                                               NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Decision conservative_certified(const ShadowFrustum& frustum, const Obb& box,
+                                              NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Aabb& box,
+                                     NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Obb& box,
+                                     NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Aabb& box,
+                                          NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Obb& box,
+                                          NearBoundary near = NearBoundary::closed);
 
 /// The same, chosen at run time.
 [[nodiscard]] Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test,
                                 NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation relation(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test,
+                                NearBoundary near = NearBoundary::closed);
 
-/// What overlap_plain and conservative_plain cost on this box, counted operation by operation (Table 1).
-[[nodiscard]] Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Test test);
+/// What the test costs on this box, counted operation by operation as it runs (Table 1); of `certified` the filter, which
+/// nearly always is all there is. The frustum's own preparation is not counted, as in the paper.
+[[nodiscard]] Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test);
+[[nodiscard]] Operations count_operations(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test);
 
 }  // namespace occlude::kernel

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The shadow frustum of an occluder (section 5 of the paper): what a convex polygon hides from a viewpoint. Reading
-// order: 5.
+// The shadow frustum of an occluder (section 5 of the paper): what a convex polygon or polytope hides from a viewpoint.
+// Reading order: 5.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "occlude/kernel/convex_polytope.h"
+#include "occlude/kernel/planes.h"
 #include "occlude/kernel/types.h"
 #include "occlude/kernel/validity.h"
 
@@ -16,22 +19,9 @@ namespace occlude::kernel {
 /// Where the shadow begins.
 /// `farthest` (the paper's): at the plane through the silhouette vertex p farthest from the eye, normal to the line from the
 /// eye to p; farthest along the direction of view for orthographic views. On a tie the lowest index in the input counts.
-/// `surface` (tighter): at the polygon itself. A polygon that is not exactly coplanar is drawn as its fan of triangles; its
+/// `surface` (tighter): at the occluder itself. A polygon that is not exactly coplanar is drawn as its fan of triangles; its
 /// shadow begins at a support plane beyond all its vertices.
 enum class Near { farthest, surface };
-
-/// An oriented plane given by input coordinates alone: f(x) = N . (x - origin), N = a cross b or, when `direct`, N = a, with
-/// a = a_to - a_from and b = b_to - b_from taken exactly. The inner side is f >= 0.
-struct ExactPlane {
-  bool direct = false;
-  Vec3 a_to, a_from, b_to, b_from, origin;
-};
-
-/// The same plane in doubles: |f(x) - fl(normal . (x - origin))| <= bound * max_k |x - origin|_k (error_bounds.h).
-struct FilterPlane {
-  Vec3 normal, origin;
-  double bound = 0;
-};
 
 /// The near plane as numbers, for those who prove a cull from the outside: shadow where normal . (x - point) >= 0.
 struct SupportPlane {
@@ -42,30 +32,62 @@ struct ShadowFrustumResult;
 
 class ShadowFrustum {
  public:
+  /// An edge of the near side that is an edge of the occluder, between the planes `left` and `right`, whose normals have a
+  /// cross product in the direction from -> to.
+  struct CapEdge {
+    Vec3 from, to;
+    std::uint32_t left, right;
+  };
+
   /// Builds the frustum of the convex polygon `loop` (in order, either way round) seen from `viewpoint`, any number of
   /// sides. Everything is decided exactly; repeated vertices and vertices in line with their neighbours change nothing.
   /// Refuses, with the reason, non-finite or out-of-range numbers, fewer than three distinct silhouette vertices, a loop
   /// that is not convex seen from the viewpoint, a viewpoint in the polygon's plane, a zero direction.
   [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near);
 
+  /// Builds the frustum of a convex polytope. Its silhouette runs between faces turned to the viewpoint and faces that are
+  /// not; a face seen edge-on is not turned to it. Refuses non-finite or out-of-range numbers, a viewpoint in the polytope, a
+  /// zero direction.
+  [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near);
+
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
-  /// The corners that matter, turning counter-clockwise seen from the viewpoint: side i passes through corners i, i + 1.
+  /// What the planes in doubles are relative to: the eye, or a corner of the silhouette for directions.
+  [[nodiscard]] const Vec3& origin() const { return viewpoint_.is_eye() ? viewpoint_.value : silhouette_[0]; }
+  /// The corners that matter, clockwise seen from the viewpoint (right-handed axes): side i passes through corners i, i + 1.
   [[nodiscard]] std::span<const Vec3> silhouette() const { return silhouette_; }
-  /// All planes, the near plane first, then the sides.
-  [[nodiscard]] std::span<const ExactPlane> exact_planes() const { return exact_planes_; }
+
+  /// The planes of the frustum, those of the near side first, then one a side; after them those of its profile along the
+  /// coordinate axes (profile.h), in three forms.
+  [[nodiscard]] std::span<const PlaneRecipe> recipes() const { return recipes_; }
   [[nodiscard]] std::span<const FilterPlane> filter_planes() const { return filter_planes_; }
-  /// Whether the near plane is the polygon's own, exactly: then its edges are the polygon's.
-  [[nodiscard]] bool near_is_polygon() const { return near_is_polygon_; }
+  [[nodiscard]] std::span<const RefinedPlane> refined_planes() const { return refined_planes_; }
+  [[nodiscard]] std::size_t near_count() const { return near_count_; }
+  [[nodiscard]] std::size_t plane_count() const { return near_count_ + silhouette_.size(); }
+
+  /// Whether the near side is a plane that cuts the frustum's edges, and not the occluder.
+  [[nodiscard]] bool is_cut() const { return cap_edges_.empty(); }
+  /// Edges and vertices of the near side when it is the occluder, else none.
+  [[nodiscard]] std::span<const CapEdge> cap_edges() const { return cap_edges_; }
+  [[nodiscard]] std::span<const Vec3> cap_vertices() const { return cap_vertices_; }
+  /// Its edges in doubles, relative to the origin.
+  [[nodiscard]] std::span<const PlainEdge> plain_edges() const { return plain_edges_; }
   /// The support plane chosen for `surface` when the polygon is not exactly coplanar.
   [[nodiscard]] const std::optional<SupportPlane>& support_plane() const { return support_plane_; }
 
  private:
+  void add_sides();
+  void finish();
+
   Viewpoint viewpoint_;
   std::vector<Vec3> silhouette_;
-  std::vector<ExactPlane> exact_planes_;
+  std::size_t near_count_ = 0;
+  std::vector<PlaneRecipe> recipes_;
   std::vector<FilterPlane> filter_planes_;
+  std::vector<RefinedPlane> refined_planes_;
+  std::vector<CapEdge> cap_edges_;
+  std::vector<Vec3> cap_vertices_;
+  std::vector<PlainEdge> plain_edges_;
   std::optional<SupportPlane> support_plane_;
-  bool near_is_polygon_ = false;
 };
 
 /// A frustum, or why there is none.

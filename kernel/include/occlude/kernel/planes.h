@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// How a shadow frustum holds its planes: in input coordinates, which are exact, and in doubles, which are fast.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "occlude/kernel/types.h"
+
+namespace occlude::kernel {
+
+/// An oriented plane given by input coordinates alone: f(x) = N . (x - origin), N = a cross b or, when `direct`, N = a, with
+/// a = a_to - a_from and b = b_to - b_from taken exactly. The inner side is f >= 0.
+struct ExactPlane {
+  bool direct = false;
+  Vec3 a_to, a_from, b_to, b_from, origin;
+};
+
+/// Through the edge in which side `side` meets the one near plane, parallel to `axis`: the positive combination
+/// |N_side . axis| f_near + |N_near . axis| f_side of their values, in which `axis` cancels.
+struct CutEdgePlane {
+  std::uint32_t side;  ///< number of the plane
+  Vec3 axis;
+};
+
+/// Parallel to `face`, through the point in which the frustum's edge through a corner of the silhouette meets the one near
+/// plane. REQUIRES: face.origin is that corner.
+struct CutVertexPlane {
+  std::uint32_t corner;
+  ExactPlane face;
+};
+
+using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
+
+/// A plane in doubles, for points y relative to the origin of the frustum, each coordinate rounded once. For the true value f
+/// of the plane |f - fl(normal . y + offset)| <= slope * max_k |y_k| + base (error_bounds.h).
+struct FilterPlane {
+  Vec3 normal;
+  double offset = 0, slope = 0, base = 0;
+  /// Where AabbFrame keeps the coordinates of the vertex farthest along the normal: axis + (0 for min, 4 for max).
+  std::array<std::uint8_t, 4> farther{};
+};
+
+/// The next 53 bits of the same: |N - (normal of the filter plane + normal)| <= slope in sum of components, the offset
+/// likewise to base.
+struct RefinedPlane {
+  Vec3 normal;
+  double offset = 0, slope = 0, base = 0;
+};
+
+/// An edge of the frustum as the paper's tests take it: from a point to another, or from a point along a direction.
+struct PlainEdge {
+  Vec3 from, to;
+  bool is_ray = false;  ///< `to` is a direction
+};
+
+}  // namespace occlude::kernel

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A box as the filter sees it: in doubles, relative to the origin of a frustum.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "error_bounds.h"
+#include "occlude/kernel/planes.h"
+#include "occlude/kernel/types.h"
+#include "vector3.h"
+
+namespace occlude::kernel {
+
+/// Values of a plane over a box: at the vertices nearest and farthest along its normal.
+struct Extremes {
+  double low, high;
+};
+
+template <class A>
+[[nodiscard]] double product(double a, double b) {
+  return A::rounded(A::constant(a) * A::constant(b));
+}
+
+/// The bounds of an axis-aligned box, rounded once, and the largest of their magnitudes. `A` is PlainArithmetic or
+/// CountingArithmetic.
+template <class A>
+class AabbFrame {
+ public:
+  AabbFrame(const Aabb& box, const Vec3& origin) {
+    const auto low = difference<A>(box.min, origin), high = difference<A>(box.max, origin);
+    for (int k = 0; k < 3; ++k) {
+      bounds_[static_cast<std::size_t>(k)] = low[k];
+      bounds_[static_cast<std::size_t>(k + 4)] = high[k];
+      reach_ = std::max({reach_, std::fabs(A::rounded(low[k])), std::fabs(A::rounded(high[k]))});
+    }
+  }
+
+  /// The normal picks the extremal vertices (section 5.3): two of the eight.
+  [[nodiscard]] double low(const FilterPlane& p) const { return at(p, 4); }
+  [[nodiscard]] double high(const FilterPlane& p) const { return at(p, 0); }
+  [[nodiscard]] Extremes extremes(const FilterPlane& p) const { return {low(p), high(p)}; }
+  [[nodiscard]] double error(const FilterPlane& p) const { return product<A>(p.slope, reach_) + p.base; }
+  [[nodiscard]] double reach() const { return reach_; }
+
+ private:
+  [[nodiscard]] double at(const FilterPlane& p, std::size_t opposite) const {
+    const Vector3<typename A::Number> vertex{bounds_[p.farther[0] ^ opposite], bounds_[p.farther[1] ^ opposite],
+                                             bounds_[p.farther[2] ^ opposite]};
+    return A::rounded(dot(constants<A>(p.normal), vertex)) + p.offset;
+  }
+
+  std::array<typename A::Number, 8> bounds_;
+  double reach_ = 0;
+};
+
+/// The centre of an oriented box, rounded once, its half edges, and how far it can reach.
+template <class A>
+class ObbFrame {
+ public:
+  ObbFrame(const Obb& box, const Vec3& origin) : center_(difference<A>(box.center, origin)), half_edges_(box.half_edges) {
+    const auto largest = [](const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); };
+    reach_ = largest({A::rounded(center_.x), A::rounded(center_.y), A::rounded(center_.z)}) + largest(half_edges_[0]) +
+             largest(half_edges_[1]) + largest(half_edges_[2]);
+  }
+
+  /// Three more dot products per plane (section 5.3).
+  [[nodiscard]] Extremes extremes(const FilterPlane& p) const {
+    const auto normal = constants<A>(p.normal);
+    const auto spread_along = [&](int k) {
+      return std::fabs(A::rounded(dot(normal, constants<A>(half_edges_[static_cast<std::size_t>(k)]))));
+    };
+    const double middle = A::rounded(dot(normal, center_)) + p.offset;
+    const double spread = spread_along(0) + spread_along(1) + spread_along(2);
+    return {middle - spread, middle + spread};
+  }
+  [[nodiscard]] double error(const FilterPlane& p) const {
+    return product<A>(kSpreadInflation, product<A>(p.slope, reach_) + p.base);
+  }
+  [[nodiscard]] double reach() const { return reach_; }
+
+ private:
+  Vector3<typename A::Number> center_;
+  std::array<Vec3, 3> half_edges_;
+  double reach_;
+};
+
+template <class A>
+[[nodiscard]] AabbFrame<A> frame_of(const Aabb& box, const Vec3& origin) {
+  return {box, origin};
+}
+template <class A>
+[[nodiscard]] ObbFrame<A> frame_of(const Obb& box, const Vec3& origin) {
+  return {box, origin};
+}
+
+}  // namespace occlude::kernel

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// From a plane in input coordinates to its coefficients, in any arithmetic.
+#pragma once
+
+#include "arithmetic.h"
+#include "occlude/kernel/shadow_frustum.h"
+#include "vector3.h"
+
+namespace occlude::kernel {
+
+template <class A>
+[[nodiscard]] Vector3<typename A::Number> normal(const ExactPlane& plane) {
+  const auto a = difference<A>(plane.a_to, plane.a_from);
+  return plane.direct ? a : cross(a, difference<A>(plane.b_to, plane.b_from));
+}
+
+template <class A>
+[[nodiscard]] typename A::Number value(const ExactPlane& plane, const Vec3& x) {
+  return dot(normal<A>(plane), difference<A>(x, plane.origin));
+}
+
+/// Exact sign of the plane at x: 1 on the inner side, 0 on the plane, -1 on the outer side.
+[[nodiscard]] inline int sign_at(const ExactPlane& plane, const Vec3& x) {
+  return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(value<A>(plane, x)); });
+}
+
+/// f(x) = normal . (x - origin of the frustum) + offset.
+template <class A>
+struct PlaneCoefficients {
+  Vector3<typename A::Number> normal;
+  typename A::Number offset;
+};
+
+/// The direction of the frustum's edge through a corner of the silhouette, away from the viewpoint.
+template <class A>
+[[nodiscard]] Vector3<typename A::Number> ray(const ShadowFrustum& frustum, std::size_t corner) {
+  const Viewpoint& viewpoint = frustum.viewpoint();
+  return viewpoint.is_eye() ? difference<A>(frustum.silhouette()[corner], viewpoint.value)
+                            : constants<A>(viewpoint.value);
+}
+
+template <class A>
+[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const ExactPlane& plane) {
+  const auto n = normal<A>(plane);
+  return {n, -dot(n, difference<A>(plane.origin, frustum.origin()))};
+}
+
+/// The plane of the near side of a frustum that is cut, and side planes.
+[[nodiscard]] inline const ExactPlane& plane_of(const ShadowFrustum& frustum, std::size_t plane) {
+  return std::get<ExactPlane>(frustum.recipes()[plane]);
+}
+
+template <class A>
+[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const CutEdgePlane& plane) {
+  const auto near = coefficients<A>(frustum, plane_of(frustum, 0));
+  const auto side = coefficients<A>(frustum, plane_of(frustum, plane.side));
+  const auto axis = constants<A>(plane.axis);
+  const auto along_near = A::magnitude(dot(near.normal, axis)), along_side = A::magnitude(dot(side.normal, axis));
+  return {along_side * near.normal + along_near * side.normal, along_side * near.offset + along_near * side.offset};
+}
+
+/// Along the edge, corner + t d, the near plane has the value f_near(corner) + t N . d, so that it meets the plane in
+/// corner - f_near(corner) / (N . d) d: times N . d, which is positive.
+template <class A>
+[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const CutVertexPlane& plane) {
+  const ExactPlane& near = plane_of(frustum, 0);
+  const auto near_normal = normal<A>(near);
+  const auto d = ray<A>(frustum, plane.corner);
+  const auto face = coefficients<A>(frustum, plane.face);
+  const auto speed = dot(near_normal, d);
+  const auto at_corner = dot(near_normal, difference<A>(plane.face.origin, near.origin));
+  return {speed * face.normal, speed * face.offset + at_corner * dot(face.normal, d)};
+}
+
+template <class A>
+[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const PlaneRecipe& recipe) {
+  return std::visit([&](const auto& plane) { return coefficients<A>(frustum, plane); }, recipe);
+}
+
+}  // namespace occlude::kernel
