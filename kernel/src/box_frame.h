@@ -14,11 +14,6 @@
 
 namespace occlude::kernel {
 
-/// Values of a plane over a box: at the vertices nearest and farthest along its normal.
-struct Extremes {
-  double low, high;
-};
-
 template <class A>
 [[nodiscard]] double product(double a, double b) {
   return A::rounded(A::constant(a) * A::constant(b));
@@ -31,17 +26,25 @@ class AabbFrame {
  public:
   AabbFrame(const Aabb& box, const Vec3& origin) {
     const auto low = difference<A>(box.min, origin), high = difference<A>(box.max, origin);
-    for (int k = 0; k < 3; ++k) {
-      bounds_[static_cast<std::size_t>(k)] = low[k];
-      bounds_[static_cast<std::size_t>(k + 4)] = high[k];
-      reach_ = std::max({reach_, std::fabs(A::rounded(low[k])), std::fabs(A::rounded(high[k]))});
-    }
+    bounds_ = {low.x, low.y, low.z, A::constant(0), high.x, high.y, high.z, A::constant(0)};
+    const auto larger = [](const auto& a, const auto& b) {
+      return std::max(std::fabs(A::rounded(a)), std::fabs(A::rounded(b)));
+    };
+    reach_ = std::max(std::max(larger(low.x, high.x), larger(low.y, high.y)), larger(low.z, high.z));
   }
 
-  /// The normal picks the extremal vertices (section 5.3): two of the eight.
-  [[nodiscard]] double low(const FilterPlane& p) const { return at(p, 4); }
-  [[nodiscard]] double high(const FilterPlane& p) const { return at(p, 0); }
-  [[nodiscard]] Extremes extremes(const FilterPlane& p) const { return {low(p), high(p)}; }
+  /// Values of a plane over the box: its normal picks the extremal vertices (section 5.3), two of the eight.
+  class Extremes {
+   public:
+    Extremes(const AabbFrame& frame, const FilterPlane& plane) : frame_(frame), plane_(plane) {}
+    [[nodiscard]] double low() const { return frame_.at(plane_, 4); }
+    [[nodiscard]] double high() const { return frame_.at(plane_, 0); }
+
+   private:
+    const AabbFrame& frame_;
+    const FilterPlane& plane_;
+  };
+  [[nodiscard]] Extremes extremes(const FilterPlane& p) const { return {*this, p}; }
   [[nodiscard]] double error(const FilterPlane& p) const { return product<A>(p.slope, reach_) + p.base; }
   [[nodiscard]] double reach() const { return reach_; }
 
@@ -53,7 +56,7 @@ class AabbFrame {
   }
 
   std::array<typename A::Number, 8> bounds_;
-  double reach_ = 0;
+  double reach_;
 };
 
 /// The centre of an oriented box, rounded once, its half edges, and how far it can reach.
@@ -66,15 +69,19 @@ class ObbFrame {
              largest(half_edges_[1]) + largest(half_edges_[2]);
   }
 
+  /// Values of a plane over the box.
+  struct Extremes {
+    double middle, spread;
+    [[nodiscard]] double low() const { return middle - spread; }
+    [[nodiscard]] double high() const { return middle + spread; }
+  };
   /// Three more dot products per plane (section 5.3).
   [[nodiscard]] Extremes extremes(const FilterPlane& p) const {
     const auto normal = constants<A>(p.normal);
     const auto spread_along = [&](int k) {
       return std::fabs(A::rounded(dot(normal, constants<A>(half_edges_[static_cast<std::size_t>(k)]))));
     };
-    const double middle = A::rounded(dot(normal, center_)) + p.offset;
-    const double spread = spread_along(0) + spread_along(1) + spread_along(2);
-    return {middle - spread, middle + spread};
+    return {A::rounded(dot(normal, center_)) + p.offset, spread_along(0) + spread_along(1) + spread_along(2)};
   }
   [[nodiscard]] double error(const FilterPlane& p) const {
     return product<A>(kSpreadInflation, product<A>(p.slope, reach_) + p.base);

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "box_plane.h"
 
+#include <cmath>
+
 #include "rounded_plane.h"
 
 namespace occlude::kernel {
+namespace {
+
+/// Whether the rounded normal picks the same vertices as the true one.
+bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
+  const auto is_certain = [&](double n) { return tail.slope == 0 || std::fabs(n) > 2 * tail.slope; };
+  return is_certain(plane.normal.x) && is_certain(plane.normal.y) && is_certain(plane.normal.z);
+}
+
+}  // namespace
 
 int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {
   // The rounded normal picks the vertex: should a component's sign be in doubt, so is the value within the same bound.
@@ -12,8 +23,11 @@ int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Aabb&
   const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));
   const CertainSign refined = refined_sign(plane, frustum.refined_planes()[i], vertex, frustum.origin(), reach);
   if (refined.is_certain) return refined.sign;
+  const auto* laid = std::get_if<ExactPlane>(&frustum.recipes()[i]);
+  if (laid && has_certain_signs(plane, frustum.refined_planes()[i]) && is_defined_by(*laid, vertex)) return 0;
   ExactArithmetic exact;
-  return extremal_sign(exact, coefficients<ExactArithmetic>(frustum, frustum.recipes()[i]), frustum.origin(), box, direction);
+  return extremal_sign(exact, coefficients<ExactArithmetic>(frustum, frustum.recipes()[i]), frustum.origin(), box,
+                       direction);
 }
 
 int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Obb& box, double, int direction) {

@@ -46,41 +46,63 @@ template <class A>
 /// The whole stage in plain double arithmetic.
 template <class Frame>
 [[nodiscard]] Relation box_planes_plain(const ShadowFrustum& frustum, const Frame& frame, NearBoundary near) {
+  const auto planes = frustum.filter_planes().first(frustum.plane_count());
   bool inside = true;
-  for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
-    const auto [low, high] = frame.extremes(frustum.filter_planes()[i]);
-    if (high < 0) return Relation::outside;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const auto extremes = frame.extremes(planes[i]);
+    if (extremes.high() < 0) return Relation::outside;
+    const double low = extremes.low();
     const bool must_be_beyond = near == NearBoundary::open && i < frustum.near_count();
     inside = inside && (must_be_beyond ? low > 0 : low >= 0);
   }
   return inside ? Relation::inside : Relation::partial;
 }
 
+/// What the filter can tell of a box and a plane. `unknown` when neither flag is set.
+struct PlaneSide {
+  bool is_inner, is_straddling;
+};
+[[nodiscard]] inline PlaneSide filtered_side(double low, double high, double error) {
+  // Which of the two no branch predictor can know: no branch.
+  return {low > error, static_cast<bool>((low < -error) & (high > error))};
+}
+
+/// The stage from plane `first` on, where the filter cannot tell; what came before is known to be inner or `straddling`.
+/// Apart from the filter's own loop, which it would slow down.
+template <class Box, class Frame>
+[[nodiscard, gnu::noinline]] Decision box_planes_resolved(const ShadowFrustum& frustum, const Box& box, const Frame& frame,
+                                                          NearBoundary near, std::size_t first, bool straddling) {
+  for (std::size_t i = first; i < frustum.plane_count(); ++i) {
+    const FilterPlane& plane = frustum.filter_planes()[i];
+    const auto extremes = frame.extremes(plane);
+    const double error = frame.error(plane), high = extremes.high(), low = extremes.low();
+    if (high < -error) return {Relation::outside, Stage::exact};
+    if (low > error) continue;
+    if (high <= error && exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0)
+      return {Relation::outside, Stage::exact};
+    const int least_inner = near == NearBoundary::open && i < frustum.near_count() ? 1 : 0;
+    straddling = straddling || low < -error || exact_extremal_sign(frustum, i, box, frame.reach(), -1) < least_inner;
+  }
+  return {straddling ? Relation::partial : Relation::inside, Stage::exact};
+}
+
 /// The whole stage, certified: true answers, by the filter where its error bounds suffice. `frame` is the box's.
 template <class Box, class Frame>
-[[nodiscard]] Decision box_planes_certified(const ShadowFrustum& frustum, const Box& box, const Frame& frame,
-                                            NearBoundary near) {
-  Decision decision{Relation::inside, Stage::filter};
-  for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
-    const FilterPlane& plane = frustum.filter_planes()[i];
+[[nodiscard, gnu::always_inline]] inline Decision box_planes_certified(const ShadowFrustum& frustum, const Box& box,
+                                                                       const Frame& frame, NearBoundary near) {
+  const auto planes = frustum.filter_planes().first(frustum.plane_count());
+  bool straddling = false;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const FilterPlane& plane = planes[i];
     const double error = frame.error(plane);
-    const auto [low, high] = frame.extremes(plane);
-    if (high < -error) return {Relation::outside, decision.stage};
-    if (low > error) continue;
-    if (high <= error) {
-      decision.stage = Stage::exact;
-      if (exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0) return {Relation::outside, Stage::exact};
-    }
-    if (decision.relation == Relation::partial) continue;
-    if (low < -error) {
-      decision.relation = Relation::partial;
-    } else {
-      decision.stage = Stage::exact;
-      const int least_inner = near == NearBoundary::open && i < frustum.near_count() ? 1 : 0;
-      if (exact_extremal_sign(frustum, i, box, frame.reach(), -1) < least_inner) decision.relation = Relation::partial;
-    }
+    const auto extremes = frame.extremes(plane);
+    const double high = extremes.high();
+    if (high < -error) return {Relation::outside, Stage::filter};
+    const PlaneSide side = filtered_side(extremes.low(), high, error);
+    straddling |= side.is_straddling;
+    if (!(side.is_inner | side.is_straddling)) return box_planes_resolved(frustum, box, frame, near, i, straddling);
   }
-  return decision;
+  return {straddling ? Relation::partial : Relation::inside, Stage::filter};
 }
 
 }  // namespace occlude::kernel

@@ -21,9 +21,13 @@ class AabbSlabs {
       : low_(difference<A>(box.min, origin)), high_(difference<A>(box.max, origin)) {}
 
   /// Values of the six faces at a point, >= 0 within: the lower ones, then the upper ones.
-  [[nodiscard]] std::array<Vector, 2> at_point(const Vec3& p) const { return {constants<A>(p) - low_, high_ - constants<A>(p)}; }
+  [[nodiscard]] std::array<Vector, 2> at_point(const Vec3& p) const {
+    return {constants<A>(p) - low_, high_ - constants<A>(p)};
+  }
   /// The same for a point at infinity.
-  [[nodiscard]] std::array<Vector, 2> at_direction(const Vec3& d) const { return {constants<A>(d), constants<A>({}) - constants<A>(d)}; }
+  [[nodiscard]] std::array<Vector, 2> at_direction(const Vec3& d) const {
+    return {constants<A>(d), constants<A>({}) - constants<A>(d)};
+  }
 
  private:
   Vector low_, high_;

@@ -3,10 +3,10 @@
 //
 // Model: IEEE double, round to nearest, u = 2^-53. Without overflow or underflow fl(a op b) = (a op b)(1 + d), |d| <= u;
 // a product of n such factors is 1 + t with |t| <= g(n) = n u / (1 - n u). With every magnitude 0 or in the legal range
-// (validity.h) the smallest non-zero difference of coordinates is 2^-152 and the largest 2^101. All expressions are of degree
-// at most six in those, so they and their 53-bit tails and error terms stay between 2^-1022 and 2^1023: nothing overflows
-// and nothing underflows. Fused multiply-adds round less often than the model and in any order of summation every bound
-// below holds: instruction sets and compilers may differ, answers do not.
+// (validity.h) the smallest non-zero difference of coordinates is 2^-152 and the largest 2^101. All expressions are of
+// degree at most six in those, so they and their 53-bit tails and error terms stay between 2^-1022 and 2^1023: nothing
+// overflows and nothing underflows. Fused multiply-adds round less often than the model and in any order of summation every
+// bound below holds: instruction sets and compilers may differ, answers do not.
 #pragma once
 
 #ifdef __FAST_MATH__
@@ -45,9 +45,9 @@ inline constexpr double kOffsetError = (3 + 0x1p-40) * kUnitRoundoff;
 /// reach = max_k |c_k| + sum_j max_k |h_j,k| the bound above holds times max(6 / 5, 4 / 3):
 inline constexpr double kSpreadInflation = 4.0 / 3 * (1 + 0x1p-40);
 
-/// Value of a refined plane, n + m in place of n, w + v in place of w, with |m| <= u |n| and |v| <= u |w|: products n_k y_k and
-/// their sums with w by error-free transformations; what these lose, n_k times the tail of y_k, m_k y_k and v, 13 terms in
-/// all, in doubles. With S = sum_k |n_k y_k| + |w| those terms sum to less than 8 u S: three partial sums lose 3 u S, the
+/// Value of a refined plane, n + m in place of n, w + v in place of w, with |m| <= u |n| and |v| <= u |w|: products n_k y_k
+/// and their sums with w by error-free transformations; what these lose, n_k times the tail of y_k, m_k y_k and v, 13 terms
+/// in all, in doubles. With S = sum_k |n_k y_k| + |w| those terms sum to less than 8 u S: three partial sums lose 3 u S, the
 /// other ten terms at most 4 u S together. Adding them up in any order errs by less than 13 u times that, and m_k times the
 /// tail of y_k, u^2 S, is left out: 105 u^2 S in all. The constant is rounded up to a power of two. That slack, and any
 /// other here, is of no account: what doubles leave within 2^-99 S of zero is zero in all but contrived cases, and no bound

@@ -66,7 +66,7 @@ Vec3 sight_normal(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
 ExactPlane farthest_plane(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
   Vec3 farthest = loop[0];
   for (const Vec3& v : loop) {
-    if (compare_distance(viewpoint, v, farthest) > 0) farthest = v;
+    if (v != farthest && compare_distance(viewpoint, v, farthest) > 0) farthest = v;
   }
   return viewpoint.is_eye()
              ? ExactPlane{.direct = true,

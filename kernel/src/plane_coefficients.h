@@ -19,8 +19,17 @@ template <class A>
   return dot(normal<A>(plane), difference<A>(x, plane.origin));
 }
 
+/// Whether x is a point that the plane was laid through: there its value is zero without arithmetic, which would have to be
+/// exact to see it. Shared vertices are the commonest degeneracy there is.
+[[nodiscard]] inline bool is_defined_by(const ExactPlane& plane, const Vec3& x) {
+  if (x == plane.origin) return true;
+  if (plane.direct) return false;
+  return (x == plane.a_to && plane.a_from == plane.origin) || (x == plane.b_to && plane.b_from == plane.origin);
+}
+
 /// Exact sign of the plane at x: 1 on the inner side, 0 on the plane, -1 on the outer side.
 [[nodiscard]] inline int sign_at(const ExactPlane& plane, const Vec3& x) {
+  if (is_defined_by(plane, x)) return 0;
   return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(value<A>(plane, x)); });
 }
 
@@ -35,8 +44,7 @@ struct PlaneCoefficients {
 template <class A>
 [[nodiscard]] Vector3<typename A::Number> ray(const ShadowFrustum& frustum, std::size_t corner) {
   const Viewpoint& viewpoint = frustum.viewpoint();
-  return viewpoint.is_eye() ? difference<A>(frustum.silhouette()[corner], viewpoint.value)
-                            : constants<A>(viewpoint.value);
+  return viewpoint.is_eye() ? difference<A>(frustum.silhouette()[corner], viewpoint.value) : constants<A>(viewpoint.value);
 }
 
 template <class A>

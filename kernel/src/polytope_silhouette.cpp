@@ -12,8 +12,8 @@ namespace {
 bool is_turned(const Viewpoint& viewpoint, const ExactPlane& inner) {
   if (viewpoint.is_eye()) return sign_at(inner, viewpoint.value) < 0;
   return certified([&]<class A>(A& arithmetic) {
-    return arithmetic.sign(dot(normal<A>(inner), constants<A>(viewpoint.value)));
-  }) > 0;
+           return arithmetic.sign(dot(normal<A>(inner), constants<A>(viewpoint.value)));
+         }) > 0;
 }
 
 /// An edge of the silhouette in the direction of the loop, which leaves the turned face on its right seen from outside.

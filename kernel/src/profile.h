@@ -6,8 +6,8 @@
 // frustum and a box these faces are those of the frustum (stage 1), those spanned by an edge of the frustum and an edge of
 // the box, and those of the box. The second kind: along an axis the frustum has an outline, the edges between two planes of
 // which one falls along the axis and one rises; the plane through such an edge and parallel to the axis bounds the frustum.
-// The third kind: planes parallel to a face of the box through the frustum's extreme vertex, where it has one. For boxes along the
-// coordinate axes this is the test of a box against the frustum's outlines in the three projections (Greene 1994,
+// The third kind: planes parallel to a face of the box through the frustum's extreme vertex, where it has one. For boxes
+// along the coordinate axes this is the test of a box against the frustum's outlines in the three projections (Greene 1994,
 // "Detecting intersection of a rectangular solid and a convex polyhedron"). Signs of planes are all it takes: there are no
 // clip parameters, and nothing that could be divided by zero.
 #pragma once
@@ -30,14 +30,18 @@ struct BoxAxes {
 [[nodiscard]] inline ExactPlane face_plane(const BoxAxes& axes, std::size_t k, int sign, const Vec3& origin) {
   const Vec3 &a = axes.directions[(k + 1) % 3], &b = axes.directions[(k + 2) % 3], &c = axes.directions[k];
   if (axes.are_coordinate_axes) {
-    return {.direct = true, .a_to = sign > 0 ? c : Vec3{}, .a_from = sign > 0 ? Vec3{} : c, .b_to = {}, .b_from = {},
+    return {.direct = true,
+            .a_to = sign > 0 ? c : Vec3{},
+            .a_from = sign > 0 ? Vec3{} : c,
+            .b_to = {},
+            .b_from = {},
             .origin = origin};
   }
   return {.direct = false, .a_to = sign > 0 ? a : b, .a_from = {}, .b_to = sign > 0 ? b : a, .b_from = {}, .origin = origin};
 }
 
-/// The plane through `origin` along the edge from -> to and the axis, its inner side given by the sign with which the first of
-/// the edge's two planes rises along the axis.
+/// The plane through `origin` along the edge from -> to and the axis, its inner side given by the sign with which the first
+/// of the edge's two planes rises along the axis.
 [[nodiscard]] inline ExactPlane outline_plane(const Vec3& from, const Vec3& to, const Vec3& axis, int sign,
                                               const Vec3& origin) {
   if (sign > 0) return {.direct = false, .a_to = to, .a_from = from, .b_to = axis, .b_from = {}, .origin = origin};
@@ -74,9 +78,8 @@ template <class SignAlong, class Visit>
 
 /// Whether the normal of `face` goes along the ray of a corner, or across it.
 [[nodiscard]] inline bool goes_along(const ShadowFrustum& frustum, const ExactPlane& face, std::size_t corner) {
-  return certified([&]<class A>(A& arithmetic) {
-    return arithmetic.sign(dot(normal<A>(face), ray<A>(frustum, corner))) >= 0;
-  });
+  return certified(
+      [&]<class A>(A& arithmetic) { return arithmetic.sign(dot(normal<A>(face), ray<A>(frustum, corner))) >= 0; });
 }
 
 /// Whether the frustum has a vertex on the ray of a corner at which the near plane cuts it, and its normal goes along the

@@ -37,11 +37,10 @@ CertainSign refined_sign(const FilterPlane& plane, const RefinedPlane& tail, con
   const TwoTerms px = two_product(n.x, x.high), py = two_product(n.y, y.high), pz = two_product(n.z, z.high);
   const TwoTerms xy = two_sum(px.high, py.high), xyz = two_sum(xy.high, pz.high), sum = two_sum(xyz.high, plane.offset);
   const double lost = ((px.low + py.low) + (pz.low + xy.low)) + (xyz.low + sum.low);
-  const double tails = ((n.x * x.low + m.x * x.high) + (n.y * y.low + m.y * y.high)) +
-                       ((n.z * z.low + m.z * z.high) + tail.offset);
+  const double tails =
+      ((n.x * x.low + m.x * x.high) + (n.y * y.low + m.y * y.high)) + ((n.z * z.low + m.z * z.high) + tail.offset);
   const double value = sum.high + (lost + tails);
-  const double magnitude =
-      (std::fabs(px.high) + std::fabs(py.high)) + (std::fabs(pz.high) + std::fabs(plane.offset));
+  const double magnitude = (std::fabs(px.high) + std::fabs(py.high)) + (std::fabs(pz.high) + std::fabs(plane.offset));
   const double error = kRefinedError * magnitude + (tail.slope * reach + tail.base) * kBoundInflation;
   if (std::fabs(value) > error) return {value > 0 ? 1 : -1, true};
   const bool nothing_lost = px.low == 0 && py.low == 0 && pz.low == 0 && xy.low == 0 && xyz.low == 0 && sum.low == 0;

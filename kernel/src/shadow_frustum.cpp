@@ -40,7 +40,9 @@ std::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const Polyto
 
 void ShadowFrustum::add_sides() {
   const std::size_t n = silhouette_.size();
+  origin_ = viewpoint_.is_eye() ? viewpoint_.value : silhouette_[0];
   near_count_ = recipes_.size();
+  plane_count_ = near_count_ + n;
   for (std::size_t i = 0; i < n; ++i) recipes_.push_back(side_plane(viewpoint_, silhouette_[i], silhouette_[(i + 1) % n]));
 }
 
@@ -81,8 +83,7 @@ ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<co
     frustum.recipes_.push_back(*own);
     frustum.cap_vertices_ = corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      frustum.cap_edges_.push_back(
-          {corners[i], corners[(i + 1) % corners.size()], static_cast<std::uint32_t>(i + 1), 0});
+      frustum.cap_edges_.push_back({corners[i], corners[(i + 1) % corners.size()], static_cast<std::uint32_t>(i + 1), 0});
     }
   } else {
     frustum.support_plane_ = kernel::support_plane(viewpoint, corners, loop);

@@ -36,8 +36,7 @@ enum class NearBoundary { closed, open };
                                               NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Aabb& box,
                                      NearBoundary near = NearBoundary::closed);
-[[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Obb& box,
-                                     NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Relation overlap_plain(const ShadowFrustum& frustum, const Obb& box, NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Aabb& box,
                                           NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Obb& box,

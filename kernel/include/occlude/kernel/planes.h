@@ -33,8 +33,8 @@ struct CutVertexPlane {
 
 using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 
-/// A plane in doubles, for points y relative to the origin of the frustum, each coordinate rounded once. For the true value f
-/// of the plane |f - fl(normal . y + offset)| <= slope * max_k |y_k| + base (error_bounds.h).
+/// A plane in doubles, for points y relative to the origin of the frustum, each coordinate rounded once. For the true value
+/// f of the plane |f - fl(normal . y + offset)| <= slope * max_k |y_k| + base (error_bounds.h).
 struct FilterPlane {
   Vec3 normal;
   double offset = 0, slope = 0, base = 0;

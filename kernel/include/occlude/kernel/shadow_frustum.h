@@ -46,13 +46,13 @@ class ShadowFrustum {
   [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near);
 
   /// Builds the frustum of a convex polytope. Its silhouette runs between faces turned to the viewpoint and faces that are
-  /// not; a face seen edge-on is not turned to it. Refuses non-finite or out-of-range numbers, a viewpoint in the polytope, a
-  /// zero direction.
+  /// not; a face seen edge-on is not turned to it. Refuses non-finite or out-of-range numbers, a viewpoint in the polytope,
+  /// a zero direction.
   [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near);
 
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
   /// What the planes in doubles are relative to: the eye, or a corner of the silhouette for directions.
-  [[nodiscard]] const Vec3& origin() const { return viewpoint_.is_eye() ? viewpoint_.value : silhouette_[0]; }
+  [[nodiscard]] const Vec3& origin() const { return origin_; }
   /// The corners that matter, clockwise seen from the viewpoint (right-handed axes): side i passes through corners i, i + 1.
   [[nodiscard]] std::span<const Vec3> silhouette() const { return silhouette_; }
 
@@ -62,7 +62,7 @@ class ShadowFrustum {
   [[nodiscard]] std::span<const FilterPlane> filter_planes() const { return filter_planes_; }
   [[nodiscard]] std::span<const RefinedPlane> refined_planes() const { return refined_planes_; }
   [[nodiscard]] std::size_t near_count() const { return near_count_; }
-  [[nodiscard]] std::size_t plane_count() const { return near_count_ + silhouette_.size(); }
+  [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
 
   /// Whether the near side is a plane that cuts the frustum's edges, and not the occluder.
   [[nodiscard]] bool is_cut() const { return cap_edges_.empty(); }
@@ -79,8 +79,9 @@ class ShadowFrustum {
   void finish();
 
   Viewpoint viewpoint_;
+  Vec3 origin_;
   std::vector<Vec3> silhouette_;
-  std::size_t near_count_ = 0;
+  std::size_t near_count_ = 0, plane_count_ = 0;
   std::vector<PlaneRecipe> recipes_;
   std::vector<FilterPlane> filter_planes_;
   std::vector<RefinedPlane> refined_planes_;
