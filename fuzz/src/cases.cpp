@@ -1,104 +1,107 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/fuzz/cases.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
+#include <utility>
 
+#include "finish.h"
 #include "placement.h"
 #include "scenes.h"
-#include "vector_math.h"
 
 namespace occlude::fuzz {
 namespace {
-
-/// Applies `change` to every coordinate of the case, a direction of view excepted.
-template <class Change>
-void for_each_point(Case& made, const Change& change) {
-  for (Vec3& vertex : made.polygon) change(vertex);
-  if (made.viewpoint.is_eye()) change(made.viewpoint.value);
-  change(made.box.min);
-  change(made.box.max);
-}
-
-void leave(Random&, Case&) {}
-
-/// Moves a coordinate of the box or of the viewpoint, or of a triangle, to a neighbouring double or the one after it.
-void nudge(Random& random, Case& made) {
-  const bool may_bend = made.polygon.size() == 3 || made.near == Near::farthest;
-  Vec3& min = made.box.min;
-  Vec3& max = made.box.max;
-  for (int moves = random.integer(1, 3); moves > 0; --moves) {
-    const std::array<Vec3*, 6> points{
-        &min, &max, &min, &max, &made.viewpoint.value, may_bend ? &made.polygon[random.index(made.polygon.size())] : &max};
-    double& value = (*points[random.index(points.size())])[random.integer(0, 2)];
-    if (value != 0) value = std::nextafter(value, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
-  }
-  for (int axis = 0; axis < 3; ++axis) max[axis] = std::max(min[axis], max[axis]);
-}
-
-/// Exactly, by a few thousand million: what was a small number becomes the last bits of a large one.
-void move_far(Random& random, Case& made) {
-  const double unit = 0x1p-8;
-  const auto part = [&] { return 4e9 * random.integer(-1, 1) + unit * random.integer(-1000, 1000); };
-  const double x = part(), y = part(), z = part();
-  for_each_point(made, [&](Vec3& p) { p = unit * p + Vec3{x, y, z}; });
-}
-
-void shrink(Random&, Case& made) {
-  for_each_point(made, [](Vec3& p) { p = 0x1p-60 * p; });
-}
-
-void grow(Random&, Case& made) {
-  for_each_point(made, [](Vec3& p) { p = 0x1p60 * p; });
-}
-
-/// Rounds every coordinate as decimal input or thirds do: what touched is now off by a rounding or not.
-void make_decimal(Random& random, Case& made) {
-  const bool tenths = random.chance(0.5);
-  for_each_point(made, [&](Vec3& p) {
-    for (int axis = 0; axis < 3; ++axis) p[axis] = tenths ? p[axis] * 0.1 : p[axis] / 3;
-  });
-}
 
 /// How a family is made: a scene, a box put to it, a finish.
 struct Recipe {
   Family family;
   std::string_view name;
-  Case (*make_scene)(Random&);
+  Scene (*make_scene)(Random&);
+  Box (*place)(Random&, Scene&, const Placement&);
   Placement placement;
   void (*finish)(Random&, Case&);
 };
 
-constexpr Placement kReal{Feature::any, false, 0};
-constexpr Placement kLattice{Feature::any, true, 0};
+constexpr Placement kReal{Feature::any, false, 0, {}};
+constexpr Placement kLattice{};
+constexpr Placement kLatticeEdges{Feature::edge, true, 0, {}};
+constexpr Placement kRealEdges{Feature::edge, false, 0, {}};
+constexpr Placement kRealVertices{Feature::vertex, false, 0, {}};
+
+constexpr Placement lattice_at(Feature feature) { return {feature, true, 0, {}}; }
+constexpr Placement flat(int axes, std::optional<FrameKind> frame = {}) { return {Feature::any, true, axes, frame}; }
+constexpr Placement oriented(FrameKind frame, Feature feature = Feature::any) { return {feature, true, 0, frame}; }
+
+constexpr Placement kRealObb{Feature::any, false, 0, FrameKind::real};
+constexpr Placement kLatticeObb = oriented(FrameKind::lattice);
+constexpr Placement kParallelObb = oriented(FrameKind::parallel);
+constexpr Placement kLatticeObbEdges = oriented(FrameKind::lattice, Feature::edge);
 
 constexpr std::array kRecipes{
-    Recipe{Family::random, "random", random_scene, kReal, leave},
-    Recipe{Family::lattice, "lattice", lattice_scene, kLattice, leave},
-    Recipe{Family::face_touch, "face_touch", lattice_scene, {Feature::face, true, 0}, leave},
-    Recipe{Family::ray_touch, "ray_touch", lattice_scene, {Feature::ray, true, 0}, leave},
-    Recipe{Family::near_touch, "near_touch", lattice_scene, {Feature::near, true, 0}, leave},
-    Recipe{Family::corner_touch, "corner_touch", lattice_scene, {Feature::corner, true, 0}, leave},
-    Recipe{Family::ulp_lattice, "ulp_lattice", lattice_scene, kLattice, nudge},
-    Recipe{Family::ulp_random, "ulp_random", random_scene, kReal, nudge},
-    Recipe{Family::flat_box, "flat_box", lattice_scene, {Feature::any, true, 1}, leave},
-    Recipe{Family::needle_box, "needle_box", lattice_scene, {Feature::any, true, 2}, leave},
-    Recipe{Family::point_box, "point_box", lattice_scene, {Feature::any, true, 3}, leave},
-    Recipe{Family::eye_in_box, "eye_in_box", lattice_scene, kLattice, leave},
-    Recipe{Family::sliver, "sliver", sliver_scene, kReal, leave},
-    Recipe{Family::sliver_lattice, "sliver_lattice", lattice_sliver_scene, kLattice, leave},
-    Recipe{Family::many_sided, "many_sided", many_sided_scene, kLattice, leave},
-    Recipe{Family::collinear, "collinear", collinear_scene, kLattice, leave},
-    Recipe{Family::equal_farthest, "equal_farthest", equal_farthest_scene, kLattice, leave},
-    Recipe{Family::far_offset, "far_offset", lattice_scene, kLattice, move_far},
-    Recipe{Family::tiny_scale, "tiny_scale", random_scene, kReal, shrink},
-    Recipe{Family::huge_scale, "huge_scale", lattice_scene, kLattice, grow},
-    Recipe{Family::decimal, "decimal", sturdy_lattice_scene, kLattice, make_decimal},
-    Recipe{Family::non_coplanar, "non_coplanar", folded_scene, kReal, leave},
-    Recipe{Family::orthographic, "orthographic", orthographic_scene, kReal, leave},
-    Recipe{Family::orthographic_touch, "orthographic_touch", orthographic_lattice_scene, kLattice, leave},
-    Recipe{Family::orthographic_ulp, "orthographic_ulp", orthographic_lattice_scene, kLattice, nudge},
+    Recipe{Family::random, "random", random_scene, place_box, kReal, leave},
+    Recipe{Family::lattice, "lattice", lattice_scene, place_box, kLattice, leave},
+    Recipe{Family::face_touch, "face_touch", lattice_scene, place_box, lattice_at(Feature::face), leave},
+    Recipe{Family::ray_touch, "ray_touch", lattice_scene, place_box, lattice_at(Feature::ray), leave},
+    Recipe{Family::near_touch, "near_touch", lattice_scene, place_box, lattice_at(Feature::near), leave},
+    Recipe{Family::corner_touch, "corner_touch", lattice_scene, place_box, lattice_at(Feature::corner), leave},
+    Recipe{Family::ulp_lattice, "ulp_lattice", lattice_scene, place_box, kLattice, nudge},
+    Recipe{Family::ulp_random, "ulp_random", random_scene, place_box, kReal, nudge},
+    Recipe{Family::flat_box, "flat_box", lattice_scene, place_box, flat(1), leave},
+    Recipe{Family::needle_box, "needle_box", lattice_scene, place_box, flat(2), leave},
+    Recipe{Family::point_box, "point_box", lattice_scene, place_box, flat(3), leave},
+    Recipe{Family::eye_in_box, "eye_in_box", lattice_scene, place_box_about_eye, kLattice, leave},
+    Recipe{Family::sliver, "sliver", sliver_scene, place_box, kReal, leave},
+    Recipe{Family::sliver_lattice, "sliver_lattice", lattice_sliver_scene, place_box, kLattice, leave},
+    Recipe{Family::many_sided, "many_sided", many_sided_scene, place_box, kLattice, leave},
+    Recipe{Family::collinear, "collinear", collinear_scene, place_box, kLattice, leave},
+    Recipe{Family::equal_farthest, "equal_farthest", equal_farthest_scene, place_box, kLattice, leave},
+    Recipe{Family::far_offset, "far_offset", lattice_scene, place_box, kLattice, move_far},
+    Recipe{Family::tiny_scale, "tiny_scale", random_scene, place_box, kReal, shrink},
+    Recipe{Family::huge_scale, "huge_scale", lattice_scene, place_box, kLattice, grow},
+    Recipe{Family::decimal, "decimal", sturdy_lattice_scene, place_box, kLattice, make_decimal},
+    Recipe{Family::non_coplanar, "non_coplanar", folded_scene, place_box, kReal, leave},
+    Recipe{Family::orthographic, "orthographic", orthographic_scene, place_box, kReal, leave},
+    Recipe{Family::orthographic_touch, "orthographic_touch", orthographic_lattice_scene, place_box, kLattice, leave},
+    Recipe{Family::orthographic_ulp, "orthographic_ulp", orthographic_lattice_scene, place_box, kLattice, nudge},
+    Recipe{Family::wide_frustum, "wide_frustum", wide_scene, place_box_for_other_near, kLattice, leave},
+    Recipe{Family::wide_frustum_ulp, "wide_frustum_ulp", wide_scene, place_box_for_other_near, kLattice, nudge},
+    Recipe{Family::axis_aligned_faces, "axis_aligned_faces", axis_aligned_scene, place_box, kLattice, leave},
+    Recipe{Family::shared_vertex, "shared_vertex", shared_coordinates_scene, place_box_at_vertices, kRealVertices, leave},
+    Recipe{Family::edge_crossing, "edge_crossing", lattice_scene, place_box_across, kLatticeEdges, leave},
+    Recipe{Family::edge_crossing_ulp, "edge_crossing_ulp", lattice_scene, place_box_across, kLatticeEdges, nudge},
+    Recipe{Family::edge_crossing_random, "edge_crossing_random", random_scene, place_box_across, kRealEdges, leave},
+    Recipe{Family::orthographic_axis_aligned, "orthographic_axis_aligned", orthographic_axis_aligned_scene, place_box,
+           kLattice, leave},
+    Recipe{Family::orthographic_edge_crossing, "orthographic_edge_crossing", orthographic_lattice_scene, place_box_across,
+           kLatticeEdges, leave},
+    Recipe{Family::obb_random, "obb_random", random_scene, place_box, kRealObb, leave},
+    Recipe{Family::obb_lattice, "obb_lattice", lattice_scene, place_box, kLatticeObb, leave},
+    Recipe{Family::obb_flat, "obb_flat", lattice_scene, place_box, flat(1, FrameKind::lattice), leave},
+    Recipe{Family::obb_needle, "obb_needle", lattice_scene, place_box, flat(2, FrameKind::lattice), leave},
+    Recipe{Family::obb_point, "obb_point", lattice_scene, place_box, flat(3, FrameKind::lattice), leave},
+    Recipe{Family::obb_dependent, "obb_dependent", lattice_scene, place_box, oriented(FrameKind::dependent), leave},
+    Recipe{Family::obb_axis, "obb_axis", lattice_scene, place_box, oriented(FrameKind::axes), leave},
+    Recipe{Family::obb_ulp, "obb_ulp", lattice_scene, place_box, kLatticeObb, nudge},
+    Recipe{Family::obb_parallel, "obb_parallel", lattice_scene, place_box, kParallelObb, leave},
+    Recipe{Family::obb_parallel_ulp, "obb_parallel_ulp", lattice_scene, place_box, kParallelObb, nudge},
+    Recipe{Family::obb_about_eye, "obb_about_eye", lattice_scene, place_box_about_eye, kLatticeObb, leave},
+    Recipe{Family::obb_shared_vertex, "obb_shared_vertex", large_lattice_scene, place_box,
+           oriented(FrameKind::large, Feature::vertex), leave},
+    Recipe{Family::obb_edge_crossing, "obb_edge_crossing", lattice_scene, place_box_across, kLatticeObbEdges, leave},
+    Recipe{Family::obb_edge_crossing_ulp, "obb_edge_crossing_ulp", lattice_scene, place_box_across, kLatticeObbEdges, nudge},
+    Recipe{Family::obb_wide_frustum, "obb_wide_frustum", wide_scene, place_box_for_other_near, kLatticeObb, leave},
+    Recipe{Family::obb_sliver, "obb_sliver", sliver_scene, place_box, kRealObb, leave},
+    Recipe{Family::obb_many_sided, "obb_many_sided", many_sided_scene, place_box, kLatticeObb, leave},
+    Recipe{Family::obb_decimal, "obb_decimal", sturdy_lattice_scene, place_box, kLatticeObb, make_decimal},
+    Recipe{Family::obb_far_offset, "obb_far_offset", lattice_scene, place_box, kLatticeObb, move_far},
+    Recipe{Family::obb_tiny_scale, "obb_tiny_scale", lattice_scene, place_box, kLatticeObb, shrink},
+    Recipe{Family::obb_huge_scale, "obb_huge_scale", random_scene, place_box, kRealObb, grow},
+    Recipe{Family::obb_orthographic, "obb_orthographic", orthographic_scene, place_box, kRealObb, leave},
+    Recipe{Family::obb_orthographic_touch, "obb_orthographic_touch", orthographic_lattice_scene, place_box, kLatticeObb,
+           leave},
+    Recipe{Family::obb_orthographic_parallel, "obb_orthographic_parallel", orthographic_lattice_scene, place_box,
+           kParallelObb, leave},
+    Recipe{Family::obb_orthographic_ulp, "obb_orthographic_ulp", orthographic_lattice_scene, place_box, kLatticeObb, nudge},
 };
 
 constexpr auto kFamilies = [] {
@@ -117,6 +120,11 @@ static_assert([] {
   return true;
 }());
 
+Occluder occluder_of(Scene&& scene) {
+  if (scene.is_polygon()) return std::move(scene.vertices);
+  return kernel::Polytope{std::move(scene.vertices), std::move(scene.faces)};
+}
+
 }  // namespace
 
 std::span<const Family> families() { return kFamilies; }
@@ -127,12 +135,9 @@ Case make_case(Family family, std::uint64_t seed) {
   const Recipe& recipe = recipe_of(family);
   // Families do not share their scenes for the same seed.
   Random random(seed ^ (static_cast<std::uint64_t>(family) << 56));
-  Case made = recipe.make_scene(random);
-  if (family == Family::eye_in_box) {
-    place_box_about_eye(random, made);
-  } else {
-    place_box(random, made, recipe.placement);
-  }
+  Scene scene = recipe.make_scene(random);
+  Box box = recipe.place(random, scene, recipe.placement);
+  Case made{scene.viewpoint, occluder_of(std::move(scene)), scene.near, box};
   recipe.finish(random, made);
   return made;
 }

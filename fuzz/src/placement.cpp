@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "sketch.h"
 
@@ -13,15 +12,9 @@ namespace {
 
 enum class Intent { inside, poking, touching, apart };
 
-/// A point of the frustum, and the normals of the planes of the frustum on which it lies.
-struct Contact {
-  Vec3 point;
-  std::vector<Vec3> normals;
-};
-
-/// How far a box goes from its contact point, downwards and upwards per axis.
+/// How far a box goes from its contact point, down and up each of its axes.
 struct Extents {
-  Vec3 down, up;
+  std::array<double, 3> down{}, up{};
 };
 
 Intent random_intent(Random& random) {
@@ -29,172 +22,52 @@ Intent random_intent(Random& random) {
   return u < 0.4 ? Intent::inside : u < 0.5 ? Intent::poking : u < 0.65 ? Intent::touching : Intent::apart;
 }
 
-Feature random_feature(Random& random) {
-  constexpr Feature kAll[] = {Feature::interior, Feature::face, Feature::ray, Feature::near, Feature::corner};
-  return kAll[random.index(std::size(kAll))];
-}
+double reach_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-bool is_on_near_plane(Random& random, Feature feature) {
-  return feature == Feature::near || feature == Feature::corner || (feature == Feature::face && random.chance(0.15));
-}
+/// An extent of 0.1 to 1, whatever the length of the axis.
+double random_extent(Random& random, const Vec3& axis) { return random.real(0.1, 1) / reach_of(axis); }
 
-/// Weights of the vertices; the contact lies in the direction of their weighted mean.
-std::vector<double> random_weights(Random& random, std::size_t count, Feature feature) {
-  std::vector<double> weights(count, 0);
-  const std::size_t first = random.index(count);
-  const auto weight = [&] { return static_cast<double>(random.integer(1, 3)); };
-  weights[first] = weight();
-  if (feature == Feature::face) weights[(first + 1) % count] = weight();
-  if (feature == Feature::interior || feature == Feature::near) {
-    weights[(first + 1) % count] = weight();
-    weights[(first + 1 + count / 2) % count] = weight();
-    weights[(first + 1 + count / 3) % count] = weight();
-    if (count == 3) weights[(first + 2) % count] = weight();
-  }
-  return weights;
-}
-
-Vec3 weighted_sum(const std::vector<Vec3>& vertices, const std::vector<double>& weights) {
-  Vec3 sum;
-  for (std::size_t i = 0; i < vertices.size(); ++i) sum = sum + weights[i] * vertices[i];
-  return sum;
-}
-
-/// Normals of the planes on which the contact lies: of the sides that hold every weighted vertex, perhaps of the near plane.
-std::vector<Vec3> normals_at(const std::vector<SketchPlane>& planes, const Case& scene, const std::vector<double>& weights,
-                             bool on_near_plane) {
-  const std::size_t count = scene.polygon.size();
-  std::vector<Vec3> normals;
-  for (std::size_t side = 0; side < count; ++side) {
-    bool holds_all = planes[side].normal != Vec3{};
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool is_end = i == side || i == (side + 1) % count;
-      if (weights[i] != 0 && !is_end && planes[side].height(scene.polygon[i]) != 0) holds_all = false;
-    }
-    if (holds_all) normals.push_back(planes[side].normal);
-  }
-  if (on_near_plane) normals.push_back(planes.back().normal);
-  return normals;
-}
-
-/// The ratio of two integers in lowest terms, so that scaling by them stays small.
-void reduce(double& a, double& b) {
-  const auto divisor = static_cast<double>(std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)));
-  if (divisor > 1) {
-    a /= divisor;
-    b /= divisor;
-  }
-}
-
-/// Where the near plane cuts a ray: at the eye + numerator / denominator * ray, both integers on a lattice.
-struct Reach {
-  double numerator, denominator;
-};
-
-Reach reach_of_near_plane(const Case& scene, const Vec3& ray, double total_weight) {
-  if (scene.near == Near::surface) return {1, total_weight};
-  const Vec3 farthest = sight(scene, scene.polygon[farthest_vertex(scene)]);
-  return {dot(farthest, farthest), dot(ray, farthest)};
-}
-
-double random_extra(Random& random, double scale, bool on_near_plane, bool is_lattice) {
-  if (on_near_plane) return 0;
-  return is_lattice ? std::ceil(scale * random.real(0, 2)) : scale * random.real(0.01, 2);
-}
-
-/// The contact point seen from an eye. On a lattice the polygon is scaled about the eye so that the point is an integer.
-Vec3 contact_from_eye(Random& random, Case& scene, std::vector<double>& weights, bool on_near_plane, bool is_lattice) {
-  const Vec3 eye = scene.viewpoint.value;
-  const auto ray_of = [&] {
-    return weighted_sum(scene.polygon, weights) - std::accumulate(weights.begin(), weights.end(), 0.0) * eye;
-  };
-  Vec3 ray = ray_of();
-  Reach reach = reach_of_near_plane(scene, ray, std::accumulate(weights.begin(), weights.end(), 0.0));
-  if (reach.denominator <= 0) {  // the near plane is behind this ray of a very wide frustum: take the farthest vertex's own
-    std::ranges::fill(weights, 0);
-    weights[farthest_vertex(scene)] = 1;
-    ray = ray_of();
-    reach = reach_of_near_plane(scene, ray, 1);
-  }
-  if (!is_lattice) {
-    const double t = reach.numerator / reach.denominator;
-    return eye + (t + random_extra(random, t, on_near_plane, false)) * ray;
-  }
-  reduce(reach.numerator, reach.denominator);
-  for (Vec3& vertex : scene.polygon) vertex = eye + reach.denominator * (vertex - eye);
-  return eye + (reach.numerator + random_extra(random, reach.numerator, on_near_plane, true)) * ray;
-}
-
-/// The same for a direction of view.
-Vec3 contact_along_direction(Random& random, Case& scene, const std::vector<double>& weights, bool on_near_plane,
-                             bool is_lattice) {
-  const Vec3 direction = scene.viewpoint.value;
-  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const Vec3 sum = weighted_sum(scene.polygon, weights);
-  double scale = total, way = 0;  // scale * (mean + ...): the point is (sum * scale / total + way * direction) / scale
-  if (scene.near == Near::farthest) {
-    scale = total * dot(direction, direction);
-    way = dot(total * scene.polygon[farthest_vertex(scene)] - sum, direction);
-  }
-  const double room = std::max(way, is_lattice ? 4.0 : scale * 4);
-  const Vec3 point = (scale / total) * sum + (way + random_extra(random, room, on_near_plane, is_lattice)) * direction;
-  if (!is_lattice) return (1 / scale) * point;
-  for (Vec3& vertex : scene.polygon) vertex = scale * vertex;
-  return point;
-}
-
-void enlarge(Case& scene, Contact& contact, double factor) {
-  for (Vec3& vertex : scene.polygon) vertex = factor * vertex;
-  if (scene.viewpoint.is_eye()) scene.viewpoint.value = factor * scene.viewpoint.value;
-  contact.point = factor * contact.point;
-}
-
-Contact make_contact(Random& random, Case& scene, Feature feature, bool is_lattice) {
-  std::vector<double> weights = random_weights(random, scene.polygon.size(), feature);
-  const bool on_near_plane = is_on_near_plane(random, feature);
-  const std::vector<SketchPlane> planes = sketch(scene);
-  const Case before = scene;
-  Contact contact;
-  contact.point = scene.viewpoint.is_eye() ? contact_from_eye(random, scene, weights, on_near_plane, is_lattice)
-                                           : contact_along_direction(random, scene, weights, on_near_plane, is_lattice);
-  contact.normals = normals_at(planes, before, weights, on_near_plane);
-  if (is_lattice) enlarge(scene, contact, random.chance(0.5) ? 8 : 64);
-  return contact;
-}
-
-/// Extents in which no point goes to the negative side of any of the normals, up to 1 an axis.
-Extents random_extents(Random& random, const std::vector<Vec3>& normals) {
+/// Extents in which no point goes to the negative side of any of the normals.
+Extents random_extents(Random& random, const Frame& frame, const std::vector<Vec3>& normals) {
   Extents extents;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool may_sink = std::ranges::all_of(normals, [&](const Vec3& n) { return n[axis] <= 0; });
-    const bool may_rise = std::ranges::all_of(normals, [&](const Vec3& n) { return n[axis] >= 0; });
-    if (may_sink && random.chance(0.8)) extents.down[axis] = random.real(0.1, 1);
-    if (may_rise && random.chance(0.8)) extents.up[axis] = random.real(0.1, 1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (frame[i] == Vec3{}) continue;
+    const bool may_sink = std::ranges::all_of(normals, [&](const Vec3& n) { return dot(n, frame[i]) <= 0; });
+    const bool may_rise = std::ranges::all_of(normals, [&](const Vec3& n) { return dot(n, frame[i]) >= 0; });
+    if (may_sink && random.chance(0.8)) extents.down[i] = random_extent(random, frame[i]);
+    if (may_rise && random.chance(0.8)) extents.up[i] = random_extent(random, frame[i]);
   }
   return extents;
 }
 
 /// The factor at which extents about `point` first leave one of the planes that the point is not on; infinite if never.
-double room_for(const std::vector<SketchPlane>& planes, const Vec3& point, const Extents& extents) {
+double room_for(const std::vector<SketchPlane>& planes, const Vec3& point, const Frame& frame, const Extents& extents) {
   double room = std::numeric_limits<double>::infinity();
   for (const SketchPlane& plane : planes) {
     const double height = plane.height(point);
     double drop = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double n = plane.normal[axis];
-      drop += n > 0 ? n * extents.down[axis] : -n * extents.up[axis];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double n = dot(plane.normal, frame[i]);
+      drop += n > 0 ? n * extents.down[i] : -n * extents.up[i];
     }
     if (height > 0 && drop > 0) room = std::min(room, height / drop);
   }
   return room;
 }
 
-/// A plane through the contact with the frustum on its positive side: a positive mixture of the planes there. Half the time
-/// one that is parallel to an axis, so that an edge of the box can lie across an edge of the frustum.
-Vec3 supporting_normal(Random& random, const std::vector<Vec3>& normals) {
+/// The plane through an edge of the frustum, where the planes of normals n and m meet, and a line along `axis`, if that line
+/// leaves the frustum both ways: its normal, a positive mixture of n and m.
+std::optional<Vec3> normal_across(const Vec3& n, const Vec3& m, const Vec3& axis) {
+  const double along_n = dot(n, axis), along_m = dot(m, axis);
+  if (along_n * along_m >= 0) return std::nullopt;
+  return std::abs(along_m) * n + std::abs(along_n) * m;
+}
+
+/// A plane through the contact with the frustum on its positive side: a positive mixture of the planes there. Where it can
+/// be, one that is parallel to an axis of the box, so that an edge of the box can lie across an edge of the frustum.
+Vec3 supporting_normal(Random& random, const std::vector<Vec3>& normals, const Frame& frame) {
   const Vec3 &n = normals[random.index(normals.size())], &m = normals[random.index(normals.size())];
-  const int axis = random.integer(0, 2);
-  if (n[axis] * m[axis] < 0) return std::abs(m[axis]) * n + std::abs(n[axis]) * m;
+  if (const auto across = normal_across(n, m, frame[random.index(3)])) return *across;
   return random.chance(0.5) ? n : n + m;
 }
 
@@ -204,71 +77,196 @@ int main_axis(const Vec3& v) {
 }
 
 void flatten(Random& random, Extents& extents, int axes) {
-  const int first = random.integer(0, 2);
-  for (int i = 0; i < axes; ++i) extents.down[(first + i) % 3] = extents.up[(first + i) % 3] = 0;
+  const std::size_t first = random.index(3);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(axes); ++i) {
+    extents.down[(first + i) % 3] = extents.up[(first + i) % 3] = 0;
+  }
 }
 
-double size_of(const Case& scene, const Vec3& point) {
-  const Vec3 d = point - (scene.viewpoint.is_eye() ? scene.viewpoint.value : scene.polygon[0]);
-  return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1.0});
+double size_of(const Scene& scene, const Vec3& point) {
+  return std::max(reach_of(point - (scene.viewpoint.is_eye() ? scene.viewpoint.value : scene.vertices[0])), 1.0);
 }
 
 /// min and max = the extents, times `factor`, about the point; whole numbers on a lattice.
-kernel::Aabb make_box(const Vec3& point, const Extents& extents, double factor, bool is_lattice) {
+kernel::Aabb make_aabb(const Vec3& point, const Extents& extents, double factor, bool is_lattice) {
   kernel::Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
-    const double down = factor * extents.down[axis], up = factor * extents.up[axis];
+    const auto i = static_cast<std::size_t>(axis);
+    const double down = factor * extents.down[i], up = factor * extents.up[i];
     box.min[axis] = point[axis] - (is_lattice ? std::floor(down) : down);
     box.max[axis] = point[axis] + (is_lattice ? std::floor(up) : up);
   }
   return box;
 }
 
+/// The same along the axes of the frame. On a lattice the halves of the extents are whole, and so are centre and half edges.
+kernel::Obb make_obb(const Vec3& point, const Frame& frame, const Extents& extents, double factor, bool is_lattice) {
+  kernel::Obb box{point, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    double down = 0.5 * factor * extents.down[i], up = 0.5 * factor * extents.up[i];
+    if (is_lattice) {
+      down = std::floor(down);
+      up = std::floor(up);
+    }
+    box.center = box.center + (up - down) * frame[i];
+    box.half_edges[i] = (up + down) * frame[i];
+  }
+  return box;
+}
+
+Box make_box(const Vec3& point, const Frame& frame, const Extents& extents, double factor, const Placement& placement) {
+  if (!placement.frame) return make_aabb(point, extents, factor, placement.is_lattice);
+  return make_obb(point, frame, extents, factor, placement.is_lattice);
+}
+
+void shift(Box& box, int axis, double step) {
+  if (auto* const aabb = std::get_if<kernel::Aabb>(&box)) {
+    aabb->min[axis] += step;
+    aabb->max[axis] += step;
+  } else {
+    std::get<kernel::Obb>(box).center[axis] += step;
+  }
+}
+
 /// Moves the box off the positive side of `normal`: by one unit on a lattice, by a small part of `size` else.
-void push_out(Random& random, kernel::Aabb& box, const Vec3& normal, double size, bool is_lattice) {
+void push_out(Random& random, Box& box, const Vec3& normal, double size, bool is_lattice) {
   const int axis = main_axis(normal);
   const double part = random.chance(0.5) ? random.real(0, 1) : 1e-5 * random.real(0, 1);
-  const double step = (normal[axis] > 0 ? -1 : 1) * (is_lattice ? 1.0 : size * part);
-  box.min[axis] += step;
-  box.max[axis] += step;
+  shift(box, axis, (normal[axis] > 0 ? -1 : 1) * (is_lattice ? 1.0 : size * part));
+}
+
+Frame frame_of(Random& random, const Placement& placement, const Scene& scene, const Outline& outline) {
+  return placement.frame ? make_frame(random, *placement.frame, scene, outline) : kUnitFrame;
+}
+
+/// A contact with room about it for boxes of many whole sizes; oriented ones come in coarser steps and need more.
+Contact make_roomy_contact(Random& random, Scene& scene, const Outline& outline, Feature feature,
+                           const Placement& placement) {
+  Contact contact = make_contact(random, scene, outline, feature, placement.is_lattice);
+  if (!placement.is_lattice) return contact;
+  const double factor = (random.chance(0.5) ? 8 : 64) * (placement.frame ? 8 : 1);
+  for (Vec3& vertex : scene.vertices) vertex = factor * vertex;
+  if (scene.viewpoint.is_eye()) scene.viewpoint.value = factor * scene.viewpoint.value;
+  contact.point = factor * contact.point;
+  return contact;
+}
+
+/// A supporting plane on which an edge of the box, along the axis, crosses an edge of the frustum.
+struct Crossing {
+  Vec3 normal;
+  std::size_t axis;
+};
+
+std::optional<Crossing> find_crossing(Random& random, const std::vector<Vec3>& normals, const Frame& frame) {
+  constexpr int kTries = 8;
+  for (int i = 0; i < kTries && !normals.empty(); ++i) {
+    const Vec3 &n = normals[random.index(normals.size())], &m = normals[random.index(normals.size())];
+    const std::size_t axis = random.index(3);
+    if (const auto normal = normal_across(n, m, frame[axis])) return Crossing{*normal, axis};
+  }
+  return std::nullopt;
+}
+
+/// Extents on the negative side of the crossing's plane, both ways along its axis.
+Extents extents_across(Random& random, const Frame& frame, const Crossing& crossing) {
+  Extents extents;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (frame[i] == Vec3{}) continue;
+    const double down = random_extent(random, frame[i]), up = random_extent(random, frame[i]);
+    const double rise = i == crossing.axis ? 0 : dot(crossing.normal, frame[i]);
+    if (rise >= 0) extents.down[i] = down;
+    if (rise <= 0) extents.up[i] = up;
+  }
+  return extents;
+}
+
+void snap_to_vertex(Random& random, kernel::Aabb& box, const Vec3& vertex) {
+  const int axis = random.integer(0, 2);
+  (vertex[axis] < box.min[axis] || random.chance(0.3) ? box.min : box.max)[axis] = vertex[axis];
+  if (box.min[axis] > box.max[axis]) std::swap(box.min[axis], box.max[axis]);
 }
 
 }  // namespace
 
-void place_box(Random& random, Case& scene, const Placement& placement) {
+Box place_box(Random& random, Scene& scene, const Placement& placement) {
+  const Outline outline = outline_of(scene);
+  const Frame frame = frame_of(random, placement, scene, outline);
   const Intent intent = random_intent(random);
-  Feature feature = placement.feature == Feature::any ? random_feature(random) : placement.feature;
+  Feature feature = resolve(random, placement.feature);
   const bool is_outer = intent == Intent::touching || intent == Intent::apart;
   if (is_outer && feature == Feature::interior) feature = Feature::face;
-  const Contact contact = make_contact(random, scene, feature, placement.is_lattice);
+  const Contact contact = make_roomy_contact(random, scene, outline, feature, placement);
   const double size = size_of(scene, contact.point);
 
-  const Vec3 support = contact.normals.empty() ? Vec3{} : supporting_normal(random, contact.normals);
-  Extents extents = random_extents(random, is_outer ? std::vector<Vec3>{-1.0 * support} : contact.normals);
+  const Vec3 support = contact.normals.empty() ? Vec3{} : supporting_normal(random, contact.normals, frame);
+  Extents extents = random_extents(random, frame, is_outer ? std::vector<Vec3>{-1.0 * support} : contact.normals);
   flatten(random, extents, placement.flat_axes);
   double factor = size * random.real(0.01, 1);
   if (!is_outer) {
-    factor = std::min(size, room_for(sketch(scene), contact.point, extents)) * random.real(0.3, 1);
+    factor = std::min(size, room_for(sketch(scene, outline), contact.point, frame, extents)) * random.real(0.3, 1);
     if (intent == Intent::poking && contact.normals.empty()) factor *= 4;
   }
-  scene.box = make_box(contact.point, extents, factor, placement.is_lattice);
+  Box box = make_box(contact.point, frame, extents, factor, placement);
   if (intent == Intent::apart || intent == Intent::poking) {
-    push_out(random, scene.box, support, is_outer ? size : 0.2 * factor, placement.is_lattice);
+    push_out(random, box, support, is_outer ? size : 0.2 * factor, placement.is_lattice);
   }
+  return box;
 }
 
-void place_box_about_eye(Random& random, Case& scene) {
-  const Extents extents{{random.real(0, 1), random.real(0, 1), random.real(0, 1)},
-                        {random.real(0, 1), random.real(0, 1), random.real(0, 1)}};
-  for (Vec3& vertex : scene.polygon) vertex = 8.0 * vertex;
-  scene.viewpoint.value = 8.0 * scene.viewpoint.value;
-  const SketchPlane near = sketch(scene).back();
+Box place_box_for_other_near(Random& random, Scene& scene, const Placement& placement) {
+  const Near asked = scene.near;
+  if (random.chance(0.4)) scene.near = asked == Near::farthest ? Near::surface : Near::farthest;
+  Box box = place_box(random, scene, placement);
+  scene.near = asked;
+  return box;
+}
+
+Box place_box_across(Random& random, Scene& scene, const Placement& placement) {
+  const Outline outline = outline_of(scene);
+  const Scene unscaled = scene;
+  constexpr int kTries = 8;  // at other edges, when no axis of the box crosses this one
+  for (int i = 0; i < kTries; ++i) {
+    scene = unscaled;
+    const Frame frame = frame_of(random, placement, scene, outline);
+    const Contact contact = make_roomy_contact(random, scene, outline, resolve(random, placement.feature), placement);
+    const auto crossing = find_crossing(random, contact.normals, frame);
+    if (!crossing) continue;
+    const double size = size_of(scene, contact.point);
+    const Extents extents = extents_across(random, frame, *crossing);
+    Box box = make_box(contact.point, frame, extents, size * random.real(0.1, 1), placement);
+    const int axis = main_axis(crossing->normal), steps = random.integer(-1, 1);
+    const double step = placement.is_lattice ? 1.0 : 1e-5 * random.real(0, 1) * size;
+    shift(box, axis, steps * (crossing->normal[axis] > 0 ? step : -step));
+    return box;
+  }
+  scene = unscaled;
+  return place_box(random, scene, placement);
+}
+
+Box place_box_at_vertices(Random& random, Scene& scene, const Placement& placement) {
+  auto box = std::get<kernel::Aabb>(place_box(random, scene, placement));
+  if (random.chance(0.5)) snap_to_vertex(random, box, scene.vertices[random.index(scene.vertices.size())]);
+  return box;
+}
+
+Box place_box_about_eye(Random& random, Scene& scene, const Placement& placement) {
+  const Outline outline = outline_of(scene);
+  const Frame frame = frame_of(random, placement, scene, outline);
+  const auto part = [&] { return random.real(0, 1); };
+  Extents extents;
+  for (double& down : extents.down) down = part();
+  for (double& up : extents.up) up = part();
+  const double room = placement.frame ? 64 : 8;
+  for (Vec3& vertex : scene.vertices) vertex = room * vertex;
+  scene.viewpoint.value = room * scene.viewpoint.value;
+  const SketchPlane near = sketch(scene, outline).back();
   double reach = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    reach += std::max(near.normal[axis] * extents.up[axis], -near.normal[axis] * extents.down[axis]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double n = dot(near.normal, frame[i]);
+    reach += std::max(n * extents.up[i], -n * extents.down[i]);
   }
   const double factor = -near.height(scene.viewpoint.value) / reach * random.real(0.3, 3);
-  scene.box = make_box(scene.viewpoint.value, extents, factor, true);
+  return make_box(scene.viewpoint.value, frame, extents, factor, placement);
 }
 
 }  // namespace occlude::fuzz

@@ -5,93 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "vector_math.h"
+#include "lattice.h"
 
 namespace occlude::fuzz {
 namespace {
-
-struct Step {
-  int a = 0, b = 0;
-};
-
-std::int64_t cross(const Step& p, const Step& q) { return std::int64_t{p.a} * q.b - std::int64_t{p.b} * q.a; }
-
-/// Counter-clockwise from the positive a axis.
-bool has_lower_angle(const Step& p, const Step& q) {
-  const auto half = [](const Step& s) { return s.b < 0 || (s.b == 0 && s.a < 0); };
-  return half(p) != half(q) ? half(q) : cross(p, q) > 0;
-}
-
-bool have_one_direction(const Step& p, const Step& q) { return cross(p, q) == 0 && p.a * q.a + p.b * q.b > 0; }
-
-/// `count - 1` random steps of different directions, and the one that leads back.
-std::vector<Step> closed_steps(Random& random, int count, int reach) {
-  std::vector<Step> steps;
-  Step closing;
-  while (static_cast<int>(steps.size()) < count - 1) {
-    const Step step{random.integer(-reach, reach), random.integer(-reach, reach)};
-    const bool is_old = std::ranges::any_of(steps, [&](const Step& s) { return have_one_direction(s, step); });
-    if ((step.a == 0 && step.b == 0) || is_old) continue;
-    steps.push_back(step);
-    closing = {closing.a - step.a, closing.b - step.b};
-  }
-  if (closing.a != 0 || closing.b != 0) steps.push_back(closing);
-  return steps;
-}
-
-/// The edges, sorted by angle, of a convex polygon of about `count` sides.
-std::vector<Step> lattice_edges(Random& random, int count, int reach) {
-  while (true) {
-    std::vector<Step> steps = closed_steps(random, count, reach);
-    if (std::ranges::all_of(steps, [&](const Step& s) { return cross(steps[0], s) == 0; })) continue;  // no area
-    std::ranges::sort(steps, has_lower_angle);
-    return steps;
-  }
-}
-
-Vec3 lattice_vector(Random& random, int reach) {
-  const auto next = [&] { return static_cast<double>(random.integer(-reach, reach)); };
-  const double x = next(), y = next(), z = next();
-  return {x, y, z};
-}
-
-Vec3 random_vector(Random& random, double reach) {
-  const double x = random.real(-reach, reach), y = random.real(-reach, reach), z = random.real(-reach, reach);
-  return {x, y, z};
-}
-
-/// Two vectors that span a plane; often axes, so that side planes fall on axis planes too.
-std::array<Vec3, 2> lattice_basis(Random& random) {
-  while (true) {
-    const int reach = random.integer(1, 2);
-    const Vec3 e = lattice_vector(random, reach), f = lattice_vector(random, reach);
-    if (fuzz::cross(e, f) != Vec3{}) return {e, f};
-  }
-}
-
-Near random_near(Random& random) { return random.chance(0.5) ? Near::farthest : Near::surface; }
-
-/// The polygon of the steps in a random lattice plane.
-std::vector<Vec3> embed(Random& random, const std::vector<Step>& steps) {
-  const auto [e, f] = lattice_basis(random);
-  std::vector<Vec3> polygon;
-  Vec3 at = lattice_vector(random, 4);
-  for (const Step& step : steps) {
-    polygon.push_back(at);
-    at = at + static_cast<double>(step.a) * e + static_cast<double>(step.b) * f;
-  }
-  if (random.chance(0.5)) std::ranges::reverse(polygon);
-  return polygon;
-}
-
-/// A normal of the plane of a coplanar polygon.
-Vec3 plane_normal(const std::vector<Vec3>& polygon) {
-  for (std::size_t i = 2; i < polygon.size(); ++i) {
-    const Vec3 normal = fuzz::cross(polygon[1] - polygon[0], polygon[i] - polygon[0]);
-    if (normal != Vec3{}) return normal;
-  }
-  return {};
-}
 
 /// A lattice eye off the polygon's plane, or a direction across it.
 kernel::Viewpoint lattice_viewpoint(Random& random, const std::vector<Vec3>& polygon, bool is_eye) {
@@ -105,23 +22,21 @@ kernel::Viewpoint lattice_viewpoint(Random& random, const std::vector<Vec3>& pol
   }
 }
 
-Case lattice_scene_of(Random& random, const std::vector<Step>& steps, bool is_eye = true) {
-  Case scene;
-  scene.polygon = embed(random, steps);
-  scene.viewpoint = lattice_viewpoint(random, scene.polygon, is_eye);
+Scene lattice_scene_of(Random& random, const std::vector<Step>& steps, bool is_eye = true) {
+  Scene scene;
+  scene.vertices = embed(random, steps);
+  scene.viewpoint = lattice_viewpoint(random, scene.vertices, is_eye);
   scene.near = random_near(random);
   return scene;
 }
 
-std::vector<Step> few_edges(Random& random) { return lattice_edges(random, random.integer(3, 6), 3); }
-
-Case exchange_axes(Random& random, Case scene) {
+Scene exchange_axes(Random& random, Scene scene) {
   const int shift = random.integer(0, 2);
   const std::array<double, 3> sign{random.chance(0.5) ? 1.0 : -1.0, random.chance(0.5) ? 1.0 : -1.0, 1.0};
   const auto exchange = [&](Vec3& v) {
     v = {sign[0] * v[shift], sign[1] * v[(shift + 1) % 3], sign[2] * v[(shift + 2) % 3]};
   };
-  std::ranges::for_each(scene.polygon, exchange);
+  std::ranges::for_each(scene.vertices, exchange);
   exchange(scene.viewpoint.value);
   return scene;
 }
@@ -144,7 +59,7 @@ std::array<double, 2> on_circle(double turn) {
 
 /// A convex polygon about `centre`, its vertices on an ellipse in a random plane and off it by up to `fold`.
 std::vector<Vec3> ellipse_polygon(Random& random, int sides, const Vec3& centre, double fold) {
-  const Vec3 e = random_vector(random, 5), f = random_vector(random, 5), up = fuzz::cross(e, f);
+  const Vec3 e = random_vector(random, 5), f = random_vector(random, 5), up = cross(e, f);
   const double scale = fold / std::sqrt(dot(up, up));
   std::vector<Vec3> polygon;
   for (int i = 0; i < sides; ++i) {
@@ -154,94 +69,183 @@ std::vector<Vec3> ellipse_polygon(Random& random, int sides, const Vec3& centre,
   return polygon;
 }
 
+/// The rectangle at right angles to the axis, with the corners `start` and `end` seen along it, or three of its corners.
+std::vector<Vec3> axis_rectangle(Random& random, int axis, const Vec3& start, const Vec3& end) {
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  std::vector<Vec3> corners(4, start);
+  corners[1][u] = corners[2][u] = end[u];
+  corners[2][v] = corners[3][v] = end[v];
+  if (random.chance(0.5)) corners.pop_back();
+  return corners;
+}
+
+Vec3 lattice_sizes(Random& random) {
+  const double x = random.integer(1, 6), y = random.integer(1, 6), z = random.integer(1, 6);
+  return {x, y, z};
+}
+
+/// Along the axis, and not, or less often, along the others.
+Vec3 offset_along_axes(Random& random, int axis) {
+  Vec3 offset;
+  offset[axis] = random.integer(1, 9) * (random.chance(0.5) ? 1 : -1);
+  for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
+    if (random.chance(0.4)) offset[other] = random.integer(-9, 9);
+  }
+  return offset;
+}
+
 }  // namespace
 
-Case random_scene(Random& random) {
-  Case scene;
+Near random_near(Random& random) { return random.chance(0.5) ? Near::farthest : Near::surface; }
+
+Scene random_scene(Random& random) {
+  Scene scene;
   const int sides = random.chance(0.5) ? 3 : random.integer(4, 6);
-  scene.polygon = ellipse_polygon(random, sides, random_vector(random, 5), 0);
+  scene.vertices = ellipse_polygon(random, sides, random_vector(random, 5), 0);
   scene.viewpoint = kernel::Viewpoint::eye(random_vector(random, 10));
   scene.near = sides == 3 ? random_near(random) : Near::farthest;
   return scene;
 }
 
-Case folded_scene(Random& random) {
-  Case scene;
-  scene.polygon = ellipse_polygon(random, 4, random_vector(random, 3), 0.5);
-  const Vec3 across = fuzz::cross(scene.polygon[1] - scene.polygon[0], scene.polygon[2] - scene.polygon[0]);
+Scene folded_scene(Random& random) {
+  Scene scene;
+  scene.vertices = ellipse_polygon(random, 4, random_vector(random, 3), 0.5);
+  const Vec3 across = cross(scene.vertices[1] - scene.vertices[0], scene.vertices[2] - scene.vertices[0]);
   const double distance = random.real(5, 15) / std::sqrt(dot(across, across));
-  scene.viewpoint = kernel::Viewpoint::eye(scene.polygon[0] + random_vector(random, 2) + distance * across);
+  scene.viewpoint = kernel::Viewpoint::eye(scene.vertices[0] + random_vector(random, 2) + distance * across);
   return scene;
 }
 
-Case sliver_scene(Random& random) {
-  Case scene;
+Scene sliver_scene(Random& random) {
+  Scene scene;
   const Vec3 start = random_vector(random, 5), along = random_vector(random, 10), aside = random_vector(random, 1);
   const double width = random.chance(0.5) ? 1e-6 : 1e-9;
-  scene.polygon = {start, start + along, start + random.real(-0.2, 1.2) * along + width * aside};
+  scene.vertices = {start, start + along, start + random.real(-0.2, 1.2) * along + width * aside};
   scene.viewpoint = kernel::Viewpoint::eye(random_vector(random, 10));
   scene.near = random_near(random);
   return scene;
 }
 
-Case lattice_scene(Random& random) { return lattice_scene_of(random, few_edges(random)); }
+Scene lattice_scene(Random& random) { return lattice_scene_of(random, few_edges(random)); }
 
-Case many_sided_scene(Random& random) {
+Scene many_sided_scene(Random& random) {
   const int sides = random.chance(0.5) ? random.integer(3, 12) : random.integer(13, 64);
   return lattice_scene_of(random, lattice_edges(random, sides, sides < 13 ? 4 : 9));
 }
 
-Case collinear_scene(Random& random) {
-  Case scene = lattice_scene(random);
+Scene collinear_scene(Random& random) {
+  Scene scene = lattice_scene(random);
   std::vector<Vec3> loop;
-  for (std::size_t i = 0; i < scene.polygon.size(); ++i) {
-    const Vec3 &a = scene.polygon[i], &b = scene.polygon[(i + 1) % scene.polygon.size()];
+  for (std::size_t i = 0; i < scene.vertices.size(); ++i) {
+    const Vec3 &a = scene.vertices[i], &b = scene.vertices[(i + 1) % scene.vertices.size()];
     loop.push_back(4.0 * a);
     if (random.chance(0.25)) loop.push_back(4.0 * a);
     if (random.chance(0.3)) loop.push_back(3.0 * a + b);
     if (random.chance(0.3)) loop.push_back(2.0 * a + 2.0 * b);
     if (random.chance(0.15)) loop.push_back(2.0 * a + 2.0 * b);
   }
-  scene.polygon = std::move(loop);
+  scene.vertices = std::move(loop);
   scene.viewpoint.value = 4.0 * scene.viewpoint.value;
   return scene;
 }
 
-Case equal_farthest_scene(Random& random) {
+Scene equal_farthest_scene(Random& random) {
   constexpr std::array<Step, 12> kCircle{
       {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}}};
-  Case scene;
+  Scene scene;
   const int height = random.integer(1, 12);
-  while (scene.polygon.size() < 3) {
-    scene.polygon.clear();
+  while (scene.vertices.size() < 3) {
+    scene.vertices.clear();
     for (const Step& step : kCircle) {
-      if (random.chance(0.4)) scene.polygon.push_back(Vec3{1.0 * step.a, 1.0 * step.b, 1.0 * height});
+      if (random.chance(0.4)) scene.vertices.push_back(Vec3{1.0 * step.a, 1.0 * step.b, 1.0 * height});
     }
   }
   const Vec3 offset = lattice_vector(random, 9);
-  for (Vec3& vertex : scene.polygon) vertex = vertex + offset;
+  for (Vec3& vertex : scene.vertices) vertex = vertex + offset;
   scene.viewpoint = kernel::Viewpoint::eye(offset);
   return exchange_axes(random, std::move(scene));
 }
 
-Case lattice_sliver_scene(Random& random) {
+Scene lattice_sliver_scene(Random& random) {
   const int length = random.integer(50, 500);
   const Step along{length, random.integer(-1, 1)}, aside{random.integer(0, length), random.integer(2, 3)};
   return lattice_scene_of(random, {along, aside, {-along.a - aside.a, -along.b - aside.b}});
 }
 
-Case sturdy_lattice_scene(Random& random) {
-  Case scene = lattice_scene(random);
-  if (scene.polygon.size() > 3) scene.near = Near::farthest;
+Scene sturdy_lattice_scene(Random& random) {
+  Scene scene = lattice_scene(random);
+  if (scene.vertices.size() > 3) scene.near = Near::farthest;
   return scene;
 }
 
-Case orthographic_scene(Random& random) {
-  Case scene = random_scene(random);
+Scene wide_scene(Random& random) {
+  Scene scene;
+  scene.vertices = embed(random, few_edges(random));
+  for (Vec3& vertex : scene.vertices) vertex = 16.0 * vertex;
+  const std::size_t count = scene.vertices.size(), i = random.index(count);
+  const Vec3 &a = scene.vertices[i], &b = scene.vertices[(i + 1) % count], &c = scene.vertices[(i + 1 + count / 2) % count];
+  // Whole: the differences are multiples of 16.
+  const double to_b = random.integer(0, 12) / 16.0, to_c = random.integer(1, 12) / 16.0;
+  const Vec3 foot = a + to_b * (b - a) + to_c * (c - a), normal = plane_normal(scene.vertices);
+  Vec3 offset;
+  while (dot(normal, offset) == 0) offset = lattice_vector(random, 2);
+  scene.viewpoint = kernel::Viewpoint::eye(foot + offset);
+  scene.near = random.chance(0.8) ? Near::farthest : Near::surface;
+  return scene;
+}
+
+Scene axis_aligned_scene(Random& random) {
+  const int axis = random.integer(0, 2);
+  const Vec3 start = lattice_vector(random, 4), size = lattice_sizes(random);
+  Scene scene;
+  scene.vertices = axis_rectangle(random, axis, start, start + size);
+  const Vec3& corner = scene.vertices[random.index(scene.vertices.size())];
+  scene.viewpoint = kernel::Viewpoint::eye(corner + offset_along_axes(random, axis));
+  scene.near = random_near(random);
+  return scene;
+}
+
+Scene orthographic_axis_aligned_scene(Random& random) {
+  const int axis = random.integer(0, 2);
+  const Vec3 start = lattice_vector(random, 4), size = lattice_sizes(random);
+  Scene scene;
+  scene.vertices = axis_rectangle(random, axis, start, start + size);
+  scene.viewpoint = kernel::Viewpoint::direction(offset_along_axes(random, axis));
+  scene.near = random_near(random);
+  return scene;
+}
+
+Scene large_lattice_scene(Random& random) {
+  constexpr int kReach = 1 << 24;
+  Scene scene;
+  for (int i = 0; i < 3; ++i) scene.vertices.push_back(lattice_vector(random, kReach));
+  scene.viewpoint = kernel::Viewpoint::eye(lattice_vector(random, kReach));
+  scene.near = random_near(random);
+  return scene;
+}
+
+Scene shared_coordinates_scene(Random& random) {
+  const int axis = random.integer(0, 2);
+  const Vec3 start = random_vector(random, 5), end = random_vector(random, 5);
+  Scene scene;
+  scene.vertices = axis_rectangle(random, axis, start, end);
+  if (scene.vertices.size() == 3 && random.chance(0.5)) scene.vertices[2] = random_vector(random, 5);
+  const Vec3& corner = scene.vertices[random.index(scene.vertices.size())];
+  Vec3 eye = random_vector(random, 10);
+  for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
+    if (random.chance(0.3)) eye[other] = corner[other];
+  }
+  scene.viewpoint = kernel::Viewpoint::eye(eye);
+  scene.near = random_near(random);
+  return scene;
+}
+
+Scene orthographic_scene(Random& random) {
+  Scene scene = random_scene(random);
   scene.viewpoint = kernel::Viewpoint::direction(random_vector(random, 1));
   return scene;
 }
 
-Case orthographic_lattice_scene(Random& random) { return lattice_scene_of(random, few_edges(random), false); }
+Scene orthographic_lattice_scene(Random& random) { return lattice_scene_of(random, few_edges(random), false); }
 
 }  // namespace occlude::fuzz

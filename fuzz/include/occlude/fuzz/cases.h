@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "occlude/kernel/shadow_frustum.h"
@@ -14,15 +15,20 @@ namespace occlude::fuzz {
 
 using kernel::Near;
 
-/// One question: how does `box` lie to the shadow frustum of `polygon` seen from `viewpoint`?
+/// A convex polygon's vertices in order, or a polytope.
+using Occluder = std::variant<std::vector<kernel::Vec3>, kernel::Polytope>;
+using Box = std::variant<kernel::Aabb, kernel::Obb>;
+
+/// One question: how does `box` lie to the shadow frustum of `occluder` seen from `viewpoint`?
 struct Case {
   kernel::Viewpoint viewpoint;
-  std::vector<kernel::Vec3> polygon;
+  Occluder occluder;
   Near near = Near::farthest;
-  kernel::Aabb box;
+  Box box;
 };
 
-/// What each is: fuzz/README.md.
+/// What each is: fuzz/README.md. The name tells the kind: with `obb` the box is oriented, with `polytope` the occluder is
+/// one, with `orthographic` the viewpoint is a direction.
 enum class Family {
   random,
   lattice,
@@ -49,6 +55,40 @@ enum class Family {
   orthographic,
   orthographic_touch,
   orthographic_ulp,
+  wide_frustum,
+  wide_frustum_ulp,
+  axis_aligned_faces,
+  shared_vertex,
+  edge_crossing,
+  edge_crossing_ulp,
+  edge_crossing_random,
+  orthographic_axis_aligned,
+  orthographic_edge_crossing,
+  obb_random,
+  obb_lattice,
+  obb_flat,
+  obb_needle,
+  obb_point,
+  obb_dependent,
+  obb_axis,
+  obb_ulp,
+  obb_parallel,
+  obb_parallel_ulp,
+  obb_about_eye,
+  obb_shared_vertex,
+  obb_edge_crossing,
+  obb_edge_crossing_ulp,
+  obb_wide_frustum,
+  obb_sliver,
+  obb_many_sided,
+  obb_decimal,
+  obb_far_offset,
+  obb_tiny_scale,
+  obb_huge_scale,
+  obb_orthographic,
+  obb_orthographic_touch,
+  obb_orthographic_parallel,
+  obb_orthographic_ulp,
 };
 
 [[nodiscard]] std::span<const Family> families();

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "finish.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "vector_math.h"
+
+namespace occlude::fuzz {
+namespace {
+
+std::vector<Vec3>& vertices_of(Occluder& occluder) {
+  auto* const polygon = std::get_if<std::vector<Vec3>>(&occluder);
+  return polygon ? *polygon : std::get<kernel::Polytope>(occluder).vertices;
+}
+
+/// Applies `change` to every coordinate of the case, a direction of view and half edges excepted.
+template <class Change>
+void for_each_point(Case& made, const Change& change) {
+  for (Vec3& vertex : vertices_of(made.occluder)) change(vertex);
+  if (made.viewpoint.is_eye()) change(made.viewpoint.value);
+  if (auto* const box = std::get_if<kernel::Aabb>(&made.box)) {
+    change(box->min);
+    change(box->max);
+  } else {
+    change(std::get<kernel::Obb>(made.box).center);
+  }
+}
+
+template <class Change>
+void for_each_half_edge(Case& made, const Change& change) {
+  if (auto* const box = std::get_if<kernel::Obb>(&made.box)) std::ranges::for_each(box->half_edges, change);
+}
+
+void scale(Case& made, double factor) {
+  const auto change = [&](Vec3& v) { v = factor * v; };
+  for_each_point(made, change);
+  for_each_half_edge(made, change);
+}
+
+/// Whether the vertices may move by themselves: a triangle's, a silhouette's alone, those of faces that are all triangles.
+bool may_bend(const Case& made) {
+  if (const auto* const polygon = std::get_if<std::vector<Vec3>>(&made.occluder)) {
+    return polygon->size() == 3 || made.near == Near::farthest;
+  }
+  return std::ranges::all_of(std::get<kernel::Polytope>(made.occluder).faces, [](const auto& f) { return f.size() == 3; });
+}
+
+std::array<Vec3*, 4> vectors_of(Box& box) {
+  if (auto* const aabb = std::get_if<kernel::Aabb>(&box)) return {&aabb->min, &aabb->max, &aabb->min, &aabb->max};
+  auto& obb = std::get<kernel::Obb>(box);
+  return {&obb.center, &obb.half_edges[0], &obb.half_edges[1], &obb.half_edges[2]};
+}
+
+}  // namespace
+
+void leave(Random&, Case&) {}
+
+void nudge(Random& random, Case& made) {
+  const bool bends = may_bend(made);
+  std::vector<Vec3>& vertices = vertices_of(made.occluder);
+  const auto box = vectors_of(made.box);
+  for (int moves = random.integer(1, 3); moves > 0; --moves) {
+    Vec3* const vertex = bends ? &vertices[random.index(vertices.size())] : box[3];
+    const std::array<Vec3*, 6> choice{box[0], box[1], box[2], box[3], &made.viewpoint.value, vertex};
+    double& value = (*choice[random.index(choice.size())])[random.integer(0, 2)];
+    if (value != 0) value = std::nextafter(value, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
+  }
+  if (auto* const aabb = std::get_if<kernel::Aabb>(&made.box)) {
+    for (int axis = 0; axis < 3; ++axis) aabb->max[axis] = std::max(aabb->min[axis], aabb->max[axis]);
+  }
+}
+
+void move_far(Random& random, Case& made) {
+  const double unit = 0x1p-8;
+  const auto part = [&] { return 4e9 * random.integer(-1, 1) + unit * random.integer(-1000, 1000); };
+  const double x = part(), y = part(), z = part();
+  for_each_point(made, [&](Vec3& p) { p = unit * p + Vec3{x, y, z}; });
+  for_each_half_edge(made, [&](Vec3& e) { e = unit * e; });
+}
+
+void shrink(Random&, Case& made) { scale(made, 0x1p-60); }
+
+void grow(Random&, Case& made) { scale(made, 0x1p60); }
+
+void make_decimal(Random& random, Case& made) {
+  const bool tenths = random.chance(0.5);
+  const auto change = [&](Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = tenths ? v[axis] * 0.1 : v[axis] / 3;
+  };
+  for_each_point(made, change);
+  for_each_half_edge(made, change);
+}
+
+}  // namespace occlude::fuzz

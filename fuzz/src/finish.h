@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What is done to a case once its box is placed.
+#pragma once
+
+#include "occlude/fuzz/cases.h"
+#include "occlude/fuzz/random.h"
+
+namespace occlude::fuzz {
+
+void leave(Random& random, Case& made);
+
+/// Moves coordinates of the box, of the viewpoint, or of an occluder that stays legal, to a neighbouring double or the one
+/// after it.
+void nudge(Random& random, Case& made);
+
+/// Exactly, by a few thousand million: what was a small number becomes the last bits of a large one.
+void move_far(Random& random, Case& made);
+
+void shrink(Random& random, Case& made);
+void grow(Random& random, Case& made);
+
+/// Rounds every coordinate as decimal input or thirds do: what touched is now off by a rounding or not.
+void make_decimal(Random& random, Case& made);
+
+}  // namespace occlude::fuzz
