@@ -7,6 +7,7 @@
 
 #include "finish.h"
 #include "placement.h"
+#include "polytope_scenes.h"
 #include "scenes.h"
 
 namespace occlude::fuzz {
@@ -21,6 +22,12 @@ struct Recipe {
   Placement placement;
   void (*finish)(Random&, Case&);
 };
+
+/// Several finishes, one after the other.
+template <auto... kFinishes>
+void finish_with(Random& random, Case& made) {
+  (kFinishes(random, made), ...);
+}
 
 constexpr Placement kReal{Feature::any, false, 0, {}};
 constexpr Placement kLattice{};
@@ -102,6 +109,47 @@ constexpr std::array kRecipes{
     Recipe{Family::obb_orthographic_parallel, "obb_orthographic_parallel", orthographic_lattice_scene, place_box,
            kParallelObb, leave},
     Recipe{Family::obb_orthographic_ulp, "obb_orthographic_ulp", orthographic_lattice_scene, place_box, kLatticeObb, nudge},
+    Recipe{Family::polytope_random, "polytope_random", polytope_scene, place_box, kReal, reorder},
+    Recipe{Family::polytope_box, "polytope_box", lattice_box_scene, place_box, kLattice, disguise},
+    Recipe{Family::polytope_hull, "polytope_hull", lattice_hull_scene, place_box, kLattice, disguise},
+    Recipe{Family::polytope_near, "polytope_near", lattice_surface_scene, place_box, lattice_at(Feature::front), disguise},
+    Recipe{Family::polytope_edge_on, "polytope_edge_on", edge_on_scene, place_box, kLattice, disguise},
+    Recipe{Family::polytope_ulp, "polytope_ulp", simplicial_lattice_scene, place_box, kLattice, finish_with<reorder, nudge>},
+    Recipe{Family::polytope_many, "polytope_many", many_sided_polytope_scene, place_box, kLattice, disguise},
+    Recipe{Family::polytope_equal_farthest, "polytope_equal_farthest", equal_farthest_polytope_scene, place_box, kLattice,
+           disguise},
+    Recipe{Family::polytope_wide_frustum, "polytope_wide_frustum", wide_polytope_scene, place_box_for_other_near, kLattice,
+           disguise},
+    Recipe{Family::polytope_edge_crossing, "polytope_edge_crossing", lattice_polytope_scene, place_box_across, kLatticeEdges,
+           disguise},
+    Recipe{Family::polytope_shared_vertex, "polytope_shared_vertex", polytope_scene, place_box_at_vertices, kRealVertices,
+           reorder},
+    Recipe{Family::polytope_decimal, "polytope_decimal", simplicial_lattice_scene, place_box, kLattice,
+           finish_with<reorder, make_decimal>},
+    Recipe{Family::polytope_far_offset, "polytope_far_offset", lattice_polytope_scene, place_box, kLattice,
+           finish_with<disguise, move_far>},
+    Recipe{Family::polytope_tiny_scale, "polytope_tiny_scale", polytope_scene, place_box, kReal,
+           finish_with<reorder, shrink>},
+    Recipe{Family::polytope_huge_scale, "polytope_huge_scale", lattice_polytope_scene, place_box, kLattice,
+           finish_with<disguise, grow>},
+    Recipe{Family::polytope_orthographic, "polytope_orthographic", orthographic_polytope_scene, place_box, kReal, reorder},
+    Recipe{Family::polytope_orthographic_touch, "polytope_orthographic_touch", orthographic_lattice_polytope_scene,
+           place_box, kLattice, disguise},
+    Recipe{Family::polytope_orthographic_edge_on, "polytope_orthographic_edge_on", orthographic_edge_on_scene, place_box,
+           kLattice, disguise},
+    Recipe{Family::polytope_orthographic_ulp, "polytope_orthographic_ulp", orthographic_simplicial_lattice_scene, place_box,
+           kLattice, finish_with<reorder, nudge>},
+    Recipe{Family::obb_polytope, "obb_polytope", lattice_polytope_scene, place_box, kLatticeObb, disguise},
+    Recipe{Family::obb_polytope_random, "obb_polytope_random", polytope_scene, place_box, kRealObb, reorder},
+    Recipe{Family::obb_polytope_near, "obb_polytope_near", lattice_surface_scene, place_box,
+           oriented(FrameKind::lattice, Feature::front), disguise},
+    Recipe{Family::obb_polytope_edge_on, "obb_polytope_edge_on", edge_on_scene, place_box, kParallelObb, disguise},
+    Recipe{Family::obb_polytope_edge_crossing, "obb_polytope_edge_crossing", lattice_polytope_scene, place_box_across,
+           kLatticeObbEdges, disguise},
+    Recipe{Family::obb_polytope_ulp, "obb_polytope_ulp", simplicial_lattice_scene, place_box, kLatticeObb,
+           finish_with<reorder, nudge>},
+    Recipe{Family::obb_polytope_orthographic, "obb_polytope_orthographic", orthographic_lattice_polytope_scene, place_box,
+           kLatticeObb, disguise},
 };
 
 constexpr auto kFamilies = [] {

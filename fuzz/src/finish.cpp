@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "disguise.h"
 #include "vector_math.h"
 
 namespace occlude::fuzz {
@@ -92,6 +93,13 @@ void make_decimal(Random& random, Case& made) {
   };
   for_each_point(made, change);
   for_each_half_edge(made, change);
+}
+
+void reorder(Random& random, Case& made) { shuffle(random, std::get<kernel::Polytope>(made.occluder)); }
+
+void disguise(Random& random, Case& made) {
+  subdivide(random, std::get<kernel::Polytope>(made.occluder));
+  reorder(random, made);
 }
 
 }  // namespace occlude::fuzz

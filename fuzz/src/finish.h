@@ -22,4 +22,8 @@ void grow(Random& random, Case& made);
 /// Rounds every coordinate as decimal input or thirds do: what touched is now off by a rounding or not.
 void make_decimal(Random& random, Case& made);
 
+/// The polytope written down in another way (disguise.h): the order alone, or all of it, on a lattice.
+void reorder(Random& random, Case& made);
+void disguise(Random& random, Case& made);
+
 }  // namespace occlude::fuzz
