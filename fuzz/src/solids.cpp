@@ -98,48 +98,53 @@ std::vector<Vec3> lattice_points(Random& random, int count) {
   return points;
 }
 
-/// A plane through three of the points that has all of them on one side, and those on it.
+/// A plane through three of the points that has all of them on one side.
 struct Support {
-  Vec3 normal;  ///< outwards
-  Loop on_plane;
+  Vec3 normal;                 ///< outwards
+  std::uint32_t on_plane = 0;  ///< bit r set when point r lies on it
 };
 
 /// The supporting plane through points i, j and k, if it is one.
 std::optional<Support> support_through(const std::vector<Vec3>& points, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-  Support support{cross(points[j] - points[i], points[k] - points[i]), {}};
+  Support support{cross(points[j] - points[i], points[k] - points[i])};
   if (support.normal == Vec3{}) return std::nullopt;
   bool has_above = false, has_below = false;
   for (std::uint32_t r = 0; r < points.size(); ++r) {
     const double height = r == i || r == j || r == k ? 0 : dot(support.normal, points[r] - points[i]);
-    if (height == 0) support.on_plane.push_back(r);
+    if (height == 0) support.on_plane |= 1U << r;
     has_above |= height > 0;
     has_below |= height < 0;
+    if (has_above && has_below) return std::nullopt;
   }
-  if (has_above == has_below) return std::nullopt;
+  if (!has_above && !has_below) return std::nullopt;
   if (has_above) support.normal = -1.0 * support.normal;
   return support;
 }
 
 /// The corners of the hull of the points on a supporting plane, by gift wrapping counter-clockwise seen from outside.
 Loop wrap(const std::vector<Vec3>& points, const Support& support) {
+  Loop on_plane;
+  for (std::uint32_t r = 0; r < points.size(); ++r) {
+    if ((support.on_plane >> r & 1U) != 0) on_plane.push_back(r);
+  }
   const auto precedes = [&](std::uint32_t a, std::uint32_t b) {
     const Vec3 &p = points[a], &q = points[b];
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
   };
-  const std::uint32_t start = *std::ranges::min_element(support.on_plane, precedes);
+  const std::uint32_t start = *std::ranges::min_element(on_plane, precedes);
   Loop loop;
   std::uint32_t at = start;
   do {
     loop.push_back(at);
     std::uint32_t next = at;
-    for (const std::uint32_t r : support.on_plane) {
+    for (const std::uint32_t r : on_plane) {
       if (r == at) continue;
       const Vec3 so_far = points[next] - points[at], candidate = points[r] - points[at];
       const double turn = dot(support.normal, cross(so_far, candidate));
       if (next == at || turn < 0 || (turn == 0 && dot(candidate, candidate) > dot(so_far, so_far))) next = r;
     }
     at = next;
-  } while (at != start && loop.size() <= support.on_plane.size());
+  } while (at != start && loop.size() <= on_plane.size());
   return loop;
 }
 
@@ -182,7 +187,7 @@ Vec3 unit_vector(Random& random) {
 Solid hull(const std::vector<Vec3>& points) {
   Solid solid{distinct(points), {}};
   const std::uint32_t count = size32(solid.vertices);
-  std::vector<Loop> seen;
+  std::vector<std::uint32_t> seen;
   for (std::uint32_t i = 0; i < count; ++i) {
     for (std::uint32_t j = i + 1; j < count; ++j) {
       for (std::uint32_t k = j + 1; k < count; ++k) {

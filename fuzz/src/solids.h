@@ -15,7 +15,7 @@ struct Solid {
   std::vector<Loop> faces;
 };
 
-/// The hull of a few points, by trying every plane through three of them. A flat hull has no faces.
+/// The hull of up to 32 points, by trying every plane through three of them. A flat hull has no faces.
 [[nodiscard]] Solid hull(const std::vector<Vec3>& points);
 
 /// A corner and the edges from it.
