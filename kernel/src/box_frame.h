@@ -45,7 +45,8 @@ class AabbFrame {
     const FilterPlane& plane_;
   };
   [[nodiscard]] Extremes extremes(const FilterPlane& p) const { return {*this, p}; }
-  [[nodiscard]] double error(const FilterPlane& p) const { return product<A>(p.slope, reach_) + p.base; }
+  /// What rounding can do to the values of planes with this bound.
+  [[nodiscard]] double error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
@@ -83,8 +84,8 @@ class ObbFrame {
     };
     return {A::rounded(dot(normal, center_)) + p.offset, spread_along(0) + spread_along(1) + spread_along(2)};
   }
-  [[nodiscard]] double error(const FilterPlane& p) const {
-    return product<A>(kSpreadInflation, product<A>(p.slope, reach_) + p.base);
+  [[nodiscard]] double error(const FilterBound& bound) const {
+    return product<A>(kSpreadInflation, product<A>(bound.slope, reach_) + bound.base);
   }
   [[nodiscard]] double reach() const { return reach_; }
 

@@ -72,10 +72,10 @@ struct PlaneSide {
 template <class Box, class Frame>
 [[nodiscard, gnu::noinline]] Decision box_planes_resolved(const ShadowFrustum& frustum, const Box& box, const Frame& frame,
                                                           NearBoundary near, std::size_t first, bool straddling) {
+  const double error = frame.error(frustum.filter_bound());
   for (std::size_t i = first; i < frustum.plane_count(); ++i) {
-    const FilterPlane& plane = frustum.filter_planes()[i];
-    const auto extremes = frame.extremes(plane);
-    const double error = frame.error(plane), high = extremes.high(), low = extremes.low();
+    const auto extremes = frame.extremes(frustum.filter_planes()[i]);
+    const double high = extremes.high(), low = extremes.low();
     if (high < -error) return {Relation::outside, Stage::exact};
     if (low > error) continue;
     if (high <= error && exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0)
@@ -91,11 +91,10 @@ template <class Box, class Frame>
 [[nodiscard, gnu::always_inline]] inline Decision box_planes_certified(const ShadowFrustum& frustum, const Box& box,
                                                                        const Frame& frame, NearBoundary near) {
   const auto planes = frustum.filter_planes().first(frustum.plane_count());
+  const double error = frame.error(frustum.filter_bound());
   bool straddling = false;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    const FilterPlane& plane = planes[i];
-    const double error = frame.error(plane);
-    const auto extremes = frame.extremes(plane);
+    const auto extremes = frame.extremes(planes[i]);
     const double high = extremes.high();
     if (high < -error) return {Relation::outside, Stage::filter};
     const PlaneSide side = filtered_side(extremes.low(), high, error);

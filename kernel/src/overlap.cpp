@@ -18,16 +18,17 @@ namespace {
 template <class Frame>
 bool is_parted_by_profile(const ShadowFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
   const auto planes = frustum.filter_planes();
+  const double error = frame.error(frustum.profile_bound());
   bool unknown = false;
   for (std::size_t i = frustum.plane_count(); i < planes.size(); ++i) {
-    const double high = frame.extremes(planes[i]).high(), error = frame.error(planes[i]);
+    const double high = frame.extremes(planes[i]).high();
     if (high < -error) return true;
     unknown = unknown || high <= error;
   }
   if (!unknown) return false;
   stage = Stage::exact;
   for (std::size_t i = frustum.plane_count(); i < planes.size(); ++i) {
-    if (frame.extremes(planes[i]).high() > frame.error(planes[i])) continue;
+    if (frame.extremes(planes[i]).high() > error) continue;
     if (exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0) return true;
   }
   return false;

@@ -12,20 +12,26 @@ double uncertainty(const DoubleDouble& x) { return std::fabs(x.low.value) + x.lo
 
 RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   const auto& [n, w] = plane;
+  const double magnitudes = std::fabs(n.x.high) + std::fabs(n.y.high) + std::fabs(n.z.high);
+  const double slope =
+      (kPlaneError * magnitudes + (uncertainty(n.x) + uncertainty(n.y) + uncertainty(n.z))) * kBoundInflation;
+  const double base = (kOffsetError * std::fabs(w.high) + uncertainty(w)) * kBoundInflation;
+  int exponent = 0;
+  std::frexp(slope, &exponent);
+  const double scale = std::ldexp(1.0, -exponent);  // exact, and so is all scaling by it
+
   RoundedPlane result;
   FilterPlane& filter = result.filter;
-  filter.normal = {n.x.high, n.y.high, n.z.high};
-  filter.offset = w.high;
-  const double magnitudes = std::fabs(n.x.high) + std::fabs(n.y.high) + std::fabs(n.z.high);
-  filter.slope = (kPlaneError * magnitudes + (uncertainty(n.x) + uncertainty(n.y) + uncertainty(n.z))) * kBoundInflation;
-  filter.base = (kOffsetError * std::fabs(w.high) + uncertainty(w)) * kBoundInflation;
+  filter.normal = {scale * n.x.high, scale * n.y.high, scale * n.z.high};
+  filter.offset = scale * w.high;
   for (int k = 0; k < 3; ++k) {
     filter.farther[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(k + (filter.normal[k] >= 0 ? 4 : 0));
   }
-  result.refined.normal = {n.x.low.value, n.y.low.value, n.z.low.value};
-  result.refined.offset = w.low.value;
-  result.refined.slope = (n.x.low.error + n.y.low.error + n.z.low.error) * kBoundInflation;
-  result.refined.base = w.low.error;
+  result.bound = {scale * slope, scale * base};
+  result.refined.normal = {scale * n.x.low.value, scale * n.y.low.value, scale * n.z.low.value};
+  result.refined.offset = scale * w.low.value;
+  result.refined.slope = scale * ((n.x.low.error + n.y.low.error + n.z.low.error) * kBoundInflation);
+  result.refined.base = scale * w.low.error;
   return result;
 }
 

@@ -9,6 +9,7 @@ namespace occlude::kernel {
 
 struct RoundedPlane {
   FilterPlane filter;
+  FilterBound bound;
   RefinedPlane refined;
 };
 

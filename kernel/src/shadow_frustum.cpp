@@ -61,7 +61,9 @@ void ShadowFrustum::finish() {
   filter_planes_.reserve(recipes_.size());
   refined_planes_.reserve(recipes_.size());
   for (const PlaneRecipe& recipe : recipes_) {
-    const auto [filter, refined] = rounded(coefficients<DoubleDoubleArithmetic>(*this, recipe));
+    const auto [filter, bound, refined] = rounded(coefficients<DoubleDoubleArithmetic>(*this, recipe));
+    FilterBound& common = filter_planes_.size() < plane_count_ ? filter_bound_ : profile_bound_;
+    common = {std::max(common.slope, bound.slope), std::max(common.base, bound.base)};
     filter_planes_.push_back(filter);
     refined_planes_.push_back(refined);
   }

@@ -33,11 +33,17 @@ struct CutVertexPlane {
 
 using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 
-/// A plane in doubles, for points y relative to the origin of the frustum, each coordinate rounded once. For the true value
-/// f of the plane |f - fl(normal . y + offset)| <= slope * max_k |y_k| + base (error_bounds.h).
+/// What rounding can do to the values of planes: for the true value f of a plane at a point y relative to the origin of the
+/// frustum, |f - fl(normal . y + offset)| <= slope * max_k |y_k| + base (error_bounds.h).
+struct FilterBound {
+  double slope = 0, base = 0;
+};
+
+/// A plane in doubles, for points relative to the origin of the frustum, each coordinate rounded once. It is scaled by a
+/// power of two so that the slope of its bound lies in [1/2, 1): one bound then serves all planes of a frustum.
 struct FilterPlane {
   Vec3 normal;
-  double offset = 0, slope = 0, base = 0;
+  double offset = 0;
   /// Where AabbFrame keeps the coordinates of the vertex farthest along the normal: axis + (0 for min, 4 for max).
   std::array<std::uint8_t, 4> farther{};
 };

@@ -61,6 +61,9 @@ class ShadowFrustum {
   [[nodiscard]] std::span<const PlaneRecipe> recipes() const { return recipes_; }
   [[nodiscard]] std::span<const FilterPlane> filter_planes() const { return filter_planes_; }
   [[nodiscard]] std::span<const RefinedPlane> refined_planes() const { return refined_planes_; }
+  /// The bounds of the planes of the frustum and of those of its profile.
+  [[nodiscard]] const FilterBound& filter_bound() const { return filter_bound_; }
+  [[nodiscard]] const FilterBound& profile_bound() const { return profile_bound_; }
   [[nodiscard]] std::size_t near_count() const { return near_count_; }
   [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
 
@@ -85,6 +88,7 @@ class ShadowFrustum {
   std::vector<PlaneRecipe> recipes_;
   std::vector<FilterPlane> filter_planes_;
   std::vector<RefinedPlane> refined_planes_;
+  FilterBound filter_bound_, profile_bound_;
   std::vector<CapEdge> cap_edges_;
   std::vector<Vec3> cap_vertices_;
   std::vector<PlainEdge> plain_edges_;
