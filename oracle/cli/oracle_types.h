@@ -12,10 +12,10 @@ namespace occlude::cli {
 
 [[nodiscard]] inline oracle::Point to_oracle(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline oracle::Viewpoint to_oracle(const kernel::Viewpoint& v) { return {to_oracle(v.value), !v.is_eye()}; }
-[[nodiscard]] inline oracle::Box to_oracle(const kernel::Aabb& box) { return {to_oracle(box.min), to_oracle(box.max)}; }
+[[nodiscard]] inline oracle::Aabb to_oracle(const kernel::Aabb& box) { return {to_oracle(box.min), to_oracle(box.max)}; }
 
-[[nodiscard]] inline std::vector<oracle::Point> to_oracle(std::span<const kernel::Vec3> points) {
-  std::vector<oracle::Point> result;
+[[nodiscard]] inline oracle::Loop to_oracle(std::span<const kernel::Vec3> points) {
+  oracle::Loop result;
   for (const kernel::Vec3& v : points) result.push_back(to_oracle(v));
   return result;
 }

@@ -1,34 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What makes a question unanswerable. Every check is decided exactly; a reason is one line, empty when there is nothing
-// wrong.
+// What makes the numbers, the viewpoint or the near plane of a question unusable. Every check is decided exactly; a reason
+// is one line, empty when there is nothing wrong.
 #pragma once
 
 #include <span>
 #include <string>
 
-#include "frustum.h"
+#include "numbers.h"
 
 namespace occlude::oracle {
 
-/// Not finite, or min > max.
+/// A number of the box is not finite, or min > max.
 [[nodiscard]] std::string box_fault(const Box& box);
 
-/// Not finite, or outside {0} and magnitudes in [2^-100, 2^100].
-[[nodiscard]] std::string range_fault(std::span<const double> numbers);
+/// A number is not finite, one other than the near plane's is out of range, or min > max.
+[[nodiscard]] std::string number_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near,
+                                       const Box& box);
 
-/// Numbers of the scene and of the box: finite, in range, min <= max.
-[[nodiscard]] std::string number_fault(const Scene& scene, const Box& box);
+/// The direction of view is zero.
+[[nodiscard]] std::string view_fault(const Viewpoint& view);
 
-/// How the viewpoint sees the loop: what is wrong with it, or on which side of its edges it lies.
-struct Seen {
-  std::string fault;
-  CGAL::Sign turn = CGAL::ZERO;  ///< sign of every edge's side plane on the inner side
-};
-
-/// Whether the loop is a convex polygon seen from the viewpoint, wound once, the viewpoint not in its plane nor in it.
-[[nodiscard]] Seen see_loop(const Scene& scene);
-
-/// Whether the near plane is defined and sound for a good loop.
-[[nodiscard]] std::string near_fault(const Scene& scene);
+/// A given near plane is not sound for an occluder with these vertices.
+[[nodiscard]] std::string plane_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near);
 
 }  // namespace occlude::oracle

@@ -4,92 +4,80 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box.h"
 #include "faults.h"
-#include "feasibility.h"
 #include "frustum.h"
 
 namespace occlude::oracle {
 namespace {
 
-using Corners = std::array<Point, 8>;
-
-Corners corners_of(const Box& box) {
-  Corners corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) corners[i][axis] = (i >> axis & 1) != 0 ? box.max[axis] : box.min[axis];
-  }
-  return corners;
-}
-
-/// For one plane, bit c set when corner c is strictly outside.
-unsigned outer_corners(Plane<PlaneOfFrustum>& plane, const Corners& corners) {
+/// For one plane, bit c set when corner c of the box is strictly outside.
+unsigned outer_corners(Plane<OrientedPlane>& plane, const Box& box) {
   unsigned outer = 0;
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    if (plane.side(corners[c]) == CGAL::NEGATIVE) outer |= 1U << c;
+  for (unsigned c = 0; c < kCorners; ++c) {
+    if (plane.side(Corner{box, c}) == CGAL::NEGATIVE) outer |= 1U << c;
   }
   return outer;
 }
 
-Bounds<3> bounds_of(const Box& box) {
-  const auto exact = [](const Point& p) { return std::array<Exact, 3>{Exact(p[0]), Exact(p[1]), Exact(p[2])}; };
-  return {exact(box.min), exact(box.max)};
+bool is_strictly_inside(Plane<OrientedPlane>& plane, const Box& box) {
+  for (unsigned c = 0; c < kCorners; ++c) {
+    if (plane.side(Corner{box, c}) != CGAL::POSITIVE) return false;
+  }
+  return true;
 }
 
-/// normal . (x - point) >= 0 as a . x <= b.
-Inequality<3> inequality_of(const HalfSpace<Exact>& plane) {
-  const Vector<Exact>& n = plane.normal;
-  return {{Exact(-n.x()), Exact(-n.y()), Exact(-n.z())}, -(n * plane.point)};
+std::vector<Plane<OrientedPlane>*> planes_of(Frustum& frustum) {
+  std::vector<Plane<OrientedPlane>*> planes;
+  for (auto* part : {&frustum.sides, &frustum.near}) {
+    for (Plane<OrientedPlane>& plane : *part) planes.push_back(&plane);
+  }
+  return planes;
 }
 
 Relation relate(Frustum& frustum, const Box& box) {
-  constexpr unsigned kAllCorners = 0xff;
-  const Corners corners = corners_of(box);
-  std::vector<Plane<PlaneOfFrustum>*> crossing;  // the planes that some of the box is outside of
+  constexpr unsigned kAllCorners = (1U << kCorners) - 1;
+  std::vector<Plane<OrientedPlane>*> crossing;  // the planes that some of the box is outside of
   unsigned outer_of_any = 0;
-  for (Plane<PlaneOfFrustum>& plane : frustum.planes()) {
-    const unsigned outer = outer_corners(plane, corners);
+  for (Plane<OrientedPlane>* plane : planes_of(frustum)) {
+    const unsigned outer = outer_corners(*plane, box);
     if (outer == kAllCorners) return Relation::outside;
-    if (outer != 0) crossing.push_back(&plane);
+    if (outer != 0) crossing.push_back(plane);
     outer_of_any |= outer;
   }
   if (crossing.empty()) return Relation::inside;
   if (outer_of_any != kAllCorners) return Relation::partial;  // some corner is in F
   std::vector<Inequality<3>> inequalities;
-  for (auto* plane : crossing) inequalities.push_back(inequality_of(plane->exact()));
-  return is_feasible(bounds_of(box), std::move(inequalities)) ? Relation::partial : Relation::outside;
+  for (Plane<OrientedPlane>* plane : crossing) inequalities.push_back(in_own_coordinates(plane->exact(), box));
+  return is_feasible(own_bounds(box), std::move(inequalities)) ? Relation::partial : Relation::outside;
 }
 
-/// Everything that makes a case unanswerable, in the order of the tests; the loop's turn when there is nothing.
-Seen examine(const Scene& scene, const Box& box) {
-  if (std::string fault = number_fault(scene, box); !fault.empty()) return {std::move(fault), CGAL::ZERO};
-  Seen seen = see_loop(scene);
-  if (seen.fault.empty()) seen.fault = near_fault(scene);
-  return seen;
+/// The frustum of the question, or what makes it unanswerable.
+FrustumOrFault examine(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box) {
+  std::string fault = number_fault(view, loop, near, box);
+  if (fault.empty()) fault = view_fault(view);
+  if (!fault.empty()) return {{}, std::move(fault)};
+  return frustum_of(view, loop, near);
 }
 
 }  // namespace
 
-Answer relation(const Viewpoint& view, std::span<const Point> loop, const Near& near, const Box& box) {
+Answer relation(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box) {
   const RoundUpward rounding;
-  const Scene scene{view, loop, near};
-  const Seen seen = examine(scene, box);
-  if (!seen.fault.empty()) return {seen.fault, Relation::partial};
-  Frustum frustum(scene, seen.turn);
+  auto [frustum, fault] = examine(view, loop, near, box);
+  if (!fault.empty()) return {std::move(fault), Relation::partial};
   return {"", relate(frustum, box)};
 }
 
-std::string refute_shadow_cull(const Viewpoint& view, std::span<const Point> loop, const Near& near, const Box& box) {
+std::string refute_shadow_cull(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box) {
   const RoundUpward rounding;
-  const Scene scene{view, loop, near};
-  Seen seen = examine(scene, box);
-  if (!seen.fault.empty()) return std::move(seen.fault);
-  Frustum frustum(scene, seen.turn);
-  const Corners corners = corners_of(box);
-  for (Plane<PlaneOfFrustum>& plane : frustum.planes()) {
-    if (outer_corners(plane, corners) != 0) return "the box is not inside the frustum";
+  auto [frustum, fault] = examine(view, loop, near, box);
+  if (!fault.empty()) return std::move(fault);
+  for (Plane<OrientedPlane>* plane : planes_of(frustum)) {
+    if (outer_corners(*plane, box) != 0) return "the box is not inside the frustum";
   }
-  const auto is_beyond = [&](const Point& corner) { return frustum.near_plane().side(corner) == CGAL::POSITIVE; };
-  return std::ranges::all_of(corners, is_beyond) ? "" : "the box touches the near plane";
+  const auto is_beyond = [&](Plane<OrientedPlane>& plane) { return is_strictly_inside(plane, box); };
+  return std::ranges::all_of(frustum.near, is_beyond) ? "" : "the box touches the near plane";
 }
 
 std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box) {
@@ -97,8 +85,8 @@ std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box)
   if (!std::ranges::all_of(plane, [](double value) { return std::isfinite(value); })) return "a number is not finite";
   if (std::string fault = box_fault(box); !fault.empty()) return fault;
   const Point normal{plane[0], plane[1], plane[2]};
-  for (const Point& corner : corners_of(box)) {
-    const auto height = [&]<class N>() { return N(vector_of<N>(normal) * vector_of<N>(corner) + N(plane[3])); };
+  for (unsigned c = 0; c < kCorners; ++c) {
+    const auto height = [&]<class N>() { return N(vector_of<N>(normal) * vector_of<N>(Corner{box, c}) + N(plane[3])); };
     if (sign_of(height) != CGAL::NEGATIVE) return "the box reaches the plane";
   }
   return "";

@@ -14,8 +14,11 @@ struct HalfSpace {
   Vector<N> normal;
   Vector<N> point;
 
-  /// Positive inside, zero on the plane, negative outside.
-  [[nodiscard]] N height(const Point& x) const { return normal * (vector_of<N>(x) - point); }
+  /// Positive inside, zero on the plane, negative outside. `x` is anything that vector_of<N> takes.
+  template <class X>
+  [[nodiscard]] N height(const X& x) const {
+    return normal * (vector_of<N>(x) - point);
+  }
 };
 
 /// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, in rationals when
@@ -27,7 +30,8 @@ class Plane {
       : definition_(definition), approximate_(definition.template operator()<Interval>()) {}
 
   /// Sign of the height of `x`, exact.
-  CGAL::Sign side(const Point& x) {
+  template <class X>
+  CGAL::Sign side(const X& x) {
     const CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(approximate_.height(x));
     return CGAL::is_certain(sign) ? CGAL::get_certain(sign) : CGAL::sign(exact().height(x));
   }

@@ -10,50 +10,29 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
+#include "oracle/hand_cases.h"
 
 namespace occlude::oracle {
 
-void PrintTo(Relation relation, std::ostream* out) {
-  *out << (relation == Relation::inside ? "inside" : relation == Relation::partial ? "partial" : "outside");
-}
-
 namespace {
-
-using Loop = std::vector<Point>;
-
-constexpr Relation kInside = Relation::inside, kPartial = Relation::partial, kOutside = Relation::outside;
-constexpr Near kFarthest{}, kSurface{Near::Kind::surface, {}, {}};
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Question {
   Viewpoint view;
   Loop loop;
   Near near;
-  Box box;
+  Aabb box;
 };
 
 Answer ask(const Question& q) { return relation(q.view, q.loop, q.near, q.box); }
 std::string refute(const Question& q) { return refute_shadow_cull(q.view, q.loop, q.near, q.box); }
 
-double above(double value) { return std::nextafter(value, kInfinity); }
-double below(double value) { return std::nextafter(value, -kInfinity); }
-
 // ---------------------------------------------------------------------------------------------------- worked out by hand
-
-const Viewpoint kOrigin{};
-
-// From the origin, with near `surface`: F is |x| <= z, |y| <= z, z >= 1.
-const Loop kSquare{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
-
-// From the origin, with near `surface`: F is |x| + |y| <= 2z, z >= 1.
-const Loop kDiamond{{2, 0, 1}, {0, 2, 1}, {-2, 0, 1}, {0, -2, 1}};
 
 // From the origin, with near `surface`: F is 0 <= x <= z, 0 <= y <= z, z >= 1.
 const Loop kQuadrant{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
@@ -160,11 +139,10 @@ Loop star() {
 }
 
 TEST(Oracle, RefusesWithAReason) {
-  const Box box{{-1, -1, 2}, {1, 1, 3}};
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Aabb box{{-1, -1, 2}, {1, 1, 3}};
   const auto loop = [&](Loop vertices) { return Question{kOrigin, std::move(vertices), kFarthest, box}; };
   const auto viewed = [&](const Viewpoint& view) { return Question{view, kSquare, kFarthest, box}; };
-  const auto boxed = [&](const Box& other) { return Question{kOrigin, kSquare, kFarthest, other}; };
+  const auto boxed = [&](const Aabb& other) { return Question{kOrigin, kSquare, kFarthest, other}; };
   const auto with_near = [&](const Near& near) { return Question{kOrigin, kSquare, near, box}; };
   const Loop twice{kSquare[0], kSquare[1], kSquare[2], kSquare[3], kSquare[0], kSquare[1], kSquare[2], kSquare[3]};
   const Loop bent{{0, 0, 1}, {1, 0, 1}, {1, 1, 2}, {0, 1, 1}};
@@ -173,10 +151,10 @@ TEST(Oracle, RefusesWithAReason) {
   const std::string not_finite = "a number is not finite", out_of_range = "a coordinate is out of range";
   const std::string few = "fewer than 3 distinct vertices";
   const std::pair<Question, std::string> cases[] = {
-      {boxed({{-1, -1, 2}, {1, nan, 3}}), not_finite},
+      {boxed({{-1, -1, 2}, {1, kNan, 3}}), not_finite},
       {viewed({{0, kInfinity, 0}, false}), not_finite},
       {loop({{-1, -1, 1}, {1, -kInfinity, 1}, {0, 1, 1}}), not_finite},
-      {with_near({Near::Kind::plane, {0, 0, nan}, {0, 0, 1}}), not_finite},
+      {with_near({Near::Kind::plane, {0, 0, kNan}, {0, 0, 1}}), not_finite},
       {boxed({{-1, -1, 2}, {1, 1, above(0x1p100)}}), out_of_range},
       {boxed({{-1, below(0x1p-100), 2}, {1, 1, 3}}), out_of_range},
       {viewed({{0, 0x1p-101, 0}, false}), out_of_range},
@@ -198,7 +176,7 @@ TEST(Oracle, RefusesWithAReason) {
       {loop({{-1, -1, 1}, {0, 0, 1}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}), concave},   // an antenna
       {loop({{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}}), "the eye lies in the polygon"},
       {Question{kOrigin, bent, kSurface, box}, "the vertices are not coplanar: give a support plane as near"},
-      {with_near({Near::Kind::plane, {0, 0, 1}, {0, 0, below(1)}}), "part of the polygon lies behind the near plane"},
+      {with_near({Near::Kind::plane, {0, 0, 1}, {0, 0, below(1)}}), "part of the occluder lies behind the near plane"},
       {with_near({Near::Kind::plane, {1, 0, 0}, {1, 0, 0}}), ""},
       {with_near({Near::Kind::plane, {0, 0, 0}, {0, 0, 1}}), "the near plane does not face the eye"},
       {with_near({Near::Kind::plane, {0, 0, -1}, {0, 0, 0}}), "the near plane does not face the eye"},
@@ -464,7 +442,7 @@ TEST(Oracle, CaresNotHowTheLoopIsWritten) {
 TEST(Oracle, TakesTheFirstOfEquallyFarVertices) {
   // All four corners of the square are equally far: the plane is -x - y + z >= 3 from the first, x + y + z >= 3 from the
   // third.
-  const Box corner{{-1, -1, 1}, {-1, -1, 1}};
+  const Aabb corner{{-1, -1, 1}, {-1, -1, 1}};
   EXPECT_EQ(ask({kOrigin, kSquare, kFarthest, corner}).relation, kInside);
   Loop rotated = kSquare;
   std::rotate(rotated.begin(), rotated.begin() + 2, rotated.end());
@@ -507,17 +485,17 @@ TEST(Oracle, ProvesAShadowCullExactlyWhenInsideAndOffTheNearPlane) {
 }
 
 TEST(Oracle, ProvesAViewCullExactly) {
-  const Box box{{-1, -1, -1}, {1, 1, 1}};
+  const Aabb box{{-1, -1, -1}, {1, 1, 1}};
   EXPECT_EQ(refute_view_cull({1, 1, 1, -4}, box), "");
   EXPECT_EQ(refute_view_cull({1, 1, 1, -3}, box), "the box reaches the plane");
   EXPECT_EQ(refute_view_cull({1, 1, 1, below(-3)}, box), "");
   EXPECT_EQ(refute_view_cull({0, 0, 0, 0}, box), "the box reaches the plane");
   // 3 * 0.1, as doubles, lies between the doubles 0.3 and 0.30000000000000004.
-  const Box three{{3, 0, 0}, {3, 0, 0}};
+  const Aabb three{{3, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(refute_view_cull({0.1, 0, 0, -0.30000000000000004}, three), "");
   EXPECT_EQ(refute_view_cull({0.1, 0, 0, -0.3}, three), "the box reaches the plane");
   EXPECT_EQ(refute_view_cull({0.1, 0, 0, kInfinity}, three), "a number is not finite");
-  EXPECT_EQ(refute_view_cull({1, 0, 0, -9}, {{3, 0, 0}, {2, 0, 0}}), "the box has min > max");
+  EXPECT_EQ(refute_view_cull({1, 0, 0, -9}, Aabb{{3, 0, 0}, {2, 0, 0}}), "the box has min > max");
 }
 
 }  // namespace

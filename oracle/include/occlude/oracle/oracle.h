@@ -4,8 +4,8 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace occlude::oracle {
@@ -17,6 +17,9 @@ struct Viewpoint {
   bool at_infinity = false;
 };
 
+/// The vertices of a convex polygon in order, either way round.
+using Loop = std::vector<Point>;
+
 /// The near side of a shadow frustum.
 struct Near {
   enum class Kind { farthest, surface, plane };
@@ -24,9 +27,19 @@ struct Near {
   Point normal{}, point{};  ///< `plane` only: shadow where normal . (x - point) >= 0
 };
 
-struct Box {
+/// Axis-aligned box.
+struct Aabb {
   Point min{}, max{};
 };
+
+/// Oriented box {center + a half_edges[0] + b half_edges[1] + g half_edges[2] : |a|, |b|, |g| <= 1}, whatever the half
+/// edges.
+struct Obb {
+  Point center{};
+  std::array<Point, 3> half_edges{};
+};
+
+using Box = std::variant<Aabb, Obb>;
 
 enum class Relation { inside, partial, outside };
 
@@ -37,15 +50,17 @@ struct Answer {
 
 /// Relation of `box` to the shadow frustum of the convex polygon `loop`, or the reason for refusing the case.
 /// Near `surface` of a polygon that is not exactly coplanar is refused (the definition leaves the plane open: pass `plane`).
-[[nodiscard]] Answer relation(const Viewpoint& view, std::span<const Point> loop, const Near& near, const Box& box);
+[[nodiscard]] Answer relation(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box);
 
-/// Proof that `box` lies in the shadow of the polygon `loop` and strictly beyond its near plane, that plane being sound for
-/// the polygon (`plane`: normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side).
-/// Empty when proved, else what failed.
-[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, std::span<const Point> loop, const Near& near,
-                                             const Box& box);
+/// Proof that `box` lies in the shadow of the polygon `loop` and strictly beyond its near plane, a given `plane` being sound
+/// for the polygon (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side). Empty
+/// when proved, else what failed.
+[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box);
 
 /// Proof that every point of `box` has a*x + b*y + c*z + d < 0. Empty when proved, else what failed.
 [[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box);
+
+/// Whether `point` lies in `box`, exactly. REQUIRES: all numbers are finite.
+[[nodiscard]] bool contains(const Box& box, const Point& point);
 
 }  // namespace occlude::oracle

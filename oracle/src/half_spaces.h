@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The planes that bound a shadow frustum, as the definition states each. They view the caller's points, which must outlive
+// them.
+#pragma once
+
+#include <span>
+#include <variant>
+
+#include "plane.h"
+
+namespace occlude::oracle {
+
+/// The direction in which `x` is seen.
+template <class N>
+Vector<N> sight(const Viewpoint& view, const Point& x) {
+  return view.at_infinity ? vector_of<N>(view.value) : difference<N>(view.value, x);
+}
+
+/// The plane through the viewpoint and two points: height(x) is det(a - V, b - V, x - V), or det(d, b - a, x - a) for a
+/// direction d. All zero when a and b are seen as one point.
+struct SidePlane {
+  Viewpoint view;
+  Point a, b;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    const Point& eye = view.value;
+    if (view.at_infinity) return {CGAL::cross_product(vector_of<N>(eye), difference<N>(a, b)), vector_of<N>(a)};
+    return {CGAL::cross_product(difference<N>(eye, a), difference<N>(eye, b)), vector_of<N>(eye)};
+  }
+};
+
+/// The plane of a coplanar convex loop. Its normal is twice the loop's vector area.
+struct LoopPlane {
+  std::span<const Point> loop;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    Vector<N> sum(N(0), N(0), N(0));
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      sum = sum + CGAL::cross_product(difference<N>(loop[0], loop[i]), difference<N>(loop[0], loop[i + 1]));
+    }
+    return {sum, vector_of<N>(loop[0])};
+  }
+};
+
+/// The near plane `farthest`: across the line of sight to the vertex `p`, what is beyond it positive.
+struct FarthestPlane {
+  Viewpoint view;
+  Point p;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    return {sight<N>(view, p), vector_of<N>(p)};
+  }
+};
+
+/// A plane given as numbers.
+struct GivenPlane {
+  Point normal, point;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    return {vector_of<N>(normal), vector_of<N>(point)};
+  }
+};
+
+/// One of these planes with the side of it that counts as positive.
+struct OrientedPlane {
+  std::variant<SidePlane, LoopPlane, FarthestPlane, GivenPlane> plane;
+  CGAL::Sign positive = CGAL::POSITIVE;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    const auto build = [](const auto& definition) { return definition.template operator()<N>(); };
+    const HalfSpace<N> half_space = std::visit(build, plane);
+    return positive == CGAL::NEGATIVE ? HalfSpace<N>{-half_space.normal, half_space.point} : half_space;
+  }
+};
+
+}  // namespace occlude::oracle

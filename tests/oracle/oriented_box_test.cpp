@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Oriented boxes judged by the oracle.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "occlude/fuzz/cases.h"
+#include "occlude/fuzz/random.h"
+#include "occlude/oracle/oracle.h"
+#include "oracle/hand_cases.h"
+
+namespace occlude::oracle {
+namespace {
+
+constexpr Point kZero{};
+
+struct HandCase {
+  const char* what;
+  const Loop& loop;
+  Obb box;
+  Relation expected;
+};
+
+TEST(OrientedBox, AgreesWithCasesWorkedOutByHand) {
+  const Point x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  const double more = above(4);
+  const HandCase cases[] = {
+      {"turned about z, two edges touch", kSquare, {{0, 0, 3}, {{{1, 1, 0}, {1, -1, 0}, z}}}, kInside},
+      {"the same, an ulp wider", kSquare, {{0, 0, 3}, {{{above(1), 1, 0}, {1, -1, 0}, z}}}, kPartial},
+      {"around the start of F", kSquare, {{0, 0, 0}, {{{9, 1, 0}, {-1, 9, 0}, {0, 0, 9}}}}, kPartial},
+      {"a face on a side plane", kSquare, {{4, 0, 2}, {{{1, 0, 1}, y, {1, 0, -1}}}}, kPartial},
+      {"the same, off by an ulp", kSquare, {{more, 0, 2}, {{{1, 0, 1}, y, {1, 0, -1}}}}, kOutside},
+      {"an edge of a skew box on a side plane", kSquare, {{6, 0, 3}, {{x, y, {1, 0, -1}}}}, kPartial},
+      {"the same, off by an ulp", kSquare, {{above(6), 0, 3}, {{x, y, {1, 0, -1}}}}, kOutside},
+      {"a vertex on a side plane", kSquare, {{4, 0, 1}, {{{1, 1, 0}, {1, -1, 0}, z}}}, kPartial},
+      {"the same, off by an ulp", kSquare, {{more, 0, 1}, {{{1, 1, 0}, {1, -1, 0}, z}}}, kOutside},
+      {"an edge across a ray", kDiamond, {{5, 0, 1}, {{x, y, {0, 0, -1}}}}, kPartial},
+      {"the same, off by an ulp", kDiamond, {{above(5), 0, 1}, {{x, y, {0, 0, -1}}}}, kOutside},
+      {"flat, in a side plane", kSquare, {{3, 0, 3}, {{{1, 0, 1}, y, kZero}}}, kInside},
+      {"the same, off by an ulp", kSquare, {{above(3), 0, 3}, {{{1, 0, 1}, y, kZero}}}, kOutside},
+      {"flat by dependence, in a side plane", kSquare, {{4, 0, 4}, {{{1, 0, 1}, y, {1, 1, 1}}}}, kInside},
+      {"a needle on a ray", kSquare, {{3, 3, 3}, {{{1, 1, 1}, kZero, kZero}}}, kInside},
+      {"a needle by dependence", kSquare, {{3, 3, 3}, {{{1, 1, 1}, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}}}, kInside},
+      {"the same, longer", kSquare, {{3, 3, 3}, {{{1, 1, 1}, {-0.5, -0.5, -0.5}, {0.75, 0.75, 0.75}}}}, kPartial},
+      {"a needle across a ray", kDiamond, {{4, 0, 2}, {{{0, 1, 0}, kZero, kZero}}}, kPartial},
+      {"the same, off by an ulp", kDiamond, {{more, 0, 2}, {{{0, 1, 0}, kZero, kZero}}}, kOutside},
+      {"a point on a ray", kSquare, {{7, 7, 7}, {{kZero, kZero, kZero}}}, kInside},
+      {"a point an ulp off a ray", kSquare, {{7, above(7), 7}, {{kZero, kZero, kZero}}}, kOutside},
+      {"standing on the near plane", kSquare, {{0, 0, 2}, {{{0.25, 0.25, 0.5}, {0.25, -0.25, 0.5}, {0.5, 0, 0}}}}, kInside},
+      {"the same, through it", kSquare, {{0, 0, below(2)}, {{{0.25, 0.25, 0.5}, {0.25, -0.25, 0.5}, x}}}, kPartial},
+  };
+  for (const auto& [what, loop, box, expected] : cases) {
+    const Answer answer = relation(kOrigin, loop, kSurface, box);
+    EXPECT_EQ(answer.refusal, "") << what;
+    EXPECT_EQ(answer.relation, expected) << what;
+  }
+}
+
+TEST(OrientedBox, ViewsAlongADirection) {
+  const Viewpoint up{{0, 0, 1}, true};  // F: |x| + |y| <= 2, z >= 1
+  const auto ask = [&](const Point& center) {
+    return relation(up, kDiamond, kFarthest, Obb{center, {{{1, 1, 0}, {1, -1, 0}, {0, 0, 1}}}}).relation;
+  };
+  EXPECT_EQ(ask({0, 0, 2}), kInside);
+  EXPECT_EQ(ask({0, 0, below(2)}), kPartial);
+  EXPECT_EQ(ask({4, 0, 2}), kPartial);
+  EXPECT_EQ(ask({above(4), 0, 2}), kOutside);
+  EXPECT_EQ(ask({0, 0, 0}), kPartial);
+  EXPECT_EQ(ask({0, 0, -0x1p-50}), kOutside);
+}
+
+TEST(OrientedBox, RefusesNumbersThatAreNotLegal) {
+  const auto refusal = [](const Obb& box) { return relation(kOrigin, kSquare, kSurface, box).refusal; };
+  EXPECT_EQ(refusal({{0, 0, kNan}, {}}), "a number is not finite");
+  EXPECT_EQ(refusal({{0, 0, 2}, {{kZero, kZero, {0, kInfinity, 0}}}}), "a number is not finite");
+  EXPECT_EQ(refusal({{0, 0, 2}, {{kZero, {0x1p-101, 0, 0}, kZero}}}), "a coordinate is out of range");
+  EXPECT_EQ(refusal({{0, 0, 2}, {{kZero, {0x1p101, 0, 0}, kZero}}}), "a coordinate is out of range");
+  EXPECT_EQ(refusal({{0, 0, 2}, {{kZero, {0x1p-100, 0, 0}, {0x1p100, 0, 0}}}}), "");
+}
+
+/// The same box with its coordinates taken in another order and direction. Whole numbers: nothing is rounded.
+Obb oriented(const Aabb& box, fuzz::Random& random) {
+  Obb result;
+  std::array<std::size_t, 3> order{0, 1, 2};
+  for (std::size_t k = 2; k > 0; --k) std::swap(order[k], order[random.index(k + 1)]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result.center[axis] = (box.min[axis] + box.max[axis]) / 2;
+    const double half = (box.max[axis] - box.min[axis]) / 2;
+    result.half_edges[order[axis]][axis] = random.chance(0.5) ? half : -half;
+  }
+  return result;
+}
+
+Point to_point(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
+
+TEST(OrientedBox, AlongTheAxesIsAnAxisAlignedBox) {
+  using fuzz::Family;
+  fuzz::Random random(7);
+  std::array<int, 3> counts{};
+  for (const Family family : {Family::lattice, Family::ray_touch, Family::collinear, Family::eye_in_box}) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      const fuzz::Case made = fuzz::make_case(family, seed);
+      const Viewpoint view{to_point(made.viewpoint.value), !made.viewpoint.is_eye()};
+      Loop loop;
+      for (const kernel::Vec3& v : made.polygon) loop.push_back(to_point(v));
+      const Aabb box{to_point(made.box.min), to_point(made.box.max)};
+      for (const Near& near : {kFarthest, kSurface}) {
+        const Answer aligned = relation(view, loop, near, box), turned = relation(view, loop, near, oriented(box, random));
+        ASSERT_EQ(aligned.refusal.empty(), turned.refusal.empty()) << fuzz::name(family) << " " << seed;
+        ASSERT_EQ(aligned.relation, turned.relation) << fuzz::name(family) << " " << seed;
+        if (aligned.refusal.empty()) ++counts[static_cast<std::size_t>(aligned.relation)];
+      }
+    }
+  }
+  for (const int count : counts) EXPECT_GT(count, 200);
+}
+
+TEST(OrientedBox, ProofsOfCulls) {
+  const auto box = [](double height) { return Obb{{0, 0, height}, {{{1, 1, 0}, {1, -1, 0}, {0, 0, 1}}}}; };
+  EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, box(3)), "");
+  EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, box(below(3))), "the box is not inside the frustum");
+  const Obb standing{{0, 0, 2}, {{{0.5, 0.5, 0}, {0.5, -0.5, 0}, {0, 0, 1}}}};
+  EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, standing), "the box touches the near plane");
+  // 1.3 - 0.3, as doubles, is a little more than 1, to which it would be rounded.
+  EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, Obb{{0, 0, 1.3}, {{kZero, kZero, {0, 0, 0.3}}}}), "");
+  EXPECT_EQ(refute_view_cull({1, 0, 0, -3}, box(0)), "");
+  EXPECT_EQ(refute_view_cull({1, 0, 0, -2}, box(0)), "the box reaches the plane");
+  EXPECT_EQ(refute_view_cull({1, 0, 0, -3}, Obb{{kNan, 0, 0}, {}}), "a number is not finite");
+}
+
+TEST(OrientedBox, ContainsItsPointsExactly) {
+  const Obb skew{{1, 1, 1}, {{{2, 0, 0}, {1, 1, 0}, {0, 0, 3}}}};
+  EXPECT_TRUE(contains(skew, {4, 2, 4}));
+  EXPECT_TRUE(contains(skew, {-2, 0, -2}));
+  EXPECT_FALSE(contains(skew, {above(4), 2, 4}));
+  EXPECT_FALSE(contains(skew, {4, 2, above(4)}));
+  EXPECT_FALSE(contains(skew, {4, 0, 1}));
+  const Obb flat{{1, 1, 1}, {{{2, 0, 0}, {1, 1, 0}, {-1, -1, 0}}}};
+  EXPECT_TRUE(contains(flat, {5, 3, 1}));
+  EXPECT_FALSE(contains(flat, {above(5), 3, 1}));
+  EXPECT_FALSE(contains(flat, {1, 1, above(1)}));
+  EXPECT_FALSE(contains(flat, {1, 1, below(1)}));
+  EXPECT_TRUE(contains(Obb{{1, 1, 1}, {}}, {1, 1, 1}));
+  EXPECT_FALSE(contains(Obb{{1, 1, 1}, {}}, {1, above(1), 1}));
+  EXPECT_TRUE(contains(Aabb{{0, 0, 0}, {1, 1, 1}}, {0, 1, 0.5}));
+  EXPECT_FALSE(contains(Aabb{{0, 0, 0}, {1, 1, 1}}, {0, above(1), 0.5}));
+}
+
+}  // namespace
+}  // namespace occlude::oracle
