@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "frustum.h"
 
+#include <algorithm>
+
 #include "farthest.h"
 #include "faults.h"
 #include "loop.h"
+#include "polytope.h"
+#include "silhouette.h"
 
 namespace occlude::oracle {
 namespace {
@@ -26,6 +30,24 @@ OrientedPlane near_plane(const Viewpoint& view, const Loop& loop, const Near& ne
   return {GivenPlane{near.normal, near.point}};
 }
 
+std::vector<OrientedPlane> near_planes(const Viewpoint& view, const Solid& solid, const std::vector<bool>& is_turned,
+                                       const std::vector<Point>& vertices, const Near& near) {
+  std::vector<OrientedPlane> planes;
+  switch (near.kind) {
+    case Near::Kind::farthest:
+      planes.push_back({FarthestPlane{view, farthest_of(view, silhouette_vertices(solid, is_turned, vertices))}});
+      break;
+    case Near::Kind::surface:
+      for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+        if (is_turned[f]) planes.push_back(solid.half_space(f));
+      }
+      break;
+    case Near::Kind::plane:
+      planes.push_back({GivenPlane{near.normal, near.point}});
+  }
+  return planes;
+}
+
 }  // namespace
 
 FrustumOrFault frustum_of(const Viewpoint& view, const Loop& loop, const Near& near) {
@@ -38,6 +60,21 @@ FrustumOrFault frustum_of(const Viewpoint& view, const Loop& loop, const Near& n
     frustum.sides.emplace_back(OrientedPlane{side, seen.turn});
   }
   frustum.near.emplace_back(near_plane(view, loop, near, seen.turn));
+  return {std::move(frustum), ""};
+}
+
+FrustumOrFault frustum_of(const Viewpoint& view, const Polytope& polytope, const Near& near) {
+  auto [solid, fault] = solid_of(polytope);
+  if (!fault.empty()) return {{}, std::move(fault)};
+  const std::vector<bool> is_turned = turned_faces(view, solid);
+  if (std::ranges::find(is_turned, true) == is_turned.end()) return {{}, "the eye lies in the polytope"};
+  if (near.kind == Near::Kind::plane) fault = plane_fault(view, polytope.vertices, near);
+  if (!fault.empty()) return {{}, std::move(fault)};
+  Frustum frustum;
+  for (const OrientedPlane& side : side_planes(view, solid)) frustum.sides.emplace_back(side);
+  for (const OrientedPlane& plane : near_planes(view, solid, is_turned, polytope.vertices, near)) {
+    frustum.near.emplace_back(plane);
+  }
   return {std::move(frustum), ""};
 }
 

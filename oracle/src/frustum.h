@@ -9,7 +9,7 @@
 
 namespace occlude::oracle {
 
-/// The half-spaces of F. Views the occluder, which must outlive this.
+/// The half-spaces of F.
 struct Frustum {
   std::vector<Plane<OrientedPlane>> sides, near;
 };
@@ -22,5 +22,6 @@ struct FrustumOrFault {
 
 /// REQUIRES: the numbers and the view are without fault (faults.h).
 [[nodiscard]] FrustumOrFault frustum_of(const Viewpoint& view, const Loop& loop, const Near& near);
+[[nodiscard]] FrustumOrFault frustum_of(const Viewpoint& view, const Polytope& polytope, const Near& near);
 
 }  // namespace occlude::oracle

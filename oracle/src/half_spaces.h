@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The planes that bound a shadow frustum, as the definition states each. They view the caller's points, which must outlive
-// them.
+// The planes that bound a shadow frustum, as the definition states each.
 #pragma once
 
-#include <span>
+#include <algorithm>
 #include <variant>
 
 #include "plane.h"
@@ -22,6 +21,8 @@ struct SidePlane {
   Viewpoint view;
   Point a, b;
 
+  [[nodiscard]] bool passes_through(const Point& x) const { return x == a || x == b; }
+
   template <class N>
   HalfSpace<N> operator()() const {
     const Point& eye = view.value;
@@ -32,7 +33,9 @@ struct SidePlane {
 
 /// The plane of a coplanar convex loop. Its normal is twice the loop's vector area.
 struct LoopPlane {
-  std::span<const Point> loop;
+  Loop loop;
+
+  [[nodiscard]] bool passes_through(const Point& x) const { return std::ranges::find(loop, x) != loop.end(); }
 
   template <class N>
   HalfSpace<N> operator()() const {

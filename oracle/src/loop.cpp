@@ -2,6 +2,7 @@
 #include "loop.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "half_spaces.h"
@@ -9,7 +10,7 @@
 namespace occlude::oracle {
 namespace {
 
-bool has_three_distinct(std::span<const Point> loop) {
+bool has_three_distinct(const Loop& loop) {
   if (loop.empty()) return false;
   const auto second = std::ranges::find_if(loop, [&](const Point& p) { return p != loop[0]; });
   return std::any_of(second, loop.end(), [&](const Point& p) { return p != loop[0] && p != *second; });
@@ -26,25 +27,22 @@ bool supports(std::span<const CGAL::Sign> sides, CGAL::Sign turn) {
   return departures <= 1;
 }
 
-/// On which side of the plane of the edge from `a` to `b` each vertex lies. Its own two ends are on it by definition.
-void find_sides(const SidePlane& edge, std::span<const Point> loop, std::span<CGAL::Sign> sides) {
+/// On which side of the plane of the edge each vertex lies.
+void find_sides(const SidePlane& edge, const Loop& loop, std::span<CGAL::Sign> sides) {
   Plane plane(edge);
-  const auto side = [&](const Point& vertex) {
-    return vertex == edge.a || vertex == edge.b ? CGAL::ZERO : plane.side(vertex);
-  };
-  std::ranges::transform(loop, sides.begin(), side);
+  std::ranges::transform(loop, sides.begin(), [&](const Point& vertex) { return plane.side(vertex); });
 }
 
 /// Whether every vertex lies strictly ahead of the eye, so that the eye is not in the hull of the polygon. (A convex loop
 /// for which this fails is folded around a line through the eye.)
-bool lies_ahead(const Point& eye, std::span<const Point> loop, CGAL::Sign turn) {
+bool lies_ahead(const Point& eye, const Loop& loop, CGAL::Sign turn) {
   Plane across([&]<class N>() { return HalfSpace<N>{LoopPlane{loop}.operator()<N>().normal, vector_of<N>(eye)}; });
   return std::ranges::all_of(loop, [&](const Point& vertex) { return across.side(vertex) == turn; });
 }
 
 }  // namespace
 
-std::optional<CGAL::Sign> turn_of(const Viewpoint& view, std::span<const Point> loop) {
+std::optional<CGAL::Sign> turn_of(const Viewpoint& view, const Loop& loop) {
   std::vector<CGAL::Sign> sides(loop.size());
   CGAL::Sign turn = CGAL::ZERO;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -58,13 +56,14 @@ std::optional<CGAL::Sign> turn_of(const Viewpoint& view, std::span<const Point> 
   return turn;
 }
 
-bool is_coplanar(std::span<const Point> loop) {
+bool is_coplanar(const Loop& loop) {
   if (loop.size() == 3) return true;
-  Plane plane(LoopPlane{loop});
+  // By its numbers alone: a LoopPlane takes for granted what is asked here.
+  Plane plane([&]<class N>() { return LoopPlane{loop}.operator()<N>(); });
   return std::ranges::all_of(loop, [&](const Point& vertex) { return plane.side(vertex) == CGAL::ZERO; });
 }
 
-Seen see(const Viewpoint& view, std::span<const Point> loop) {
+Seen see(const Viewpoint& view, const Loop& loop) {
   if (!has_three_distinct(loop)) return {"fewer than 3 distinct vertices", CGAL::ZERO};
   const std::optional<CGAL::Sign> turn = turn_of(view, loop);
   if (!turn) return {"the loop is not convex seen from the eye", CGAL::ZERO};

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 
 #include "numbers.h"
@@ -12,10 +11,10 @@ namespace occlude::oracle {
 
 /// The sign that every edge's side plane has on the inner side of a loop that is seen as a convex polygon wound once; ZERO
 /// for a loop seen edge-on, none for one that is not convex.
-[[nodiscard]] std::optional<CGAL::Sign> turn_of(const Viewpoint& view, std::span<const Point> loop);
+[[nodiscard]] std::optional<CGAL::Sign> turn_of(const Viewpoint& view, const Loop& loop);
 
 /// Whether all vertices lie in the plane of a loop that is convex from somewhere.
-[[nodiscard]] bool is_coplanar(std::span<const Point> loop);
+[[nodiscard]] bool is_coplanar(const Loop& loop);
 
 /// What a viewpoint sees of a polygon: what is wrong with it, or its turn.
 struct Seen {
@@ -24,6 +23,6 @@ struct Seen {
 };
 
 /// Whether the loop is a convex polygon seen from the viewpoint, wound once, the viewpoint not in its plane nor in it.
-[[nodiscard]] Seen see(const Viewpoint& view, std::span<const Point> loop);
+[[nodiscard]] Seen see(const Viewpoint& view, const Loop& loop);
 
 }  // namespace occlude::oracle

@@ -52,26 +52,30 @@ Relation relate(Frustum& frustum, const Box& box) {
   return is_feasible(own_bounds(box), std::move(inequalities)) ? Relation::partial : Relation::outside;
 }
 
+const Loop& vertices_of(const Loop& loop) { return loop; }
+const Loop& vertices_of(const Polytope& polytope) { return polytope.vertices; }
+
 /// The frustum of the question, or what makes it unanswerable.
-FrustumOrFault examine(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box) {
-  std::string fault = number_fault(view, loop, near, box);
+FrustumOrFault examine(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
+  const auto& vertices = std::visit([](const auto& kind) -> const Loop& { return vertices_of(kind); }, occluder);
+  std::string fault = number_fault(view, vertices, near, box);
   if (fault.empty()) fault = view_fault(view);
   if (!fault.empty()) return {{}, std::move(fault)};
-  return frustum_of(view, loop, near);
+  return std::visit([&](const auto& kind) { return frustum_of(view, kind, near); }, occluder);
 }
 
 }  // namespace
 
-Answer relation(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box) {
+Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
   const RoundUpward rounding;
-  auto [frustum, fault] = examine(view, loop, near, box);
+  auto [frustum, fault] = examine(view, occluder, near, box);
   if (!fault.empty()) return {std::move(fault), Relation::partial};
   return {"", relate(frustum, box)};
 }
 
-std::string refute_shadow_cull(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box) {
+std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
   const RoundUpward rounding;
-  auto [frustum, fault] = examine(view, loop, near, box);
+  auto [frustum, fault] = examine(view, occluder, near, box);
   if (!fault.empty()) return std::move(fault);
   for (Plane<OrientedPlane>* plane : planes_of(frustum)) {
     if (outer_corners(*plane, box) != 0) return "the box is not inside the frustum";

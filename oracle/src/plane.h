@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "numbers.h"
 
@@ -22,7 +23,7 @@ struct HalfSpace {
 };
 
 /// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, in rationals when
-/// first needed, and kept.
+/// first needed, and kept. Points that a definition passes_through lie on the plane by what it is; the rest is computed.
 template <class Definition>
 class Plane {
  public:
@@ -32,6 +33,9 @@ class Plane {
   /// Sign of the height of `x`, exact.
   template <class X>
   CGAL::Sign side(const X& x) {
+    if constexpr (requires { definition_.passes_through(x); }) {
+      if (definition_.passes_through(x)) return CGAL::ZERO;
+    }
     const CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(approximate_.height(x));
     return CGAL::is_certain(sign) ? CGAL::get_certain(sign) : CGAL::sign(exact().height(x));
   }
@@ -46,5 +50,20 @@ class Plane {
   HalfSpace<Interval> approximate_;
   std::optional<HalfSpace<Exact>> exact_;
 };
+
+/// The side of the plane on which all the points lie that are not on it: ZERO when there are none on either side, or some on
+/// both.
+template <class Definition>
+CGAL::Sign side_of_all(const Definition& definition, const std::vector<Point>& points) {
+  Plane plane(definition);
+  CGAL::Sign all = CGAL::ZERO;
+  for (const Point& point : points) {
+    const CGAL::Sign side = plane.side(point);
+    if (side == CGAL::ZERO) continue;
+    if (side == -all) return CGAL::ZERO;
+    all = side;
+  }
+  return all;
+}
 
 }  // namespace occlude::oracle

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,6 +20,14 @@ struct Viewpoint {
 
 /// The vertices of a convex polygon in order, either way round.
 using Loop = std::vector<Point>;
+
+/// A convex polytope: faces are loops of indices into `vertices`, either way round.
+struct Polytope {
+  std::vector<Point> vertices;
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
+using Occluder = std::variant<Loop, Polytope>;
 
 /// The near side of a shadow frustum.
 struct Near {
@@ -48,14 +57,15 @@ struct Answer {
   Relation relation = Relation::partial;
 };
 
-/// Relation of `box` to the shadow frustum of the convex polygon `loop`, or the reason for refusing the case.
+/// Relation of `box` to the shadow frustum of the occluder, or the reason for refusing the case.
 /// Near `surface` of a polygon that is not exactly coplanar is refused (the definition leaves the plane open: pass `plane`).
-[[nodiscard]] Answer relation(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box);
+[[nodiscard]] Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box);
 
-/// Proof that `box` lies in the shadow of the polygon `loop` and strictly beyond its near plane, a given `plane` being sound
-/// for the polygon (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side). Empty
-/// when proved, else what failed.
-[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, const Loop& loop, const Near& near, const Box& box);
+/// Proof that `box` lies in the shadow of the occluder and strictly beyond its near planes, a given `plane` being sound for
+/// the occluder (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side).
+/// Empty when proved, else what failed.
+[[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near,
+                                             const Box& box);
 
 /// Proof that every point of `box` has a*x + b*y + c*z + d < 0. Empty when proved, else what failed.
 [[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "silhouette.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace occlude::oracle {
+namespace {
+
+bool is_turned_to(const Viewpoint& view, const OrientedPlane& half_space) {
+  const auto depth = [&]<class N>() -> N {
+    const HalfSpace<N> face = half_space.operator()<N>();
+    return view.at_infinity ? N(-(face.normal * vector_of<N>(view.value))) : face.height(view.value);
+  };
+  return sign_of(depth) == CGAL::NEGATIVE;
+}
+
+}  // namespace
+
+std::vector<bool> turned_faces(const Viewpoint& view, const Solid& solid) {
+  std::vector<bool> is_turned;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) is_turned.push_back(is_turned_to(view, solid.half_space(f)));
+  return is_turned;
+}
+
+std::vector<Point> silhouette_vertices(const Solid& solid, const std::vector<bool>& is_turned,
+                                       const std::vector<Point>& vertices) {
+  std::vector<Plane<LoopPlane>> planes;
+  for (const Loop& face : solid.faces) planes.emplace_back(LoopPlane{face});
+  const auto lies_on_face = [&](const Point& vertex, bool turned) {
+    for (std::size_t f = 0; f < planes.size(); ++f) {
+      if (is_turned[f] == turned && planes[f].side(vertex) == CGAL::ZERO) return true;
+    }
+    return false;
+  };
+  std::vector<Point> silhouette;
+  std::ranges::copy_if(vertices, std::back_inserter(silhouette),
+                       [&](const Point& vertex) { return lies_on_face(vertex, true) && lies_on_face(vertex, false); });
+  return silhouette;
+}
+
+std::vector<OrientedPlane> side_planes(const Viewpoint& view, const Solid& solid) {
+  std::vector<OrientedPlane> sides;
+  for (std::size_t i = 0; i < solid.points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const SidePlane side{view, solid.points[i], solid.points[j]};
+      const CGAL::Sign interior = side_of_all(side, solid.points);
+      if (interior != CGAL::ZERO) sides.push_back({side, interior});
+    }
+  }
+  return sides;
+}
+
+}  // namespace occlude::oracle
