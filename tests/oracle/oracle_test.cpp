@@ -17,6 +17,7 @@
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "oracle/hand_cases.h"
+#include "oracle/whole_numbers.h"
 
 namespace occlude::oracle {
 
@@ -203,19 +204,10 @@ TEST(Oracle, TakesTheEndsOfTheRange) {
 // Whole numbers only, small enough for 64 bits; nothing shared with the oracle. A common point of box and F exists when some
 // vertex of the arrangement of their planes lies in all of their half-spaces, because the intersection is bounded.
 
-using Whole = std::int64_t;
-using WholePoint = std::array<Whole, 3>;
-
 struct WholePlane {  // normal . x >= offset
   WholePoint normal;
   Whole offset;
 };
-
-Whole dot(const WholePoint& a, const WholePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-WholePoint minus(const WholePoint& a, const WholePoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-WholePoint cross(const WholePoint& a, const WholePoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// With `within` on the positive side.
 WholePlane plane_through(const WholePoint& point, WholePoint normal, const WholePoint& within) {
@@ -296,12 +288,6 @@ Relation second_way(const WholeCase& c) {
   return share_a_point(planes) ? kPartial : kOutside;
 }
 
-WholePoint whole_point(fuzz::Random& random, int reach) {
-  const auto next = [&] { return Whole{random.integer(-reach, reach)}; };
-  const Whole x = next(), y = next(), z = next();
-  return {x, y, z};
-}
-
 /// Triangles and parallelograms, some with a middle vertex on an edge or a vertex twice.
 WholeCase whole_case(fuzz::Random& random) {
   WholeCase c{whole_point(random, 4), random.chance(0.25), {}, random.chance(0.5), {}, {}};
@@ -319,10 +305,6 @@ WholeCase whole_case(fuzz::Random& random) {
     c.max[k] = std::max(p[k], p[k] + size[k]);  // flat half the time
   }
   return c;
-}
-
-Point to_point(const WholePoint& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
 Question to_question(const WholeCase& c) {
