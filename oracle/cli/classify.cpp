@@ -57,7 +57,7 @@ Case parse_case(const nlohmann::json& object) {
   c.near = near_of(object);
   if (member(object, "box").contains("center"))
     throw Unsupported("oriented boxes are not supported yet", object.contains("expect"));
-  c.box = aabb(object);
+  c.box = std::get<kernel::Aabb>(box(object));
   if (object.contains("expect")) {
     const auto& expect = object["expect"];
     if (expect != "inside" && expect != "partial" && expect != "outside") {

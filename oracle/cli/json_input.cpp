@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 
 namespace occlude::cli {
@@ -45,6 +47,23 @@ std::string with_special_numbers_quoted(std::string_view line) {
       if (line[i] == '"') in_string = !in_string;
       result += line[i++];
     }
+  }
+  return result;
+}
+
+std::uint32_t index(const Json& value) {
+  if (!value.is_number_unsigned()) throw LineError("\"faces\": expected indices, which are whole numbers from 0");
+  constexpr std::uint64_t kLast = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min(value.get<std::uint64_t>(), kLast));
+}
+
+std::vector<std::vector<std::uint32_t>> faces(const Json& value) {
+  constexpr const char* kExpected = "\"faces\": expected an array of arrays of indices";
+  if (!value.is_array()) throw LineError(kExpected);
+  std::vector<std::vector<std::uint32_t>> result;
+  for (const Json& loop : value) {
+    if (!loop.is_array()) throw LineError(kExpected);
+    std::ranges::transform(loop, std::back_inserter(result.emplace_back()), index);
   }
   return result;
 }
@@ -103,10 +122,23 @@ kernel::Viewpoint viewpoint(const Json& object) {
   return kernel::Viewpoint::eye(vec3(member(object, "eye"), "eye"));
 }
 
-kernel::Aabb aabb(const Json& object) {
-  const Json& box = member(object, "box");
-  if (!box.is_object()) throw LineError("\"box\": expected an object");
-  return {vec3(member(box, "min"), "min"), vec3(member(box, "max"), "max")};
+Box box(const Json& object) {
+  const Json& value = member(object, "box");
+  if (!value.is_object()) throw LineError("\"box\": expected an object");
+  const bool oriented = value.contains("center") || value.contains("half_edges");
+  if (oriented && (value.contains("min") || value.contains("max"))) throw LineError("\"box\": both \"min\" and \"center\"");
+  if (!oriented) return kernel::Aabb{vec3(member(value, "min"), "min"), vec3(member(value, "max"), "max")};
+  const auto half_edges = vec3s(member(value, "half_edges"), "half_edges");
+  if (half_edges.size() != 3) throw LineError("\"half_edges\": expected three of them");
+  return kernel::Obb{vec3(member(value, "center"), "center"), {half_edges[0], half_edges[1], half_edges[2]}};
+}
+
+Occluder occluder(const Json& value) {
+  if (!value.is_object()) throw LineError("expected an occluder to be an object");
+  const bool has_faces = value.contains("vertices") || value.contains("faces");
+  if (has_faces && value.contains("polygon")) throw LineError("both \"polygon\" and \"vertices\"");
+  if (!has_faces) return vec3s(member(value, "polygon"), "polygon");
+  return kernel::Polytope{vec3s(member(value, "vertices"), "vertices"), faces(member(value, "faces"))};
 }
 
 }  // namespace occlude::cli

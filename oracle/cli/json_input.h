@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "occlude/kernel/types.h"
+#include "shapes.h"
 
 namespace occlude::cli {
 
@@ -33,7 +33,10 @@ struct LineError : std::runtime_error {
 /// The member "eye" or "direction".
 [[nodiscard]] kernel::Viewpoint viewpoint(const nlohmann::json& object);
 
-/// The member "box" with "min" and "max".
-[[nodiscard]] kernel::Aabb aabb(const nlohmann::json& object);
+/// The member "box": "min" and "max", or "center" and "half_edges".
+[[nodiscard]] Box box(const nlohmann::json& object);
+
+/// An occluder: "polygon", or "vertices" and "faces". An index too large for any vertex stays too large.
+[[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
 }  // namespace occlude::cli

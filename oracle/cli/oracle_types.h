@@ -2,11 +2,9 @@
 // The oracle shares no types with the kernel: the translation.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/oracle/oracle.h"
+#include "shapes.h"
 
 namespace occlude::cli {
 
@@ -14,10 +12,26 @@ namespace occlude::cli {
 [[nodiscard]] inline oracle::Viewpoint to_oracle(const kernel::Viewpoint& v) { return {to_oracle(v.value), !v.is_eye()}; }
 [[nodiscard]] inline oracle::Aabb to_oracle(const kernel::Aabb& box) { return {to_oracle(box.min), to_oracle(box.max)}; }
 
-[[nodiscard]] inline oracle::Loop to_oracle(std::span<const kernel::Vec3> points) {
+[[nodiscard]] inline oracle::Obb to_oracle(const kernel::Obb& box) {
+  return {to_oracle(box.center), {to_oracle(box.half_edges[0]), to_oracle(box.half_edges[1]), to_oracle(box.half_edges[2])}};
+}
+
+[[nodiscard]] inline oracle::Box to_oracle(const Box& box) {
+  return std::visit([](const auto& kind) -> oracle::Box { return to_oracle(kind); }, box);
+}
+
+[[nodiscard]] inline oracle::Loop to_oracle(const Polygon& polygon) {
   oracle::Loop result;
-  for (const kernel::Vec3& v : points) result.push_back(to_oracle(v));
+  for (const kernel::Vec3& v : polygon) result.push_back(to_oracle(v));
   return result;
+}
+
+[[nodiscard]] inline oracle::Polytope to_oracle(const kernel::Polytope& polytope) {
+  return {to_oracle(polytope.vertices), polytope.faces};
+}
+
+[[nodiscard]] inline oracle::Occluder to_oracle(const Occluder& occluder) {
+  return std::visit([](const auto& kind) -> oracle::Occluder { return to_oracle(kind); }, occluder);
 }
 
 [[nodiscard]] inline oracle::Near to_oracle(kernel::Near near) {

@@ -57,7 +57,7 @@ bool is_outside_of_view(const std::array<double, 4>& plane, const culler::Camera
   return true;
 }
 
-bool is_clipped(const std::vector<kernel::Vec3>& loop, const culler::Camera& camera) {
+bool is_clipped(const Polygon& loop, const culler::Camera& camera) {
   const glm::dvec3 forward = camera.axes().forward;
   return std::any_of(loop.begin(), loop.end(), [&](const kernel::Vec3& v) {
     return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera.eye, forward) < camera.near;
@@ -71,11 +71,25 @@ oracle::Near near_of(const Json& near) {
   return to_oracle(kernel::SupportPlane{vec3(member(near, "normal"), "normal"), vec3(member(near, "point"), "point")});
 }
 
-std::vector<kernel::Vec3> occluder_of(const Json& object) {
+Occluder occluder_of(const Json& object) {
   const Json& occluders = member(object, "occluders");
   if (!occluders.is_array() || occluders.size() != 1) throw LineError("\"occluders\": expected one occluder");
-  if (!occluders[0].is_object()) throw LineError("\"occluders\": expected objects");
-  return vec3s(member(occluders[0], "polygon"), "polygon");
+  return occluder(occluders[0]);
+}
+
+/// The polygons that are drawn of the occluder.
+std::vector<Polygon> polygons_of(const Occluder& occluder) {
+  if (const Polygon* polygon = std::get_if<Polygon>(&occluder)) return {*polygon};
+  const auto& [vertices, faces] = std::get<kernel::Polytope>(occluder);
+  std::vector<Polygon> polygons;
+  for (const auto& face : faces) {
+    Polygon& polygon = polygons.emplace_back();
+    for (const std::uint32_t index : face) {
+      if (index >= vertices.size()) throw LineError("\"faces\": a vertex that does not exist");
+      polygon.push_back(vertices[index]);
+    }
+  }
+  return polygons;
 }
 
 std::array<double, 4> plane_of(const Json& object) {
@@ -96,6 +110,8 @@ std::array<std::size_t, 2> triangles_of(const Json& object) {
 }
 
 std::array<double, 3> key(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+std::uint64_t key(std::size_t first, std::size_t count) { return (static_cast<std::uint64_t>(first) << 32U) | count; }
 
 }  // namespace
 
@@ -118,8 +134,8 @@ std::string Prover::prove(std::string_view line) const {
   const auto [first, count] = triangles_of(object);
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return "no such triangles";
-  const kernel::Aabb box = aabb(object);
-  if (!contains(box, box_of_triangles(first, count))) return "the triangles are not in the box";
+  const Box box = cli::box(object);
+  if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
   const Json& by = member(object, "by");
   if (by == "view") {
@@ -137,26 +153,53 @@ std::string Prover::prove(std::string_view line) const {
   if (view.is_eye() != perspective || view.value != kernel::Vec3{expected.x, expected.y, expected.z}) {
     return "the viewpoint is not the frame's";
   }
-  const auto loop = occluder_of(object);
-  if (!is_model_polygon_outside(loop, first, count)) return "the occluder is not a polygon of the model outside the subtree";
-  if (is_clipped(loop, camera)) return "the renderer clips the occluder";
-  return oracle::refute_shadow_cull(to_oracle(view), to_oracle(loop), near_of(member(object, "near")), to_oracle(box));
+  const Occluder occluder = occluder_of(object);
+  for (const Polygon& polygon : polygons_of(occluder)) {
+    if (!is_model_polygon_outside(polygon, first, count)) return "the occluder is not of the model outside the subtree";
+    if (is_clipped(polygon, camera)) return "the renderer clips the occluder";
+  }
+  return oracle::refute_shadow_cull(to_oracle(view), to_oracle(occluder), near_of(member(object, "near")), to_oracle(box));
+}
+
+bool Prover::lie_in(const Box& box, std::size_t first, std::size_t count) const {
+  if (const kernel::Aabb* aabb = std::get_if<kernel::Aabb>(&box)) return contains(*aabb, box_of_triangles(first, count));
+  const kernel::Obb& obb = std::get<kernel::Obb>(box);
+  const std::uint64_t run = key(first, count);
+  {
+    const std::shared_lock lock(mutex_);
+    if (const auto found = holding_.find(run); found != holding_.end() && found->second == obb) return true;
+  }
+  const culler::PolygonSoup& soup = hierarchy_.soup();
+  const auto [begin, end] = polygons_with(first, count);
+  for (std::size_t p = begin; p != end; ++p) {
+    for (const std::uint32_t index : soup.loop(p)) {
+      if (!oracle::contains(to_oracle(obb), key(soup.vertices[index]))) return false;
+    }
+  }
+  const std::unique_lock lock(mutex_);
+  holding_.insert_or_assign(run, obb);
+  return true;
+}
+
+std::pair<std::size_t, std::size_t> Prover::polygons_with(std::size_t first, std::size_t count) const {
+  const auto begin = std::prev(std::upper_bound(first_triangle_.begin(), first_triangle_.end(), first));
+  const auto end = std::lower_bound(begin, first_triangle_.end(), first + count);
+  return {static_cast<std::size_t>(begin - first_triangle_.begin()),
+          static_cast<std::size_t>(end - first_triangle_.begin())};
 }
 
 kernel::Aabb Prover::box_of_triangles(std::size_t first, std::size_t count) const {
-  const std::uint64_t run = (static_cast<std::uint64_t>(first) << 32U) | count;
+  const std::uint64_t run = key(first, count);
   {
     const std::shared_lock lock(mutex_);
     if (const auto found = boxes_.find(run); found != boxes_.end()) return found->second;
   }
-  // The polygons that any of the triangles belong to: at least what is asked for.
-  const auto begin = std::prev(std::upper_bound(first_triangle_.begin(), first_triangle_.end(), first));
-  const auto end = std::lower_bound(begin, first_triangle_.end(), first + count);
+  const auto [begin, end] = polygons_with(first, count);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   kernel::Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   const culler::PolygonSoup& soup = hierarchy_.soup();
-  for (auto p = begin; p != end; ++p) {
-    for (const std::uint32_t index : soup.loop(static_cast<std::size_t>(p - first_triangle_.begin()))) {
+  for (std::size_t p = begin; p != end; ++p) {
+    for (const std::uint32_t index : soup.loop(p)) {
       const glm::dvec3& v = soup.vertices[index];
       for (int axis = 0; axis < 3; ++axis) {
         box.min[axis] = std::min(box.min[axis], v[axis]);
@@ -168,7 +211,7 @@ kernel::Aabb Prover::box_of_triangles(std::size_t first, std::size_t count) cons
   return boxes_.emplace(run, box).first->second;
 }
 
-bool Prover::is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first, std::size_t count) const {
+bool Prover::is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const {
   if (loop.empty()) return false;
   const culler::PolygonSoup& soup = hierarchy_.soup();
   const auto is_polygon = [&](std::uint32_t p) {

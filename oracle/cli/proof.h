@@ -14,6 +14,7 @@
 
 #include "occlude/culler/hierarchy.h"
 #include "occlude/render/camera_path.h"
+#include "shapes.h"
 
 namespace occlude::cli {
 
@@ -27,13 +28,17 @@ class Prover {
   /// - the triangles named exist and lie in the box named;
   /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
-  ///   plane, the occluder is a polygon of the model that is not among the triangles, and the renderer does not clip it.
+  ///   planes, the occluder is a polygon of the model that is not among the triangles, or a polytope all of whose faces are
+  ///   such polygons, and the renderer clips none of it.
   [[nodiscard]] std::string prove(std::string_view line) const;
 
  private:
+  /// The polygons, from .first to before .second, that any of the triangles belong to.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> polygons_with(std::size_t first, std::size_t count) const;
+  /// Whether those polygons lie in the box, exactly.
+  [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
-  [[nodiscard]] bool is_model_polygon_outside(const std::vector<kernel::Vec3>& loop, std::size_t first,
-                                              std::size_t count) const;
+  [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
 
   const culler::Hierarchy& hierarchy_;
   const render::CameraPath& path_;
@@ -43,6 +48,7 @@ class Prover {
   /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
   mutable std::shared_mutex mutex_;
   mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;
+  mutable std::unordered_map<std::uint64_t, kernel::Obb> holding_;  ///< the last oriented box found to hold the run
 };
 
 }  // namespace occlude::cli

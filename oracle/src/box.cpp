@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "faults.h"
+
 namespace occlude::oracle {
 namespace {
 
@@ -70,6 +72,7 @@ Inequality<3> in_own_coordinates(const HalfSpace<Exact>& half_space, const Box& 
 
 bool contains(const Box& box, const Point& point) {
   const RoundUpward rounding;
+  if (!box_fault(box).empty()) return false;
   return std::visit([&](const auto& kind) { return contains_point(kind, point); }, box);
 }
 

@@ -115,16 +115,40 @@ expect_error "good.ply:1" "$occlude" validate good.ply --path path.json --witnes
 [ "$(ls report/plates | wc -l)" -eq 4 ] || fail "plates of an earlier walk are left"
 
 # Witnesses that lie are found out.
-lie() { # lie WHAT SED_SCRIPT
-  sed "$2" witness.jsonl >lie.jsonl
-  cmp -s witness.jsonl lie.jsonl && fail "the lie about $1 changed nothing"
-  "$occlude" validate good.ply --path path.json --witness lie.jsonl >stdout 2>stderr
+lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES]
+  local model=${3:-good.ply} witnesses=${4:-witness.jsonl}
+  sed "$2" "$witnesses" >lie.jsonl
+  cmp -s "$witnesses" lie.jsonl && fail "the lie about $1 changed nothing"
+  "$occlude" validate "$model" --path path.json --witness lie.jsonl >stdout 2>stderr
   [ $? -eq 1 ] || fail "a lie about $1 was believed"
 }
 lie "the box" '/shadow/s/"max":\[\([0-9]*\),1,1\]/"max":[\1,99,1]/'
 lie "the eye" 's/"eye":\[0,0,0\]/"eye":[0,0,0.5]/'
 lie "the occluder" 's/"polygon":\[\[2,-1,-1\]/"polygon":[[2,-2,-2]/'
 lie "the triangles" '/shadow/s/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/'
+
+# Witnesses by a block instead of its front, of squares in an oriented box.
+vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n3 -1 -1\n3 1 -1\n3 1 1\n3 -1 1\n'
+faces='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 0 3 7 4\n4 1 2 6 5\n'
+for i in $(seq 2 59); do
+  vertices+="$((2 + i)) -1 -1\n$((2 + i)) 1 -1\n$((2 + i)) 1 1\n$((2 + i)) -1 1\n"
+  faces+="4 $((4 * i)) $((4 * i + 1)) $((4 * i + 2)) $((4 * i + 3))\n"
+done
+ply block.ply 240 64 "$vertices$faces"
+block='"vertices":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1],[3,-1,-1],[3,1,-1],[3,1,1],[3,-1,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[3,2,6,7],[0,3,7,4],[1,2,6,5]]'
+"$occlude" walk block.ply --path path.json --out blocked --no-render --witness front.jsonl >stdout || fail "walk with a block"
+sed 's/"polygon":\[\[2,-1,-1\],\[2,1,-1\],\[2,1,1\],\[2,-1,1\]\]/'"$block"'/
+  s/"min":\[32,-1,-1\],"max":\[61,1,1\]/"center":[46.5,0,0],"half_edges":[[14.5,0,0],[0,1,1],[0,1,-1]]/' front.jsonl >block.jsonl
+grep -q '"vertices"' block.jsonl || fail "no witness by a block"
+grep -q '"half_edges"' block.jsonl || fail "no witness of an oriented box"
+"$occlude" validate block.ply --path path.json --witness block.jsonl >stdout 2>&1 || fail "block: $(cat stdout)"
+lie "an oriented box" 's/\[0,1,1\],\[0,1,-1\]\]/[0,1,1],[0,1,-0.5]]/' block.ply block.jsonl
+lie "the size of an oriented box" 's/\[14.5,0,0\]/[14.75,0,40]/' block.ply block.jsonl
+lie "the vertices of a block" 's/\[3,1,1\],\[3,-1,1\]\]/[3.5,1,1],[3,-1,1]]/' block.ply block.jsonl
+lie "the faces of a block" 's/,\[1,2,6,5\]\]/]/' block.ply block.jsonl
+lie "what is behind a block" 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/' block.ply block.jsonl
+sed 's/\[1,2,6,5\]/[1,2,6,8]/' block.jsonl >line.jsonl
+expect_error "line.jsonl:1" "$occlude" validate block.ply --path path.json --witness line.jsonl
 
 # Interrupted, it leaves nothing behind.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"

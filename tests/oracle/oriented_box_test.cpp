@@ -144,6 +144,10 @@ TEST(OrientedBox, ContainsItsPointsExactly) {
   EXPECT_FALSE(contains(flat, {1, 1, below(1)}));
   EXPECT_TRUE(contains(Obb{{1, 1, 1}, {}}, {1, 1, 1}));
   EXPECT_FALSE(contains(Obb{{1, 1, 1}, {}}, {1, above(1), 1}));
+  EXPECT_FALSE(contains(Obb{{1, kNan, 1}, {}}, {1, 1, 1}));
+  EXPECT_FALSE(contains(Obb{{1, 1, 1}, {{{kInfinity, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, {1, 1, 1}));
+  EXPECT_TRUE(contains(Obb{{1, 1, 1}, {{{1e308, 1e308, 0}, {-1e308, 1e308, 0}, {0, 0, 1e-308}}}}, {1e308, 1, 1}));
+  EXPECT_FALSE(contains(Obb{{1, 1, 1}, {{{1e308, 1e308, 0}, {-1e308, 1e308, 0}, {0, 0, 1e-308}}}}, {1e308, 1, above(1)}));
   EXPECT_TRUE(contains(Aabb{{0, 0, 0}, {1, 1, 1}}, {0, 1, 0.5}));
   EXPECT_FALSE(contains(Aabb{{0, 0, 0}, {1, 1, 1}}, {0, above(1), 0.5}));
 }

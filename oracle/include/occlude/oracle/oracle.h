@@ -70,7 +70,8 @@ struct Answer {
 /// Proof that every point of `box` has a*x + b*y + c*z + d < 0. Empty when proved, else what failed.
 [[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box);
 
-/// Whether `point` lies in `box`, exactly. REQUIRES: all numbers are finite.
+/// Whether `point` lies in `box`, exactly. Nothing lies in a box with min > max or a number that is not finite. REQUIRES:
+/// the point is finite.
 [[nodiscard]] bool contains(const Box& box, const Point& point);
 
 }  // namespace occlude::oracle
