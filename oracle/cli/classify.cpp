@@ -10,6 +10,7 @@
 
 #include "commands.h"
 #include "json_input.h"
+#include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
 #include "oracle_types.h"
@@ -21,16 +22,10 @@ using Json = nlohmann::ordered_json;
 
 struct Case {
   kernel::Viewpoint viewpoint;
-  std::vector<kernel::Vec3> polygon;
+  Occluder occluder;
   kernel::Near near = kernel::Near::farthest;
-  kernel::Aabb box;
+  Box box;
   std::optional<std::string> expect;
-};
-
-/// A case of a kind that this version does not answer.
-struct Unsupported : std::runtime_error {
-  Unsupported(const char* what, bool is_expected) : std::runtime_error(what), expected(is_expected) {}
-  bool expected;  ///< whether the line says what the answer should be
 };
 
 Json id_of(const nlohmann::json& object) {
@@ -49,15 +44,9 @@ kernel::Near near_of(const nlohmann::json& object) {
 Case parse_case(const nlohmann::json& object) {
   Case c;
   c.viewpoint = viewpoint(object);
-  const nlohmann::json& occluder = member(object, "occluder");
-  if (!occluder.is_object()) throw LineError("\"occluder\": expected an object");
-  if (occluder.contains("vertices"))
-    throw Unsupported("polytope occluders are not supported yet", object.contains("expect"));
-  c.polygon = vec3s(member(occluder, "polygon"), "polygon");
+  c.occluder = occluder(member(object, "occluder"));
   c.near = near_of(object);
-  if (member(object, "box").contains("center"))
-    throw Unsupported("oriented boxes are not supported yet", object.contains("expect"));
-  c.box = std::get<kernel::Aabb>(box(object));
+  c.box = box(object);
   if (object.contains("expect")) {
     const auto& expect = object["expect"];
     if (expect != "inside" && expect != "partial" && expect != "outside") {
@@ -77,27 +66,46 @@ std::string text(const oracle::Answer& answer) {
                                                         : "outside";
 }
 
+kernel::ShadowFrustumResult frustum_of(const Case& c) {
+  if (const Polygon* polygon = std::get_if<Polygon>(&c.occluder)) {
+    return kernel::ShadowFrustum::make(c.viewpoint, *polygon, c.near);
+  }
+  const auto [polytope, fault] = kernel::ConvexPolytope::make(std::get<kernel::Polytope>(c.occluder));
+  if (!polytope) return {std::nullopt, fault};
+  return kernel::ShadowFrustum::make(c.viewpoint, *polytope, c.near);
+}
+
+oracle::Answer judge(const Case& c, const oracle::Near& near) {
+  return oracle::relation(to_oracle(c.viewpoint), to_oracle(c.occluder), near, to_oracle(c.box));
+}
+
 /// The kernel refuses: so must the oracle, and nobody may expect an answer.
 bool refuse(const Case& c, kernel::Refusal refusal, Json& answer) {
-  const oracle::Answer exact =
-      oracle::relation(to_oracle(c.viewpoint), to_oracle(c.polygon), to_oracle(c.near), to_oracle(c.box));
+  const oracle::Answer exact = judge(c, to_oracle(c.near));
   answer["error"] = kernel::to_string(refusal);
   if (exact.refusal.empty()) answer["oracle"] = text(exact);
   return !exact.refusal.empty() && !c.expect;
 }
 
-/// Fills `answer`; returns whether everything that ought to agree does.
-bool classify(const Case& c, Json& answer) {
-  if (const kernel::Refusal fault = kernel::check(c.box); fault != kernel::Refusal::none) return refuse(c, fault, answer);
-  const auto [frustum, fault] = kernel::ShadowFrustum::make(c.viewpoint, c.polygon, c.near);
-  if (!frustum) return refuse(c, fault, answer);
-  const kernel::Decision certified = kernel::overlap_certified(*frustum, c.box);
-  const oracle::Near near = frustum->support_plane() ? to_oracle(*frustum->support_plane()) : to_oracle(c.near);
-  const std::string judged = text(oracle::relation(to_oracle(c.viewpoint), to_oracle(c.polygon), near, to_oracle(c.box)));
+/// What the kernel answers.
+template <class KindOfBox>
+void ask_kernel(const kernel::ShadowFrustum& frustum, const KindOfBox& box, Json& answer) {
+  const kernel::Decision certified = kernel::overlap_certified(frustum, box);
   answer["certified"] = text(certified.relation);
   answer["stage"] = certified.stage == kernel::Stage::filter ? "filter" : "exact";
-  answer["plain"] = text(kernel::overlap_plain(*frustum, c.box));
-  answer["conservative"] = text(kernel::conservative_certified(*frustum, c.box).relation);
+  answer["plain"] = text(kernel::overlap_plain(frustum, box));
+  answer["conservative"] = text(kernel::conservative_certified(frustum, box).relation);
+}
+
+/// Fills `answer`; returns whether everything that ought to agree does.
+bool classify(const Case& c, Json& answer) {
+  const auto box_fault = std::visit([](const auto& box) { return kernel::check(box); }, c.box);
+  if (box_fault != kernel::Refusal::none) return refuse(c, box_fault, answer);
+  const auto [frustum, fault] = frustum_of(c);
+  if (!frustum) return refuse(c, fault, answer);
+  std::visit([&, &f = *frustum](const auto& box) { ask_kernel(f, box, answer); }, c.box);
+  const std::string judged =
+      text(judge(c, frustum->support_plane() ? to_oracle(*frustum->support_plane()) : to_oracle(c.near)));
   answer["oracle"] = judged;
   return answer["certified"] == judged && (!c.expect || *c.expect == judged);
 }
@@ -112,9 +120,6 @@ int classify_stream(std::istream& in, const std::string& name) {
       const nlohmann::json object = parse_object(line);
       answer["id"] = id_of(object);
       agree = classify(parse_case(object), answer) && agree;
-    } catch (const Unsupported& error) {
-      answer["error"] = error.what();
-      agree = agree && !error.expected;
     } catch (const LineError& error) {
       std::cout.flush();
       throw render::InputError(fmt::format("{}:{}: {}", name, number, error.what()));
@@ -141,6 +146,7 @@ void add_classify(CLI::App& app, int& exit_code) {
   command->footer(
       "Touching counts as sharing a point, on the near plane as well; \"near\" is \"farthest\" where a case does not say.\n"
       "Exit code 0; 1 when an \"expect\" or the oracle differs from `certified`; 2 for a line that is not a case.\n"
+      "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}.\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
   const auto file = std::make_shared<std::string>("-");
   command->add_option("FILE", *file, "case file, - for standard input")->capture_default_str();

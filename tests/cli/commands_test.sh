@@ -187,13 +187,65 @@ sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify
 [ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"
 grep -q 'standard input:2: ' stderr || fail "the line is not named: $(cat stderr)"
 
+# Oriented boxes and polytopes: a block two deep, seen on its front and on one side, which is edge-on.
+block='"eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],[4,2,1],[2,2,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6],[1,6,5],[3,2,6,7],[0,4,7,3]]},"near":"surface"'
+but() { # but SED_SCRIPT: the block, changed
+  sed "$1" <<<"$block"
+}
+turned='[[1,1,0],[-1,1,0],[0,0,1]]'
+cat >cases.jsonl <<END
+{"id":"turned",$case,"box":{"center":[6,0,0],"half_edges":$turned},"expect":"inside"}
+{"id":"touching",$case,"box":{"center":[4,3.25,0],"half_edges":[[1,0.5,0],[-0.5,1,0],[0,0,1]]},"expect":"partial"}
+{"id":"needle",$case,"box":{"center":[6,0,0],"half_edges":[[0,0,0],[0,8,0],[0,0,0]]},"expect":"partial"}
+{"id":"point",$case,"box":{"center":[6,3,3],"half_edges":[[0,0,0],[0,0,0],[0,0,0]]},"expect":"inside"}
+{"id":"behind",$block,"box":{"min":[5,0,-1],"max":[6,5,1]},"expect":"inside"}
+{"id":"edge-on",$block,"box":{"min":[5,-1,-1],"max":[6,0,1]},"expect":"partial"}
+{"id":"beside",$block,"box":{"min":[5,-1,-1],"max":[6,-0.0625,1]},"expect":"outside"}
+{"id":"both",$block,"box":{"center":[6,2,0],"half_edges":$turned},"expect":"inside"}
+{"id":"along",$(but s/eye/direction/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"no vertex",$(but s/4,7,3/4,7,4294967299/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"open",$(but 's/,\[0,4,7,3\]//'),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"dented",$(but s/2,0,-1/3,0.5,0/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"within",$(but s/0,0,0/3,2,1/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"half edge",$case,"box":{"center":[6,0,0],"half_edges":[[1,1,0],[-1,1,0],[0,0,1e99]]}}
+END
+"$occlude" classify cases.jsonl >stdout || fail "classify: $(cat stdout)"
+grep -o '"id":"[^"]*","\(certified\|error\)":"[a-z]*' stdout >answers
+cat >expected <<'END'
+"id":"turned","certified":"inside
+"id":"touching","certified":"partial
+"id":"needle","certified":"partial
+"id":"point","certified":"inside
+"id":"behind","certified":"inside
+"id":"edge-on","certified":"partial
+"id":"beside","certified":"outside
+"id":"both","certified":"inside
+"id":"along","error":"direction
+"id":"no vertex","error":"face
+"id":"open","error":"polytope
+"id":"dented","error":"polytope
+"id":"within","error":"viewpoint
+"id":"half edge","error":"number
+END
+diff expected answers || fail "classify answered oriented boxes or polytopes otherwise"
+
 # Numbers that JSON has no words for are refused with the case; what is no case is an error of the line.
 echo "{\"id\":\"n\",$case,\"box\":{\"min\":[NaN,0,0],\"max\":[4,3,1e999]}}" | "$occlude" classify >stdout || fail "NaN"
 grep -q '{"id":"n","error":"number is not finite"}' stdout || fail "NaN: $(cat stdout)"
-echo "{\"id\":1,$case,\"box\":{\"center\":[0,0,0]},\"expect\":\"inside\"}" | "$occlude" classify >/dev/null
-[ $? -eq 1 ] || fail "an expectation of an unsupported case was passed over"
+echo "{\"id\":1,$case,\"box\":{\"min\":[1,0,0],\"max\":[0,0,0]},\"expect\":\"inside\"}" | "$occlude" classify >/dev/null
+[ $? -eq 1 ] || fail "an expectation of a refused case was passed over"
 nested=$(printf '[%.0s' $(seq 1 20000))
-for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],\"box\":{\"min\":[0,0,0],\"max\":[1,1,1]}}" '[]' '"x"'; do
+box='"box":{"min":[0,0,0],"max":[1,1,1]}'
+faces() { # faces JSON: a case with these faces
+  echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[[1,0,0]],\"faces\":$1},$box}"
+}
+for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],$box}" '[]' '"x"' \
+  "$(faces 1)" "$(faces '[1]')" "$(faces '[[-1]]')" "$(faces '[[0.5]]')" "$(faces '[["0"]]')" "$(faces '[[[0]]]')" \
+  "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[[1,0,0]]},$box}" "{\"eye\":[0,0,0],\"occluder\":{\"faces\":[[0]]},$box}" \
+  "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[],\"vertices\":[],\"faces\":[]},$box}" \
+  "{\"eye\":[0,0,0],\"occluder\":[],$box}" "{$case,\"box\":{\"center\":[0,0,0]}}" \
+  "{$case,\"box\":{\"center\":[0,0,0],\"half_edges\":[[0,0,0],[0,0,0]]}}" \
+  "{$case,\"box\":{\"center\":[0,0,0],\"half_edges\":[[0,0,0],[0,0,0],[0,0,0]],\"min\":[0,0,0]}}"; do
   echo "$line" >line.jsonl
   expect_error "line.jsonl:1: " "$occlude" classify line.jsonl
 done
