@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <thread>
+
+#include "occlude/render/machine.h"
 
 namespace occlude::render {
 namespace {
@@ -27,25 +28,11 @@ std::size_t total(const WalkResult& result, Member&& member) {
   return sum;
 }
 
-#ifdef __clang__
-constexpr const char* kCompiler = "clang " __clang_version__;
-#else
-constexpr const char* kCompiler = "g++ " __VERSION__;
-#endif
-
 Json machine(const WalkResult& result) {
-  std::string processor = "unknown", line;
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  while (std::getline(cpuinfo, line)) {
-    if (line.starts_with("model name")) {
-      processor = line.substr(line.find(':') + 2);
-      break;
-    }
-  }
-  return {{"processor", processor},
+  return {{"processor", processor_name()},
           {"threads", std::thread::hardware_concurrency()},
           {"renderer", result.renderer.empty() ? Json(nullptr) : Json(result.renderer)},
-          {"compiler", kCompiler}};
+          {"compiler", compiler_name()}};
 }
 
 Json operations(const kernel::Operations& counted) {
