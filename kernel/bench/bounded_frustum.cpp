@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "bounded_frustum.h"
+
+#include <algorithm>
+
+#include "vector_math.h"
+
+namespace occlude::bench {
+namespace {
+
+/// How many times as far from the eye as the near plane the farthest box reaches.
+double farthest(const Workload& workload) {
+  const Vec3 eye = workload.frustum.viewpoint().value;
+  const kernel::FilterPlane& near = workload.frustum.filter_planes()[0];
+  const double near_distance = dot(near.normal, near.origin - eye);
+  double reach = 1;
+  for (const kernel::Aabb& box : workload.boxes) {
+    for (unsigned i = 0; i < 8; ++i) reach = std::max(reach, dot(near.normal, corner(box, i) - eye) / near_distance);
+  }
+  return reach;
+}
+
+}  // namespace
+
+BoundedFrustum::BoundedFrustum(const Workload& workload) {
+  const Vec3 eye = workload.frustum.viewpoint().value;
+  const double far = 2 * farthest(workload);
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners[i] = workload.frustum.silhouette()[i];
+    corners[i + 4] = eye + far * (corners[i] - eye);
+  }
+  Vec3 sum;
+  for (const Vec3& c : corners) sum = sum + c;
+  center = 0.125 * sum;
+}
+
+}  // namespace occlude::bench

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "workloads.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "occlude/fuzz/random.h"
+#include "touching.h"
+#include "vector_math.h"
+
+namespace occlude::bench {
+namespace {
+
+using fuzz::Random;
+using kernel::Aabb;
+
+/// The frustum of the parallelogram at `corner` with these edges.
+kernel::ShadowFrustum shadow_of(const Vec3& eye, const Vec3& corner, const Vec3& u, const Vec3& v) {
+  const std::array loop{corner, corner + u, corner + u + v, corner + v};
+  auto result = kernel::ShadowFrustum::make(kernel::Viewpoint::eye(eye), loop, kernel::Near::surface);
+  if (!result.frustum || !result.frustum->near_is_polygon()) throw std::logic_error("the benchmark's occluder is not plane");
+  return *std::move(result.frustum);
+}
+
+/// Each coordinate moved by up to `distance`, then rounded to a multiple of 2^-20: sums of such vectors are exact, so that a
+/// parallelogram made of them is exactly coplanar.
+Vec3 jittered(Vec3 v, double distance, Random& random) {
+  for (int axis = 0; axis < 3; ++axis) v[axis] = std::round((v[axis] + random.real(-distance, distance)) * 0x1p20) * 0x1p-20;
+  return v;
+}
+
+/// An occluder 2 units wide, 5 units before an eye whose coordinates use all their bits.
+kernel::ShadowFrustum generic_frustum(Random& random) {
+  const Vec3 eye{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
+  constexpr double kJitter = 0.1;
+  const Vec3 corner = jittered(eye + Vec3{5, -1, -1}, kJitter, random);
+  const Vec3 u = jittered({0.3, 2, 0.1}, kJitter, random), v = jittered({-0.2, 0.15, 2}, kJitter, random);
+  return shadow_of(eye, corner, u, v);
+}
+
+kernel::ShadowFrustum integer_frustum() { return shadow_of({1, 2, 3}, {7, -2, 1}, {4, 8, 0}, {0, 0, 4}); }
+
+/// A box about the shadow up to five times as far from the eye as the occluder; all orders of size alike.
+Aabb random_box(const Vec3& eye, Random& random) {
+  const Vec3 middle = eye + Vec3{random.real(4, 25), random.real(-5, 5), random.real(-5, 5)};
+  Vec3 half;
+  for (int axis = 0; axis < 3; ++axis) half[axis] = std::ldexp(random.real(1, 2), random.integer(-4, 0));
+  return {middle - half, middle + half};
+}
+
+template <class Make>
+Workload workload(const char* name, const char* about, kernel::ShadowFrustum frustum, std::size_t count, Make&& make) {
+  Workload made{name, about, std::move(frustum), {}};
+  made.boxes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) made.boxes.push_back(make(made.frustum));
+  return made;
+}
+
+}  // namespace
+
+std::vector<Workload> make_workloads(std::size_t boxes, std::uint64_t seed) {
+  Random random(seed);
+  const kernel::ShadowFrustum generic = generic_frustum(random);
+  return {
+      workload("random", "boxes of 1/8 to 4 units strewn about the shadow of an occluder of 2 units", generic, boxes,
+               [&](const auto& frustum) { return random_box(frustum.viewpoint().value, random); }),
+      workload("integer_touching", "whole coordinates, each box touches a plane, an edge or a vertex exactly",
+               integer_frustum(), boxes, [&](const auto& frustum) { return touching_box(frustum, Numbers::whole, random); }),
+      workload("ulp_touching", "each box touches up to rounding and is moved by -2 to 2 ulps", generic, boxes,
+               [&](const auto& frustum) { return nudged(touching_box(frustum, Numbers::real, random), random); }),
+  };
+}
+
+}  // namespace occlude::bench
