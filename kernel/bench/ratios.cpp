@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "ratios.h"
+
+namespace occlude::bench {
+
+std::vector<Ratio> ratios(const Result& result) {
+  std::vector<Ratio> all;
+  const auto add = [&](const char* group, const std::string& name, const std::string& slow, const std::string& fast,
+                       const std::string& workload) {
+    const Measurement* subject = find(result, slow, workload);
+    const Measurement* reference = find(result, fast, workload);
+    std::optional<double> value;
+    if (subject != nullptr && reference != nullptr) value = ratio(*subject, *reference);
+    all.push_back({group, name, slow, fast, workload, value});
+  };
+  for (const WorkloadSummary& workload : result.workloads) {
+    add("certified_over_plain", workload.name, "overlap_certified", "overlap_plain", workload.name);
+  }
+  add("gjk_over_certified", "", result.fastest_gjk, "overlap_certified", "random");
+  return all;
+}
+
+}  // namespace occlude::bench

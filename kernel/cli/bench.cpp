@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// occlude bench kernel
+#include "bench.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "occlude/render/machine.h"
+#include "occlude/render/progress.h"
+#include "report.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  bench::Options options;
+  std::string seed = std::to_string(bench::kDefaultSeed);
+  bool json = false;
+};
+
+void bench_kernel(Arguments& arguments) {
+  arguments.options.seed = whole_number("--seed", arguments.seed);
+  std::optional<render::Progress> progress(std::in_place, "round", arguments.options.repetitions);
+  const bench::Result result = bench::run(arguments.options, [&](std::size_t done) {
+    render::check_interrupt();
+    progress->update(done);
+  });
+  progress.reset();
+  const bench::Machine machine{.processor = render::processor_name(),
+                               .compiler = render::compiler_name(),
+                               .flags = OCCLUDE_BENCH_FLAGS,
+                               .threads = std::thread::hardware_concurrency()};
+  fmt::print("{}", arguments.json ? report_json(result, machine) : report_text(result, machine));
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("bench", "Measure how fast the answers come");
+  command->require_subcommand(1);
+  command->footer("Example: occlude bench kernel");
+  CLI::App* kernel =
+      command->add_subcommand("kernel", "The kernel's tests, certified and plain, beside those of other projects");
+  kernel->footer("Example: occlude bench kernel --boxes 32768 --repetitions 15 --json");
+  const auto arguments = std::make_shared<Arguments>();
+  kernel->add_option("--boxes", arguments->options.boxes, "boxes in each workload")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{262'144}));
+  kernel->add_option("--repetitions", arguments->options.repetitions, "rounds in which everything is measured once")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
+  kernel->add_option("--seed", arguments->seed, "whole number; same seed, same boxes, on any machine")
+      ->capture_default_str();
+  kernel->add_flag("--json", arguments->json, "print everything measured as JSON");
+  kernel->callback([arguments] { bench_kernel(*arguments); });
+}
+
+}  // namespace occlude::cli
