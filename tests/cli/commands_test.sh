@@ -251,7 +251,22 @@ for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],$box}
 done
 [ ! -e /dev/full ] || expect_error "standard output" bash -c '"$0" classify cases.jsonl >/dev/full' "$occlude"
 
-for command in "" generate "generate city" walk classify validate; do
+# bench: everything measured is there and is a positive number. How fast it is, is no matter for a test.
+"$occlude" bench kernel --json --boxes 256 --repetitions 1 >bench.json || fail "bench"
+for member in ratios certified_over_plain random integer_touching ulp_touching gjk_over_certified operations ns \
+  overlap_certified overlap_plain naive answers peers machine; do
+  grep -q "^ *\"$member\": " bench.json || fail "bench: no $member"
+done
+sed -n '/^  "ns": {/,/^  }/p' bench.json | grep -v '[{}]' >times
+[ "$(wc -l <times)" -ge 15 ] || fail "bench: only $(wc -l <times) times"
+awk -F '": ' '$2 + 0 <= 0 || $2 !~ /^[0-9]/ { bad = 1 } END { exit bad }' times || fail "bench measured: $(cat times)"
+grep -A2 '"wrong": {' bench.json | grep '"overlap_certified"' | grep -qv ': 0,' && fail "bench: certified answers are wrong"
+"$occlude" bench kernel --boxes 256 --repetitions 1 | grep -q 'Table 1' || fail "bench without --json"
+expect_error "--boxes" "$occlude" bench kernel --boxes 0
+expect_error "--repetitions" "$occlude" bench kernel --repetitions many
+expect_error "--seed" "$occlude" bench kernel --seed -1
+
+for command in "" generate "generate city" walk classify validate bench "bench kernel"; do
   "$occlude" $command --help | grep -q . || fail "no help for '$command'"
 done
 
