@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "batch.h"
 #include "kernel_subjects.h"
 #include "occlude/kernel/overlap.h"
 #include "peers/peers.h"
@@ -75,6 +76,7 @@ Result run(const Options& options, const Progress& progress) {
   result.options = options;
   const std::vector<Workload> workloads = make_workloads(options.boxes, options.seed);
   std::vector<Subject> subjects = kernel_subjects();
+  std::ranges::move(batch_subjects(), std::back_inserter(subjects));
   result.peers = add_peers(subjects);
   for (const Subject& subject : subjects) result.subjects.push_back(subject.name);
 

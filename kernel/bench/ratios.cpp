@@ -16,6 +16,9 @@ std::vector<Ratio> ratios(const Result& result) {
   for (const WorkloadSummary& workload : result.workloads) {
     add("certified_over_plain", workload.name, "overlap_certified", "overlap_plain", workload.name);
   }
+  for (const std::string set : {"sse2", "avx2", "avx512"}) {
+    add("batch_speedup", set, "conservative_plain", "batch_conservative_" + set, "random");
+  }
   add("gjk_over_certified", "", result.fastest_gjk, "overlap_certified", "random");
   return all;
 }

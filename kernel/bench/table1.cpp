@@ -43,11 +43,15 @@ std::vector<Cost> paper_costs() {
 }
 
 std::vector<Cost> measured_costs(std::span<const Workload> workloads) {
-  const auto plain = [&](const char* name, kernel::Test test) {
-    return search(name, workloads,
-                  [&](const auto& frustum, const auto& box) { return count_operations(frustum, box, test); });
+  const auto measured = [&](const char* name, auto count, kernel::Test test) {
+    return search(name, workloads, [&](const auto& frustum, const auto& box) { return count(frustum, box, test); });
   };
-  return {plain("overlap_plain", kernel::Test::overlap), plain("conservative_plain", kernel::Test::conservative)};
+  const auto plain = [](const auto&... question) { return kernel::count_operations(question...); };
+  const auto certified = [](const auto&... question) { return kernel::count_certified_operations(question...); };
+  return {measured("overlap_plain", plain, kernel::Test::overlap),
+          measured("overlap_certified", certified, kernel::Test::overlap),
+          measured("conservative_plain", plain, kernel::Test::conservative),
+          measured("conservative_certified", certified, kernel::Test::conservative)};
 }
 
 }  // namespace occlude::bench
