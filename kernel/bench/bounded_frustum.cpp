@@ -12,7 +12,7 @@ namespace {
 double farthest(const Workload& workload) {
   const Vec3 eye = workload.frustum.viewpoint().value;
   const kernel::FilterPlane& near = workload.frustum.filter_planes()[0];
-  const double near_distance = dot(near.normal, near.origin - eye);
+  const double near_distance = -near.offset;
   double reach = 1;
   for (const kernel::Aabb& box : workload.boxes) {
     for (unsigned i = 0; i < 8; ++i) reach = std::max(reach, dot(near.normal, corner(box, i) - eye) / near_distance);

@@ -43,15 +43,17 @@ std::vector<Cost> paper_costs() {
 }
 
 std::vector<Cost> measured_costs(std::span<const Workload> workloads) {
-  const auto measured = [&](const char* name, auto count, kernel::Test test) {
-    return search(name, workloads, [&](const auto& frustum, const auto& box) { return count(frustum, box, test); });
+  const auto measured = [&](const char* name, kernel::Arithmetic arithmetic, kernel::Test test) {
+    return search(name, workloads, [&](const auto& frustum, const auto& box) {
+      return kernel::count_operations(frustum, box, arithmetic, test);
+    });
   };
-  const auto plain = [](const auto&... question) { return kernel::count_operations(question...); };
-  const auto certified = [](const auto&... question) { return kernel::count_certified_operations(question...); };
-  return {measured("overlap_plain", plain, kernel::Test::overlap),
-          measured("overlap_certified", certified, kernel::Test::overlap),
-          measured("conservative_plain", plain, kernel::Test::conservative),
-          measured("conservative_certified", certified, kernel::Test::conservative)};
+  using kernel::Arithmetic;
+  using kernel::Test;
+  return {measured("overlap_plain", Arithmetic::plain, Test::overlap),
+          measured("overlap_certified", Arithmetic::certified, Test::overlap),
+          measured("conservative_plain", Arithmetic::plain, Test::conservative),
+          measured("conservative_certified", Arithmetic::certified, Test::conservative)};
 }
 
 }  // namespace occlude::bench

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "plane_coefficients.h"
+#include "silhouette.h"
 
 namespace occlude::kernel {
 namespace {
@@ -68,6 +69,22 @@ struct Side {
 
 ExactPlane outer_plane(std::span<const Vec3> v, const std::array<Index, 3>& corners) {
   return plane_through(v[corners[0]], v[corners[1]], v[corners[2]]);
+}
+
+/// The direction of a coordinate axis that crosses the plane of the face: seen along it the face keeps its shape.
+Vec3 crossing_axis(std::span<const Vec3> v, const Side& side) {
+  const auto crosses = [&](int axis) {
+    return certified([&]<class A>(A& arithmetic) {
+             return arithmetic.sign(normal<A>(outer_plane(v, side.corners))[axis]);
+           }) != 0;
+  };
+  return crosses(0) ? Vec3{1, 0, 0} : crosses(1) ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+}
+
+bool is_convex(std::span<const Vec3> v, const Side& side) {
+  std::vector<Vec3> loop;
+  for (const Index i : side.loop) loop.push_back(v[i]);
+  return silhouette(Viewpoint::direction(crossing_axis(v, side)), loop).refusal == Refusal::none;
 }
 
 /// Turns the face so that all vertices lie on the inner side of its plane. False when they do not, or all lie on it, or when
@@ -142,6 +159,15 @@ class Groups {
   std::vector<Index> parent_;
 };
 
+/// Whether two coplanar faces at an edge lie on the same side of it.
+bool overlap(std::span<const Vec3> v, const std::pair<Index, Index>& edge, const Side& a, const Side& b) {
+  const ExactPlane across = side_plane(Viewpoint::direction(crossing_axis(v, a)), v[edge.first], v[edge.second]);
+  const auto is_on_inner_side = [&](const Side& face) {
+    return std::any_of(face.loop.begin(), face.loop.end(), [&](Index i) { return sign_at(across, v[i]) > 0; });
+  };
+  return is_on_inner_side(a) == is_on_inner_side(b);
+}
+
 bool are_coplanar(std::span<const Vec3> v, const Side& a, const Side& b) {
   const ExactPlane plane = outer_plane(v, a.corners);
   return std::all_of(b.corners.begin(), b.corners.end(), [&](Index i) { return sign_at(plane, v[i]) == 0; });
@@ -177,14 +203,17 @@ ConvexPolytopeResult ConvexPolytope::make(const Polytope& polytope) {
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() < 3) return refuse(Refusal::too_few_vertices);
   for (Side& side : sides) {
-    if (!turn_outwards(v, side)) return refuse(Refusal::polytope_not_convex);
+    if (!turn_outwards(v, side) || !is_convex(v, side)) return refuse(Refusal::polytope_not_convex);
   }
 
   const Border border = border_of(v, sides);
   Groups groups(sides.size());
   for (const auto& [edge, faces] : border) {
     if (faces.size() != 2) return refuse(Refusal::polytope_not_closed);
-    if (are_coplanar(v, sides[faces[0]], sides[faces[1]])) groups.join(faces[0], faces[1]);
+    const Side &a = sides[faces[0]], &b = sides[faces[1]];
+    if (!are_coplanar(v, a, b)) continue;
+    if (overlap(v, edge, a, b)) return refuse(Refusal::polytope_not_closed);
+    groups.join(faces[0], faces[1]);
   }
 
   ConvexPolytope result;

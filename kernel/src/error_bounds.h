@@ -45,6 +45,11 @@ inline constexpr double kOffsetError = (3 + 0x1p-40) * kUnitRoundoff;
 /// reach = max_k |c_k| + sum_j max_k |h_j,k| the bound above holds times max(6 / 5, 4 / 3):
 inline constexpr double kSpreadInflation = 4.0 / 3 * (1 + 0x1p-40);
 
+/// A box given by twice its centre c and its extent h, both found from its bounds relative to the origin: c_k and h_k t2,
+/// products t3, c and w into one sum t6 and t3, h into another t5, one more addition of the two t7 and t4. As |c_k| + h_k is
+/// twice the larger of the magnitudes of the bounds, the bound above holds for half the value times max(7 / 5, 4 / 3):
+inline constexpr double kCentredInflation = 7.0 / 5 * (1 + 0x1p-40);
+
 /// Value of a refined plane, n + m in place of n, w + v in place of w, with |m| <= u |n| and |v| <= u |w|: products n_k y_k
 /// and their sums with w by error-free transformations; what these lose, n_k times the tail of y_k, m_k y_k and v, 13 terms
 /// in all, in doubles. With S = sum_k |n_k y_k| + |w| those terms sum to less than 8 u S: three partial sums lose 3 u S, the

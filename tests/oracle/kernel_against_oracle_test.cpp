@@ -2,10 +2,8 @@
 // The kernel held against the oracle on every family of degenerate cases.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <iterator>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,32 +18,47 @@ using namespace occlude;
 
 using Polygon = std::vector<kernel::Vec3>;
 
-/// What the kernel and the oracle answer so far: polygons and axis-aligned boxes.
-bool is_answered(const fuzz::Case& c) {
-  return std::holds_alternative<Polygon>(c.occluder) && std::holds_alternative<kernel::Aabb>(c.box);
-}
-
 kernel::ShadowFrustumResult make_frustum(const fuzz::Case& c) {
-  return kernel::ShadowFrustum::make(c.viewpoint, std::get<Polygon>(c.occluder), c.near);
+  if (const auto* polygon = std::get_if<Polygon>(&c.occluder)) {
+    return kernel::ShadowFrustum::make(c.viewpoint, *polygon, c.near);
+  }
+  const auto made = kernel::ConvexPolytope::make(std::get<kernel::Polytope>(c.occluder));
+  if (!made.polytope) return {std::nullopt, made.refusal};
+  return kernel::ShadowFrustum::make(c.viewpoint, *made.polytope, c.near);
 }
 
 kernel::Decision overlap(const kernel::ShadowFrustum& frustum, const fuzz::Box& box) {
-  return kernel::overlap_certified(frustum, std::get<kernel::Aabb>(box));
+  return std::visit([&](const auto& kind) { return kernel::overlap_certified(frustum, kind); }, box);
 }
 
 kernel::Decision conservative(const kernel::ShadowFrustum& frustum, const fuzz::Box& box) {
-  return kernel::conservative_certified(frustum, std::get<kernel::Aabb>(box));
+  return std::visit([&](const auto& kind) { return kernel::conservative_certified(frustum, kind); }, box);
 }
 
 oracle::Point point(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
+oracle::Loop points(const std::vector<kernel::Vec3>& vertices) {
+  oracle::Loop result;
+  for (const kernel::Vec3& v : vertices) result.push_back(point(v));
+  return result;
+}
+
+oracle::Occluder judged(const fuzz::Case& c) {
+  if (const auto* polygon = std::get_if<Polygon>(&c.occluder)) return points(*polygon);
+  const auto& polytope = std::get<kernel::Polytope>(c.occluder);
+  return oracle::Polytope{points(polytope.vertices), polytope.faces};
+}
+
+oracle::Box judged(const fuzz::Box& box) {
+  if (const auto* aabb = std::get_if<kernel::Aabb>(&box)) return oracle::Aabb{point(aabb->min), point(aabb->max)};
+  const auto& [center, h] = std::get<kernel::Obb>(box);
+  return oracle::Obb{point(center), {point(h[0]), point(h[1]), point(h[2])}};
+}
+
 oracle::Answer exact_answer(const fuzz::Case& c, const std::optional<kernel::SupportPlane>& support) {
   oracle::Near near{c.near == kernel::Near::farthest ? oracle::Near::Kind::farthest : oracle::Near::Kind::surface, {}, {}};
   if (support) near = {oracle::Near::Kind::plane, point(support->normal), point(support->point)};
-  std::vector<oracle::Point> loop;
-  for (const kernel::Vec3& v : std::get<Polygon>(c.occluder)) loop.push_back(point(v));
-  const auto& box = std::get<kernel::Aabb>(c.box);
-  return oracle::relation({point(c.viewpoint.value), !c.viewpoint.is_eye()}, loop, near, {point(box.min), point(box.max)});
+  return oracle::relation({point(c.viewpoint.value), !c.viewpoint.is_eye()}, judged(c), near, judged(c.box));
 }
 
 class Family : public testing::TestWithParam<fuzz::Family> {};
@@ -53,7 +66,7 @@ class Family : public testing::TestWithParam<fuzz::Family> {};
 TEST_P(Family, CertifiedEqualsOracle) {
   const char* const requested = std::getenv("OCCLUDE_SEED");
   const std::uint64_t base = requested ? std::stoull(requested) : 1;
-  constexpr std::uint64_t kCases = 4000;
+  constexpr std::uint64_t kCases = 1000;
   std::array<std::size_t, 3> answers{};
   std::array<std::size_t, 2> stages{};
   for (std::uint64_t i = 0; i < kCases; ++i) {
@@ -78,14 +91,7 @@ TEST_P(Family, CertifiedEqualsOracle) {
   EXPECT_GT(answers[0] + answers[1] + answers[2], kCases / 2);
 }
 
-std::vector<fuzz::Family> answered_families() {
-  std::vector<fuzz::Family> families;
-  std::ranges::copy_if(fuzz::families(), std::back_inserter(families),
-                       [](fuzz::Family family) { return is_answered(fuzz::make_case(family, 0)); });
-  return families;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Family, testing::ValuesIn(answered_families()),
+INSTANTIATE_TEST_SUITE_P(All, Family, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
                          [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
 }  // namespace

@@ -104,8 +104,9 @@ TEST(OrientedBox, AlongTheAxesIsAnAxisAlignedBox) {
       const fuzz::Case made = fuzz::make_case(family, seed);
       const Viewpoint view{to_point(made.viewpoint.value), !made.viewpoint.is_eye()};
       Loop loop;
-      for (const kernel::Vec3& v : made.polygon) loop.push_back(to_point(v));
-      const Aabb box{to_point(made.box.min), to_point(made.box.max)};
+      for (const kernel::Vec3& v : std::get<std::vector<kernel::Vec3>>(made.occluder)) loop.push_back(to_point(v));
+      const auto& [min, max] = std::get<kernel::Aabb>(made.box);
+      const Aabb box{to_point(min), to_point(max)};
       for (const Near& near : {kFarthest, kSurface}) {
         const Answer aligned = relation(view, loop, near, box), turned = relation(view, loop, near, oriented(box, random));
         ASSERT_EQ(aligned.refusal.empty(), turned.refusal.empty()) << fuzz::name(family) << " " << seed;

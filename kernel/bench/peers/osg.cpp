@@ -15,8 +15,9 @@ osg::Vec3d to_osg(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 osg::Polytope make_polytope(const kernel::ShadowFrustum& frustum) {
   osg::Polytope polytope;
-  for (const kernel::FilterPlane& plane : frustum.filter_planes()) {
-    polytope.add(osg::Plane(to_osg(plane.normal), to_osg(plane.origin)));
+  for (const kernel::FilterPlane& plane : frustum.filter_planes().first(frustum.plane_count())) {
+    const Vec3& n = plane.normal;
+    polytope.add(osg::Plane(n.x, n.y, n.z, plane.offset - dot(n, frustum.origin())));
   }
   return polytope;
 }
