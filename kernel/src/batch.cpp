@@ -259,7 +259,7 @@ FrustumBatch::FrustumBatch(std::span<const ShadowFrustum> frusta) : frusta_(frus
     const std::array frame{origin.x, origin.y, origin.z, slope, base};
     for (std::size_t k = 0; k < frame.size(); ++k) frames_[k * stride_ + i] = frame[k];
     // Beyond every bound: a plane that no box reaches.
-    const FilterPlane none{.normal = {}, .offset = HUGE_VAL, .farther = {}};
+    const FilterPlane none{.normal = {}, .magnitudes = {}, .offset = HUGE_VAL, .farther = {}};
     for (std::size_t j = 0; j < plane_count_; ++j) {
       const FilterPlane& plane = j < frusta[i].plane_count() ? frusta[i].filter_planes()[j] : none;
       const std::array<double, rows> values{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};

@@ -19,44 +19,39 @@ template <class A>
   return A::rounded(A::constant(a) * A::constant(b));
 }
 
-/// The bounds of an axis-aligned box, rounded once, and the largest of their magnitudes. `A` is PlainArithmetic or
-/// CountingArithmetic.
+/// Values of a plane over a box: at its centre, and what they gain from there to a vertex at most.
+struct Extremes {
+  double middle, spread;
+  [[nodiscard]] double low() const { return middle - spread; }
+  [[nodiscard]] double high() const { return middle + spread; }
+};
+
+/// Centre and half extents of an axis-aligned box relative to the origin of a frustum: in them both extremal vertices of
+/// every plane are alike to find, without asking for signs. `A` is PlainArithmetic or CountingArithmetic.
 template <class A>
 class AabbFrame {
  public:
   AabbFrame(const Aabb& box, const Vec3& origin) {
     const auto low = difference<A>(box.min, origin), high = difference<A>(box.max, origin);
-    bounds_ = {low.x, low.y, low.z, A::constant(0), high.x, high.y, high.z, A::constant(0)};
-    const auto larger = [](const auto& a, const auto& b) {
-      return std::max(std::fabs(A::rounded(a)), std::fabs(A::rounded(b)));
-    };
-    reach_ = std::max(std::max(larger(low.x, high.x), larger(low.y, high.y)), larger(low.z, high.z));
+    const auto half = A::constant(0.5);
+    center_ = half * (high + low);
+    extent_ = half * (high - low);
+    const auto largest = [](const auto& c, const auto& e) { return std::fabs(A::rounded(c)) + A::rounded(e); };
+    reach_ = std::max(std::max(largest(center_.x, extent_.x), largest(center_.y, extent_.y)), largest(center_.z, extent_.z));
   }
 
-  /// Values of a plane over the box: its normal picks the extremal vertices (section 5.3), two of the eight.
-  class Extremes {
-   public:
-    Extremes(const AabbFrame& frame, const FilterPlane& plane) : frame_(frame), plane_(plane) {}
-    [[nodiscard]] double low() const { return frame_.at(plane_, 4); }
-    [[nodiscard]] double high() const { return frame_.at(plane_, 0); }
-
-   private:
-    const AabbFrame& frame_;
-    const FilterPlane& plane_;
-  };
-  [[nodiscard]] Extremes extremes(const FilterPlane& p) const { return {*this, p}; }
+  [[nodiscard]] Extremes extremes(const FilterPlane& p) const {
+    return {A::rounded(dot(constants<A>(p.normal), center_)) + p.offset,
+            A::rounded(dot(constants<A>(p.magnitudes), extent_))};
+  }
   /// What rounding can do to the values of planes with this bound.
-  [[nodiscard]] double error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
+  [[nodiscard]] double error(const FilterBound& bound) const {
+    return product<A>(kCentredInflation, product<A>(bound.slope, reach_) + bound.base);
+  }
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
-  [[nodiscard]] double at(const FilterPlane& p, std::size_t opposite) const {
-    const Vector3<typename A::Number> vertex{bounds_[p.farther[0] ^ opposite], bounds_[p.farther[1] ^ opposite],
-                                             bounds_[p.farther[2] ^ opposite]};
-    return A::rounded(dot(constants<A>(p.normal), vertex)) + p.offset;
-  }
-
-  std::array<typename A::Number, 8> bounds_;
+  Vector3<typename A::Number> center_, extent_;
   double reach_;
 };
 
@@ -70,12 +65,6 @@ class ObbFrame {
              largest(half_edges_[1]) + largest(half_edges_[2]);
   }
 
-  /// Values of a plane over the box.
-  struct Extremes {
-    double middle, spread;
-    [[nodiscard]] double low() const { return middle - spread; }
-    [[nodiscard]] double high() const { return middle + spread; }
-  };
   /// Three more dot products per plane (section 5.3).
   [[nodiscard]] Extremes extremes(const FilterPlane& p) const {
     const auto normal = constants<A>(p.normal);
@@ -95,12 +84,53 @@ class ObbFrame {
   double reach_;
 };
 
+/// The paper's way: the bounds of an axis-aligned box, of which the normal of a plane picks two of the eight vertices.
+template <class A>
+class CornerFrame {
+ public:
+  CornerFrame(const Aabb& box, const Vec3& origin) {
+    const auto low = difference<A>(box.min, origin), high = difference<A>(box.max, origin);
+    bounds_ = {low.x, low.y, low.z, A::constant(0), high.x, high.y, high.z, A::constant(0)};
+  }
+
+  class PlainExtremes {
+   public:
+    PlainExtremes(const CornerFrame& frame, const FilterPlane& plane) : frame_(frame), plane_(plane) {}
+    [[nodiscard]] double low() const { return frame_.at(plane_, 4); }
+    [[nodiscard]] double high() const { return frame_.at(plane_, 0); }
+
+   private:
+    const CornerFrame& frame_;
+    const FilterPlane& plane_;
+  };
+  /// Values at the two vertices, each worked out when asked for.
+  [[nodiscard]] PlainExtremes extremes(const FilterPlane& p) const { return {*this, p}; }
+
+ private:
+  [[nodiscard]] double at(const FilterPlane& p, std::size_t opposite) const {
+    const Vector3<typename A::Number> vertex{bounds_[p.farther[0] ^ opposite], bounds_[p.farther[1] ^ opposite],
+                                             bounds_[p.farther[2] ^ opposite]};
+    return A::rounded(dot(constants<A>(p.normal), vertex)) + p.offset;
+  }
+
+  std::array<typename A::Number, 8> bounds_;
+};
+
 template <class A>
 [[nodiscard]] AabbFrame<A> frame_of(const Aabb& box, const Vec3& origin) {
   return {box, origin};
 }
 template <class A>
 [[nodiscard]] ObbFrame<A> frame_of(const Obb& box, const Vec3& origin) {
+  return {box, origin};
+}
+
+template <class A>
+[[nodiscard]] CornerFrame<A> plain_frame_of(const Aabb& box, const Vec3& origin) {
+  return {box, origin};
+}
+template <class A>
+[[nodiscard]] ObbFrame<A> plain_frame_of(const Obb& box, const Vec3& origin) {
   return {box, origin};
 }
 

@@ -5,6 +5,8 @@
 // would.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "box_frame.h"
@@ -58,15 +60,6 @@ template <class Frame>
   return inside ? Relation::inside : Relation::partial;
 }
 
-/// What the filter can tell of a box and a plane. `unknown` when neither flag is set.
-struct PlaneSide {
-  bool is_inner, is_straddling;
-};
-[[nodiscard]] inline PlaneSide filtered_side(double low, double high, double error) {
-  // Which of the two no branch predictor can know: no branch.
-  return {low > error, static_cast<bool>((low < -error) & (high > error))};
-}
-
 /// The stage from plane `first` on, where the filter cannot tell; what came before is known to be inner or `straddling`.
 /// Apart from the filter's own loop, which it would slow down.
 template <class Box, class Frame>
@@ -92,16 +85,17 @@ template <class Box, class Frame>
                                                                        const Frame& frame, NearBoundary near) {
   const auto planes = frustum.filter_planes().first(frustum.plane_count());
   const double error = frame.error(frustum.filter_bound());
-  bool straddling = false;
+  double least_low = HUGE_VAL;  // inner or straddling no branch predictor can know: no branch
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto extremes = frame.extremes(planes[i]);
-    const double high = extremes.high();
+    const double low = extremes.low(), high = extremes.high();
     if (high < -error) return {Relation::outside, Stage::filter};
-    const PlaneSide side = filtered_side(extremes.low(), high, error);
-    straddling |= side.is_straddling;
-    if (!(side.is_inner | side.is_straddling)) return box_planes_resolved(frustum, box, frame, near, i, straddling);
+    if (!(std::fabs(low) > error && high > error)) [[unlikely]] {
+      return box_planes_resolved(frustum, box, frame, near, i, least_low < 0);
+    }
+    least_low = std::min(least_low, low);
   }
-  return {straddling ? Relation::partial : Relation::inside, Stage::filter};
+  return {least_low < 0 ? Relation::partial : Relation::inside, Stage::filter};
 }
 
 }  // namespace occlude::kernel

@@ -69,14 +69,14 @@ Decision certified_conservative(const ShadowFrustum& frustum, const Box& box, Ne
 
 template <class A, class Box>
 Relation plain_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  const Relation by_planes = box_planes_plain(frustum, frame_of<A>(box, frustum.origin()), near);
+  const Relation by_planes = box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
   if (by_planes != Relation::partial) return by_planes;
   return edge_frustum<A>(frustum, box) || edge_slab<A>(frustum, box) ? Relation::partial : Relation::outside;
 }
 
 template <class A, class Box>
 Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  return box_planes_plain(frustum, frame_of<A>(box, frustum.origin()), near);
+  return box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
 }
 
 template <class Box>

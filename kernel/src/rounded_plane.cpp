@@ -23,6 +23,7 @@ RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   RoundedPlane result;
   FilterPlane& filter = result.filter;
   filter.normal = {scale * n.x.high, scale * n.y.high, scale * n.z.high};
+  filter.magnitudes = {std::fabs(filter.normal.x), std::fabs(filter.normal.y), std::fabs(filter.normal.z)};
   filter.offset = scale * w.high;
   for (int k = 0; k < 3; ++k) {
     filter.farther[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(k + (filter.normal[k] >= 0 ? 4 : 0));

@@ -42,9 +42,9 @@ struct FilterBound {
 /// A plane in doubles, for points relative to the origin of the frustum, each coordinate rounded once. It is scaled by a
 /// power of two so that the slope of its bound lies in [1/2, 1): one bound then serves all planes of a frustum.
 struct FilterPlane {
-  Vec3 normal;
+  Vec3 normal, magnitudes;  ///< its components, and their absolute values
   double offset = 0;
-  /// Where AabbFrame keeps the coordinates of the vertex farthest along the normal: axis + (0 for min, 4 for max).
+  /// Where CornerFrame keeps the coordinates of the vertex farthest along the normal: axis + (0 for min, 4 for max).
   std::array<std::uint8_t, 4> farther{};
 };
 
