@@ -24,7 +24,6 @@ struct PlainArithmetic {
   static double magnitude(double x) { return std::fabs(x); }
   static double rounded(double x) { return x; }
   static int sign(double x) { return (x > 0) - (x < 0); }
-  static bool failed() { return false; }
 };
 
 /// Doubles with a running error bound.

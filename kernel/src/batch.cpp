@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "error_bounds.h"
 #include "occlude/kernel/batch.h"
 
 #ifndef OCCLUDE_BATCH_ONCE
@@ -32,9 +31,7 @@ struct Undecided {
   std::size_t count = 0;
 };
 
-double twice_error(const FilterBound& bound, double reach) {
-  return 2 * kCentredInflation * (bound.slope * reach + bound.base);
-}
+double twice_error(const FilterBound& bound, double reach) { return 2 * (bound.slope * reach + bound.base); }
 
 static_assert(sizeof(Relation) == sizeof(std::int32_t));
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "error_bounds.h"
 #include "occlude/kernel/planes.h"
 #include "occlude/kernel/types.h"
 #include "vector3.h"
@@ -45,9 +44,7 @@ class AabbFrame {
             A::rounded(dot(constants<A>(p.magnitudes), extent_))};
   }
   /// What rounding can do to the values of planes with this bound.
-  [[nodiscard]] double error(const FilterBound& bound) const {
-    return product<A>(kCentredInflation, product<A>(bound.slope, reach_) + bound.base);
-  }
+  [[nodiscard]] double error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
@@ -73,9 +70,7 @@ class ObbFrame {
     };
     return {A::rounded(dot(normal, center_)) + p.offset, spread_along(0) + spread_along(1) + spread_along(2)};
   }
-  [[nodiscard]] double error(const FilterBound& bound) const {
-    return product<A>(kSpreadInflation, product<A>(bound.slope, reach_) + bound.base);
-  }
+  [[nodiscard]] double error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
   [[nodiscard]] double reach() const { return reach_; }
 
  private:

@@ -49,7 +49,6 @@ struct CountingArithmetic {
   static Counted magnitude(Counted x) { return {std::fabs(x.value)}; }
   static double rounded(Counted x) { return x.value; }
   static int sign(Counted x) { return PlainArithmetic::sign(x.value); }
-  static bool failed() { return false; }
 };
 
 template <>

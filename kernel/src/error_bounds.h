@@ -26,29 +26,25 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 /// less than a factor 1 - 6 u: multiplying by this factor, 1 + 8 u, itself rounded once, makes up for it.
 inline constexpr double kBoundInflation = 1 + 0x1p-50;
 
-/// Plane value f(x) = N . y + o, y = x - origin, evaluated as fl(n . fl(y) + w) with coefficients n, w that are off by at
-/// most e_k in component k and by e_w.
+/// Plane value f(x) = N . y + o over a box, y = x - origin: evaluated as fl(n . c + w) at the centre and fl(sum_k |n_k| h_k)
+/// for what it gains from there to a vertex, and their sum or difference, with coefficients n, w that are off by at most e_k
+/// in component k and by e_w. Of an axis-aligned box c and h are half the sum and half the difference of fl(min - origin)
+/// and fl(max - origin).
 ///
-///   y_k                       one rounding: t1
-///   n_k y_k                   t1 and its own: t2;  up to three additions: t5
-///   w                         up to three additions: t3
+///   c_k, h_k              two roundings each: t2
+///   n_k c_k, |n_k| h_k    one more: t3
+///   n . c + w             products up to three additions: t6; w up to three: t3
+///   sum_k |n_k| h_k       products up to two additions: t5
+///   both together         one addition: t7 of n_k c_k, t6 of |n_k| h_k, t4 of w
 ///
-/// so |fl(f) - f| <= g(5) sum_k |n_k y_k| + g(3) |w| + sum_k e_k |y_k| + e_w
-///                <= (g(5) sum_k |n_k| + sum_k e_k) max_k |y_k| + (g(3) |w| + e_w),
-/// which is slope * reach + base. Reach is the largest |fl(y_k)|, within a factor 1 + 2 u of the largest |y_k|; this and the
-/// second order in g are less than 2^-45 of the whole:
-inline constexpr double kPlaneError = (5 + 0x1p-40) * kUnitRoundoff;
-inline constexpr double kOffsetError = (3 + 0x1p-40) * kUnitRoundoff;
-
-/// An oriented box adds to the value at its centre the spread sum_k |n . h_k|: products t1 and two additions t3, two
-/// additions among the three t5, one to the value at the centre t6, which raises that one's t5 to t6 and t3 to t4. With
-/// reach = max_k |c_k| + sum_j max_k |h_j,k| the bound above holds times max(6 / 5, 4 / 3):
-inline constexpr double kSpreadInflation = 4.0 / 3 * (1 + 0x1p-40);
-
-/// A box given by twice its centre c and its extent h, both found from its bounds relative to the origin: c_k and h_k t2,
-/// products t3, c and w into one sum t6 and t3, h into another t5, one more addition of the two t7 and t4. As |c_k| + h_k is
-/// twice the larger of the magnitudes of the bounds, the bound above holds for half the value times max(7 / 5, 4 / 3):
-inline constexpr double kCentredInflation = 7.0 / 5 * (1 + 0x1p-40);
+/// so the value is off by at most g(7) sum_k |n_k| (|c_k| + h_k) + g(4) |w| + sum_k e_k (|c_k| + h_k) + e_w
+///                             <= (g(7) sum_k |n_k| + sum_k e_k) reach + (g(4) |w| + e_w)
+/// with reach = max_k (|c_k| + h_k), which is slope * reach + base. An oriented box has its centre given, c_k t1, and the
+/// spread sum_j |n . h_j| of half edges given: products t1, two additions t3, two among the three t5, the last t6: the same
+/// bound holds with reach = max_k |c_k| + sum_j max_k |h_j,k|. The second order in g, and reach computed with at most three
+/// roundings, are less than 2^-45 of the whole:
+inline constexpr double kPlaneError = (7 + 0x1p-40) * kUnitRoundoff;
+inline constexpr double kOffsetError = (4 + 0x1p-40) * kUnitRoundoff;
 
 /// Value of a refined plane, n + m in place of n, w + v in place of w, with |m| <= u |n| and |v| <= u |w|: products n_k y_k
 /// and their sums with w by error-free transformations; what these lose, n_k times the tail of y_k, m_k y_k and v, 13 terms

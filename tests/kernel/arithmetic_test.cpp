@@ -81,9 +81,9 @@ TEST(HalfSpace, DecidesExactlyOnThePlane) {
   EXPECT_EQ(relation(h, touching, Arithmetic::certified), Relation::partial);
   const HalfSpace thirds{{1, 1, 1}, -1};
   const double third = 1.0 / 3;  // below a third, so three of them fall short of 1 by 2^-54 and round to 1
-  EXPECT_EQ(relation(thirds, {{-1, -1, -1}, {third, third, third}}, Arithmetic::certified), Relation::outside);
-  EXPECT_EQ(relation(thirds, {{-1, -1, -1}, {third, third, third}}, Arithmetic::plain), Relation::partial);
-  EXPECT_EQ(relation(thirds, {{0.5, 0.25, 0.25}, {1, 1, 1}}, Arithmetic::certified), Relation::inside);
+  EXPECT_EQ(relation(thirds, Aabb{{-1, -1, -1}, {third, third, third}}, Arithmetic::certified), Relation::outside);
+  EXPECT_EQ(relation(thirds, Aabb{{-1, -1, -1}, {third, third, third}}, Arithmetic::plain), Relation::partial);
+  EXPECT_EQ(relation(thirds, Aabb{{0.5, 0.25, 0.25}, {1, 1, 1}}, Arithmetic::certified), Relation::inside);
 }
 
 TEST(HalfSpace, BoundHoldsWhereTheSumCancels) {
@@ -97,8 +97,8 @@ TEST(HalfSpace, BoundHoldsWhereTheSumCancels) {
     const auto product = [](double a, double b) { return Expansion(a) * Expansion(b); };
     const Expansion exact = product(n.x, x.x) + product(n.y, x.y) + product(n.z, x.z) + Expansion(h.offset);
     const Relation expected = exact.sign() >= 0 ? Relation::inside : Relation::outside;
-    ASSERT_EQ(relation(h, {x, x}, Arithmetic::certified), expected) << "seed " << kSeed << " case " << i;
-    misled += relation(h, {x, x}, Arithmetic::plain) != expected;
+    ASSERT_EQ(relation(h, Aabb{x, x}, Arithmetic::certified), expected) << "seed " << kSeed << " case " << i;
+    misled += relation(h, Aabb{x, x}, Arithmetic::plain) != expected;
   }
   std::printf("plain is wrong on %zu of 20000 points at a plane\n", misled);
   EXPECT_GT(misled, 0U);

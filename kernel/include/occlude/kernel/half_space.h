@@ -14,5 +14,6 @@ struct HalfSpace {
 
 /// `inside` when all of the box is in the half-space, `outside` when none of it is; exact for `certified`.
 [[nodiscard]] Relation relation(const HalfSpace& half_space, const Aabb& box, Arithmetic arithmetic);
+[[nodiscard]] Relation relation(const HalfSpace& half_space, const Obb& box, Arithmetic arithmetic);
 
 }  // namespace occlude::kernel

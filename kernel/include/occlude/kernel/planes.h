@@ -33,8 +33,8 @@ struct CutVertexPlane {
 
 using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 
-/// What rounding can do to the values of planes: for the true value f of a plane at a point y relative to the origin of the
-/// frustum, |f - fl(normal . y + offset)| <= slope * max_k |y_k| + base (error_bounds.h).
+/// What rounding can do to the values of planes: over a box that reaches as far as `reach` from the origin of the frustum they
+/// are off by at most slope * reach + base (error_bounds.h).
 struct FilterBound {
   double slope = 0, base = 0;
 };

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A box lies in the union of two convex sets exactly when, for every plane of the first, what the plane cuts off the box
+// lies in the second: its corners do, the box's own beyond the plane and those where the plane crosses the box's edges.
+#include "occlude/kernel/shadow_union.h"
+
+#include <array>
+#include <cstddef>
+
+#include "plane_coefficients.h"
+
+namespace occlude::kernel {
+namespace {
+
+/// Corner i is on the upper side of axis k where bit k of i is set.
+template <class A>
+Vector3<typename A::Number> corner(const Aabb& box, std::size_t i, const Vec3& origin) {
+  return difference<A>(Vec3{i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z},
+                       origin);
+}
+template <class A>
+Vector3<typename A::Number> corner(const Obb& box, std::size_t i, const Vec3& origin) {
+  auto at = difference<A>(box.center, origin);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto half_edge = constants<A>(box.half_edges[k]);
+    at = i >> k & 1U ? at + half_edge : at - half_edge;
+  }
+  return at;
+}
+
+template <class A>
+using CornerValues = std::array<typename A::Number, 8>;
+
+template <class A, class Box>
+CornerValues<A> values_at_corners(const ShadowFrustum& frustum, std::size_t plane, const Box& box) {
+  const auto f = coefficients<A>(frustum, frustum.recipes()[plane]);
+  CornerValues<A> values;
+  for (std::size_t i = 0; i < 8; ++i) values[i] = dot(f.normal, corner<A>(box, i, frustum.origin())) + f.offset;
+  return values;
+}
+
+/// Whether what the plane with values `cut` leaves of the box on its outer side has values `f` of another plane of at least
+/// zero, or above.
+template <class A>
+bool is_inner(A& arithmetic, const CornerValues<A>& cut, const CornerValues<A>& f, int least) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (arithmetic.sign(cut[i]) <= 0 && arithmetic.sign(f[i]) < least) return false;
+    for (std::size_t axis = 1; axis < 8; axis *= 2) {
+      const std::size_t j = i ^ axis;
+      // The plane crosses the edge at the mean of its ends i and j with the weights cut[j] and -cut[i].
+      if (arithmetic.sign(cut[i]) < 0 && arithmetic.sign(cut[j]) > 0 &&
+          arithmetic.sign(cut[j] * f[i] - cut[i] * f[j]) < least) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <class A>
+bool is_cut_off_by(A& arithmetic, const CornerValues<A>& values, int least_inner) {
+  for (const auto& value : values) {
+    if (arithmetic.sign(value) < least_inner) return true;
+  }
+  return false;
+}
+
+template <class Box>
+bool is_covered(const ShadowUnion& shadows, const Box& box, NearBoundary near, Stage& stage) {
+  const auto& [first, second] = shadows;
+  const auto least = [&](const ShadowFrustum& frustum, std::size_t plane) {
+    return near == NearBoundary::open && plane < frustum.near_count() ? 1 : 0;
+  };
+  const auto question = [&]<class A>(A& arithmetic) {
+    for (std::size_t i = 0; i < first.plane_count(); ++i) {
+      const auto cut = values_at_corners<A>(first, i, box);
+      if (!is_cut_off_by(arithmetic, cut, least(first, i))) continue;
+      for (std::size_t j = 0; j < second.plane_count(); ++j) {
+        if (!is_inner(arithmetic, cut, values_at_corners<A>(second, j, box), least(second, j))) return false;
+      }
+    }
+    return true;
+  };
+  return certified(question, &stage);
+}
+
+template <class Box>
+Decision union_overlap(const ShadowUnion& shadows, const Box& box, NearBoundary near) {
+  const Decision first = overlap_certified(shadows.first, box, near);
+  if (first.relation == Relation::inside) return first;
+  const Decision second = overlap_certified(shadows.second, box, near);
+  if (second.relation == Relation::inside) return second;
+  Decision decision{Relation::partial, first.stage == Stage::exact ? first.stage : second.stage};
+  if (first.relation == Relation::outside && second.relation == Relation::outside) {
+    decision.relation = Relation::outside;
+  } else if (first.relation == Relation::partial && second.relation == Relation::partial &&
+             is_covered(shadows, box, near, decision.stage)) {
+    decision.relation = Relation::inside;
+  }
+  return decision;
+}
+
+}  // namespace
+
+Decision overlap_certified(const ShadowUnion& shadows, const Aabb& box, NearBoundary near) {
+  return union_overlap(shadows, box, near);
+}
+Decision overlap_certified(const ShadowUnion& shadows, const Obb& box, NearBoundary near) {
+  return union_overlap(shadows, box, near);
+}
+
+}  // namespace occlude::kernel
