@@ -23,7 +23,9 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0, "t
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
 /// Bounds are themselves computed in doubles, each from at most six rounded operations on non-negative numbers, which lose
-/// less than a factor 1 - 6 u: multiplying by this factor, 1 + 8 u, itself rounded once, makes up for it.
+/// less than a factor 1 - 6 u: multiplying by this factor, 1 + 8 u, itself rounded once, makes up for it. Nobody will see a
+/// test fail without the 8 u: for that an error would have to come within 6 u of its bound, all roundings at their worst at
+/// once.
 inline constexpr double kBoundInflation = 1 + 0x1p-50;
 
 /// Plane value f(x) = N . y + o over a box, y = x - origin: evaluated as fl(n . c + w) at the centre and fl(sum_k |n_k| h_k)
@@ -55,9 +57,10 @@ inline constexpr double kOffsetError = (4 + 0x1p-40) * kUnitRoundoff;
 /// could tell it.
 inline constexpr double kRefinedError = 0x1p7 * kUnitRoundoff * kUnitRoundoff;
 
-/// Half-space value g(x) = n_x x + n_y y + n_z z + d with coefficients and coordinates given: products t1, three additions
-/// t4 in all, so |fl(g) - g| <= g(4) (sum_k |n_k x_k| + |d|). The sum is computed with at most g(4) loss, the product with
-/// the constant loses one more u: any c >= 4 (1 + 2^-48) is sound.
-inline constexpr double kHalfSpaceError = (4 + 0x1p-40) * kUnitRoundoff;
+/// Half-space value g(x) = n_x x + n_y y + n_z z + d with coefficients and coordinates given: products t1, two additions t3,
+/// so the sum s of the products is off by at most g(3) sum_k |n_k x_k|. The last addition, of d, rounds without a change of
+/// sign: that of fl(s + d) is that of g when it exceeds the bound. The sum of magnitudes is computed with at most g(3) loss,
+/// the product with the constant loses one more u: any c >= 3 (1 + 2^-48) is sound.
+inline constexpr double kHalfSpaceError = (3 + 0x1p-40) * kUnitRoundoff;
 
 }  // namespace occlude::kernel

@@ -17,10 +17,10 @@ int exact_sign(const HalfSpace& h, const Vec3& x) {
 
 /// Sign of the value at x, by the bound kHalfSpaceError where it suffices.
 int sign_at(const HalfSpace& h, const Vec3& x, Arithmetic arithmetic) {
-  const double value = h.normal.x * x.x + h.normal.y * x.y + h.normal.z * x.z + h.offset;
+  const double px = h.normal.x * x.x, py = h.normal.y * x.y, pz = h.normal.z * x.z;
+  const double value = px + py + pz + h.offset;
   if (arithmetic == Arithmetic::plain) return PlainArithmetic::sign(value);
-  const double magnitude =
-      std::fabs(h.normal.x * x.x) + std::fabs(h.normal.y * x.y) + std::fabs(h.normal.z * x.z) + std::fabs(h.offset);
+  const double magnitude = std::fabs(px) + std::fabs(py) + std::fabs(pz);
   if (std::fabs(value) > kHalfSpaceError * magnitude) return value > 0 ? 1 : -1;
   return exact_sign(h, x);
 }

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The bounds of the filter hold, and none is twice as large as it must be: a search for the worst inputs comes within half
+// of each. (kBoundInflation and kRefinedError are slack: error_bounds.h says why.)
+#include "error_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "box_frame.h"
+#include "occlude/kernel/half_space.h"
+#include "rounded_plane.h"
+
+namespace {
+
+using namespace occlude::kernel;
+
+constexpr std::uint32_t kSeed = 20262;
+
+/// |error| / bound, to five digits; infinite for an error without a bound.
+double share(const Expansion& error, double bound) {
+  const Expansion magnitude = error.sign() < 0 ? -error : error;
+  if (bound == 0) return magnitude.sign() == 0 ? 0 : HUGE_VAL;
+  double low = 0, high = 4;
+  for (int i = 0; i < 20; ++i) {
+    const double middle = (low + high) / 2;
+    ((magnitude - Expansion(bound) * Expansion(middle)).sign() > 0 ? low : high) = middle;
+  }
+  return low;
+}
+
+using Numbers = std::array<double, 12>;
+
+/// Numbers of magnitude about one, with long and short mantissas and close to powers of two: where roundings are large.
+class Inputs {
+ public:
+  double number() {
+    const double part = std::ldexp(unit(), -integer(0, 39));
+    const std::array<double, 3> choices{1 + part, 2 - part / 2, 1 + std::ldexp(1.0, -integer(1, 52))};
+    return choices[static_cast<std::size_t>(integer(0, 2))] * (integer(0, 1) ? 1 : -1);
+  }
+  Numbers numbers() {
+    Numbers x;
+    std::generate(x.begin(), x.end(), [&] { return number(); });
+    return x;
+  }
+  /// A neighbour of x: one or two numbers replaced, moved a little or doubled.
+  Numbers neighbour(Numbers x) {
+    for (int changes = integer(1, 2); changes > 0; --changes) {
+      double& v = x[static_cast<std::size_t>(integer(0, static_cast<int>(x.size()) - 1))];
+      const std::array<double, 4> choices{number(), std::nextafter(v, integer(0, 1) ? 9 : -9),
+                                          v + std::ldexp(integer(0, 1) ? 1.0 : -1.0, -integer(0, 55)),
+                                          v * std::ldexp(1.0, integer(-2, 2))};
+      v = choices[static_cast<std::size_t>(integer(0, 3))];
+      if (std::fabs(v) < 1e-9 || std::fabs(v) > 1e3) v = 1;
+    }
+    return x;
+  }
+
+ private:
+  double unit() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
+  int integer(int low, int high) { return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1)); }
+
+  std::mt19937_64 random_{kSeed};
+};
+
+/// The largest value of `measure` that hill climbing from many starts finds.
+double climb(const std::function<double(const Numbers&)>& measure) {
+  Inputs inputs;
+  double best = 0;
+  for (int start = 0; start < 20; ++start) {
+    Numbers x = inputs.numbers();
+    double here = measure(x);
+    for (int step = 0; step < 1500; ++step) {
+      const Numbers next = inputs.neighbour(x);
+      const double there = measure(next);
+      if (there < here) continue;
+      x = next;
+      here = there;
+    }
+    best = std::max(best, here);
+  }
+  std::printf("worst error: %.2f of the bound, seed %u\n", best, kSeed);
+  return best;
+}
+
+PlaneCoefficients<DoubleDoubleArithmetic> plane_through(const Vec3& n, const Vec3& point, const Vec3& origin) {
+  using A = DoubleDoubleArithmetic;
+  return {constants<A>(n), -dot(constants<A>(n), difference<A>(point, origin))};
+}
+
+/// True value times the power of two by which the filter's plane is scaled.
+Expansion true_value(const FilterPlane& filter, const Vec3& n, const Vec3& point, const Vec3& x) {
+  using A = ExactArithmetic;
+  const double scale = filter.normal.x / n.x;
+  return dot(constants<A>(n), difference<A>(x, point)) * Expansion(scale);
+}
+
+Aabb box_between(const Vec3& a, const Vec3& b) {
+  return {{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
+          {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
+}
+
+/// How much of its bound the filter's value at the vertex farthest along the normal is off.
+double plane_error(const Vec3& n, const Vec3& point, const Vec3& origin, const Aabb& box) {
+  const RoundedPlane plane = rounded(plane_through(n, point, origin));
+  const AabbFrame<PlainArithmetic> frame(box, origin);
+  const Vec3 vertex{n.x >= 0 ? box.max.x : box.min.x, n.y >= 0 ? box.max.y : box.min.y, n.z >= 0 ? box.max.z : box.min.z};
+  const Expansion error = true_value(plane.filter, n, point, vertex) - Expansion(frame.extremes(plane.filter).high());
+  return share(error, frame.error(plane.bound));
+}
+
+TEST(ErrorBounds, PlaneErrorHoldsAndIsNotTwiceTooLarge) {
+  const double worst = climb([](const Numbers& v) {
+    const Vec3 origin{v[0], v[1], v[2]}, n{v[3], v[4], v[5]};
+    return plane_error(n, origin, origin, box_between({v[6], v[7], v[8]}, {v[9], v[10], v[11]}));
+  });
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.5);
+}
+
+TEST(ErrorBounds, PlaneErrorHoldsWithAnOffset) {
+  const double worst = climb([](const Numbers& v) {
+    return plane_error({v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[0], v[1], v[2]},
+                       box_between({v[9], v[10], v[11]}, {v[8], v[6], v[7]}));
+  });
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.4);
+}
+
+/// The values of oriented boxes obey the same bound.
+TEST(ErrorBounds, PlaneErrorHoldsForOrientedBoxes) {
+  const double worst = climb([](const Numbers& v) {
+    const Vec3 origin{}, n{v[0], v[1], v[2]};
+    const Obb box{{v[3], v[4], v[5]}, {Vec3{v[6], v[7], v[8]}, Vec3{v[9], v[10], v[11]}, Vec3{v[4], v[8], v[9]}}};
+    const RoundedPlane plane = rounded(plane_through(n, origin, origin));
+    const ObbFrame<PlainArithmetic> frame(box, origin);
+    Expansion highest = true_value(plane.filter, n, origin, box.center);
+    for (const Vec3& h : box.half_edges) {
+      const Expansion along = true_value(plane.filter, n, origin, h);
+      highest = along.sign() < 0 ? highest - along : highest + along;
+    }
+    return share(highest - Expansion(frame.extremes(plane.filter).high()), frame.error(plane.bound));
+  });
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.3);
+}
+
+/// Where the offset is all there is: three terms too small for its last place, each lost in an addition, in the order in
+/// which the batch adds them without fused operations, and the spread, lost in a fourth.
+TEST(ErrorBounds, OffsetErrorIsNotTwiceTooLarge) {
+  const double offset = 1, term = std::nextafter(kUnitRoundoff, 0.0);  // next to half a place of 1
+  const double value = ((((offset + term) + term) + term) + term);
+  const Expansion truth = Expansion(offset) + Expansion(term) * Expansion(4);
+  const double worst = share(truth - Expansion(value), kOffsetError * offset);
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.9);
+}
+
+/// Refined values are off by less than their bound; where it leaves no doubt, the sign is right.
+TEST(ErrorBounds, RefinedSignsAreRight) {
+  Inputs inputs;
+  int certain = 0, zero = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const Numbers v = inputs.numbers();
+    const Vec3 n{v[0], v[1], v[2]}, point{v[3], v[4], v[5]}, origin{v[6], v[7], v[8]};
+    Vec3 x = point;
+    if (i % 4 != 0) {  // nearly on the plane: moved along it, up to rounding
+      x.x += n.y * v[9];
+      x.y -= n.x * v[9];
+    }
+    const RoundedPlane plane = rounded(plane_through(n, point, origin));
+    const double reach = std::max({std::fabs(x.x - origin.x), std::fabs(x.y - origin.y), std::fabs(x.z - origin.z)});
+    const CertainSign sign = refined_sign(plane.filter, plane.refined, x, origin, reach);
+    const int truth = true_value(plane.filter, n, point, x).sign();
+    ASSERT_TRUE(!sign.is_certain || sign.sign == truth) << "seed " << kSeed << " case " << i;
+    certain += sign.is_certain;
+    zero += truth == 0;
+  }
+  EXPECT_GT(certain, 30000);
+  EXPECT_GT(zero, 10000);
+}
+
+/// With half the constant the filter would believe a wrong sign here: the sum s of three products is off by nearly the whole
+/// bound, and the offset leaves of it just more than half.
+TEST(ErrorBounds, HalfSpaceErrorIsNotTwiceTooLarge) {
+  Numbers worst_input{};
+  double worst = 0;
+  const auto error_of = [](const Numbers& v) {
+    const std::array<double, 3> p{v[0] * v[3], v[1] * v[4], v[2] * v[5]};
+    const auto product = [](double a, double b) { return Expansion(a) * Expansion(b); };
+    return Expansion(p[0] + p[1] + p[2]) - (product(v[0], v[3]) + product(v[1], v[4]) + product(v[2], v[5]));
+  };
+  const auto magnitude = [](const Numbers& v) {
+    return std::fabs(v[0] * v[3]) + std::fabs(v[1] * v[4]) + std::fabs(v[2] * v[5]);
+  };
+  climb([&](const Numbers& v) {
+    const double here = share(error_of(v), kHalfSpaceError * magnitude(v));
+    if (here > worst) {
+      worst = here;
+      worst_input = v;
+    }
+    return here;
+  });
+  EXPECT_LE(worst, 1);
+  ASSERT_GT(worst, 0.6);
+
+  const Numbers& v = worst_input;
+  const double s = v[0] * v[3] + v[1] * v[4] + v[2] * v[5];
+  const double left = error_of(v).sign() * 0.55 * kHalfSpaceError * magnitude(v);  // of s, which is too large or too small
+  const HalfSpace h{{v[0], v[1], v[2]}, left - s};
+  const Vec3 x{v[3], v[4], v[5]};
+  const Expansion truth = Expansion(s) - error_of(v) + Expansion(h.offset);
+  const Relation expected = truth.sign() >= 0 ? Relation::inside : Relation::outside;
+  EXPECT_EQ(relation(h, Aabb{x, x}, Arithmetic::certified), expected);
+  EXPECT_NE(relation(h, Aabb{x, x}, Arithmetic::plain), expected);
+}
+
+}  // namespace
