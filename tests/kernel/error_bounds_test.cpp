@@ -100,6 +100,8 @@ Expansion true_value(const FilterPlane& filter, const Vec3& n, const Vec3& point
   return dot(constants<A>(n), difference<A>(x, point)) * Expansion(scale);
 }
 
+int value_sign(const ExactPlane& plane, const Vec3& x) { return value<ExactArithmetic>(plane, x).sign(); }
+
 Aabb box_between(const Vec3& a, const Vec3& b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
           {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
@@ -183,6 +185,66 @@ TEST(ErrorBounds, RefinedSignsAreRight) {
   }
   EXPECT_GT(certain, 30000);
   EXPECT_GT(zero, 10000);
+}
+
+/// A plane whose normal is beyond twice the precision of a double: (p - e) x (2 p - e) = p x e with e almost parallel to p,
+/// so that three digits in four cancel and then most of the rest.
+ExactPlane hopeless_plane(Inputs& inputs) {
+  const Vec3 p{0x1p40 * inputs.number(), 0x1p40 * inputs.number(), 0x1p40 * inputs.number()};
+  Vec3 e;
+  for (int k = 0; k < 3; ++k) e[k] = std::nextafter(0x1p-104 * p[k], inputs.number());
+  return {.direct = false, .a_to = p, .a_from = e, .b_to = {2 * p.x, 2 * p.y, 2 * p.z}, .b_from = e, .origin = e};
+}
+
+/// The coefficients' own uncertainty is part of the bound: for such planes it is all of it.
+TEST(ErrorBounds, UncertainCoefficientsAreAllowedFor) {
+  using A = DoubleDoubleArithmetic;
+  Inputs inputs;
+  int wrong = 0, nonzero = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const ExactPlane laid = hopeless_plane(inputs);
+    const Vec3 x{inputs.number(), inputs.number(), inputs.number()}, from{inputs.number(), inputs.number(), inputs.number()};
+    const Vec3 origin = i % 2 ? laid.origin : from;
+    const auto n = normal<A>(laid);
+    const RoundedPlane plane = rounded({n, -dot(n, difference<A>(laid.origin, origin))});
+    const Vec3 vertex =
+        i % 2 ? x : origin;  // far from the origin, where the normal counts, and at it, where the offset does
+    const AabbFrame<PlainArithmetic> frame({vertex, vertex}, origin);
+    const double value = frame.extremes(plane.filter).high(), bound = frame.error(plane.bound);
+    const int truth = value_sign(laid, vertex);
+    ASSERT_TRUE(std::fabs(value) <= bound || (value > 0) - (value < 0) == truth) << "seed " << kSeed << " case " << i;
+    const CertainSign refined = refined_sign(plane.filter, plane.refined, vertex, origin, frame.reach());
+    ASSERT_TRUE(!refined.is_certain || refined.sign == truth) << "seed " << kSeed << " case " << i;
+    wrong += value != 0 && (value > 0) - (value < 0) != truth;
+    nonzero += truth != 0;
+  }
+  EXPECT_GT(wrong, 50);
+  EXPECT_GT(nonzero, 16000);
+}
+
+/// Where the high parts cancel exactly and the low parts up to rounding, twice the precision is not enough, and says so.
+TEST(ErrorBounds, RefinedErrorCoversTheTails) {
+  Inputs inputs;
+  int doubtful = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const auto short_number = [&] { return std::round(0x1p26 * std::fabs(inputs.number())) * 0x1p-26; };
+    const double a = short_number(), b = short_number();  // their sum is exact
+    const double l = 0x1p-56 * std::fabs(inputs.number()), m = 0x1p-56 * std::fabs(inputs.number());
+    const Vec3 n{a, b, -(a + b)}, origin{-l, -m, -((a * l + b * m) / (a + b))}, x{1, 1, 1};
+    const RoundedPlane plane = rounded({constants<DoubleDoubleArithmetic>(n), {}});
+    const CertainSign sign = refined_sign(plane.filter, plane.refined, x, origin, 1);
+    const int truth = dot(constants<ExactArithmetic>(n), difference<ExactArithmetic>(x, origin)).sign();
+    ASSERT_TRUE(!sign.is_certain || sign.sign == truth) << "seed " << kSeed << " case " << i;
+    doubtful += !sign.is_certain;
+  }
+  EXPECT_GT(doubtful, 10000);
+}
+
+TEST(RunningErrorTerms, ProductsInheritTheErrorsOfBothFactors) {
+  const RunningError exact{3, 0}, vague{0, 2};
+  EXPECT_GE((exact * vague).error, 6);
+  EXPECT_GE((vague * exact).error, 6);
+  EXPECT_GE((vague * vague).error, 4);
 }
 
 /// With half the constant the filter would believe a wrong sign here: the sum s of three products is off by nearly the whole
