@@ -49,7 +49,11 @@ CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, cons
   auto test_view = [&](std::uint32_t i, const kernel::Aabb& box) {
     return kernel::relation(planes[i], box, options.arithmetic);
   };
-  auto test_shadow = [&](std::uint32_t i, const kernel::Aabb& box) { return shadow_test(result.occluders[i].frustum, box); };
+  auto test_shadow = [&](std::uint32_t i, const kernel::Aabb& box) {
+    const kernel::Decision decision = shadow_test(result.occluders[i].frustum, box);
+    if (decision.stage == kernel::Stage::exact) ++result.stats.exact_shadow_tests;
+    return decision.relation;
+  };
   Traversal(hierarchy, test_view, test_shadow, result).run();
   return result;
 }
@@ -61,7 +65,7 @@ Culler::Culler(const PolygonSoup& soup, const Config& config)
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   return cull_frame(hierarchy_, grid_, camera, options, [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
-    return kernel::relation(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+    return kernel::decide(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
   });
 }
 
@@ -69,7 +73,7 @@ kernel::Operations Culler::count_operations(const Camera& camera, const CullOpti
   kernel::Operations total;
   const auto test_and_count = [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
     total += kernel::count_operations(frustum, box, options.arithmetic, options.test);
-    return kernel::relation(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+    return kernel::decide(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
   };
   static_cast<void>(cull_frame(hierarchy_, grid_, camera, options, test_and_count));
   return total;

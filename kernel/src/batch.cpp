@@ -215,7 +215,7 @@ void relate(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary ne
       [&](std::size_t begin, std::size_t end, Undecided& undecided) {
         HWY_DYNAMIC_DISPATCH(BoxesAgainstFrustum)(frustum, boxes, test, reach, begin, end, out.data(), undecided);
       },
-      [&](std::size_t i) { return relation(frustum, boxes.box(i), Arithmetic::certified, test, near); });
+      [&](std::size_t i) { return decide(frustum, boxes.box(i), Arithmetic::certified, test, near).relation; });
 }
 
 void relate_planes(const FrustumBatch& frusta, const Aabb& box, NearBoundary near, std::span<Relation> out) {

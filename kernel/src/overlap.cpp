@@ -80,12 +80,12 @@ Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBo
 }
 
 template <class Box>
-Relation relation_of(const ShadowFrustum& frustum, const Box& box, Arithmetic arithmetic, Test test, NearBoundary near) {
+Decision decide_on(const ShadowFrustum& frustum, const Box& box, Arithmetic arithmetic, Test test, NearBoundary near) {
   if (arithmetic == Arithmetic::plain) {
-    return test == Test::overlap ? overlap_plain(frustum, box, near) : conservative_plain(frustum, box, near);
+    return {test == Test::overlap ? overlap_plain(frustum, box, near) : conservative_plain(frustum, box, near),
+            Stage::filter};
   }
-  return (test == Test::overlap ? overlap_certified(frustum, box, near) : conservative_certified(frustum, box, near))
-      .relation;
+  return test == Test::overlap ? overlap_certified(frustum, box, near) : conservative_certified(frustum, box, near);
 }
 
 template <class Box>
@@ -133,11 +133,11 @@ Decision conservative_certified(const ShadowFrustum& frustum, const Obb& box, Ne
   return certified_conservative<PlainArithmetic>(frustum, box, near);
 }
 
-Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
-  return relation_of(frustum, box, arithmetic, test, near);
+Decision decide(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
+  return decide_on(frustum, box, arithmetic, test, near);
 }
-Relation relation(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
-  return relation_of(frustum, box, arithmetic, test, near);
+Decision decide(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test, NearBoundary near) {
+  return decide_on(frustum, box, arithmetic, test, near);
 }
 
 Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test) {

@@ -33,7 +33,7 @@ std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, ker
       visible = visible && kernel::relation(to_kernel(h), node.box, arithmetic) != kernel::Relation::outside;
     }
     for (const Occluder& o : frame.occluders) {
-      visible = visible && kernel::relation(o.frustum, node.box, arithmetic, test, kernel::NearBoundary::open) !=
+      visible = visible && kernel::decide(o.frustum, node.box, arithmetic, test, kernel::NearBoundary::open).relation !=
                                kernel::Relation::inside;
     }
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) drawn[p] = visible;
@@ -111,7 +111,8 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
         for (const std::uint32_t index : soup.loop(p)) {
           const glm::dvec3& v = soup.vertices[index];
           const kernel::Vec3 point{v.x, v.y, v.z};
-          ASSERT_EQ(kernel::overlap_certified(occluder.frustum, kernel::Aabb{point, point}).relation, kernel::Relation::inside);
+          ASSERT_EQ(kernel::overlap_certified(occluder.frustum, kernel::Aabb{point, point}).relation,
+                    kernel::Relation::inside);
         }
       }
     }

@@ -125,14 +125,16 @@ std::string frames_csv(const WalkResult& result) {
   std::string csv =
       "frame,view_frustum_polygons,rendered_polygons,visible_polygons,view_frustum_cull_ms,view_frustum_frame_ms,cull_ms,"
       "frame_ms,"
-      "occluders,potential_occluders,nodes_visited,view_tests,shadow_tests,view_culled_polygons,shadow_culled_polygons,"
+      "occluders,potential_occluders,nodes_visited,view_tests,shadow_tests,exact_shadow_tests,view_culled_polygons,shadow_"
+      "culled_polygons,"
       "wrong_pixels,snapped_pixels,false_culls\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{}\n",
+    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{}\n",
                    r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
                    r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
-                   r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.view_culled_polygons,
-                   r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels, r.false_culls);
+                   r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.exact_shadow_tests,
+                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
+                   r.false_culls);
   }
   return csv;
 }

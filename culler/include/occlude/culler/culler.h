@@ -38,8 +38,9 @@ struct Culled {
 
 struct CullStats {
   std::size_t nodes_visited = 0;
-  std::size_t view_tests = 0;    ///< box against half-space
-  std::size_t shadow_tests = 0;  ///< box against shadow frustum
+  std::size_t view_tests = 0;          ///< box against half-space
+  std::size_t shadow_tests = 0;        ///< box against shadow frustum
+  std::size_t exact_shadow_tests = 0;  ///< of these, decided by the kernel's exact stage
   std::size_t potential_occluders = 0, occluders_in_view = 0;
   std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;
 };
@@ -68,7 +69,7 @@ class Culler {
   /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().
   [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
-  /// The operations that the shadow tests of such a frame cost in plain arithmetic (Table 1).
+  /// The operations that the shadow tests of such a frame cost (Table 1).
   [[nodiscard]] kernel::Operations count_operations(const Camera& camera, const CullOptions& options) const;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }

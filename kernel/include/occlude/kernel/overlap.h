@@ -42,11 +42,11 @@ enum class NearBoundary { closed, open };
 [[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Obb& box,
                                           NearBoundary near = NearBoundary::closed);
 
-/// The same, chosen at run time.
-[[nodiscard]] Relation relation(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test,
-                                NearBoundary near = NearBoundary::closed);
-[[nodiscard]] Relation relation(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test,
-                                NearBoundary near = NearBoundary::closed);
+/// The same, chosen at run time; the stage of `plain` is `filter`.
+[[nodiscard]] Decision decide(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test,
+                              NearBoundary near = NearBoundary::closed);
+[[nodiscard]] Decision decide(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test,
+                              NearBoundary near = NearBoundary::closed);
 
 /// What the test costs on this box, counted operation by operation as it runs (Table 1); of `certified` the filter, which
 /// nearly always is all there is. The frustum's own preparation is not counted, as in the paper.
