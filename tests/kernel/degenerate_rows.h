@@ -422,6 +422,13 @@ inline Rows cube_rows(const std::string& form_name, CubeForm form) {
           {"one_ulp_outside", Aabb{{3, up(1), 0}, {4, 2, 1}}, outside, exact},
           {"other_side_touched", Aabb{{3, -2, -1}, {4, 0, 1}}, inside, exact},
       });
+  // For `farthest` the first of the front face's farthest vertices is (2, -1, -1), 2x - 2y - z = 7; the face seen edge-on
+  // would have farther ones.
+  add({form_name + "_eye_on_face_plane_farthest", Viewpoint::eye({0, 1, 0}), ahead, farthest},
+      {
+          {"point_on_near_plane", point({4, 0.5, 0}), inside, exact},
+          {"point_one_ulp_before", point({down(4), 0.5, 0}), outside, exact},
+      });
   // The eye on the line of the edge y = z = 1, between two faces seen edge-on: 1 - x <= y <= 1, 1 - x <= z <= 1.
   add({form_name + "_eye_on_edge_line", Viewpoint::eye({0, 1, 1}), ahead, surface},
       {
@@ -438,6 +445,11 @@ inline Rows cube_rows(const std::string& form_name, CubeForm form) {
           {"itself", Aabb{{2, -1, -1}, {4, 1, 1}}, inside, exact},
           {"touched_outside", Aabb{{3, 1, -1}, {4, 2, 1}}, partial, exact},
           {"one_ulp_outside", Aabb{{3, up(1), -1}, {4, 2, 1}}, outside, exact},
+      });
+  add({form_name + "_along_x_farthest", Viewpoint::direction({1, 0, 0}), ahead, farthest},
+      {
+          {"itself", Aabb{{2, -1, -1}, {4, 1, 1}}, inside, exact},
+          {"one_ulp_before_front", Aabb{{1, -0.5, -0.5}, {down(2), 0.5, 0.5}}, outside, exact},
       });
   add({form_name + "_along_a_diagonal", Viewpoint::direction({1, 1, 0}), ahead, surface},
       {
