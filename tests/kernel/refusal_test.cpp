@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string_view>
 #include <vector>
 
+#include "kernel/cube.h"
 #include "occlude/kernel/shadow_frustum.h"
 
 namespace {
@@ -23,30 +26,84 @@ Refusal from_origin(const Loop& loop) { return refusal(Viewpoint::eye({0, 0, 0})
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(Refusal, NumbersThatAreNotFinite) {
-  EXPECT_EQ(from_origin({{2, kNan, 0}, {2, 1, 0}, {2, 0, 1}}), Refusal::not_finite);
-  EXPECT_EQ(from_origin({{2, 0, 0}, {2, kInfinity, 0}, {2, 0, 1}}), Refusal::not_finite);
-  EXPECT_EQ(refusal(Viewpoint::eye({0, -kInfinity, 0}), {{2, 0, 0}, {2, 1, 0}, {2, 0, 1}}), Refusal::not_finite);
+double up(double x) { return std::nextafter(x, kInfinity); }
+double down(double x) { return std::nextafter(x, -kInfinity); }
+
+/// Calls `try_number(x, refusal)` with numbers at the ends of the legal range and just beyond, and what they call for.
+template <class TryNumber>
+void try_numbers(const TryNumber& try_number) {
+  for (const double sign : {1.0, -1.0}) {
+    try_number(sign * kInfinity, Refusal::not_finite);
+    try_number(sign * kNan, Refusal::not_finite);
+    try_number(sign * kMaxMagnitude, Refusal::none);
+    try_number(sign * up(kMaxMagnitude), Refusal::out_of_range);
+    try_number(sign * kMinMagnitude, Refusal::none);
+    try_number(sign * down(kMinMagnitude), Refusal::out_of_range);
+    try_number(sign * std::numeric_limits<double>::denorm_min(), Refusal::out_of_range);
+    try_number(sign * 0.0, Refusal::none);
+  }
 }
 
-TEST(Refusal, NumbersOutOfRange) {
-  EXPECT_EQ(from_origin({{2, 0, 0}, {2, 0x1.8p100, 0}, {2, 0, 1}}), Refusal::out_of_range);
-  EXPECT_EQ(from_origin({{2, 0, 0}, {2, 1, 0x1p-101}, {2, 0, 1}}), Refusal::out_of_range);
+TEST(Refusal, NumbersOfPolygonsAndViewpoints) {
+  for (int axis = 0; axis < 3; ++axis) {
+    try_numbers([&](double x, Refusal expected) {
+      // Convex from the eye, and with no line of sight along the plane, wherever on its axis the last vertex goes.
+      Loop loop{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}};
+      Vec3 far{-7, -9, -8}, along{1, 0.25, 0.25};
+      far[axis] = x;
+      along[axis] = x;
+      const Refusal from_far = refusal(Viewpoint::eye(far), loop), along_it = refusal(Viewpoint::direction(along), loop);
+      const bool is_in_plane = axis == 0 && x == 0;  // of the direction alone
+      EXPECT_EQ(to_string(from_far), to_string(expected));
+      EXPECT_EQ(to_string(along_it), to_string(is_in_plane ? Refusal::eye_in_plane : expected));
+      if (expected == Refusal::none) return;
+      loop[2][axis] = x;
+      EXPECT_EQ(to_string(from_origin(loop)), to_string(expected));
+    });
+  }
   EXPECT_EQ(from_origin({{2, 0, 0}, {2, 0x1p100, 0}, {2, 0x1p-100, 1}}), Refusal::none);
 }
 
-TEST(Refusal, Boxes) {
-  EXPECT_EQ(check(Aabb{{0, 0, 0}, {1, 1, 1}}), Refusal::none);
-  EXPECT_EQ(check(Aabb{{0, 0, 0}, {0, 0, 0}}), Refusal::none);
-  EXPECT_EQ(check(Aabb{{0, 2, 0}, {1, 1, 1}}), Refusal::min_above_max);
-  EXPECT_EQ(check(Aabb{{0, kNan, 0}, {1, 1, 1}}), Refusal::not_finite);
-  EXPECT_EQ(check(Aabb{{0, 0, 0}, {1, 1, 1e40}}), Refusal::out_of_range);
+TEST(Refusal, NumbersOfBoxes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    try_numbers([&](double x, Refusal expected) {
+      Aabb least{{-kMaxMagnitude, -kMaxMagnitude, -kMaxMagnitude}, {kMaxMagnitude, kMaxMagnitude, kMaxMagnitude}};
+      Aabb most = least;
+      least.min[axis] = x;
+      most.max[axis] = x;
+      EXPECT_EQ(check(least), expected);
+      EXPECT_EQ(check(most), expected);
+      Obb oriented{{1, 2, 3}, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+      oriented.center[axis] = x;
+      EXPECT_EQ(check(oriented), expected);
+      for (std::size_t k = 0; k < 3; ++k) {
+        Obb skew{{1, 2, 3}, {}};
+        skew.half_edges[k][axis] = x;
+        EXPECT_EQ(check(skew), expected);
+      }
+    });
+  }
+}
+
+TEST(Refusal, MinAboveMax) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Aabb box{{1, 1, 1}, {1, 1, 1}};
+    EXPECT_EQ(check(box), Refusal::none);
+    box.max[axis] = down(1);
+    EXPECT_EQ(check(box), Refusal::min_above_max);
+    box.min[axis] = down(1);
+    EXPECT_EQ(check(box), Refusal::none);
+  }
+  EXPECT_EQ(check(Aabb{{0.0, 0, 0}, {-0.0, 0, 0}}), Refusal::none);
 }
 
 TEST(Refusal, FewerThanThreeDistinctVertices) {
   EXPECT_EQ(from_origin({}), Refusal::too_few_vertices);
   EXPECT_EQ(from_origin({{2, 0, 0}, {2, 1, 0}}), Refusal::too_few_vertices);
   EXPECT_EQ(from_origin({{2, 0, 0}, {2, 1, 0}, {2, 0, 0}, {2, 1, 0}}), Refusal::too_few_vertices);
+  EXPECT_EQ(from_origin({{2, 0, 0}, {2, 1, 0}, {2, 1, -0.0}}), Refusal::too_few_vertices);
+  EXPECT_EQ(from_origin({{2, 0, 0}, {2, 1, 0}, {2, 1, 0x1p-100}}), Refusal::none);
+  EXPECT_EQ(from_origin({{2, 0, 3}, {2, 1, 3}, {2, 1, up(3)}}), Refusal::none);
 }
 
 TEST(Refusal, LoopsThatAreNotConvexFromHere) {
@@ -71,8 +128,10 @@ TEST(Refusal, LoopsFoldedThroughTheEye) {
 TEST(Refusal, OneUlpOfConcavityIsSeen) {
   Loop loop{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, 0, 1}, {2, -1, 1}};
   EXPECT_EQ(from_origin(loop), Refusal::none);
-  loop[3].z = std::nextafter(1.0, 0.0);
+  loop[3].z = down(1);
   EXPECT_EQ(from_origin(loop), Refusal::not_convex);
+  loop[3].z = up(1);
+  EXPECT_EQ(from_origin(loop), Refusal::none);
 }
 
 TEST(Refusal, ViewpointInThePlane) {
@@ -83,10 +142,65 @@ TEST(Refusal, ViewpointInThePlane) {
   EXPECT_EQ(refusal(Viewpoint::eye({0, 0, 0x1p-100}), floor), Refusal::none);
   EXPECT_EQ(refusal(Viewpoint::direction({1, 0, 0}), floor), Refusal::eye_in_plane);
   EXPECT_EQ(refusal(Viewpoint::direction({1, 0, 0x1p-100}), floor), Refusal::none);
+  const Loop raised{{1, -1, 1}, {3, -1, 1}, {3, 1, 1}, {1, 1, 1}};
+  EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, 1}), raised), Refusal::eye_in_plane);
+  EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, up(1)}), raised), Refusal::none);
+  EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, down(1)}), raised), Refusal::none);
 }
 
 TEST(Refusal, ZeroDirection) {
-  EXPECT_EQ(refusal(Viewpoint::direction({0, 0, 0}), {{2, 0, 0}, {2, 1, 0}, {2, 0, 1}}), Refusal::zero_direction);
+  const Loop loop{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}};
+  EXPECT_EQ(refusal(Viewpoint::direction({0, 0, 0}), loop), Refusal::zero_direction);
+  EXPECT_EQ(refusal(Viewpoint::direction({0, -0.0, 0}), loop), Refusal::zero_direction);
+  EXPECT_EQ(refusal(Viewpoint::direction({0x1p-100, 0, 0}), loop), Refusal::none);
+}
+
+/// An input that calls for the refusal.
+Refusal example_of(Refusal reason) {
+  const Loop triangle{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}};
+  const Polytope whole = occlude::cube({2, -1, -1});
+  Polytope changed = whole;
+  switch (reason) {
+    case Refusal::none:
+      return from_origin(triangle);
+    case Refusal::not_finite:
+      return check(Vec3{0, kNan, 0});
+    case Refusal::out_of_range:
+      return check(Vec3{0, 0, 1e31});
+    case Refusal::min_above_max:
+      return check(Aabb{{1, 0, 0}, {0, 1, 1}});
+    case Refusal::too_few_vertices:
+      return from_origin({{2, 0, 0}, {2, 1, 0}});
+    case Refusal::not_convex:
+      return from_origin({{2, 0, 0}, {2, 2, -1}, {2, 1, 0}, {2, 2, 1}});
+    case Refusal::eye_in_plane:
+      return refusal(Viewpoint::eye({2, 5, 5}), triangle);
+    case Refusal::zero_direction:
+      return refusal(Viewpoint::direction({0, 0, 0}), triangle);
+    case Refusal::bad_face_index:
+      changed.faces[0][0] = 8;
+      return ConvexPolytope::make(changed).refusal;
+    case Refusal::polytope_not_convex:
+      changed.vertices[0].x = 3;
+      return ConvexPolytope::make(changed).refusal;
+    case Refusal::polytope_not_closed:
+      changed.faces.pop_back();
+      return ConvexPolytope::make(changed).refusal;
+    case Refusal::eye_in_polytope:
+      return ShadowFrustum::make(Viewpoint::eye({3, 0, 0}), *ConvexPolytope::make(whole).polytope, Near::surface).refusal;
+  }
+  return Refusal::none;
+}
+
+TEST(Refusal, EveryReasonHasAnExampleAndAText) {
+  std::set<std::string_view> texts;
+  constexpr int kReasons = static_cast<int>(Refusal::eye_in_polytope) + 1;
+  for (int i = 0; i < kReasons; ++i) {
+    const auto reason = static_cast<Refusal>(i);
+    EXPECT_EQ(to_string(example_of(reason)), to_string(reason));
+    texts.insert(to_string(reason));
+  }
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));
 }
 
 TEST(Silhouette, NeedlessVerticesAreDropped) {
