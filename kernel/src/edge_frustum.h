@@ -49,7 +49,8 @@ class BoxEdges {
 template <class A>
 [[nodiscard]] bool is_in_frustum(const ShadowFrustum& frustum, const Vector3<typename A::Number>& start,
                                  const Vector3<typename A::Number>& edge) {
-  SegmentClip<A> left;
+  A arithmetic;
+  SegmentClip<A> left(arithmetic);
   for (std::size_t p = 0; p < frustum.plane_count(); ++p) {
     const FilterPlane& plane = frustum.filter_planes()[p];
     const auto normal = constants<A>(plane.normal);

@@ -98,9 +98,10 @@ template <class A>
 template <class A, class Box>
 [[nodiscard]] bool edge_slab(const ShadowFrustum& frustum, const Box& box) {
   const auto slabs = slabs_of<A>(box, frustum.origin());
+  A arithmetic;
   for (const PlainEdge& edge : frustum.plain_edges()) {
     const auto from = slabs.at_point(edge.from), to = edge.is_ray ? slabs.at_direction(edge.to) : slabs.at_point(edge.to);
-    SegmentClip<A> left;
+    SegmentClip<A> left(arithmetic);
     for (std::size_t face = 0; face < 2; ++face) {
       for (int axis = 0; axis < 3; ++axis) left.clip(from[face][axis], to[face][axis]);
     }

@@ -28,9 +28,9 @@ template <class A>
 }
 
 /// Exact sign of the plane at x: 1 on the inner side, 0 on the plane, -1 on the outer side.
-[[nodiscard]] inline int sign_at(const ExactPlane& plane, const Vec3& x) {
+[[nodiscard]] inline int sign_at(const ExactPlane& plane, const Vec3& x, Stage* stage = nullptr) {
   if (is_defined_by(plane, x)) return 0;
-  return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(value<A>(plane, x)); });
+  return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(value<A>(plane, x)); }, stage);
 }
 
 /// f(x) = normal . (x - origin of the frustum) + offset.

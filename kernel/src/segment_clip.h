@@ -12,8 +12,10 @@ class SegmentClip {
  public:
   using Number = typename A::Number;
 
+  explicit SegmentClip(A& arithmetic) : arithmetic_(arithmetic) {}
+
   void clip(const Number& at_p, const Number& at_q) {
-    const int p = A::sign(at_p), q = A::sign(at_q);
+    const int p = arithmetic_.sign(at_p), q = arithmetic_.sign(at_q);
     if (p < 0 && q < 0) {
       empty_ = true;
     } else if (p < 0) {
@@ -27,7 +29,7 @@ class SegmentClip {
 
   /// Whether nothing is left, not even a point.
   [[nodiscard]] bool empty() const {
-    return empty_ || (entered_ && left_ && A::sign(leave_.p * enter_.q - enter_.p * leave_.q) < 0);
+    return empty_ || (entered_ && left_ && arithmetic_.sign(leave_.p * enter_.q - enter_.p * leave_.q) < 0);
   }
 
  private:
@@ -37,8 +39,11 @@ class SegmentClip {
 
   /// Whether t_b > t_a for crossings with parameters t = p / (p - q) that both enter; for two that leave, the denominators
   /// have the other sign and it is the same question: t_a.p t_b.q > t_b.p t_a.q.
-  [[nodiscard]] static bool later(const Crossing& a, const Crossing& b) { return A::sign(a.p * b.q - b.p * a.q) > 0; }
+  [[nodiscard]] bool later(const Crossing& a, const Crossing& b) const {
+    return arithmetic_.sign(a.p * b.q - b.p * a.q) > 0;
+  }
 
+  A& arithmetic_;
   Crossing enter_{}, leave_{};  ///< the latest entering and the earliest leaving crossing, once there is one
   bool entered_ = false, left_ = false, empty_ = false;
 };

@@ -14,16 +14,11 @@
 namespace occlude::kernel {
 namespace {
 
-Refusal check_viewpoint(const Viewpoint& viewpoint) {
-  if (const Refusal refusal = check(viewpoint.value); refusal != Refusal::none) return refusal;
-  return !viewpoint.is_eye() && viewpoint.value == Vec3{} ? Refusal::zero_direction : Refusal::none;
-}
-
 Refusal check_input(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
   for (const Vec3& v : loop) {
     if (const Refusal refusal = check(v); refusal != Refusal::none) return refusal;
   }
-  return check_viewpoint(viewpoint);
+  return check(viewpoint);
 }
 
 /// Where equally far vertices of a silhouette are told apart by their index.
@@ -97,7 +92,7 @@ ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<co
 }
 
 ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near) {
-  if (const Refusal refusal = check_viewpoint(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
   const PolytopeSilhouette seen = kernel::silhouette(viewpoint, polytope);
   if (seen.loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
   std::vector<Vec3> loop;

@@ -74,6 +74,11 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
   return Refusal::none;
 }
 
+[[nodiscard]] inline Refusal check(const Viewpoint& viewpoint) {
+  if (const Refusal refusal = check(viewpoint.value); refusal != Refusal::none) return refusal;
+  return !viewpoint.is_eye() && viewpoint.value == Vec3{} ? Refusal::zero_direction : Refusal::none;
+}
+
 [[nodiscard]] inline Refusal check(const Aabb& box) {
   for (const Vec3& corner : {box.min, box.max}) {
     if (const Refusal refusal = check(corner); refusal != Refusal::none) return refusal;
