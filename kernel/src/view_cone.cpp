@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/kernel/view_cone.h"
+
+#include <utility>
+
+#include "cone_sweep.h"
+#include "plane_coefficients.h"
+#include "polytope_silhouette.h"
+#include "silhouette.h"
+
+namespace occlude::kernel {
+
+ViewCone::ViewCone(const ShadowFrustum& frustum)
+    : viewpoint_(frustum.viewpoint()), corners_(frustum.silhouette().begin(), frustum.silhouette().end()) {}
+
+ViewConeResult ViewCone::make(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
+  for (const Vec3& v : loop) {
+    if (const Refusal refusal = check(v); refusal != Refusal::none) return {std::nullopt, refusal};
+  }
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
+  Silhouette outline = silhouette(viewpoint, loop);
+  if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
+  return {ViewCone(viewpoint, std::move(outline.corners)), Refusal::none};
+}
+
+ViewConeResult ViewCone::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
+  std::vector<Vec3> loop;
+  for (const auto& step : silhouette(viewpoint, polytope).loop) loop.push_back(polytope.vertices()[step.vertex]);
+  if (loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
+  return make(viewpoint, loop);
+}
+
+ConeOverlap overlap_certified(const ViewCone& occluder, const ViewCone& occludee) {
+  Stage stage = Stage::filter;
+  const auto orientation = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return sign_at(side_plane(occluder.viewpoint(), p, q), r, &stage);
+  };
+  ConeOverlap result = ConeSweep(orientation, occluder.corners(), occludee.corners()).overlap();
+  result.stage = stage;
+  return result;
+}
+
+}  // namespace occlude::kernel
