@@ -74,9 +74,8 @@ ExactPlane outer_plane(std::span<const Vec3> v, const std::array<Index, 3>& corn
 /// The direction of a coordinate axis that crosses the plane of the face: seen along it the face keeps its shape.
 Vec3 crossing_axis(std::span<const Vec3> v, const Side& side) {
   const auto crosses = [&](int axis) {
-    return certified([&]<class A>(A& arithmetic) {
-             return arithmetic.sign(normal<A>(outer_plane(v, side.corners))[axis]);
-           }) != 0;
+    return certified(
+               [&]<class A>(A& arithmetic) { return arithmetic.sign(normal<A>(outer_plane(v, side.corners))[axis]); }) != 0;
   };
   return crosses(0) ? Vec3{1, 0, 0} : crosses(1) ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
 }

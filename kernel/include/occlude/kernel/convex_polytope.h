@@ -28,9 +28,10 @@ class ConvexPolytope {
   };
 
   /// Checks and prepares the polytope. Everything is decided exactly: faces are plane and convex, all vertices lie on the
-  /// inner side of every face, every piece of an edge belongs to two faces, and no two faces overlap. Faces may be split into coplanar parts, turn
-  /// either way round, meet other faces' corners along their edges, and carry repeated or collinear vertices.
-  /// Refuses with not_finite, out_of_range, bad_face_index, too_few_vertices, polytope_not_convex, polytope_not_closed.
+  /// inner side of every face, every piece of an edge belongs to two faces, and no two faces overlap. Faces may be split
+  /// into coplanar parts, turn either way round, meet other faces' corners along their edges, and carry repeated or
+  /// collinear vertices. Refuses with not_finite, out_of_range, bad_face_index, too_few_vertices, polytope_not_convex,
+  /// polytope_not_closed.
   [[nodiscard]] static ConvexPolytopeResult make(const Polytope& polytope);
 
   [[nodiscard]] std::span<const Vec3> vertices() const { return vertices_; }

@@ -33,8 +33,8 @@ struct CutVertexPlane {
 
 using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 
-/// What rounding can do to the values of planes: over a box that reaches as far as `reach` from the origin of the frustum they
-/// are off by at most slope * reach + base (error_bounds.h).
+/// What rounding can do to the values of planes: over a box that reaches as far as `reach` from the origin of the frustum
+/// they are off by at most slope * reach + base (error_bounds.h).
 struct FilterBound {
   double slope = 0, base = 0;
 };
