@@ -123,7 +123,7 @@ class ConeSweep {
     return orientation_(fan[span], fan[span + 1], x);
   }
 
-  /// Whether every corner of the fan lies before the rim, seen from a pivot within.
+  /// Whether every corner of the fan lies before the rim of an occluder that holds the pivot.
   [[nodiscard]] bool holds_all(const Fan& rim, const Fan& fan) const {
     Locator locator(*this, rim);
     for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -133,7 +133,7 @@ class ConeSweep {
     return true;
   }
 
-  /// A ray that the fan and what is beyond the rim share, seen from a pivot outside.
+  /// A ray that both cones share when the pivot is outside of the occluder.
   [[nodiscard]] std::optional<CommonRay> meeting(const Fan& rim, const Fan& fan) const {
     Locator in_rim(*this, rim), in_fan(*this, fan);
     for (std::size_t i = 0; i < fan.size(); ++i) {
