@@ -94,12 +94,12 @@ std::vector<fuzz::Case> other_spellings(const fuzz::Case& c) {
     Polytope reversed = *polytope, rotated = *polytope;
     for (auto& face : reversed.faces) std::ranges::reverse(face);
     std::ranges::reverse(rotated.faces);
-    for (auto& face : rotated.faces) std::ranges::rotate(face, face.begin() + 1);
+    for (auto& face : rotated.faces) std::rotate(face.begin(), face.begin() + 1, face.end());
     return {with_occluder(c, reversed), with_occluder(c, rotated)};
   }
   const Loop& loop = std::get<Loop>(c.occluder);
   Loop reversed(loop.rbegin(), loop.rend()), rotated = loop, repeated;
-  std::ranges::rotate(rotated, rotated.begin() + 1);
+  std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
   for (const Vec3& v : loop) repeated.insert(repeated.end(), 2, v);
   std::vector<fuzz::Case> spellings{with_occluder(c, repeated)};
   if (c.near == Near::farthest && !has_clear_farthest(c.viewpoint, loop)) return spellings;

@@ -66,11 +66,14 @@ TEST(PolytopeRefusal, TooFewVertices) {
 }
 
 TEST(PolytopeRefusal, FacesThatAreNotPlaneByAnUlp) {
-  for (const std::size_t vertex : {3U, 5U}) {
-    for (const double x : {up(4), down(4)}) {
-      Polytope polytope = kCube;
-      polytope.vertices[vertex].x = x;
-      EXPECT_EQ(refusal(polytope), Refusal::polytope_not_convex);
+  for (const bool are_reversed : {false, true}) {
+    for (const std::size_t vertex : {3U, 5U}) {
+      for (const double x : {up(4), down(4)}) {
+        Polytope polytope = kCube;
+        polytope.vertices[vertex].x = x;
+        if (are_reversed) std::ranges::for_each(polytope.faces, [](auto& face) { std::ranges::reverse(face); });
+        EXPECT_EQ(refusal(polytope), Refusal::polytope_not_convex);
+      }
     }
   }
 }
@@ -227,7 +230,7 @@ TEST(PolytopeSpelling, FacesMayTurnEitherWay) {
 
 TEST(PolytopeSpelling, FacesMayBeginAnywhereAndComeInAnyOrder) {
   expect_same_answers([](Polytope& polytope) {
-    for (auto& face : polytope.faces) std::ranges::rotate(face, face.begin() + 1);
+    for (auto& face : polytope.faces) std::rotate(face.begin(), face.begin() + 1, face.end());
     std::ranges::reverse(polytope.faces);
   });
 }
