@@ -35,10 +35,10 @@ void try_numbers(const TryNumber& try_number) {
   for (const double sign : {1.0, -1.0}) {
     try_number(sign * kInfinity, Refusal::not_finite);
     try_number(sign * kNan, Refusal::not_finite);
-    try_number(sign * kMaxMagnitude, Refusal::none);
-    try_number(sign * up(kMaxMagnitude), Refusal::out_of_range);
-    try_number(sign * kMinMagnitude, Refusal::none);
-    try_number(sign * down(kMinMagnitude), Refusal::out_of_range);
+    try_number(sign * 0x1p100, Refusal::none);
+    try_number(sign * up(0x1p100), Refusal::out_of_range);
+    try_number(sign * 0x1p-100, Refusal::none);
+    try_number(sign * down(0x1p-100), Refusal::out_of_range);
     try_number(sign * std::numeric_limits<double>::denorm_min(), Refusal::out_of_range);
     try_number(sign * 0.0, Refusal::none);
   }
@@ -67,7 +67,7 @@ TEST(Refusal, NumbersOfPolygonsAndViewpoints) {
 TEST(Refusal, NumbersOfBoxes) {
   for (int axis = 0; axis < 3; ++axis) {
     try_numbers([&](double x, Refusal expected) {
-      Aabb least{{-kMaxMagnitude, -kMaxMagnitude, -kMaxMagnitude}, {kMaxMagnitude, kMaxMagnitude, kMaxMagnitude}};
+      Aabb least{{-0x1p100, -0x1p100, -0x1p100}, {0x1p100, 0x1p100, 0x1p100}};
       Aabb most = least;
       least.min[axis] = x;
       most.max[axis] = x;
