@@ -25,31 +25,33 @@ struct Extremes {
   [[nodiscard]] double high() const { return middle + spread; }
 };
 
-/// Centre and half extents of an axis-aligned box relative to the origin of a frustum: in them both extremal vertices of
-/// every plane are alike to find, without asking for signs. `A` is PlainArithmetic or CountingArithmetic.
+/// Sums and differences of the bounds of an axis-aligned box relative to the origin of a frustum, twice its centre and half
+/// extents: in them both extremal vertices of every plane are alike to find, without asking for signs. Values and errors are
+/// twice those of the planes. `A` is PlainArithmetic or CountingArithmetic.
 template <class A>
 class AabbFrame {
  public:
   AabbFrame(const Aabb& box, const Vec3& origin) {
     const auto low = difference<A>(box.min, origin), high = difference<A>(box.max, origin);
-    const auto half = A::constant(0.5);
-    center_ = half * (high + low);
-    extent_ = half * (high - low);
-    const auto largest = [](const auto& c, const auto& e) { return std::fabs(A::rounded(c)) + A::rounded(e); };
-    reach_ = std::max(std::max(largest(center_.x, extent_.x), largest(center_.y, extent_.y)), largest(center_.z, extent_.z));
+    sum_ = high + low;
+    extent_ = high - low;
+    const auto largest = [](const auto& s, const auto& e) { return std::fabs(A::rounded(s)) + A::rounded(e); };
+    twice_reach_ = std::max(std::max(largest(sum_.x, extent_.x), largest(sum_.y, extent_.y)), largest(sum_.z, extent_.z));
   }
 
   [[nodiscard]] Extremes extremes(const FilterPlane& p) const {
-    return {A::rounded(dot(constants<A>(p.normal), center_)) + p.offset,
+    return {A::rounded(dot(constants<A>(p.normal), sum_)) + (p.offset + p.offset),
             A::rounded(dot(constants<A>(p.magnitudes), extent_))};
   }
   /// What rounding can do to the values of planes with this bound.
-  [[nodiscard]] double error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
-  [[nodiscard]] double reach() const { return reach_; }
+  [[nodiscard]] double error(const FilterBound& bound) const {
+    return product<A>(bound.slope, twice_reach_) + (bound.base + bound.base);
+  }
+  [[nodiscard]] double reach() const { return 0.5 * twice_reach_; }
 
  private:
-  Vector3<typename A::Number> center_, extent_;
-  double reach_;
+  Vector3<typename A::Number> sum_, extent_;
+  double twice_reach_;
 };
 
 /// The centre of an oriented box, rounded once, its half edges, and how far it can reach.

@@ -30,8 +30,8 @@ inline constexpr double kBoundInflation = 1 + 0x1p-50;
 
 /// Plane value f(x) = N . y + o over a box, y = x - origin: evaluated as fl(n . c + w) at the centre and fl(sum_k |n_k| h_k)
 /// for what it gains from there to a vertex, and their sum or difference, with coefficients n, w that are off by at most e_k
-/// in component k and by e_w. Of an axis-aligned box c and h are half the sum and half the difference of fl(min - origin)
-/// and fl(max - origin).
+/// in component k and by e_w. Of an axis-aligned box c and h are half the sum and half the difference of
+/// fl(min - origin) and fl(max - origin); to leave the halves out and double w rounds nothing else and doubles all.
 ///
 ///   c_k, h_k              two roundings each: t2
 ///   n_k c_k, |n_k| h_k    one more: t3

@@ -112,7 +112,8 @@ double plane_error(const Vec3& n, const Vec3& point, const Vec3& origin, const A
   const RoundedPlane plane = rounded(plane_through(n, point, origin));
   const AabbFrame<PlainArithmetic> frame(box, origin);
   const Vec3 vertex{n.x >= 0 ? box.max.x : box.min.x, n.y >= 0 ? box.max.y : box.min.y, n.z >= 0 ? box.max.z : box.min.z};
-  const Expansion error = true_value(plane.filter, n, point, vertex) - Expansion(frame.extremes(plane.filter).high());
+  const Expansion twice = true_value(plane.filter, n, point, vertex) * Expansion(2);
+  const Expansion error = twice - Expansion(frame.extremes(plane.filter).high());
   return share(error, frame.error(plane.bound));
 }
 
