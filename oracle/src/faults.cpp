@@ -22,6 +22,13 @@ std::string range_fault(const Point& p) {
   return std::ranges::all_of(p, is_in_range) ? "" : "a coordinate is out of range";
 }
 
+std::string first_range_fault(std::span<const Point> points) {
+  for (const Point& point : points) {
+    if (std::string fault = range_fault(point); !fault.empty()) return fault;
+  }
+  return "";
+}
+
 /// The points that give the box.
 std::vector<Point> points_of(const Box& box) {
   if (const Aabb* aabb = std::get_if<Aabb>(&box)) return {aabb->min, aabb->max};
@@ -53,20 +60,18 @@ std::string box_fault(const Box& box) {
   return !aabb || is_in_order(*aabb) ? "" : "the box has min > max";
 }
 
-std::string number_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near, const Box& box) {
-  std::string fault = range_fault(view.value);
-  for (const Point& vertex : vertices) {
-    if (fault.empty()) fault = range_fault(vertex);
-  }
-  for (const Point& point : points_of(box)) {
-    if (fault.empty()) fault = range_fault(point);
-  }
-  if (fault.empty()) fault = box_fault(box);
-  if (fault.empty() && !(is_finite(near.normal) && is_finite(near.point))) fault = "a number is not finite";
-  return fault;
+std::string strict_box_fault(const Box& box) {
+  const std::string fault = first_range_fault(points_of(box));
+  return fault.empty() ? box_fault(box) : fault;
 }
 
-std::string view_fault(const Viewpoint& view) {
+std::string number_fault(const Viewpoint& view, std::span<const Point> vertices) {
+  const std::string fault = range_fault(view.value);
+  return fault.empty() ? first_range_fault(vertices) : fault;
+}
+
+std::string setting_fault(const Viewpoint& view, const Near& near) {
+  if (!is_finite(near.normal) || !is_finite(near.point)) return "a number is not finite";
   return view.at_infinity && view.value == Point{} ? "the direction of view is zero" : "";
 }
 

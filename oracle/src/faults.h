@@ -13,12 +13,14 @@ namespace occlude::oracle {
 /// A number of the box is not finite, or min > max.
 [[nodiscard]] std::string box_fault(const Box& box);
 
-/// A number is not finite, one other than the near plane's is out of range, or min > max.
-[[nodiscard]] std::string number_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near,
-                                       const Box& box);
+/// As box_fault, or a coordinate is out of range.
+[[nodiscard]] std::string strict_box_fault(const Box& box);
 
-/// The direction of view is zero.
-[[nodiscard]] std::string view_fault(const Viewpoint& view);
+/// A number of the viewpoint or of the vertices is not finite or out of range.
+[[nodiscard]] std::string number_fault(const Viewpoint& view, std::span<const Point> vertices);
+
+/// A number of the near plane is not finite, or the direction of view is zero.
+[[nodiscard]] std::string setting_fault(const Viewpoint& view, const Near& near);
 
 /// A given near plane is not sound for an occluder with these vertices.
 [[nodiscard]] std::string plane_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near);

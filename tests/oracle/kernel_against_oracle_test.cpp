@@ -11,6 +11,7 @@
 #include "occlude/fuzz/cases.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/oracle/oracle.h"
+#include "oracle/judged.h"
 
 namespace {
 
@@ -35,30 +36,14 @@ kernel::Decision conservative(const kernel::ShadowFrustum& frustum, const fuzz::
   return std::visit([&](const auto& kind) { return kernel::conservative_certified(frustum, kind); }, box);
 }
 
-oracle::Point point(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
-
-oracle::Loop points(const std::vector<kernel::Vec3>& vertices) {
-  oracle::Loop result;
-  for (const kernel::Vec3& v : vertices) result.push_back(point(v));
-  return result;
-}
-
-oracle::Occluder judged(const fuzz::Case& c) {
-  if (const auto* polygon = std::get_if<Polygon>(&c.occluder)) return points(*polygon);
-  const auto& polytope = std::get<kernel::Polytope>(c.occluder);
-  return oracle::Polytope{points(polytope.vertices), polytope.faces};
-}
-
-oracle::Box judged(const fuzz::Box& box) {
-  if (const auto* aabb = std::get_if<kernel::Aabb>(&box)) return oracle::Aabb{point(aabb->min), point(aabb->max)};
-  const auto& [center, h] = std::get<kernel::Obb>(box);
-  return oracle::Obb{point(center), {point(h[0]), point(h[1]), point(h[2])}};
+/// The near side of the question that the oracle is to judge.
+oracle::Near near_of(const fuzz::Case& c, const std::optional<kernel::SupportPlane>& support) {
+  return support ? oracle::judged(*support) : oracle::judged(c.near);
 }
 
 oracle::Answer exact_answer(const fuzz::Case& c, const std::optional<kernel::SupportPlane>& support) {
-  oracle::Near near{c.near == kernel::Near::farthest ? oracle::Near::Kind::farthest : oracle::Near::Kind::surface, {}, {}};
-  if (support) near = {oracle::Near::Kind::plane, point(support->normal), point(support->point)};
-  return oracle::relation({point(c.viewpoint.value), !c.viewpoint.is_eye()}, judged(c), near, judged(c.box));
+  return oracle::relation(oracle::judged(c.viewpoint), oracle::judged(c.occluder), near_of(c, support),
+                          oracle::judged(c.box));
 }
 
 class Family : public testing::TestWithParam<fuzz::Family> {};

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -57,13 +58,37 @@ struct Answer {
   Relation relation = Relation::partial;
 };
 
-/// Relation of `box` to the shadow frustum of the occluder, or the reason for refusing the case.
-/// Near `surface` of a polygon that is not exactly coplanar is refused (the definition leaves the plane open: pass `plane`).
+/// The shadow frustum of an occluder, prepared for many boxes: what is computed for one box is kept for the next. Different
+/// shadows may be asked in different threads, one only by one thread at a time.
+class Shadow {
+ public:
+  /// Near `surface` of a polygon that is not exactly coplanar is refused (the definition leaves the plane open: pass
+  /// `plane`).
+  Shadow(const Viewpoint& view, const Occluder& occluder, const Near& near);
+  ~Shadow();
+  Shadow(Shadow&& other) noexcept;
+  Shadow& operator=(Shadow&& other) noexcept;
+
+  /// Why there is no frustum; empty when there is one.
+  [[nodiscard]] const std::string& refusal() const;
+
+  /// Relation of `box` to the frustum, or the reason for refusing the case, the box's faults included.
+  [[nodiscard]] Answer relation(const Box& box);
+
+  /// Proof that `box` lies in the frustum and strictly beyond its near planes, a given `plane` being sound for the occluder
+  /// (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side). Empty when proved,
+  /// else what failed.
+  [[nodiscard]] std::string refute_cull(const Box& box);
+
+ private:
+  struct Prepared;
+  std::unique_ptr<Prepared> prepared_;
+};
+
+/// Shadow::relation() of one box.
 [[nodiscard]] Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box);
 
-/// Proof that `box` lies in the shadow of the occluder and strictly beyond its near planes, a given `plane` being sound for
-/// the occluder (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side).
-/// Empty when proved, else what failed.
+/// Shadow::refute_cull() of one box.
 [[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near,
                                              const Box& box);
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/oracle/oracle.h"
-
 #include <algorithm>
-#include <cmath>
 
 #include "box.h"
 #include "faults.h"
 #include "frustum.h"
+#include "occlude/oracle/oracle.h"
 
 namespace occlude::oracle {
 namespace {
@@ -55,28 +53,51 @@ Relation relate(Frustum& frustum, const Box& box) {
 const Loop& vertices_of(const Loop& loop) { return loop; }
 const Loop& vertices_of(const Polytope& polytope) { return polytope.vertices; }
 
-/// The frustum of the question, or what makes it unanswerable.
-FrustumOrFault examine(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
-  const auto& vertices = std::visit([](const auto& kind) -> const Loop& { return vertices_of(kind); }, occluder);
-  std::string fault = number_fault(view, vertices, near, box);
-  if (fault.empty()) fault = view_fault(view);
-  if (!fault.empty()) return {{}, std::move(fault)};
-  return std::visit([&](const auto& kind) { return frustum_of(view, kind, near); }, occluder);
-}
-
 }  // namespace
 
-Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
+/// The frustum, or its fault. A question's faults have an order, in which those of the box come between these two.
+struct Shadow::Prepared {
+  std::string number_fault, shape_fault;
+  Frustum frustum;
+
+  /// What makes the question about `box` unanswerable.
+  [[nodiscard]] std::string fault(const Box& box) const {
+    if (!number_fault.empty()) return number_fault;
+    std::string fault = strict_box_fault(box);
+    return fault.empty() ? shape_fault : fault;
+  }
+};
+
+Shadow::Shadow(const Viewpoint& view, const Occluder& occluder, const Near& near) : prepared_(std::make_unique<Prepared>()) {
   const RoundUpward rounding;
-  auto [frustum, fault] = examine(view, occluder, near, box);
-  if (!fault.empty()) return {std::move(fault), Relation::partial};
-  return {"", relate(frustum, box)};
+  const auto& vertices = std::visit([](const auto& kind) -> const Loop& { return vertices_of(kind); }, occluder);
+  prepared_->number_fault = number_fault(view, vertices);
+  if (!prepared_->number_fault.empty()) return;
+  prepared_->shape_fault = setting_fault(view, near);
+  if (!prepared_->shape_fault.empty()) return;
+  auto [frustum, fault] = std::visit([&](const auto& kind) { return frustum_of(view, kind, near); }, occluder);
+  prepared_->frustum = std::move(frustum);
+  prepared_->shape_fault = std::move(fault);
 }
 
-std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
+Shadow::~Shadow() = default;
+Shadow::Shadow(Shadow&& other) noexcept = default;
+Shadow& Shadow::operator=(Shadow&& other) noexcept = default;
+
+const std::string& Shadow::refusal() const {
+  return prepared_->number_fault.empty() ? prepared_->shape_fault : prepared_->number_fault;
+}
+
+Answer Shadow::relation(const Box& box) {
   const RoundUpward rounding;
-  auto [frustum, fault] = examine(view, occluder, near, box);
-  if (!fault.empty()) return std::move(fault);
+  if (std::string fault = prepared_->fault(box); !fault.empty()) return {std::move(fault), Relation::partial};
+  return {"", relate(prepared_->frustum, box)};
+}
+
+std::string Shadow::refute_cull(const Box& box) {
+  const RoundUpward rounding;
+  if (std::string fault = prepared_->fault(box); !fault.empty()) return fault;
+  Frustum& frustum = prepared_->frustum;
   for (Plane<OrientedPlane>* plane : planes_of(frustum)) {
     if (outer_corners(*plane, box) != 0) return "the box is not inside the frustum";
   }
@@ -84,16 +105,12 @@ std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, 
   return std::ranges::all_of(frustum.near, is_beyond) ? "" : "the box touches the near plane";
 }
 
-std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box) {
-  const RoundUpward rounding;
-  if (!std::ranges::all_of(plane, [](double value) { return std::isfinite(value); })) return "a number is not finite";
-  if (std::string fault = box_fault(box); !fault.empty()) return fault;
-  const Point normal{plane[0], plane[1], plane[2]};
-  for (unsigned c = 0; c < kCorners; ++c) {
-    const auto height = [&]<class N>() { return N(vector_of<N>(normal) * vector_of<N>(Corner{box, c}) + N(plane[3])); };
-    if (sign_of(height) != CGAL::NEGATIVE) return "the box reaches the plane";
-  }
-  return "";
+Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
+  return Shadow(view, occluder, near).relation(box);
+}
+
+std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {
+  return Shadow(view, occluder, near).refute_cull(box);
 }
 
 }  // namespace occlude::oracle
