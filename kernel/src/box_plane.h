@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 1 of the overlap test (section 5.3): the box against each plane by its two extremal vertices. Reading order: 6.
+// Stage 1 of the overlap test (section 5.3): the box against each plane by its two extremal vertices. Reading order: 7.
 //
 // The normal of a plane picks the vertex of the box farthest along it and the one nearest: two values decide what eight
 // would.

@@ -17,20 +17,11 @@ namespace {
 using Index = std::uint32_t;
 using Loop = std::vector<Index>;
 
-Refusal check_vertices(std::span<const Vec3> vertices) {
-  for (const Vec3& v : vertices) {
-    if (const Refusal refusal = check(v); refusal != Refusal::none) return refusal;
-  }
-  return Refusal::none;
-}
-
-bool before(const Vec3& a, const Vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
-
 /// For every vertex the first one at the same place.
 std::vector<Index> first_at_same_place(std::span<const Vec3> vertices) {
   std::vector<Index> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return before(vertices[a], vertices[b]); });
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return precedes(vertices[a], vertices[b]); });
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool repeats = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
     first[order[i]] = repeats ? first[order[i - 1]] : order[i];
@@ -114,9 +105,9 @@ Loop divide(std::span<const Vec3> v, std::span<const Index> used, Index from, In
   for (const Index i : used) {
     if (is_between(v[from], v[i], v[to])) pieces.push_back(i);
   }
-  const bool ascending = before(v[from], v[to]);
+  const bool ascending = precedes(v[from], v[to]);
   std::sort(pieces.begin(), pieces.end(),
-            [&](Index a, Index b) { return ascending ? before(v[a], v[b]) : before(v[b], v[a]); });
+            [&](Index a, Index b) { return ascending ? precedes(v[a], v[b]) : precedes(v[b], v[a]); });
   return pieces;
 }
 
@@ -185,7 +176,7 @@ bool has_on_left(std::span<const Vec3> v, Index from, Index to, const Side& left
 ConvexPolytopeResult ConvexPolytope::make(const Polytope& polytope) {
   const auto refuse = [](Refusal refusal) { return ConvexPolytopeResult{std::nullopt, refusal}; };
   const std::vector<Vec3>& v = polytope.vertices;
-  if (const Refusal refusal = check_vertices(v); refusal != Refusal::none) return refuse(refusal);
+  if (const Refusal refusal = check(v); refusal != Refusal::none) return refuse(refusal);
   const std::vector<Index> first = first_at_same_place(v);
   std::vector<Side> sides;
   std::vector<Index> distinct;

@@ -7,6 +7,12 @@
 // degree at most six in those, so they and their 53-bit tails and error terms stay between 2^-1022 and 2^1023: nothing
 // overflows and nothing underflows. Fused multiply-adds round less often than the model and in any order of summation every
 // bound below holds: instruction sets and compilers may differ, answers do not.
+//
+// Nor does the scaling of stored planes by powers of two (rounded_plane.cpp). With axes that are the coordinate axes,
+// normals are of degree at most three, multiples of 2^-456 up to 2^305, and offsets of four, of 2^-608 up to 2^408. A slope,
+// at least u 2^-456 and less than 8 u (3 * 2^305), lies in [2^-509, 2^257). Scaled, normals stay below 2^51 and offsets
+// below 2^917; what they are multiples of, and the products with coordinates, 2^-865 or more; error terms, even where they
+// come from errors of two factors alone, u^2 2^-608, 2^-971.
 #pragma once
 
 #ifdef __FAST_MATH__

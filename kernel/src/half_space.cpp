@@ -26,21 +26,13 @@ int sign_at(const HalfSpace& h, const Vec3& x, Arithmetic arithmetic) {
 }
 
 /// Sign of the value at the vertex of the box nearest (`direction` = -1) or farthest (1) along the normal.
-template <class A>
-int extremal_sign(A& arithmetic, const HalfSpace& h, const Obb& box, int direction) {
-  const auto normal = constants<A>(h.normal);
-  auto value = dot(normal, constants<A>(box.center)) + A::constant(h.offset);
-  for (const Vec3& half_edge : box.half_edges) {
-    const auto spread = A::magnitude(dot(normal, constants<A>(half_edge)));
-    value = direction > 0 ? value + spread : value - spread;
-  }
-  return arithmetic.sign(value);
-}
-
 int extremal_sign(const HalfSpace& h, const Obb& box, int direction, Arithmetic arithmetic) {
+  const auto question = [&]<class A>(A& a) {
+    const PlaneCoefficients<A> plane{constants<A>(h.normal), A::constant(h.offset)};
+    return extremal_sign(a, plane, {}, box, direction);
+  };
   PlainArithmetic plain;
-  if (arithmetic == Arithmetic::plain) return extremal_sign(plain, h, box, direction);
-  return certified([&](auto& a) { return extremal_sign(a, h, box, direction); });
+  return arithmetic == Arithmetic::plain ? question(plain) : certified(question);
 }
 
 }  // namespace

@@ -38,9 +38,10 @@ CutRay cut_ray(const ShadowFrustum& frustum, std::size_t corner) {
 /// Between a ray that reaches the near plane and one that does not, the near side runs to infinity, parallel to the near
 /// plane.
 void add_cut_edges(const ShadowFrustum& frustum, std::vector<PlainEdge>& edges) {
-  const std::size_t n = frustum.silhouette().size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const CutRay a = cut_ray(frustum, i), b = cut_ray(frustum, (i + 1) % n);
+  std::vector<CutRay> rays;
+  for (std::size_t i = 0; i < frustum.silhouette().size(); ++i) rays.push_back(cut_ray(frustum, i));
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const CutRay &a = rays[i], &b = rays[(i + 1) % rays.size()];
     if (a.speed > 0) edges.push_back({point(a.start), point(a.direction), true});
     if (a.speed > 0 && b.speed > 0) {
       edges.push_back({point(a.start), point(b.start), false});

@@ -56,6 +56,12 @@ PolytopeSilhouette silhouette(const Viewpoint& viewpoint, const ConvexPolytope& 
   return seen;
 }
 
+std::vector<Vec3> loop_of(const ConvexPolytope& polytope, const PolytopeSilhouette& seen) {
+  std::vector<Vec3> loop;
+  for (const auto& step : seen.loop) loop.push_back(polytope.vertices()[step.vertex]);
+  return loop;
+}
+
 std::vector<ShadowFrustum::CapEdge> cap_edges(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
                                               std::span<const Vec3> corners) {
   const auto v = polytope.vertices();

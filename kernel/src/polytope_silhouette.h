@@ -22,6 +22,9 @@ struct PolytopeSilhouette {
 
 [[nodiscard]] PolytopeSilhouette silhouette(const Viewpoint& viewpoint, const ConvexPolytope& polytope);
 
+/// The vertices of its loop.
+[[nodiscard]] std::vector<Vec3> loop_of(const ConvexPolytope& polytope, const PolytopeSilhouette& seen);
+
 /// The plane of a face, its inner side that of the polytope.
 [[nodiscard]] ExactPlane inner_plane(const ConvexPolytope& polytope, std::uint32_t face);
 

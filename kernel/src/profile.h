@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The profile of a shadow frustum along three axes: the planes that, beside its own, can part it from a box whose edges are
-// parallel to the axes. Reading order: 7.
+// parallel to the axes. Reading order: 8.
 //
 // Two convex polyhedra are apart exactly when a face of their Minkowski difference has the origin on its outer side. For a
 // frustum and a box these faces are those of the frustum (stage 1), those spanned by an edge of the frustum and an edge of

@@ -14,13 +14,6 @@
 namespace occlude::kernel {
 namespace {
 
-Refusal check_input(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
-  for (const Vec3& v : loop) {
-    if (const Refusal refusal = check(v); refusal != Refusal::none) return refusal;
-  }
-  return check(viewpoint);
-}
-
 /// Where equally far vertices of a silhouette are told apart by their index.
 std::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen) {
   std::vector<std::uint32_t> indices;
@@ -66,7 +59,8 @@ void ShadowFrustum::finish() {
 }
 
 ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
-  if (const Refusal refusal = check_input(viewpoint, loop); refusal != Refusal::none) return {std::nullopt, refusal};
+  if (const Refusal refusal = check(loop); refusal != Refusal::none) return {std::nullopt, refusal};
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
   Silhouette outline = kernel::silhouette(viewpoint, loop);
   if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
 
@@ -95,9 +89,7 @@ ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, const Convex
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
   const PolytopeSilhouette seen = kernel::silhouette(viewpoint, polytope);
   if (seen.loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
-  std::vector<Vec3> loop;
-  for (const auto& step : seen.loop) loop.push_back(polytope.vertices()[step.vertex]);
-  Silhouette outline = kernel::silhouette(viewpoint, loop);
+  Silhouette outline = kernel::silhouette(viewpoint, loop_of(polytope, seen));
   if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
 
   ShadowFrustum frustum;

@@ -11,7 +11,8 @@
 namespace occlude::kernel {
 namespace {
 
-/// Corner i is on the upper side of axis k where bit k of i is set.
+/// Corner i is on the upper side of axis k where bit k of i is set. In as few roundings as can be: BoxEdges (edge_frustum.h)
+/// goes along the edges, as the paper counts it.
 template <class A>
 Vector3<typename A::Number> corner(const Aabb& box, std::size_t i, const Vec3& origin) {
   return difference<A>(Vec3{i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z},

@@ -38,9 +38,7 @@ Turn turn(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, const Vec3& 
 }
 
 std::size_t count_distinct(Loop loop) {
-  std::sort(loop.begin(), loop.end(), [](const Vec3& a, const Vec3& b) {
-    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-  });
+  std::sort(loop.begin(), loop.end(), precedes);
   return static_cast<std::size_t>(std::unique(loop.begin(), loop.end()) - loop.begin());
 }
 

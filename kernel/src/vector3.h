@@ -6,6 +6,11 @@
 
 namespace occlude::kernel {
 
+/// Lexicographic order.
+[[nodiscard]] inline bool precedes(const Vec3& a, const Vec3& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
 template <class Number>
 struct Vector3 {
   Number x, y, z;

@@ -14,9 +14,7 @@ ViewCone::ViewCone(const ShadowFrustum& frustum)
     : viewpoint_(frustum.viewpoint()), corners_(frustum.silhouette().begin(), frustum.silhouette().end()) {}
 
 ViewConeResult ViewCone::make(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
-  for (const Vec3& v : loop) {
-    if (const Refusal refusal = check(v); refusal != Refusal::none) return {std::nullopt, refusal};
-  }
+  if (const Refusal refusal = check(loop); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
   Silhouette outline = silhouette(viewpoint, loop);
   if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
@@ -25,8 +23,7 @@ ViewConeResult ViewCone::make(const Viewpoint& viewpoint, std::span<const Vec3> 
 
 ViewConeResult ViewCone::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
-  std::vector<Vec3> loop;
-  for (const auto& step : silhouette(viewpoint, polytope).loop) loop.push_back(polytope.vertices()[step.vertex]);
+  const std::vector<Vec3> loop = loop_of(polytope, silhouette(viewpoint, polytope));
   if (loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
   return make(viewpoint, loop);
 }

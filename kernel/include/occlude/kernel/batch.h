@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many boxes against one frustum, one box against many frusta: the certified tests in SIMD, the same answers.
+// Many boxes against one frustum, one box against many frusta: the certified tests in SIMD, the same answers. Reading
+// order: 10.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box against a half-space with given coefficients: the plane of a view frustum.
+// A box against a half-space with given coefficients: the plane of a view frustum. Reading order: 12.
 #pragma once
 
 #include "occlude/kernel/types.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's question: does this box lie in this shadow, across its border, or outside? Reading order: last.
+// The kernel's question: does this box lie in this shadow, across its border, or outside? Reading order: 9.
 #pragma once
 
 #include "occlude/kernel/operations.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a shadow frustum holds its planes: in input coordinates, which are exact, and in doubles, which are fast.
+// How a shadow frustum holds its planes: in input coordinates, which are exact, and in doubles, which are fast. Reading
+// order: 6.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's question about a convex polytope instead of a box (section 5.2). Reading order: 10.
+// The kernel's question about a convex polytope instead of a box (section 5.2). Reading order: 13.
 #pragma once
 
 #include "occlude/kernel/convex_polytope.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An occluder that is the union of two convex objects (section 4 of the paper): two frusta, one occluder.
+// An occluder that is the union of two convex objects (section 4 of the paper): two frusta, one occluder. Reading
+// order: 11.
 #pragma once
 
 #include "occlude/kernel/overlap.h"

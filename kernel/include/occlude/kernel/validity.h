@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "occlude/kernel/types.h"
@@ -74,6 +75,13 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
   return Refusal::none;
 }
 
+[[nodiscard]] inline Refusal check(std::span<const Vec3> points) {
+  for (const Vec3& point : points) {
+    if (const Refusal refusal = check(point); refusal != Refusal::none) return refusal;
+  }
+  return Refusal::none;
+}
+
 [[nodiscard]] inline Refusal check(const Viewpoint& viewpoint) {
   if (const Refusal refusal = check(viewpoint.value); refusal != Refusal::none) return refusal;
   return !viewpoint.is_eye() && viewpoint.value == Vec3{} ? Refusal::zero_direction : Refusal::none;
@@ -91,10 +99,7 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
 
 [[nodiscard]] inline Refusal check(const Obb& box) {
   if (const Refusal refusal = check(box.center); refusal != Refusal::none) return refusal;
-  for (const Vec3& half_edge : box.half_edges) {
-    if (const Refusal refusal = check(half_edge); refusal != Refusal::none) return refusal;
-  }
-  return Refusal::none;
+  return check(box.half_edges);
 }
 
 }  // namespace occlude::kernel

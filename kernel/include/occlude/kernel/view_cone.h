@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The paper's general test (section 5.2): how the occludee lies to the occluder as seen from the viewpoint, whatever convex
-// shape either has. Reading order: 10.
+// shape either has. Reading order: 13.
 //
 // Where the paper projects both silhouettes onto the image plane, here they stay cones with their apex in the viewpoint, or
 // prisms along the direction of view: no division, and what lies beside or behind the eye is as good as what lies before it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box against a view frustum: any intersection of half-spaces, with a far plane or without.
+// A box against a view frustum: any intersection of half-spaces, with a far plane or without. Reading order: 12.
 #pragma once
 
 #include <span>
