@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The overlap test. Planes first, for they decide nearly always (section 5.3): `inside` is all theirs, and a box that one of
 // them parts from the frustum is `outside`. For what they leave, `certified` asks the planes of the profile, `plain` the
-// edges, as the paper does: a box that no plane decides meets the frustum exactly when one of its edges does (stage 3) or,
-// failing that, when an edge of the frustum meets the box (stage 2), for the frustum is unbounded and cannot hide within it.
+// edges, as the paper does (plain_overlap.h).
 #include "occlude/kernel/overlap.h"
 
 #include "box_plane.h"
 #include "counting.h"
-#include "edge_frustum.h"
-#include "edge_slab.h"
+#include "plain_overlap.h"
 #include "profile.h"
 
 namespace occlude::kernel {
@@ -65,18 +63,6 @@ Decision certified_overlap(const ShadowFrustum& frustum, const Box& box, NearBou
 template <class A, class Box>
 Decision certified_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
   return box_planes_certified(frustum, box, frame_of<A>(box, frustum.origin()), near);
-}
-
-template <class A, class Box>
-Relation plain_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  const Relation by_planes = box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
-  if (by_planes != Relation::partial) return by_planes;
-  return edge_frustum<A>(frustum, box) || edge_slab<A>(frustum, box) ? Relation::partial : Relation::outside;
-}
-
-template <class A, class Box>
-Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  return box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
 }
 
 template <class Box>

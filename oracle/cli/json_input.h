@@ -8,9 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "shapes.h"
+#include "occlude/fuzz/case.h"
 
 namespace occlude::cli {
+
+using fuzz::Box;
+using fuzz::Occluder;
+using fuzz::Polygon;
 
 /// A line that is not what it should be; the message names the member at fault.
 struct LineError : std::runtime_error {

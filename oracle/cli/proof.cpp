@@ -8,11 +8,13 @@
 #include <limits>
 #include <mutex>
 
+#include "differential/to_oracle.h"
 #include "json_input.h"
-#include "oracle_types.h"
 
 namespace occlude::cli {
 namespace {
+
+using fuzz::to_oracle;
 
 using Json = nlohmann::json;
 
@@ -68,7 +70,8 @@ oracle::Near near_of(const Json& near) {
   if (near == "farthest") return to_oracle(kernel::Near::farthest);
   if (near == "surface") return to_oracle(kernel::Near::surface);
   if (!near.is_object()) throw LineError("\"near\": expected \"farthest\", \"surface\" or an object");
-  return to_oracle(kernel::SupportPlane{vec3(member(near, "normal"), "normal"), vec3(member(near, "point"), "point")});
+  return {oracle::Near::Kind::plane, to_oracle(vec3(member(near, "normal"), "normal")),
+          to_oracle(vec3(member(near, "point"), "point"))};
 }
 
 Occluder occluder_of(const Json& object) {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "json_input.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/render/camera_path.h"
-#include "shapes.h"
 
 namespace occlude::cli {
 

@@ -12,5 +12,6 @@ void add_walk(CLI::App& app, int& exit_code);
 void add_classify(CLI::App& app, int& exit_code);
 void add_validate(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
+void add_fuzz(CLI::App& app, int& exit_code);
 
 }  // namespace occlude::cli

@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   occlude::cli::add_walk(app, exit_code);
   occlude::cli::add_classify(app, exit_code);
   occlude::cli::add_validate(app, exit_code);
+  occlude::cli::add_fuzz(app, exit_code);
   occlude::cli::add_bench(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <variant>
 
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/kernel/overlap.h"
 
@@ -37,12 +37,12 @@ struct Hashes {
 };
 
 void add_answers(const fuzz::Case& c, Hashes& hashes) {
-  const auto made = make_frustum(c);
+  const auto made = fuzz::make_frustum(c);
   hashes.certified.add(made.refusal);
-  hashes.certified.add(check(c.box));
-  if (!made.frustum || check(c.box) != kernel::Refusal::none) return;
-  hashes.certified.add(overlap(*made.frustum, c.box).relation);
-  hashes.certified.add(conservative(*made.frustum, c.box).relation);
+  hashes.certified.add(fuzz::check(c.box));
+  if (!made.frustum || fuzz::check(c.box) != kernel::Refusal::none) return;
+  hashes.certified.add(fuzz::overlap(*made.frustum, c.box).relation);
+  hashes.certified.add(fuzz::conservative(*made.frustum, c.box).relation);
   std::visit(
       [&](const auto& box) {
         hashes.plain.add(kernel::overlap_plain(*made.frustum, box));

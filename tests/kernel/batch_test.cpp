@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"
@@ -77,7 +77,7 @@ Scenes scenes_of(std::span<const Family> families, std::size_t count) {
   Scenes scenes;
   for (std::uint64_t i = 0; scenes.frusta.size() < count; ++i) {
     const fuzz::Case c = fuzz::make_case(families[i % families.size()], i);
-    auto made = make_frustum(c);
+    auto made = fuzz::make_frustum(c);
     if (!made.frustum) continue;
     scenes.frusta.push_back(std::move(*made.frustum));
     scenes.boxes.push_back(std::get<Aabb>(c.box));

@@ -13,7 +13,7 @@
 
 #include "kernel/degenerate_rows.h"
 #include "kernel/exact_copies.h"
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/overlap.h"
 
 namespace {
@@ -23,14 +23,14 @@ using namespace occlude::kernel;
 using Loop = std::vector<Vec3>;
 
 ShadowFrustum frustum(const fuzz::Case& scene) {
-  auto result = make_frustum(scene);
+  auto result = fuzz::make_frustum(scene);
   EXPECT_EQ(to_string(result.refusal), to_string(Refusal::none));
   return *result.frustum;
 }
 
 Decision decide(const fuzz::Case& scene) {
-  EXPECT_EQ(occlude::check(scene.box), Refusal::none);
-  return overlap(frustum(scene), scene.box);
+  EXPECT_EQ(fuzz::check(scene.box), Refusal::none);
+  return fuzz::overlap(frustum(scene), scene.box);
 }
 
 class Degenerate : public testing::TestWithParam<DegenerateRow> {};
@@ -44,7 +44,7 @@ TEST_P(Degenerate, AnswerAndStage) {
 
 TEST_P(Degenerate, ConservativeIsTheSameOrPartial) {
   const DegenerateRow& row = GetParam();
-  const Relation relation = conservative(frustum(row.scene), row.scene.box).relation;
+  const Relation relation = fuzz::conservative(frustum(row.scene), row.scene.box).relation;
   if (row.relation == Relation::outside && relation == Relation::partial) return;
   EXPECT_EQ(to_string(relation), to_string(row.relation));
 }
@@ -126,7 +126,7 @@ TEST(Overlap, ManySidesAllCount) {
   for (const DegenerateRow& row : degenerate::many_sided_rows(sides)) {
     const ShadowFrustum shadow = frustum(row.scene);
     EXPECT_EQ(shadow.plane_count(), 65U);
-    EXPECT_EQ(overlap(shadow, row.scene.box).relation, row.relation) << row.name;
+    EXPECT_EQ(fuzz::overlap(shadow, row.scene.box).relation, row.relation) << row.name;
   }
 }
 
@@ -138,14 +138,14 @@ TEST(Overlap, TieAmongFarthestGoesToTheFirstCorner) {
   const fuzz::Box at_first = degenerate::point({2.75, 0.5, 0}), at_other = degenerate::point({2.75, -0.5, 0});
   for (const auto& [corners, touching, before] : {std::tuple{loop, at_first, at_other}, {reversed, at_other, at_first}}) {
     const ShadowFrustum shadow = frustum({Viewpoint::eye({0, 0, 0}), corners, Near::farthest, touching});
-    EXPECT_EQ(overlap(shadow, touching).relation, Relation::inside);
-    EXPECT_EQ(overlap(shadow, before).relation, Relation::outside);
+    EXPECT_EQ(fuzz::overlap(shadow, touching).relation, Relation::inside);
+    EXPECT_EQ(fuzz::overlap(shadow, before).relation, Relation::outside);
   }
 }
 
 TEST(Overlap, ConservativeAsksPlanesOnly) {
   for (const DegenerateRow& row : degenerate::edge_rows()) {
-    EXPECT_EQ(conservative(frustum(row.scene), row.scene.box).relation, Relation::partial) << row.name;
+    EXPECT_EQ(fuzz::conservative(frustum(row.scene), row.scene.box).relation, Relation::partial) << row.name;
   }
 }
 

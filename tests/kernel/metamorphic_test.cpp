@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "kernel/exact_copies.h"
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"
@@ -38,18 +38,18 @@ struct Answer {
 };
 
 Answer answer_of(const fuzz::Case& c) {
-  const auto made = make_frustum(c);
+  const auto made = fuzz::make_frustum(c);
   if (!made.frustum) return {.refusal = made.refusal};
-  return {Refusal::none, overlap(*made.frustum, c.box).relation, conservative(*made.frustum, c.box).relation};
+  return {Refusal::none, fuzz::overlap(*made.frustum, c.box).relation, fuzz::conservative(*made.frustum, c.box).relation};
 }
 
 /// The near plane of `surface` behind a polygon that is not coplanar is the kernel's choice: a copy may have another.
 bool is_chosen_near_plane(const fuzz::Case& c) {
-  const auto made = make_frustum(c);
+  const auto made = fuzz::make_frustum(c);
   return made.frustum && made.frustum->support_plane();
 }
 
-bool is_legal(const fuzz::Case& c) { return occlude::check(c.box) == Refusal::none; }
+bool is_legal(const fuzz::Case& c) { return fuzz::check(c.box) == Refusal::none; }
 
 std::vector<fuzz::Case> exact_copies(const fuzz::Case& c) {
   std::vector<fuzz::Case> copies;
@@ -193,14 +193,14 @@ TEST_P(Metamorphic, CopiesAnswerAsTheCase) {
 
 TEST_P(Metamorphic, WhatIsWithinABoxInsideIsInside) {
   for_each_case([](const fuzz::Case& c, std::uint64_t seed) {
-    const auto made = make_frustum(c);
-    if (!made.frustum || overlap(*made.frustum, c.box).relation != Relation::inside) return;
+    const auto made = fuzz::make_frustum(c);
+    if (!made.frustum || fuzz::overlap(*made.frustum, c.box).relation != Relation::inside) return;
     fuzz::Random random(seed);
     for (int i = 0; i < 8; ++i) {
       const fuzz::Box part = shrunk(random, c.box);
-      if (occlude::check(part) != Refusal::none) continue;
-      EXPECT_EQ(overlap(*made.frustum, part).relation, Relation::inside) << i;
-      EXPECT_EQ(conservative(*made.frustum, part).relation, Relation::inside) << i;
+      if (fuzz::check(part) != Refusal::none) continue;
+      EXPECT_EQ(fuzz::overlap(*made.frustum, part).relation, Relation::inside) << i;
+      EXPECT_EQ(fuzz::conservative(*made.frustum, part).relation, Relation::inside) << i;
     }
   });
 }

@@ -11,7 +11,7 @@
 
 #include "kernel/cube.h"
 #include "kernel/degenerate_rows.h"
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/shadow_frustum.h"
 
@@ -215,9 +215,9 @@ template <class Rewrite>
 void expect_same_answers(const Rewrite& rewrite) {
   for (DegenerateRow row : degenerate::cube_rows("cube", CubeForm::quadrilaterals)) {
     rewrite(std::get<Polytope>(row.scene.occluder));
-    const auto made = make_frustum(row.scene);
+    const auto made = fuzz::make_frustum(row.scene);
     ASSERT_TRUE(made.frustum) << row.name << ": " << to_string(made.refusal);
-    EXPECT_EQ(to_string(overlap(*made.frustum, row.scene.box).relation), to_string(row.relation)) << row.name;
+    EXPECT_EQ(to_string(fuzz::overlap(*made.frustum, row.scene.box).relation), to_string(row.relation)) << row.name;
   }
 }
 

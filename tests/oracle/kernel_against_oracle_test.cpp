@@ -5,45 +5,18 @@
 #include <array>
 #include <cstdlib>
 #include <string>
-#include <variant>
-#include <vector>
 
+#include "differential/to_oracle.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
-#include "occlude/kernel/overlap.h"
-#include "occlude/oracle/oracle.h"
-#include "oracle/judged.h"
 
 namespace {
 
 using namespace occlude;
 
-using Polygon = std::vector<kernel::Vec3>;
-
-kernel::ShadowFrustumResult make_frustum(const fuzz::Case& c) {
-  if (const auto* polygon = std::get_if<Polygon>(&c.occluder)) {
-    return kernel::ShadowFrustum::make(c.viewpoint, *polygon, c.near);
-  }
-  const auto made = kernel::ConvexPolytope::make(std::get<kernel::Polytope>(c.occluder));
-  if (!made.polytope) return {std::nullopt, made.refusal};
-  return kernel::ShadowFrustum::make(c.viewpoint, *made.polytope, c.near);
-}
-
-kernel::Decision overlap(const kernel::ShadowFrustum& frustum, const fuzz::Box& box) {
-  return std::visit([&](const auto& kind) { return kernel::overlap_certified(frustum, kind); }, box);
-}
-
-kernel::Decision conservative(const kernel::ShadowFrustum& frustum, const fuzz::Box& box) {
-  return std::visit([&](const auto& kind) { return kernel::conservative_certified(frustum, kind); }, box);
-}
-
-/// The near side of the question that the oracle is to judge.
-oracle::Near near_of(const fuzz::Case& c, const std::optional<kernel::SupportPlane>& support) {
-  return support ? oracle::judged(*support) : oracle::judged(c.near);
-}
-
-oracle::Answer exact_answer(const fuzz::Case& c, const std::optional<kernel::SupportPlane>& support) {
-  return oracle::relation(oracle::judged(c.viewpoint), oracle::judged(c.occluder), near_of(c, support),
-                          oracle::judged(c.box));
+oracle::Answer exact_answer(const fuzz::Case& c, const kernel::ShadowFrustumResult& made) {
+  using fuzz::to_oracle;
+  return oracle::relation(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made), to_oracle(c.box));
 }
 
 class Family : public testing::TestWithParam<fuzz::Family> {};
@@ -58,14 +31,13 @@ TEST_P(Family, CertifiedEqualsOracle) {
     const std::uint64_t seed = base * kCases + i;
     SCOPED_TRACE("family " + std::string(fuzz::name(GetParam())) + ", seed " + std::to_string(seed));
     const fuzz::Case c = fuzz::make_case(GetParam(), seed);
-    const auto made = make_frustum(c);
-    const auto support = made.frustum ? made.frustum->support_plane() : std::nullopt;
-    const oracle::Answer exact = exact_answer(c, support);
+    const auto made = fuzz::make_frustum(c);
+    const oracle::Answer exact = exact_answer(c, made);
     ASSERT_EQ(made.frustum.has_value(), exact.refusal.empty()) << exact.refusal << " / " << kernel::to_string(made.refusal);
     if (!made.frustum) continue;
-    const kernel::Decision decision = overlap(*made.frustum, c.box);
+    const kernel::Decision decision = fuzz::overlap(*made.frustum, c.box);
     ASSERT_EQ(static_cast<int>(decision.relation), static_cast<int>(exact.relation));
-    const kernel::Decision planes = conservative(*made.frustum, c.box);
+    const kernel::Decision planes = fuzz::conservative(*made.frustum, c.box);
     ASSERT_TRUE(planes.relation == decision.relation || planes.relation == kernel::Relation::partial);
     ASSERT_EQ(planes.relation == kernel::Relation::inside, decision.relation == kernel::Relation::inside);
     ++answers[static_cast<std::size_t>(decision.relation)];

@@ -5,27 +5,10 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
-#include <variant>
-#include <vector>
 
-#include "occlude/kernel/shadow_frustum.h"
-#include "occlude/kernel/types.h"
+#include "occlude/fuzz/case.h"
 
 namespace occlude::fuzz {
-
-using kernel::Near;
-
-/// A convex polygon's vertices in order, or a polytope.
-using Occluder = std::variant<std::vector<kernel::Vec3>, kernel::Polytope>;
-using Box = std::variant<kernel::Aabb, kernel::Obb>;
-
-/// One question: how does `box` lie to the shadow frustum of `occluder` seen from `viewpoint`?
-struct Case {
-  kernel::Viewpoint viewpoint;
-  Occluder occluder;
-  Near near = Near::farthest;
-  Box box;
-};
 
 /// What each is: fuzz/README.md. The name tells the kind: with `obb` the box is oriented, with `polytope` the occluder is
 /// one, with `orthographic` the viewpoint is a direction.

@@ -2,11 +2,11 @@
 // The oracle shares no types with the kernel: the translation.
 #pragma once
 
+#include "occlude/fuzz/case.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/oracle/oracle.h"
-#include "shapes.h"
 
-namespace occlude::cli {
+namespace occlude::fuzz {
 
 [[nodiscard]] inline oracle::Point to_oracle(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline oracle::Viewpoint to_oracle(const kernel::Viewpoint& v) { return {to_oracle(v.value), !v.is_eye()}; }
@@ -34,13 +34,16 @@ namespace occlude::cli {
   return std::visit([](const auto& kind) -> oracle::Occluder { return to_oracle(kind); }, occluder);
 }
 
-[[nodiscard]] inline oracle::Near to_oracle(kernel::Near near) {
+[[nodiscard]] inline oracle::Near to_oracle(Near near) {
   using Kind = oracle::Near::Kind;
-  return {near == kernel::Near::farthest ? Kind::farthest : Kind::surface, {}, {}};
+  return {near == Near::farthest ? Kind::farthest : Kind::surface, {}, {}};
 }
 
-[[nodiscard]] inline oracle::Near to_oracle(const kernel::SupportPlane& plane) {
+/// The near side as the kernel took it: of a polygon that is not coplanar the support plane that it chose.
+[[nodiscard]] inline oracle::Near to_oracle(Near near, const kernel::ShadowFrustumResult& made) {
+  if (!made.frustum || !made.frustum->support_plane()) return to_oracle(near);
+  const kernel::SupportPlane& plane = *made.frustum->support_plane();
   return {oracle::Near::Kind::plane, to_oracle(plane.normal), to_oracle(plane.point)};
 }
 
-}  // namespace occlude::cli
+}  // namespace occlude::fuzz

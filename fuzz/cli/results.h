@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What a run of the fuzzer gives: as a table, as JSON, and the results of several shards as those of one run.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "differential/report.h"
+
+namespace occlude::cli {
+
+struct FuzzResults {
+  struct Row {
+    std::string name;
+    fuzz::Report report;
+  };
+  std::uint64_t seed = 1;
+  std::uint64_t shards = 1;
+  std::vector<std::uint64_t> parts;  ///< the shards that are in it
+  double core_seconds = 0;           ///< time taken times threads
+  std::vector<Row> rows;
+};
+
+[[nodiscard]] fuzz::Tally total(const FuzzResults& results);
+
+/// Every finding that a case file can hold, a line each.
+[[nodiscard]] std::string case_lines(const FuzzResults& results);
+
+[[nodiscard]] std::string table(const FuzzResults& results);
+
+[[nodiscard]] std::string to_json(const FuzzResults& results);
+
+/// The sum of shards of one run. Throws InputError, naming the file, for what is no result of this command, of another run
+/// or given before.
+[[nodiscard]] FuzzResults merge(const std::vector<std::string>& files);
+
+}  // namespace occlude::cli

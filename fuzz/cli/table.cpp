@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+
+#include "results.h"
+
+namespace occlude::cli {
+namespace {
+
+using fuzz::Tally;
+
+/// A share in per cent, three digits that matter; "-" for none at all.
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  if (part == 0 || whole == 0) return "-";
+  const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
+  return share >= 10     ? fmt::format("{:.1f}", share)
+         : share >= 0.01 ? fmt::format("{:.2f}", share)
+                         : fmt::format("{:.0e}", share);
+}
+
+constexpr std::string_view kHead =
+    "                                              the right answer, %     decided |  wrong |   conservative | wrong "
+    "answers of others, %: culls, draws\n"
+    "family                              cases inside partial outside     exactly |        | undecided, of  |  plain        "
+    "  float32        FMA\n";
+
+std::string line(const std::string& name, const Tally& t) {
+  const std::uint64_t answered = t.cases - t.refused;
+  const auto share = [&](std::uint64_t part) { return percent(part, answered); };
+  return fmt::format("{:<30} {:>10} {:>6} {:>7} {:>7} {:>11} | {:>6} | {:>14} | {:>6} {:>6}  {:>6} {:>6}  {:>6} {:>6}\n",
+                     name, t.cases, share(t.relations[0]), share(t.relations[1]), share(t.relations[2]), share(t.stages[1]),
+                     t.disagreements, percent(t.undecided, t.relations[2]), share(t.plain.culls), share(t.plain.draws),
+                     share(t.float32.culls), share(t.float32.draws), share(t.fused.culls), share(t.fused.draws));
+}
+
+constexpr std::string_view kLegend = R"(
+A case asks whether a box is inside a shadow, partial or outside; the exact oracle knows. "-" is none.
+decided exactly   the share that needed certified's exact stage; the floating-point filter decided the rest
+wrong             cases on which certified, conservative, a batch or the culler is not what the oracle proves: 0, or a defect of ours
+undecided         conservative asks planes alone: the share of the boxes outside that it leaves partial, as it may
+plain             the paper's double arithmetic; float32: the same in single precision; FMA: with fused multiply-adds
+culls             "inside" of what is not: something visible would disappear; draws: any other wrong answer: time lost
+)";
+
+std::string findings(const FuzzResults& results) {
+  std::string text;
+  for (const FuzzResults::Row& row : results.rows) {
+    for (const fuzz::Finding& found : row.report.findings) {
+      text += fmt::format("{}, seed {}: {}\n", found.family, found.seed, found.what);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string table(const FuzzResults& results) {
+  std::string text(kHead);
+  for (const FuzzResults::Row& row : results.rows) text += line(row.name, row.report.tally);
+  const Tally all = total(results);
+  text += line("all", all);
+  text += kLegend;
+  text += findings(results);
+  text += fmt::format("\n{} cases, {} refused by both sides, {} judged by the second oracle as well; {} wrong\n", all.cases,
+                      all.refused, all.judged_twice, all.disagreements);
+  text += fmt::format("seed {}, {:.0f} cases a second and core\n", results.seed,
+                      results.core_seconds > 0 ? static_cast<double>(all.cases) / results.core_seconds : 0);
+  return text;
+}
+
+}  // namespace occlude::cli

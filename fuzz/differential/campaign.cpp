@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "campaign.h"
+
+#include <atomic>
+#include <thread>
+
+namespace occlude::fuzz {
+std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> experiments,
+                        const std::function<bool(std::uint64_t groups, std::uint64_t findings)>& go_on) {
+  const std::uint64_t rounds = (campaign.rounds + campaign.shards - 1 - campaign.shard) / campaign.shards;
+  std::atomic<std::uint64_t> next = 0, found = 0;
+  std::vector<std::vector<Report>> reports(campaign.jobs, std::vector<Report>(experiments.size()));
+  const auto work = [&](std::vector<Report>& own) {
+    for (std::uint64_t i = next++; i < rounds * experiments.size() && go_on(i, found); i = next++) {
+      const std::uint64_t round = campaign.shard + i / experiments.size() * campaign.shards;
+      const std::size_t experiment = i % experiments.size();
+      Report group;
+      experiments[experiment].run(campaign.seed + round, group);
+      found += group.tally.disagreements;
+      add(own[experiment], std::move(group));
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (unsigned t = 1; t < campaign.jobs; ++t) others.emplace_back(work, std::ref(reports[t]));
+    work(reports[0]);
+  }
+  std::vector<Report> whole(experiments.size());
+  for (std::vector<Report>& own : reports) {
+    for (std::size_t e = 0; e < whole.size(); ++e) add(whole[e], std::move(own[e]));
+  }
+  return whole;
+}
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "experiment.h"
+
+#include "overlap.h"
+
+namespace occlude::fuzz {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all = [] {
+    std::vector<Experiment> list;
+    for (const Family family : families()) {
+      list.push_back(
+          {std::string(name(family)), [=](std::uint64_t seed, Report& report) { run_overlap(family, seed, report); }});
+    }
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The same trouble with less: fewer vertices, shorter numbers.
+#pragma once
+
+#include <functional>
+
+#include "occlude/fuzz/case.h"
+
+namespace occlude::fuzz {
+
+/// A case for which `shows` holds and of which no single step makes a smaller one: a vertex of a polygon left out; the scene
+/// moved so that the viewpoint or another point is the origin; a coordinate made zero, rounded to a whole number or to fewer
+/// bits, or made equal to another. Ends after a bounded number of tries. REQUIRES: shows(question).
+[[nodiscard]] Case minimise(Case question, const std::function<bool(const Case&)>& shows);
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The kernel's main question, asked of everyone who can answer it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "occlude/fuzz/cases.h"
+#include "report.h"
+
+namespace occlude::fuzz {
+
+/// Puts `boxes` to the shadow of the question's occluder (the box of `question` does not count): certified and conservative,
+/// one by one and in batches, near plane closed and open, plain and the rivals, against the oracle; some boxes against the
+/// second oracle too. `family` and `seed` name the findings.
+void judge_overlap(const Case& question, std::span<const Box> boxes, const std::string& family, std::uint64_t seed,
+                   Report& report);
+
+/// A case of the family and its neighbours.
+void run_overlap(Family family, std::uint64_t seed, Report& report);
+
+/// What the oracle says of one case: "inside", "partial", "outside" or "refused".
+[[nodiscard]] std::string judged_answer(const Case& question);
+
+/// Whether the kernel's answer to this one case is not the oracle's: what a smaller case must show as well to stand for it.
+[[nodiscard]] bool is_disagreement(const Case& question);
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "report.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace occlude::fuzz {
+
+Tally& Tally::operator+=(const Tally& other) {
+  cases += other.cases;
+  refused += other.refused;
+  for (std::size_t i = 0; i < relations.size(); ++i) relations[i] += other.relations[i];
+  for (std::size_t i = 0; i < stages.size(); ++i) stages[i] += other.stages[i];
+  judged_twice += other.judged_twice;
+  disagreements += other.disagreements;
+  undecided += other.undecided;
+  plain += other.plain;
+  float32 += other.float32;
+  fused += other.fused;
+  return *this;
+}
+
+void add(Report& whole, Report&& part) {
+  whole.tally += part.tally;
+  std::vector<Finding>& findings = whole.findings;
+  std::ranges::move(part.findings, std::back_inserter(findings));
+  std::ranges::stable_sort(findings, {}, &Finding::seed);
+  if (findings.size() > kKeptFindings) findings.resize(kKeptFindings);
+}
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The paper's overlap test (section 5.3) in any arithmetic. Reading order: 8.
+//
+// Planes first, for they decide nearly always: `inside` is all theirs, and a box that one of them parts from the frustum is
+// `outside`. A box that no plane decides meets the frustum exactly when one of its edges does (stage 3) or, failing that,
+// when an edge of the frustum meets the box (stage 2), for the frustum is unbounded and cannot hide within it.
+#pragma once
+
+#include "box_plane.h"
+#include "edge_frustum.h"
+#include "edge_slab.h"
+
+namespace occlude::kernel {
+
+template <class A, class Box>
+[[nodiscard]] Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  return box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
+}
+
+template <class A, class Box>
+[[nodiscard]] Relation plain_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  const Relation by_planes = plain_conservative<A>(frustum, box, near);
+  if (by_planes != Relation::partial) return by_planes;
+  return edge_frustum<A>(frustum, box) || edge_slab<A>(frustum, box) ? Relation::partial : Relation::outside;
+}
+
+}  // namespace occlude::kernel

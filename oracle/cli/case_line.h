@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Case files: JSON Lines, one question each.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "json_input.h"
+
+namespace occlude::cli {
+
+/// A question, and the answer that its line says is right, if it says.
+struct CaseLine {
+  fuzz::Case question;
+  std::optional<std::string> expect;
+};
+
+/// The member "id", null where there is none. Throws LineError, as the next.
+[[nodiscard]] nlohmann::ordered_json case_id(const nlohmann::json& object);
+
+[[nodiscard]] CaseLine read_case(const nlohmann::json& object);
+
+/// Calls `take` with the object on every line that is not blank, in order; "-" is standard input. Throws InputError, naming
+/// file and line, for what cannot be read and for the LineErrors of `take`.
+void for_each_case(const std::string& file, const std::function<void(std::size_t number, const nlohmann::json&)>& take);
+
+/// The line that reads back as the same case, without a line break; an empty `expect` is left out.
+[[nodiscard]] std::string write_case(const std::string& id, const fuzz::Case& question, const std::string& expect);
+
+}  // namespace occlude::cli
