@@ -2,7 +2,8 @@
 //
 // Seidel's incremental linear programming. Keep the lowest point (by a linear cost) of the inequalities seen so far; one
 // that the point violates holds with equality at the new lowest point, if there is any, which leaves the same question in
-// one variable fewer.
+// one variable fewer. An inequality may be multiplied by any positive number, a point's coordinates have a common
+// denominator: nothing needs to be divided.
 #include "feasibility.h"
 
 #include <algorithm>
@@ -13,108 +14,145 @@
 namespace occlude::oracle {
 namespace {
 
-template <std::size_t D>
-using Tuple = std::array<Exact, D>;
+template <class N, std::size_t D>
+using Tuple = std::array<N, D>;
 
-template <std::size_t D>
-Exact dot(const Tuple<D>& a, const Tuple<D>& b) {
-  Exact sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
+template <class N, std::size_t D>
+N dot(const Tuple<N, D>& a, const Tuple<N, D>& b) {
+  N sum = a[0] * b[0];
+  for (std::size_t i = 1; i < D; ++i) sum += a[i] * b[i];
   return sum;
 }
 
 /// `tuple` without its element `k`.
-template <std::size_t D>
-Tuple<D - 1> without(const Tuple<D>& tuple, std::size_t k) {
-  Tuple<D - 1> rest;
+template <class N, std::size_t D>
+Tuple<N, D - 1> without(const Tuple<N, D>& tuple, std::size_t k) {
+  Tuple<N, D - 1> rest;
   for (std::size_t i = 0; i + 1 < D; ++i) rest[i] = tuple[i < k ? i : i + 1];
   return rest;
 }
 
-/// The plane a . x = b, solved for the variable `k` in which a is not zero.
-template <std::size_t D>
-struct Plane {
-  const Inequality<D>& equation;
-  std::size_t k;
+/// The point with the coordinates x[i] / w. REQUIRES: w > 0.
+template <class N, std::size_t D>
+struct Ratios {
+  Tuple<N, D> x;
+  N w;
+};
 
-  /// `row` . x written in the other variables; what is left over times b of the plane is the constant.
-  [[nodiscard]] Tuple<D - 1> project(const Tuple<D>& row) const {
-    const Exact factor = row[k] / equation.a[k];
-    Tuple<D - 1> rest = without<D>(row, k);
-    const Tuple<D - 1> own = without<D>(equation.a, k);
-    for (std::size_t i = 0; i + 1 < D; ++i) rest[i] -= factor * own[i];
+/// Whether the point satisfies the inequality.
+template <class N, std::size_t D>
+bool satisfies(const Ratios<N, D>& point, const Inequality<N, D>& row) {
+  return certain_sign(dot(row.a, point.x) - row.b * point.w) != CGAL::POSITIVE;
+}
+
+/// The plane a . x = b, solved for the variable `k` in which a is not zero.
+template <class N, std::size_t D>
+struct Pivot {
+  const Inequality<N, D>& plane;
+  std::size_t k;
+  N size;   ///< |a[k]|
+  N other;  ///< -sign(a[k])
+
+  Pivot(const Inequality<N, D>& equation, std::size_t variable, CGAL::Sign sign)
+      : plane(equation), k(variable), size(N(int{sign}) * equation.a[variable]), other(-int{sign}) {}
+
+  /// `row` . x times `size`, written in the other variables; what is left over is a multiple of b of the plane.
+  [[nodiscard]] Tuple<N, D - 1> project(const Tuple<N, D>& row) const {
+    const N factor = other * row[k];
+    Tuple<N, D - 1> rest = without(row, k);
+    const Tuple<N, D - 1> own = without(plane.a, k);
+    for (std::size_t i = 0; i + 1 < D; ++i) rest[i] = size * rest[i] + factor * own[i];
     return rest;
   }
 
-  [[nodiscard]] Inequality<D - 1> project(const Inequality<D>& row) const {
-    return {project(row.a), row.b - row.a[k] / equation.a[k] * equation.b};
+  [[nodiscard]] Inequality<N, D - 1> project(const Inequality<N, D>& row) const {
+    return {project(row.a), size * row.b + other * row.a[k] * plane.b};
   }
 
   /// The point of the plane with the other variables `rest`.
-  [[nodiscard]] Tuple<D> lift(const Tuple<D - 1>& rest) const {
-    const Exact left = equation.b - dot<D - 1>(without<D>(equation.a, k), rest);
-    Tuple<D> x;
-    for (std::size_t i = 0; i < D; ++i) x[i] = i == k ? Exact(left / equation.a[k]) : rest[i < k ? i : i - 1];
-    return x;
+  [[nodiscard]] Ratios<N, D> lift(const Ratios<N, D - 1>& rest) const {
+    const N left = other * (dot(without(plane.a, k), rest.x) - plane.b * rest.w);
+    Ratios<N, D> point{{}, size * rest.w};
+    for (std::size_t i = 0; i < D; ++i) point.x[i] = i == k ? left : N(size * rest.x[i < k ? i : i - 1]);
+    return point;
   }
 };
 
-template <std::size_t D>
-Inequality<D> axis_bound(std::size_t k, int sign, const Exact& bound) {
-  Inequality<D> row{{}, sign * bound};
-  row.a[k] = sign;
+template <class N, std::size_t D>
+Inequality<N, D> axis_bound(std::size_t k, int sign, const N& bound) {
+  Inequality<N, D> row{{}, N(sign) * bound};
+  row.a.fill(N(0));
+  row.a[k] = N(sign);
   return row;
 }
 
-std::optional<Tuple<1>> lowest(const Bounds<1>& bounds, std::span<const Inequality<1>> rows, const Tuple<1>& cost) {
-  Exact low = bounds.low[0], high = bounds.high[0];
-  for (const Inequality<1>& row : rows) {
-    if (row.a[0] > 0) high = std::min(high, Exact(row.b / row.a[0]));
-    if (row.a[0] < 0) low = std::max(low, Exact(row.b / row.a[0]));
-    if (row.a[0] == 0 && row.b < 0) return std::nullopt;
-  }
-  if (low > high) return std::nullopt;
-  return Tuple<1>{cost[0] >= 0 ? low : high};
+template <class N>
+bool is_less(const Ratios<N, 1>& p, const Ratios<N, 1>& q) {
+  return certain_sign(p.x[0] * q.w - q.x[0] * p.w) == CGAL::NEGATIVE;
 }
 
-template <std::size_t D>
-std::optional<Tuple<D>> lowest(const Bounds<D>& bounds, std::span<const Inequality<D>> rows, const Tuple<D>& cost);
+template <class N>
+std::optional<Ratios<N, 1>> lowest(const Bounds<N, 1>& bounds, std::span<const Inequality<N, 1>> rows,
+                                   const Tuple<N, 1>& cost) {
+  Ratios<N, 1> low{bounds.low, N(1)}, high{bounds.high, N(1)};
+  for (const auto& [a, b] : rows) {
+    const CGAL::Sign sign = certain_sign(a[0]);
+    if (sign == CGAL::ZERO && certain_sign(b) == CGAL::NEGATIVE) return std::nullopt;
+    if (sign == CGAL::POSITIVE) high = std::min(high, {{b}, a[0]}, is_less<N>);
+    if (sign == CGAL::NEGATIVE) low = std::max(low, {{-b}, -a[0]}, is_less<N>);
+  }
+  if (is_less(high, low)) return std::nullopt;
+  return certain_sign(cost[0]) == CGAL::NEGATIVE ? high : low;
+}
+
+template <class N, std::size_t D>
+std::optional<Ratios<N, D>> lowest(const Bounds<N, D>& bounds, std::span<const Inequality<N, D>> rows,
+                                   const Tuple<N, D>& cost);
 
 /// The lowest point of the plane of `rows[last]` within the bounds and the rows before it.
-template <std::size_t D>
-std::optional<Tuple<D>> lowest_on_plane(const Bounds<D>& bounds, std::span<const Inequality<D>> rows, std::size_t last,
-                                        const Tuple<D>& cost) {
-  const auto& a = rows[last].a;
-  const auto pivot = std::ranges::find_if(a, [](const Exact& value) { return value != 0; });
-  if (pivot == a.end()) return std::nullopt;  // 0 <= b, and it was violated
-  const Plane<D> plane{rows[last], static_cast<std::size_t>(pivot - a.begin())};
+template <class N, std::size_t D>
+std::optional<Ratios<N, D>> lowest_on_plane(const Bounds<N, D>& bounds, std::span<const Inequality<N, D>> rows,
+                                            std::size_t last, const Tuple<N, D>& cost) {
+  std::size_t k = 0;
+  while (k < D && certain_sign(rows[last].a[k]) == CGAL::ZERO) ++k;
+  if (k == D) return std::nullopt;  // 0 <= b, and it was violated
+  const Pivot<N, D> pivot(rows[last], k, certain_sign(rows[last].a[k]));
 
-  std::vector<Inequality<D - 1>> projected;
-  projected.push_back(plane.project(axis_bound<D>(plane.k, 1, bounds.high[plane.k])));
-  projected.push_back(plane.project(axis_bound<D>(plane.k, -1, bounds.low[plane.k])));
-  for (const Inequality<D>& row : rows.first(last)) projected.push_back(plane.project(row));
+  std::vector<Inequality<N, D - 1>> projected;
+  projected.reserve(last + 2);
+  projected.push_back(pivot.project(axis_bound<N, D>(k, 1, bounds.high[k])));
+  projected.push_back(pivot.project(axis_bound<N, D>(k, -1, bounds.low[k])));
+  for (const Inequality<N, D>& row : rows.first(last)) projected.push_back(pivot.project(row));
 
-  const Bounds<D - 1> rest{without<D>(bounds.low, plane.k), without<D>(bounds.high, plane.k)};
-  const auto point = lowest(rest, std::span<const Inequality<D - 1>>(projected), plane.project(cost));
-  return point ? std::optional(plane.lift(*point)) : std::nullopt;
+  const Bounds<N, D - 1> rest{without(bounds.low, k), without(bounds.high, k)};
+  const auto point = lowest(rest, std::span<const Inequality<N, D - 1>>(projected), pivot.project(cost));
+  return point ? std::optional(pivot.lift(*point)) : std::nullopt;
 }
 
-template <std::size_t D>
-std::optional<Tuple<D>> lowest(const Bounds<D>& bounds, std::span<const Inequality<D>> rows, const Tuple<D>& cost) {
-  std::optional<Tuple<D>> x = Tuple<D>{};
-  for (std::size_t i = 0; i < D; ++i) (*x)[i] = cost[i] >= 0 ? bounds.low[i] : bounds.high[i];
-  for (std::size_t i = 0; i < rows.size() && x; ++i) {
-    if (dot<D>(rows[i].a, *x) > rows[i].b) x = lowest_on_plane(bounds, rows, i, cost);
+template <class N, std::size_t D>
+std::optional<Ratios<N, D>> lowest(const Bounds<N, D>& bounds, std::span<const Inequality<N, D>> rows,
+                                   const Tuple<N, D>& cost) {
+  std::optional point = Ratios<N, D>{{}, N(1)};
+  for (std::size_t i = 0; i < D; ++i) {
+    point->x[i] = certain_sign(cost[i]) == CGAL::NEGATIVE ? bounds.high[i] : bounds.low[i];
   }
-  return x;
+  for (std::size_t i = 0; i < rows.size() && point; ++i) {
+    if (!satisfies(*point, rows[i])) point = lowest_on_plane(bounds, rows, i, cost);
+  }
+  return point;
 }
 
 }  // namespace
 
-bool is_feasible(const Bounds<3>& bounds, std::vector<Inequality<3>> inequalities) {
+template <class N>
+bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequalities) {
   // A random order makes the expected time linear; a fixed seed makes it the same every time.
   std::shuffle(inequalities.begin(), inequalities.end(), std::minstd_rand(1));
-  return lowest<3>(bounds, inequalities, {1, 1, 1}).has_value();
+  const Tuple<N, 3> cost{N(1), N(1), N(1)};
+  return lowest(bounds, std::span<const Inequality<N, 3>>(inequalities), cost).has_value();
 }
+
+template bool is_feasible<Interval>(const Bounds<Interval, 3>&, std::vector<Inequality<Interval, 3>>);
+template bool is_feasible<Exact>(const Bounds<Exact, 3>&, std::vector<Inequality<Exact, 3>>);
 
 }  // namespace occlude::oracle

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether linear inequalities and the bounds of a box have a common point, in exact rationals.
+// Whether linear inequalities and the bounds of a box have a common point. Written without divisions, so that it runs in
+// both number types; in intervals it throws where they do not decide (numbers.h).
 #pragma once
 
 #include <array>
@@ -10,19 +11,20 @@
 namespace occlude::oracle {
 
 /// a . x <= b.
-template <std::size_t D>
+template <class N, std::size_t D>
 struct Inequality {
-  std::array<Exact, D> a;
-  Exact b;
+  std::array<N, D> a;
+  N b;
 };
 
 /// low <= x <= high, per axis.
-template <std::size_t D>
+template <class N, std::size_t D>
 struct Bounds {
-  std::array<Exact, D> low, high;
+  std::array<N, D> low, high;
 };
 
 /// Whether some x within `bounds` satisfies all of `inequalities`. Closed: touching is a common point.
-[[nodiscard]] bool is_feasible(const Bounds<3>& bounds, std::vector<Inequality<3>> inequalities);
+template <class N>
+[[nodiscard]] bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequalities);
 
 }  // namespace occlude::oracle

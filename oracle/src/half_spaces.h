@@ -68,6 +68,17 @@ struct GivenPlane {
   }
 };
 
+/// The plane of a half-space given by its coefficients: a x + b y + c z + d.
+struct CoefficientPlane {
+  std::array<double, 4> coefficients;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    const auto& [a, b, c, d] = coefficients;
+    return {vector_of<N>({a, b, c}), vector_of<N>({0, 0, 0}), N(d)};
+  }
+};
+
 /// One of these planes with the side of it that counts as positive.
 struct OrientedPlane {
   std::variant<SidePlane, LoopPlane, FarthestPlane, GivenPlane> plane;

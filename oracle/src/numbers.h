@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The two number types of the oracle and the way a sign is decided with them: intervals first, rationals when they are not
-// enough. Both give the sign of the real number, so an answer never depends on which of them gave it.
+// The two number types of the oracle and the way a question is decided with them: intervals first, exact numbers when they
+// are not enough. Both give the answer of the real numbers, which never depends on which of them gave it.
 #pragma once
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "occlude/oracle/oracle.h"
 
 namespace occlude::oracle {
 
-using Exact = CGAL::Exact_rational;
+/// Sums, differences and products of doubles, of any size: no divisions.
+using Exact = CGAL::Mpzf;
 using Interval = CGAL::Interval_nt_advanced;  // valid only while a RoundUpward lives in the thread
 
 /// Intervals need upward rounding; every public function holds one of these while it works.
@@ -31,13 +32,27 @@ Vector<N> difference(const Point& a, const Point& b) {
   return vector_of<N>(b) - vector_of<N>(a);
 }
 
+/// The sign of a number, or an exception when an interval does not tell it.
+template <class N>
+CGAL::Sign certain_sign(const N& value) {
+  return CGAL::make_certain(CGAL::sign(value));
+}
+
+/// What `question.operator()<N>()` answers in the number type N; in intervals it may throw what certain_sign() throws.
+template <class Question>
+auto decide(const Question& question) {
+  try {
+    return question.template operator()<Interval>();
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    return question.template operator()<Exact>();
+  }
+}
+
 /// Sign of the real number that `expression.operator()<N>()` computes in the number type N.
 template <class Expression>
 CGAL::Sign sign_of(const Expression& expression) {
-  const Interval approximate = expression.template operator()<Interval>();
-  const CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(approximate);
-  if (CGAL::is_certain(sign)) return CGAL::get_certain(sign);
-  return CGAL::sign(Exact(expression.template operator()<Exact>()));
+  const CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(Interval(expression.template operator()<Interval>()));
+  return CGAL::is_certain(sign) ? CGAL::get_certain(sign) : CGAL::sign(Exact(expression.template operator()<Exact>()));
 }
 
 }  // namespace occlude::oracle

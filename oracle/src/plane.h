@@ -3,27 +3,26 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "numbers.h"
 
 namespace occlude::oracle {
 
-/// The closed half-space normal . (x - point) >= 0.
+/// The closed half-space normal . (x - point) + offset >= 0.
 template <class N>
 struct HalfSpace {
   Vector<N> normal;
   Vector<N> point;
+  N offset = N(0);
 
-  /// Positive inside, zero on the plane, negative outside. `x` is anything that vector_of<N> takes.
-  template <class X>
-  [[nodiscard]] N height(const X& x) const {
-    return normal * (vector_of<N>(x) - point);
-  }
+  /// Positive inside, zero on the plane, negative outside.
+  [[nodiscard]] N height(const Point& x) const { return normal * (vector_of<N>(x) - point) + offset; }
 };
 
-/// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, in rationals when
-/// first needed, and kept. Points that a definition passes_through lie on the plane by what it is; the rest is computed.
+/// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, exactly when first
+/// needed, and kept. Points that a definition passes_through lie on the plane by what it is; the rest is computed.
 template <class Definition>
 class Plane {
  public:
@@ -31,8 +30,7 @@ class Plane {
       : definition_(definition), approximate_(definition.template operator()<Interval>()) {}
 
   /// Sign of the height of `x`, exact.
-  template <class X>
-  CGAL::Sign side(const X& x) {
+  CGAL::Sign side(const Point& x) {
     if constexpr (requires { definition_.passes_through(x); }) {
       if (definition_.passes_through(x)) return CGAL::ZERO;
     }
@@ -40,12 +38,22 @@ class Plane {
     return CGAL::is_certain(sign) ? CGAL::get_certain(sign) : CGAL::sign(exact().height(x));
   }
 
+  /// The half-space in the number type N.
+  template <class N>
+  const HalfSpace<N>& in() {
+    if constexpr (std::is_same_v<N, Interval>) {
+      return approximate_;
+    } else {
+      return exact();
+    }
+  }
+
+ private:
   const HalfSpace<Exact>& exact() {
     if (!exact_) exact_ = definition_.template operator()<Exact>();
     return *exact_;
   }
 
- private:
   Definition definition_;
   HalfSpace<Interval> approximate_;
   std::optional<HalfSpace<Exact>> exact_;

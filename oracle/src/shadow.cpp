@@ -11,18 +11,16 @@ namespace {
 
 /// For one plane, bit c set when corner c of the box is strictly outside.
 unsigned outer_corners(Plane<OrientedPlane>& plane, const Box& box) {
+  const OfCorners<CGAL::Sign> sides = corner_sides(plane, box);
   unsigned outer = 0;
   for (unsigned c = 0; c < kCorners; ++c) {
-    if (plane.side(Corner{box, c}) == CGAL::NEGATIVE) outer |= 1U << c;
+    if (sides[c] == CGAL::NEGATIVE) outer |= 1U << c;
   }
   return outer;
 }
 
 bool is_strictly_inside(Plane<OrientedPlane>& plane, const Box& box) {
-  for (unsigned c = 0; c < kCorners; ++c) {
-    if (plane.side(Corner{box, c}) != CGAL::POSITIVE) return false;
-  }
-  return true;
+  return std::ranges::all_of(corner_sides(plane, box), [](CGAL::Sign side) { return side == CGAL::POSITIVE; });
 }
 
 std::vector<Plane<OrientedPlane>*> planes_of(Frustum& frustum) {
@@ -31,6 +29,15 @@ std::vector<Plane<OrientedPlane>*> planes_of(Frustum& frustum) {
     for (Plane<OrientedPlane>& plane : *part) planes.push_back(&plane);
   }
   return planes;
+}
+
+/// Whether some point of the box is outside of none of the planes.
+bool share_a_point(const std::vector<Plane<OrientedPlane>*>& planes, const Box& box) {
+  return decide([&]<class N>() {
+    std::vector<Inequality<N, 3>> inequalities;
+    for (Plane<OrientedPlane>* plane : planes) inequalities.push_back(in_own_coordinates(plane->in<N>(), box));
+    return is_feasible<N>(own_bounds<N>(box), std::move(inequalities));
+  });
 }
 
 Relation relate(Frustum& frustum, const Box& box) {
@@ -45,9 +52,7 @@ Relation relate(Frustum& frustum, const Box& box) {
   }
   if (crossing.empty()) return Relation::inside;
   if (outer_of_any != kAllCorners) return Relation::partial;  // some corner is in F
-  std::vector<Inequality<3>> inequalities;
-  for (Plane<OrientedPlane>* plane : crossing) inequalities.push_back(in_own_coordinates(plane->exact(), box));
-  return is_feasible(own_bounds(box), std::move(inequalities)) ? Relation::partial : Relation::outside;
+  return share_a_point(crossing, box) ? Relation::partial : Relation::outside;
 }
 
 const Loop& vertices_of(const Loop& loop) { return loop; }

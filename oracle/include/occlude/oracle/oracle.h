@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The judge: the kernel's questions answered in exact rational arithmetic, written from the definitions alone.
+// The judge: the kernel's questions answered in exact arithmetic, written from the definitions alone.
 // It shares no code with the kernel, and no type of the arithmetic library shows here.
 #pragma once
 
