@@ -35,7 +35,12 @@ double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
   return farthest.x + farthest.y + farthest.z;
 }
 
-/// One frame, the shadow tests done by `shadow_test(frustum, box)`.
+/// What is coplanar with an occluder is drawn: the near plane is open.
+kernel::Decision decide(const Occluder& occluder, const kernel::Aabb& box, const CullOptions& options) {
+  return kernel::decide(occluder.frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+}
+
+/// One frame, the shadow tests done by `shadow_test(occluder, box)`.
 template <class ShadowTest>
 CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera, const CullOptions& options,
                       ShadowTest&& shadow_test) {
@@ -50,7 +55,7 @@ CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, cons
     return kernel::relation(planes[i], box, options.arithmetic);
   };
   auto test_shadow = [&](std::uint32_t i, const kernel::Aabb& box) {
-    const kernel::Decision decision = shadow_test(result.occluders[i].frustum, box);
+    const kernel::Decision decision = shadow_test(result.occluders[i], box);
     if (decision.stage == kernel::Stage::exact) ++result.stats.exact_shadow_tests;
     return decision.relation;
   };
@@ -64,19 +69,17 @@ Culler::Culler(const PolygonSoup& soup, const Config& config)
     : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)), grid_(OccluderGrid::build(hierarchy_, config.grid)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
-  return cull_frame(hierarchy_, grid_, camera, options, [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
-    return kernel::decide(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
-  });
+  const auto test = [&](const Occluder& occluder, const kernel::Aabb& box) { return decide(occluder, box, options); };
+  return cull_frame(hierarchy_, grid_, camera, options, test);
 }
 
-kernel::Operations Culler::count_operations(const Camera& camera, const CullOptions& options) const {
-  kernel::Operations total;
-  const auto test_and_count = [&](const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
-    total += kernel::count_operations(frustum, box, options.arithmetic, options.test);
-    return kernel::decide(frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+void Culler::visit_shadow_tests(const Camera& camera, const CullOptions& options,
+                                const std::function<void(const Occluder& occluder, const kernel::Aabb& box)>& visit) const {
+  const auto visit_and_test = [&](const Occluder& occluder, const kernel::Aabb& box) {
+    visit(occluder, box);
+    return decide(occluder, box, options);
   };
-  static_cast<void>(cull_frame(hierarchy_, grid_, camera, options, test_and_count));
-  return total;
+  static_cast<void>(cull_frame(hierarchy_, grid_, camera, options, visit_and_test));
 }
 
 }  // namespace occlude::culler

@@ -18,7 +18,7 @@ struct FuzzResults {
   std::uint64_t seed = 1;
   std::uint64_t shards = 1;
   std::vector<std::uint64_t> parts;  ///< the shards that are in it
-  double core_seconds = 0;           ///< time taken times threads
+  double core_seconds = 0;           ///< processor time, all threads together
   std::vector<Row> rows;
 };
 

@@ -2,6 +2,7 @@
 #include "experiment.h"
 
 #include "overlap.h"
+#include "refusals.h"
 
 namespace occlude::fuzz {
 
@@ -12,6 +13,7 @@ const std::vector<Experiment>& experiments() {
       list.push_back(
           {std::string(name(family)), [=](std::uint64_t seed, Report& report) { run_overlap(family, seed, report); }});
     }
+    list.push_back({"spoiled", run_refusals});
     return list;
   }();
   return all;

@@ -20,7 +20,7 @@ void judge_overlap(const Case& question, std::span<const Box> boxes, const std::
 /// A case of the family and its neighbours.
 void run_overlap(Family family, std::uint64_t seed, Report& report);
 
-/// What the oracle says of one case: "inside", "partial", "outside" or "refused".
+/// What the oracle says of one case: "inside", "partial", "outside"; empty when it refuses.
 [[nodiscard]] std::string judged_answer(const Case& question);
 
 /// Whether the kernel's answer to this one case is not the oracle's: what a smaller case must show as well to stand for it.

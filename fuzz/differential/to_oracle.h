@@ -39,9 +39,11 @@ namespace occlude::fuzz {
   return {near == Near::farthest ? Kind::farthest : Kind::surface, {}, {}};
 }
 
-/// The near side as the kernel took it: of a polygon that is not coplanar the support plane that it chose.
+/// The near side as the kernel took it: of a polygon that is not coplanar the support plane that it chose. Of what it
+/// refuses the one that is never a reason to.
 [[nodiscard]] inline oracle::Near to_oracle(Near near, const kernel::ShadowFrustumResult& made) {
-  if (!made.frustum || !made.frustum->support_plane()) return to_oracle(near);
+  if (!made.frustum) return to_oracle(Near::farthest);
+  if (!made.frustum->support_plane()) return to_oracle(near);
   const kernel::SupportPlane& plane = *made.frustum->support_plane();
   return {oracle::Near::Kind::plane, to_oracle(plane.normal), to_oracle(plane.point)};
 }

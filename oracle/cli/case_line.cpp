@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -31,7 +32,13 @@ std::optional<std::string> expect_of(const nlohmann::json& object) {
   return expect.get<std::string>();
 }
 
-Json json(const kernel::Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+/// JSON has no NaN and no infinity: strings, as json_input.h reads them.
+Json json(double x) {
+  if (std::isfinite(x)) return x;
+  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
+}
+
+Json json(const kernel::Vec3& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
 
 template <class Points>
 Json json_of_all(const Points& points) {

@@ -6,21 +6,32 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "case_line.h"
 #include "command_arguments.h"
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/model_io.h"
+#include "occlude/render/output_file.h"
 #include "occlude/render/walk_summary.h"
 
 namespace occlude::cli {
 namespace {
 
 struct Arguments {
-  std::string model, path, out, witness;
+  std::string model, path, out, witness, cases;
   WalkArguments walk;
   bool no_render = false, json = false;
 };
+
+/// As the lines of a case file.
+void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file) {
+  options.on_shadow_test = [&file, number = std::size_t{0}](const render::ShadowTest& test) mutable {
+    const std::string id = fmt::format("frame {} test {}", test.frame, number++);
+    file.stream() << write_case(id, {test.viewpoint, test.polygon, test.near, test.box}, "") << '\n';
+  };
+}
 
 int walk(const Arguments& arguments) {
   render::WalkOptions options = arguments.walk.options();
@@ -30,11 +41,15 @@ int walk(const Arguments& arguments) {
   std::vector<std::string> files{arguments.model, arguments.path, out / "summary.json", out / "frames.csv",
                                  out / "report.html"};
   if (options.witness) files.push_back(arguments.witness);
+  std::optional<render::OutputFile> cases;
+  if (!arguments.cases.empty()) files.push_back(arguments.cases);
   check_distinct(files);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const culler::PolygonSoup soup = render::read_model(arguments.model);
+  if (!arguments.cases.empty()) record_shadow_tests(options, cases.emplace(arguments.cases));
   const std::string name = std::filesystem::path(arguments.model).filename().string();
   const render::WalkResult result = render::walk(soup, path, options, name, arguments.out);
+  if (cases) cases->commit();
   if (arguments.json) {
     fmt::print("{}", render::summary_json(result, options, name));
   } else {
@@ -60,6 +75,9 @@ void add_walk(CLI::App& app, int& exit_code) {
   a->walk.add_culling_to(*command);
   command->add_flag("--no-render", a->no_render, "measure culling alone");
   command->add_option("--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
+  command->add_option(
+      "--cases", a->cases,
+      "write the shadow tests of some 48 of the frames to this file, as cases for occlude classify and fuzz");
   command->add_flag("--json", a->json, "print summary.json instead of Table 2");
   command->callback([a, &exit_code] { exit_code = walk(*a); });
 }

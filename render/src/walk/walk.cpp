@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "comparison.h"
+#include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/output_file.h"
@@ -106,6 +107,24 @@ class Walker {
   culler::CullOptions view_only_;
 };
 
+/// Counts the operations of the frame's shadow tests and shows these tests to whoever asked for them.
+kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::Camera& camera,
+                                      const WalkOptions& options) {
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  kernel::Operations total;
+  culler.visit_shadow_tests(camera, options.cull, [&](const culler::Occluder& occluder, const kernel::Aabb& box) {
+    total += kernel::count_operations(occluder.frustum, box, options.cull.arithmetic, options.cull.test);
+    if (!options.on_shadow_test) return;
+    ShadowTest test{frame, occluder.frustum.viewpoint(), {}, options.cull.near, box};
+    for (const std::uint32_t index : soup.loop(occluder.polygon)) {
+      const glm::dvec3& v = soup.vertices[index];
+      test.polygon.push_back({v.x, v.y, v.z});
+    }
+    options.on_shadow_test(test);
+  });
+  return total;
+}
+
 /// A folder that exists from now on; if it is new and nothing has come into it, it goes again.
 class Folder {
  public:
@@ -187,7 +206,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
       culler::CullResult culled;
       result.frames.push_back(walker.frame(frames[i], reference, culled));
       const culler::Camera camera = path.camera(frames[i], aspect(options));
-      if (reference) result.operations += culler.count_operations(camera, options.cull);
+      if (reference) result.operations += visit_shadow_tests(culler, frames[i], camera, options);
       if (reference && options.render) ++result.reference_frames;
       if (witness) {
         lines.clear();

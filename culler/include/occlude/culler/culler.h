@@ -4,12 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "occlude/culler/camera.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_grid.h"
-#include "occlude/kernel/operations.h"
 #include "occlude/kernel/shadow_frustum.h"
 
 namespace occlude::culler {
@@ -69,8 +69,9 @@ class Culler {
   /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().
   [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
-  /// The operations that the shadow tests of such a frame cost (Table 1).
-  [[nodiscard]] kernel::Operations count_operations(const Camera& camera, const CullOptions& options) const;
+  /// Calls `visit` for every test of a box against a shadow that such a frame makes, in the order of the traversal.
+  void visit_shadow_tests(const Camera& camera, const CullOptions& options,
+                          const std::function<void(const Occluder& occluder, const kernel::Aabb& box)>& visit) const;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }

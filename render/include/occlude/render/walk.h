@@ -5,21 +5,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "occlude/culler/culler.h"
+#include "occlude/kernel/operations.h"
 #include "occlude/render/camera_path.h"
 
 namespace occlude::render {
+
+/// A question that the culler asked the kernel.
+struct ShadowTest {
+  std::size_t frame = 0;
+  kernel::Viewpoint viewpoint;
+  std::vector<kernel::Vec3> polygon;  ///< the occluder
+  kernel::Near near = kernel::Near::surface;
+  kernel::Aabb box;
+};
 
 struct WalkOptions {
   int width = 640, height = 360;                    ///< of the picture, pixels
   std::size_t begin = 0, end = SIZE_MAX, step = 1;  ///< frames walked: begin, begin + step, ... below end
   culler::CullOptions cull;
-  bool render = true;                            ///< draw and compare; without it only culling is measured
-  std::optional<std::filesystem::path> witness;  ///< where to write the proof of every culled subtree (JSON Lines)
+  bool render = true;                                     ///< draw and compare; without it only culling is measured
+  std::optional<std::filesystem::path> witness;           ///< where to write the proof of every culled subtree (JSON Lines)
+  std::function<void(const ShadowTest&)> on_shadow_test;  ///< called for every one of some 48 frames, if given
 };
 
 /// Width over height of the pictures.

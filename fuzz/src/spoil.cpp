@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/fuzz/spoil.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "vector_math.h"
+
+namespace occlude::fuzz {
+namespace {
+
+std::vector<Vec3>& vertices_of(Case& c) {
+  if (auto* const polygon = std::get_if<Polygon>(&c.occluder)) return *polygon;
+  return std::get<kernel::Polytope>(c.occluder).vertices;
+}
+
+Vec3& some_vertex(Random& random, Case& c) {
+  std::vector<Vec3>& vertices = vertices_of(c);
+  return vertices[random.index(vertices.size())];
+}
+
+Vec3& some_vector_of_box(Random& random, Box& box) {
+  if (auto* const aabb = std::get_if<kernel::Aabb>(&box)) return random.chance(0.5) ? aabb->min : aabb->max;
+  auto& obb = std::get<kernel::Obb>(box);
+  return random.chance(0.5) ? obb.center : obb.half_edges[random.index(3)];
+}
+
+/// A number at or beyond the border of the legal range, or none at all.
+void spoil_number(Random& random, Case& c) {
+  constexpr std::array kNumbers{0x1p-100,
+                                0x1p100,
+                                0x1.fffffffffffffp-101,
+                                0x1.0000000000001p100,
+                                std::numeric_limits<double>::denorm_min(),
+                                std::numeric_limits<double>::max(),
+                                std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::quiet_NaN()};
+  const std::array<Vec3*, 3> choice{&c.viewpoint.value, &some_vertex(random, c), &some_vector_of_box(random, c.box)};
+  const double number = kNumbers[random.index(kNumbers.size())];
+  (*choice[random.index(3)])[random.integer(0, 2)] = random.chance(0.5) ? number : -number;
+}
+
+void swap_bounds(Random& random, Case& c) {
+  if (auto* const box = std::get_if<kernel::Aabb>(&c.box)) {
+    const int axis = random.integer(0, 2);
+    std::swap(box->min[axis], box->max[axis]);
+  }
+}
+
+/// To a vertex, the middle of two, or within three.
+void move_eye_to_occluder(Random& random, Case& c) {
+  const Vec3 a = some_vertex(random, c), b = some_vertex(random, c), d = some_vertex(random, c);
+  c.viewpoint.value = random.chance(0.3) ? a : random.chance(0.5) ? 0.5 * (a + b) : 0.5 * (a + 0.5 * (b + d));
+}
+
+/// Along two edges of the occluder: into the plane of a polygon, and of a face perhaps.
+void move_eye_into_plane(Random& random, Case& c) {
+  const Vec3 a = some_vertex(random, c), b = some_vertex(random, c), d = some_vertex(random, c);
+  const Vec3 way =
+      static_cast<double>(random.integer(-3, 3)) * (b - a) + static_cast<double>(random.integer(-3, 3)) * (d - a);
+  c.viewpoint.value = c.viewpoint.is_eye() ? a + way : way;
+}
+
+void move_vertex(Random& random, Case& c) {
+  Vec3& vertex = some_vertex(random, c);
+  const Vec3 other = some_vertex(random, c);
+  vertex = random.chance(0.5) ? other : vertex + (vertex - other);
+}
+
+void spoil_loop(Random& random, Polygon& loop) {
+  const std::size_t i = random.index(loop.size());
+  const auto at = loop.begin() + static_cast<std::ptrdiff_t>(i);
+  switch (random.integer(0, 4)) {
+    case 0:
+      std::swap(loop[i], loop[random.index(loop.size())]);
+      break;
+    case 1: {  // wound twice
+      const Polygon once = loop;
+      loop.insert(loop.end(), once.begin(), once.end());
+      break;
+    }
+    case 2:  // a spike
+      loop.insert(at, 2.0 * loop[i] - loop[(i + 1) % loop.size()]);
+      break;
+    case 3:
+      loop.resize(random.index(loop.size()));
+      break;
+    default:  // back and forth
+      loop.insert(at, loop[(i + loop.size() - 1) % loop.size()]);
+  }
+}
+
+void spoil_faces(Random& random, kernel::Polytope& polytope) {
+  auto& faces = polytope.faces;
+  const std::size_t i = random.index(faces.size());
+  switch (random.integer(0, 4)) {
+    case 0:
+      faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    case 1:
+      faces.push_back(faces[i]);
+      break;
+    case 2:
+      faces[i].pop_back();
+      break;
+    case 3:
+      faces[i][random.index(faces[i].size())] = static_cast<std::uint32_t>(random.index(polytope.vertices.size() + 2));
+      break;
+    default:
+      faces.resize(random.index(faces.size()));
+  }
+}
+
+void spoil_order(Random& random, Case& c) {
+  if (auto* const polygon = std::get_if<Polygon>(&c.occluder)) return spoil_loop(random, *polygon);
+  spoil_faces(random, std::get<kernel::Polytope>(c.occluder));
+}
+
+void forget_direction(Random&, Case& c) {
+  if (!c.viewpoint.is_eye()) c.viewpoint.value = {};
+}
+
+}  // namespace
+
+void spoil(Random& random, Case& c) {
+  constexpr std::array kWays{spoil_number, swap_bounds, move_eye_to_occluder, move_eye_into_plane,
+                             move_vertex,  spoil_order, forget_direction};
+  kWays[random.index(kWays.size())](random, c);
+}
+
+}  // namespace occlude::fuzz
