@@ -251,6 +251,36 @@ for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],$box}
 done
 [ ! -e /dev/full ] || expect_error "standard output" bash -c '"$0" classify cases.jsonl >/dev/full' "$occlude"
 
+# fuzz: nothing is wrong, whatever the number of jobs and however the cases are dealt.
+"$occlude" fuzz --cases 20000 --seed 7 >table || fail "fuzz: $(tail -3 table)"
+grep -q '^all .* | *0 |' table || fail "fuzz: no total"
+without_time() { grep -v core_seconds "$1"; }
+"$occlude" fuzz --cases 20000 --seed 7 --jobs 1 --json >one.json || fail "fuzz --jobs 1"
+"$occlude" fuzz --cases 20000 --seed 7 --jobs 3 --json >three.json || fail "fuzz --jobs 3"
+diff <(without_time one.json) <(without_time three.json) >/dev/null || fail "fuzz: the number of jobs changes the result"
+for i in 0 1 2; do "$occlude" fuzz --cases 20000 --seed 7 --shard $i/3 --out part$i.json >/dev/null || fail "fuzz --shard $i/3"; done
+"$occlude" fuzz --merge part2.json part0.json part1.json --json >merged.json || fail "fuzz --merge"
+counts() { sed -n '/"families"/,$p' "$1"; }
+diff <(counts one.json) <(counts merged.json) >/dev/null || fail "fuzz: shards do not add up"
+"$occlude" fuzz --family lattice --family spoiled --cases 1 | grep -c '^spoiled\|^lattice' | grep -qx 2 || fail "fuzz --family"
+"$occlude" fuzz cases.jsonl | grep -q '^cases.jsonl' || fail "fuzz FILE"
+"$occlude" fuzz --seconds 0.2 | grep -q ' 0 wrong' || fail "fuzz --seconds"
+"$occlude" walk good.ply --path path.json --out recorded --no-render --cases recorded.jsonl >/dev/null || fail "walk --cases"
+"$occlude" classify recorded.jsonl >stdout || fail "classify of what walk recorded"
+[ -s stdout ] && [ "$(wc -l <stdout)" -eq "$(wc -l <recorded.jsonl)" ] || fail "walk --cases recorded nothing"
+echo '{"seed":1}' >bad.json
+expect_error "bad.json: not a result" "$occlude" fuzz --merge part0.json bad.json
+expect_error "missing.json" "$occlude" fuzz --merge missing.json
+expect_error "part0.json: shard 0 of 3 was given before" "$occlude" fuzz --merge part0.json part0.json
+expect_error "another run" "$occlude" fuzz --merge part0.json one.json
+expect_error "nonsense: no such family" "$occlude" fuzz --family nonsense
+expect_error "--shard" "$occlude" fuzz --shard 3/3
+expect_error "--shard" "$occlude" fuzz --shard 1
+expect_error "--cases" "$occlude" fuzz --cases 0
+expect_error "missing.jsonl" "$occlude" fuzz missing.jsonl
+echo '{"id":"x"}' >bad.jsonl
+expect_error "bad.jsonl:1: " "$occlude" fuzz bad.jsonl
+
 # bench: everything measured is there and is a positive number. How fast it is, is no matter for a test.
 "$occlude" bench kernel --json --boxes 256 --repetitions 1 >bench.json || fail "bench"
 for member in ratios certified_over_plain random integer_touching ulp_touching batch_speedup gjk_over_certified operations ns \
@@ -266,7 +296,7 @@ expect_error "--boxes" "$occlude" bench kernel --boxes 0
 expect_error "--repetitions" "$occlude" bench kernel --repetitions many
 expect_error "--seed" "$occlude" bench kernel --seed -1
 
-for command in "" generate "generate city" walk classify validate bench "bench kernel"; do
+for command in "" generate "generate city" walk classify validate fuzz bench "bench kernel"; do
   "$occlude" $command --help | grep -q . || fail "no help for '$command'"
 done
 
