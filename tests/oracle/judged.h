@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "occlude/fuzz/cases.h"
+#include "occlude/kernel/shadow_frustum.h"
 #include "occlude/oracle/oracle.h"
 
 namespace occlude::oracle {
@@ -32,6 +33,20 @@ inline Near judged(kernel::Near near) {
 
 inline Near judged(const kernel::SupportPlane& plane) {
   return {Near::Kind::plane, judged(plane.normal), judged(plane.point)};
+}
+
+inline kernel::ShadowFrustumResult made_by_kernel(const fuzz::Case& c) {
+  if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&c.occluder)) {
+    return kernel::ShadowFrustum::make(c.viewpoint, *polygon, c.near);
+  }
+  const auto made = kernel::ConvexPolytope::make(std::get<kernel::Polytope>(c.occluder));
+  if (!made.polytope) return {std::nullopt, made.refusal};
+  return kernel::ShadowFrustum::make(c.viewpoint, *made.polytope, c.near);
+}
+
+/// The near side of the question, with the support plane that the kernel chose if it chose one.
+inline Near judged_near(const fuzz::Case& c, const kernel::ShadowFrustumResult& made) {
+  return made.frustum && made.frustum->support_plane() ? judged(*made.frustum->support_plane()) : judged(c.near);
 }
 
 inline Box judged(const fuzz::Box& box) {

@@ -16,6 +16,7 @@
 
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
+#include "occlude/oracle/second.h"
 #include "oracle/hand_cases.h"
 #include "oracle/whole_numbers.h"
 
@@ -31,6 +32,7 @@ struct Question {
 };
 
 Answer ask(const Question& q) { return relation(q.view, q.loop, q.near, q.box); }
+Answer ask_second(const Question& q) { return second::relation(q.view, q.loop, q.near, q.box); }
 std::string refute(const Question& q) { return refute_shadow_cull(q.view, q.loop, q.near, q.box); }
 
 // ---------------------------------------------------------------------------------------------------- worked out by hand
@@ -91,6 +93,7 @@ TEST(Oracle, AgreesWithCasesWorkedOutByHand) {
     const Answer answer = ask(question);
     EXPECT_EQ(answer.refusal, "") << what;
     EXPECT_EQ(answer.relation, expected) << what;
+    EXPECT_EQ(ask_second(question).relation, expected) << what;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/oracle.h"
+#include "occlude/oracle/second.h"
 #include "oracle/hand_cases.h"
 
 namespace occlude::oracle {
@@ -55,6 +56,7 @@ TEST(OrientedBox, AgreesWithCasesWorkedOutByHand) {
     const Answer answer = relation(kOrigin, loop, kSurface, box);
     EXPECT_EQ(answer.refusal, "") << what;
     EXPECT_EQ(answer.relation, expected) << what;
+    EXPECT_EQ(second::relation(kOrigin, loop, kSurface, box).relation, expected) << what;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "occlude/oracle/oracle.h"
+#include "occlude/oracle/second.h"
 #include "oracle/cuboid.h"
 #include "oracle/hand_cases.h"
 
@@ -106,6 +107,7 @@ TEST(Polytope, AgreesWithCasesWorkedOutByHand) {
     const Answer answer = relation(view, polytope, near, box);
     EXPECT_EQ(answer.refusal, "") << what;
     EXPECT_EQ(answer.relation, expected) << what;
+    EXPECT_EQ(second::relation(view, polytope, near, box).relation, expected) << what;
   }
 }
 

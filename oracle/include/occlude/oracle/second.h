@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A second judge, to judge the first: the same relation found another way, with which it shares nothing but the types of
+// oracle.h. It knows no side planes and no silhouette: only triangles and weights of vertices. A program that links it
+// (occlude::second_oracle) is GPL-3.0-or-later as a whole (README.md, Licences).
+#pragma once
+
+#include "occlude/oracle/oracle.h"
+
+namespace occlude::oracle::second {
+
+/// Relation of `box` to the shadow frustum of the occluder; never a refusal. REQUIRES: the question is legal, which the
+/// first oracle decides: its relation() of the same arguments has no refusal.
+[[nodiscard]] Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box);
+
+}  // namespace occlude::oracle::second

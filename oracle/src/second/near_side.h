@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The near side of a shadow where it is a plane across: `farthest` or a given one.
+#pragma once
+
+#include <optional>
+
+#include "occlude/oracle/oracle.h"
+#include "triangles.h"
+
+namespace occlude::oracle::second {
+
+/// The half-space (to - from) . (x - point) >= 0.
+struct NearSide {
+  Point from, to, point;
+};
+
+/// None for `surface`, where the shadow begins at the occluder. REQUIRES: `triangles` are the occluder's.
+[[nodiscard]] std::optional<NearSide> near_side(const Viewpoint& view, const Occluder& occluder, const Near& near,
+                                                const Triangles& triangles);
+
+[[nodiscard]] bool is_beyond(const NearSide& near, const ExactPoint& x);
+
+}  // namespace occlude::oracle::second

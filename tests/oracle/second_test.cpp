@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The two oracles held against each other.
+#include "occlude/oracle/second.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "occlude/fuzz/cases.h"
+#include "occlude/oracle/oracle.h"
+#include "oracle/judged.h"
+
+namespace occlude::oracle {
+namespace {
+
+class SecondOfFamily : public testing::TestWithParam<fuzz::Family> {};
+
+TEST_P(SecondOfFamily, AgreesWithTheFirst) {
+  const char* const requested = std::getenv("OCCLUDE_SEED");
+  const std::uint64_t base = requested ? std::stoull(requested) : 1;
+  constexpr std::uint64_t kCases = 200;
+  std::size_t answered = 0;
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    const std::uint64_t seed = base * kCases + i;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const fuzz::Case c = fuzz::make_case(GetParam(), seed);
+    const Viewpoint view = judged(c.viewpoint);
+    const Occluder occluder = judged(c.occluder);
+    const Near near = judged_near(c, made_by_kernel(c));
+    const Box box = judged(c.box);
+    const Answer first = relation(view, occluder, near, box);
+    if (!first.refusal.empty()) continue;
+    const Answer other = second::relation(view, occluder, near, box);
+    ASSERT_EQ(other.refusal, "");
+    ASSERT_EQ(other.relation, first.relation);
+    ++answered;
+  }
+  EXPECT_GT(answered, kCases / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SecondOfFamily, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
+                         [](const auto& family) { return std::string(fuzz::name(family.param)); });
+
+}  // namespace
+}  // namespace occlude::oracle
