@@ -10,7 +10,7 @@ packages=(
   libosmesa6-dev libpng-dev libassimp-dev     # render
   libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
-  libgtest-dev                                # tests
+  libgtest-dev patch                          # tests
 )
 
 missing=()
