@@ -161,6 +161,23 @@ TEST(Culler, HidesWhatIsBehindAWallAndNothingElse) {
   EXPECT_FALSE(is_drawn(culler, frame, 4));
 }
 
+TEST(Culler, ParallelRaysHideWhatIsBehindAWallAndNotWhatIsBefore) {
+  PolygonSoup soup;
+  add_wall(soup, 4, -2, 2, -2, 2);
+  add_wall(soup, 2, -1, 1, -1, 1);
+  add_wall(soup, 6, -1, 1, -1, 1);
+  const Culler culler = one_polygon_leaves(soup);
+  Camera camera;
+  camera.projection = Projection::orthographic;
+  camera.height = 10;
+  CullOptions only_the_wall;
+  only_the_wall.occluders = 1;
+  const CullResult frame = culler.cull(camera, only_the_wall);
+  EXPECT_TRUE(is_drawn(culler, frame, 0));
+  EXPECT_TRUE(is_drawn(culler, frame, 1));
+  EXPECT_FALSE(is_drawn(culler, frame, 2));
+}
+
 TEST(Culler, GapsOfOneUlpBetweenWallsStayOpen) {
   PolygonSoup soup;
   add_wall(soup, 2, -1, 0, -1, 1);
@@ -243,14 +260,15 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
   for (int i = 0; i < 200; ++i) {
     const Camera camera = random_camera(random);
     const auto [right, up, forward] = camera.axes();
-    const double depth = std::isfinite(camera.far) ? camera.far : 1e6;
-    const double half = camera.projection == Projection::perspective
-                            ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * depth
-                            : camera.height / 2;
-    for (const double x : {-1.0, 1.0}) {
-      for (const double y : {-1.0, 1.0}) {
-        const glm::dvec3 corner = camera.eye + depth * forward + half * (x * camera.aspect * right + y * up);
-        for (const HalfSpace& h : view_frustum(camera, 1e6)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
+    for (const double depth : {camera.near, std::isfinite(camera.far) ? camera.far : 1e6}) {
+      const double half = camera.projection == Projection::perspective
+                              ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * depth
+                              : camera.height / 2;
+      for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+          const glm::dvec3 corner = camera.eye + depth * forward + half * (x * camera.aspect * right + y * up);
+          for (const HalfSpace& h : view_frustum(camera, 1e6)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
+        }
       }
     }
     for (const HalfSpace& h : view_frustum(camera, 1e6)) {

@@ -2,6 +2,7 @@
 // Every reason for which the kernel builds no frustum, decided exactly, and what is legal right beside it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "kernel/cube.h"
+#include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 
 namespace {
@@ -146,6 +148,10 @@ TEST(Refusal, ViewpointInThePlane) {
   EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, 1}), raised), Refusal::eye_in_plane);
   EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, up(1)}), raised), Refusal::none);
   EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, down(1)}), raised), Refusal::none);
+  // At a vertex of a loop that is not flat the other three would do.
+  const Loop folded{{2, -1, -1}, {2, 1, -1}, {3, 1, 1}, {2, -1, 1}};
+  EXPECT_EQ(from_origin(folded), Refusal::none);
+  for (const Vec3& v : folded) EXPECT_EQ(refusal(Viewpoint::eye(v), folded), Refusal::eye_in_plane);
 }
 
 TEST(Refusal, ZeroDirection) {
@@ -218,6 +224,27 @@ TEST(SupportPlane, LiesBehindAPolygonThatIsNotFlat) {
   const auto dot = [](const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
   for (const Vec3& v : bent) EXPECT_LE(dot(n, v), dot(n, p));
   EXPECT_GT(dot(n, p), 0);
+}
+
+TEST(SupportPlane, HasNoVertexBeyondItWhereverTheLoopBegins) {
+  Loop bent{{2, -1, -1}, {2.5, 0, -1.5}, {2.75, 1, -1}, {2, 1, 1}, {2.25, 0, 1.5}, {2.5, -1, 1}};
+  for (std::size_t i = 0; i < bent.size(); ++i) {
+    const auto made = ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), bent, Near::surface);
+    ASSERT_TRUE(made.frustum && made.frustum->support_plane());
+    for (const Vec3& v : bent) {
+      EXPECT_NE(overlap_certified(*made.frustum, Aabb{v, v}, NearBoundary::open).relation, Relation::inside) << i;
+    }
+    std::rotate(bent.begin(), bent.begin() + 1, bent.end());
+  }
+}
+
+TEST(SupportPlane, LiesBeyondTheEyeThatIsInThePlaneUpToRounding) {
+  // x + 2y = z but for rounding, which is all that the mean plane has to go by.
+  const Loop flat{{0.8, -0.4, 0}, {0.5, 0.9, 2.3}, {0.1, 0.9, 1.9}, {0.2, 0.6, 1.4}};
+  const Vec3 eye{0, 0, 0};
+  const auto made = ShadowFrustum::make(Viewpoint::eye(eye), flat, Near::surface);
+  ASSERT_TRUE(made.frustum && made.frustum->support_plane());
+  EXPECT_EQ(overlap_certified(*made.frustum, Aabb{eye, eye}).relation, Relation::outside);
 }
 
 }  // namespace
