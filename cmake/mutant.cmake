@@ -1,6 +1,6 @@
-# Planted faults (fuzz/mutants/README.md). With OCCLUDE_MUTANT=NAME the kernel and the culler are built from a copy in the build
-# folder into which fuzz/mutants/NAME.patch has put a fault, to see the tests and the fuzzer catch it. Included once, from the
-# top; sets OCCLUDE_SOURCES, the folder that kernel/ and culler/ are taken from.
+# Planted faults (fuzz/mutants/README.md). With OCCLUDE_MUTANT=NAME the kernel and the culler are built from a copy in the
+# build folder into which fuzz/mutants/NAME.patch has put a fault, to see the tests and the fuzzer catch it. Included once,
+# from the top; sets OCCLUDE_SOURCES, the folder that kernel/ and culler/ are taken from.
 set(OCCLUDE_MUTANT "" CACHE STRING "Planted fault to build with, for testing the tests: a name from fuzz/mutants, or none")
 set(OCCLUDE_SOURCES ${PROJECT_SOURCE_DIR})
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds with each planted fault in turn and sees whether the fuzzer and the tests catch it. Prints a Markdown table, one row a
-# fault as soon as it is known; exit 1 when a fault is missed.
+# Builds with each planted fault in turn and sees whether the fuzzer and the tests catch it. Prints a Markdown table, a row as
+# soon as it is known; exit 1 when a fault is missed.
 #
 # Usage: bash fuzz/mutants/run.sh [--only suite|fuzz] [--seconds N] [NAME...]
 #        bash fuzz/mutants/run.sh --check
@@ -11,8 +11,8 @@
 #   --seconds N      what the fuzzer is given for a fault, default 60
 #   --check          builds nothing: sees that every patch applies to the sources as they are
 #
-# All are built in one folder, build/mutants, so that a fault costs what depends on the files that it changes. The log of what
-# happened last stays there: log.txt.
+# All are built in one folder, build/mutants, so that a fault costs what depends on the files that it changes. The log of the
+# last one stays there: log.txt.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -32,7 +32,9 @@ patch_of() { echo "fuzz/mutants/$1.patch"; }
 check() {
   local status=0 name
   for name in $(all_names); do
-    patch --dry-run --strip=1 --fuzz=0 --force --silent --input="$(patch_of "$name")" || { echo "$name does not apply" >&2; status=1; }
+    patch --dry-run --strip=1 --fuzz=0 --force --silent --input="$(patch_of "$name")" && continue
+    echo "$name does not apply" >&2
+    status=1
   done
   return $status
 }
@@ -41,18 +43,17 @@ build() { cmake --build "$folder" --target "$1" >>"$log" 2>&1; }
 
 # first_failure TARGET FILTER: the first test that fails, or where the run broke off; nothing when all pass.
 first_failure() {
-  local output status=0
+  local output test status=0
   output=$(timeout "$limit" "$folder/tests/$1" --gtest_fail_fast --gtest_filter="$2" 2>&1) || status=$?
-  echo "$output" | tail -n 50 >>"$log"
+  tail -n 50 <<<"$output" >>"$log"
   [ $status -eq 0 ] && return
-  local test
   test=$(grep --max-count=1 --only-matching '^\[  FAILED  \] [^ ,]*' <<<"$output" | cut -c 14-) || true
   [ -n "$test" ] || test=$(grep '^\[ RUN      \]' <<<"$output" | tail -n 1 | cut -c 14-) || true
   [ $status -eq 124 ] && test+=', endless'
   echo "${test:-before the first test}"
 }
 
-# The suites that can see a fault, those that fail first before the others. Every answer to a million cases comes last: that it
+# The suites that can see a fault, those that fail first before the others. The hash of a million answers comes last: that it
 # moved says little.
 suites_for() {
   if grep --quiet '^--- a/culler/' "$(patch_of "$1")"; then
@@ -78,28 +79,29 @@ caught_by_suite() {
 # caught_by_fuzzer: a cell of the table.
 caught_by_fuzzer() {
   build occlude || { echo '**does not build**'; return; }
-  local output status=0 start=$SECONDS
-  output=$(timeout $((seconds_of_fuzzing + limit)) "$folder/occlude" fuzz --seconds "$seconds_of_fuzzing" --stop-at-first --json 2>>"$log") ||
-    status=$?
-  local seconds=$((SECONDS - start)) family
-  echo "$output" | tail -n 50 >>"$log"
-  family=$(grep --max-count=1 --only-matching '"family" *: *"[^"]*"' <<<"$output" | head -n 1 | cut -d '"' -f 4) || true
+  local output status=0 start=$SECONDS family seconds
+  output=$(timeout $((fuzz_seconds + limit)) "$folder/occlude" fuzz --seconds "$fuzz_seconds" --stop-at-first --json \
+    2>>"$log") || status=$?
+  seconds=$((SECONDS - start))
+  tail -n 50 <<<"$output" >>"$log"
+  family=$(grep --only-matching '"family" *: *"[^"]*"' <<<"$output" | head -n 1 | cut -d '"' -f 4) || true
   case $status in
     0) echo "**missed**, $seconds s" ;;
-    1) echo "\`$family\`, $seconds s" ;;
+    1) echo "\`${family:-?}\`, $seconds s" ;;
     124) echo "endless, $seconds s" ;;
-    *) echo "broke off with exit code $status, $seconds s" ;;
+    13?) echo "broken off by signal $((status - 128)), $seconds s" ;;
+    *) echo "**did not run**: exit code $status" ;;
   esac
 }
 
 only=
-seconds_of_fuzzing=60
+fuzz_seconds=60
 names=()
 while [ $# -gt 0 ]; do
   case $1 in
     --check) check; exit ;;
     --only) only=${2:-}; shift ;;
-    --seconds) seconds_of_fuzzing=${2:-}; shift ;;
+    --seconds) fuzz_seconds=${2:-}; shift ;;
     --*) fail "unknown option $1" ;;
     *) [ -f "$(patch_of "$1")" ] || fail "there is no fault $1"; names+=("$1") ;;
   esac
