@@ -35,6 +35,18 @@ TEST(Expansion, AgreesWithIntegers) {
   }
 }
 
+TEST(Expansion, KeepsTheLastBit) {
+  std::mt19937_64 random(kSeed);
+  for (int i = 0; i < 20000; ++i) {
+    Expansion factors[3];  // odd numbers of 53 bits: the product has a bit at 1 and nearly 160 above it
+    for (Expansion& x : factors) x = Expansion(static_cast<double>(random() >> 11U | 1U));
+    const auto& [a, b, c] = factors;
+    for (const int difference : {-1, 0, 1}) {
+      ASSERT_EQ((a * b * c + Expansion(difference) - c * b * a).sign(), difference) << "seed " << kSeed << " case " << i;
+    }
+  }
+}
+
 TEST(Expansion, DifferencesAreExact) {
   const Expansion tiny = Expansion::difference(1, 0x1p-100) - Expansion(1);
   EXPECT_EQ((tiny + Expansion(0x1p-100)).sign(), 0);

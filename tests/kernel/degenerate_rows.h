@@ -129,6 +129,23 @@ inline Rows farthest_rows() {
                  });
 }
 
+/// A wall in the plane x + y + z = 4 with a side along x + y + 5z = 0, and points a hair off them, beyond what twice the
+/// precision of a double can tell.
+inline Rows hair_rows() {
+  constexpr double kHair = 0x1p-100;
+  return rows_of({"hair", kOrigin, Loop{{6, -1, -1}, {-1, 6, -1}, {-1, -1, 6}}, surface},
+                 {
+                     {"on_near_plane", point({2, 2, 0}), inside, exact},
+                     {"beyond_near_plane", point({2, 2, kHair}), inside, exact},
+                     {"before_near_plane", point({2, 2, -kHair}), outside, exact},
+                     {"across_near_plane", Aabb{{2, 2, -kHair}, {2, 2, kHair}}, partial, exact},
+                     {"on_side", point({10, 0, -2}), inside, exact},
+                     {"within_side", point({10, kHair, -2}), inside, exact},
+                     {"beside_side", point({10, -kHair, -2}), outside, exact},
+                     {"across_side", Aabb{{10, -kHair, -2}, {10, 0, -2}}, partial, exact},
+                 });
+}
+
 /// At powers of two the same decisions in the same stages: nothing in the filter has a unit.
 inline Rows scaled_rows() {
   Rows rows;
@@ -479,12 +496,12 @@ inline Rows direction_rows() {
 inline std::vector<DegenerateRow> degenerate_rows() {
   using namespace degenerate;
   Rows rows;
-  for (const Rows& group :
-       {wall_rows(), tie_rows(), farthest_rows(), scaled_rows(), offset_rows(), many_sided_rows({-31, -1, 0, 20, 31}),
-        short_edge_rows("edge_of_1e_9", 1e-9, false), short_edge_rows("edge_of_2_to_minus_30", 0x1p-30, true),
-        collinear_rows(), edge_rows(), ceiling_rows(), rotated_box_rows(), skew_box_rows(), thin_box_rows(),
-        cube_rows("cube", CubeForm::quadrilaterals), cube_rows("triangulated_cube", CubeForm::triangles),
-        cube_rows("cube_with_t_junction", CubeForm::with_t_junction), direction_rows()}) {
+  for (const Rows& group : {wall_rows(), tie_rows(), farthest_rows(), hair_rows(), scaled_rows(), offset_rows(),
+                            many_sided_rows({-31, -1, 0, 20, 31}), short_edge_rows("edge_of_1e_9", 1e-9, false),
+                            short_edge_rows("edge_of_2_to_minus_30", 0x1p-30, true), collinear_rows(), edge_rows(),
+                            ceiling_rows(), rotated_box_rows(), skew_box_rows(), thin_box_rows(),
+                            cube_rows("cube", CubeForm::quadrilaterals), cube_rows("triangulated_cube", CubeForm::triangles),
+                            cube_rows("cube_with_t_junction", CubeForm::with_t_junction), direction_rows()}) {
     rows.insert(rows.end(), group.begin(), group.end());
   }
   return rows;
