@@ -15,6 +15,33 @@ struct RoundedPlane {
 
 [[nodiscard]] RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane);
 
+/// What a refined plane is worth at a vertex, and what it can be off by.
+template <class Real>
+struct RefinedValue {
+  Real value, error;
+  bool is_exact;  ///< nothing was rounded on the way
+};
+
+/// Value of the plane n + m, w + v at x, relative to `origin`; `uncertainty` is what its coefficients leave open there.
+/// `Real` is double, or a number that follows every rounding.
+template <class Real>
+[[nodiscard]] RefinedValue<Real> refined_value(const Vector3<Real>& n, const Real& w, const Vector3<Real>& m, const Real& v,
+                                               const Real& uncertainty, const Vector3<Real>& vertex,
+                                               const Vector3<Real>& origin) {
+  using std::fabs;
+  const auto x = two_difference(vertex.x, origin.x), y = two_difference(vertex.y, origin.y),
+             z = two_difference(vertex.z, origin.z);
+  const auto px = two_product(n.x, x.high), py = two_product(n.y, y.high), pz = two_product(n.z, z.high);
+  const auto xy = two_sum(px.high, py.high), xyz = two_sum(xy.high, pz.high), sum = two_sum(xyz.high, w);
+  const Real lost = ((px.low + py.low) + (pz.low + xy.low)) + (xyz.low + sum.low);
+  const Real tails = ((n.x * x.low + m.x * x.high) + (n.y * y.low + m.y * y.high)) + ((n.z * z.low + m.z * z.high) + v);
+  const Real magnitude = (fabs(px.high) + fabs(py.high)) + (fabs(pz.high) + fabs(w));
+  const bool nothing_lost = px.low == 0 && py.low == 0 && pz.low == 0 && xy.low == 0 && xyz.low == 0 && sum.low == 0;
+  const bool no_tails = x.low == 0 && y.low == 0 && z.low == 0 && m.x == 0 && m.y == 0 && m.z == 0 && v == 0;
+  return {sum.high + (lost + tails), kRefinedError * magnitude + uncertainty * kBoundInflation,
+          nothing_lost && no_tails && uncertainty == 0};
+}
+
 /// Sign of the plane at a vertex of the box whose bounds, relative to `origin`, reach as far as `reach`: at its low or high
 /// vertex along the plane's normal. 0 with `is_certain` false when twice the precision of a double cannot tell.
 struct CertainSign {

@@ -8,28 +8,35 @@
 
 namespace occlude::kernel {
 
-/// |true value - value| <= error, maintained through +, - and * (Wilkinson's running error analysis).
-struct RunningError {
-  double value = 0, error = 0;
+/// |true value - value| <= error, maintained through +, - and * (Wilkinson's running error analysis). `Real` is double, or a
+/// number that follows every rounding.
+template <class Real>
+struct BasicRunningError {
+  Real value = 0, error = 0;
 
   /// a - b of two given doubles.
-  static RunningError difference(double a, double b) {
-    const double rounded = a - b;
-    return {rounded, kUnitRoundoff * std::fabs(rounded)};
+  static BasicRunningError difference(const Real& a, const Real& b) {
+    using std::fabs;
+    const Real rounded = a - b;
+    return {rounded, kUnitRoundoff * fabs(rounded)};
   }
 
-  RunningError operator-() const { return {-value, error}; }
+  BasicRunningError operator-() const { return {-value, error}; }
 
-  friend RunningError operator+(const RunningError& a, const RunningError& b) {
-    const double sum = a.value + b.value;
-    return {sum, (a.error + b.error + kUnitRoundoff * std::fabs(sum)) * kBoundInflation};
+  friend BasicRunningError operator+(const BasicRunningError& a, const BasicRunningError& b) {
+    using std::fabs;
+    const Real sum = a.value + b.value;
+    return {sum, (a.error + b.error + kUnitRoundoff * fabs(sum)) * kBoundInflation};
   }
-  friend RunningError operator-(const RunningError& a, const RunningError& b) { return a + -b; }
-  friend RunningError operator*(const RunningError& a, const RunningError& b) {
-    const double product = a.value * b.value;
-    const double inherited = std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error;
-    return {product, (inherited + kUnitRoundoff * std::fabs(product)) * kBoundInflation};
+  friend BasicRunningError operator-(const BasicRunningError& a, const BasicRunningError& b) { return a + -b; }
+  friend BasicRunningError operator*(const BasicRunningError& a, const BasicRunningError& b) {
+    using std::fabs;
+    const Real product = a.value * b.value;
+    const Real inherited = fabs(a.value) * b.error + fabs(b.value) * a.error + a.error * b.error;
+    return {product, (inherited + kUnitRoundoff * fabs(product)) * kBoundInflation};
   }
 };
+
+using RunningError = BasicRunningError<double>;
 
 }  // namespace occlude::kernel
