@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Whether the kernel's error bounds hold: its constants recomputed from its own code, and the true errors of its values
+// measured against exact ones. Usage: bound_check [CASES], so many of each family.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "measure.h"
+#include "ranges.h"
+#include "recompute.h"
+
+namespace {
+
+using namespace occlude::bound_check;
+
+constexpr int kCases = 2000;
+constexpr std::uint64_t kSeed = 20263;
+
+bool report_constants() {
+  bool all_hold = true;
+  std::printf("%-19s %-32s %-5s %10s %10s %10s\n", "constant", "needed by", "unit", "recomputed", "in kernel", "ratio");
+  for (const auto& [name, where, needed, in_kernel, degree] : recomputed_constants()) {
+    const bool holds = needed <= in_kernel;
+    const Exact unit = degree == 1 ? kRoundoff : Exact(kRoundoff * kRoundoff);
+    const auto in_units = [&](const Exact& x) { return CGAL::to_double(Exact(x / unit)); };
+    std::printf("%-19s %-32s %-5s %10.6f %10.6f %10.2f%s\n", name.c_str(), where.c_str(), degree == 1 ? "u" : "u^2",
+                in_units(needed), in_units(in_kernel), CGAL::to_double(Exact(in_kernel / needed)),
+                holds ? "" : "  TOO SMALL");
+    all_hold = all_hold && holds;
+  }
+  return all_hold;
+}
+
+bool report_ranges() {
+  bool all_safe = true;
+  std::printf("\nexponents of two  %-32s %12s %12s %12s\n", "", "multiples of", "at most", "errors from");
+  for (const auto& [name, extent] : ranges()) {
+    std::printf("%-50s %12.1f %12.1f %12.1f%s\n", name.c_str(), extent.unit, extent.top, extent.error,
+                extent.is_safe() ? "" : "  OUT OF RANGE");
+    all_safe = all_safe && extent.is_safe();
+  }
+  return all_safe;
+}
+
+bool report_shares(const std::string& name, const Shares& shares) {
+  std::printf("%-30s %7d", name.c_str(), shares.legal_cases);
+  for (const double share : shares.largest) std::printf(" %9.3f", share);
+  const bool all_hold = std::all_of(shares.largest.begin(), shares.largest.end(), [](double share) { return share <= 1; });
+  std::printf("%s\n", all_hold ? "" : "  BEYOND ITS BOUND");
+  return all_hold;
+}
+
+bool report_errors(int cases, std::uint64_t seed) {
+  std::printf("\n|value - true value| / bound, the largest of %d cases a family, seed %llu\n", cases,
+              static_cast<unsigned long long>(seed));
+  std::printf("%-30s %7s", "family", "legal");
+  for (const auto name : kKindNames) std::printf(" %9s", std::string(name).c_str());
+  std::printf("\n");
+  Shares all;
+  for (const auto family : occlude::fuzz::families()) {
+    const Shares shares = measure(family, cases, seed);
+    report_shares(std::string(occlude::fuzz::name(family)), shares);
+    all.include(shares);
+  }
+  return report_shares("all", all);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const char* const requested = std::getenv("OCCLUDE_SEED");
+  const std::uint64_t seed = requested ? std::strtoull(requested, nullptr, 10) : kSeed;
+  const bool constants_hold = report_constants(), ranges_hold = report_ranges();
+  const bool errors_hold = report_errors(argc > 1 ? std::atoi(argv[1]) : kCases, seed);
+  return constants_hold && ranges_hold && errors_hold ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The planes of a frustum as exact numbers, from their definitions (kernel/include/occlude/kernel/planes.h).
+#pragma once
+
+#include <CGAL/Simple_cartesian.h>
+
+#include "exact.h"
+#include "occlude/kernel/shadow_frustum.h"
+
+namespace occlude::bound_check {
+
+using Vector = CGAL::Simple_cartesian<Exact>::Vector_3;
+
+[[nodiscard]] Vector vector_of(const kernel::Vec3& v);
+
+/// f(x) = normal . x + offset.
+struct TruePlane {
+  Vector normal;
+  Exact offset;
+
+  [[nodiscard]] Exact at(const kernel::Vec3& x) const { return normal * vector_of(x) + offset; }
+};
+
+[[nodiscard]] TruePlane true_plane(const kernel::ShadowFrustum& frustum, const kernel::PlaneRecipe& recipe);
+
+/// The same plane in other units.
+[[nodiscard]] TruePlane scaled(const TruePlane& plane, const Exact& factor);
+
+/// Its least and its greatest value over a box.
+struct Range {
+  Exact low, high;
+};
+[[nodiscard]] Range values(const TruePlane& plane, const kernel::Aabb& box);
+[[nodiscard]] Range values(const TruePlane& plane, const kernel::Obb& box);
+
+}  // namespace occlude::bound_check
