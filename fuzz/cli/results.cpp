@@ -46,7 +46,8 @@ Json json(const FuzzResults::Row& row) {
           {"conservative_undecided", t.undecided},
           {"plain", json(t.plain)},
           {"float32", json(t.float32)},
-          {"fma", json(t.fused)}};
+          {"fma", json(t.fused)},
+          {"core_seconds", row.report.core_seconds}};
 }
 
 fuzz::WrongAnswers wrong_answers(const nlohmann::json& object) {
@@ -85,11 +86,11 @@ FuzzResults read(const nlohmann::json& object) {
   results.seed = object.at("seed").get<std::uint64_t>();
   results.shards = object.at("shards").get<std::uint64_t>();
   results.parts = object.at("parts").get<std::vector<std::uint64_t>>();
-  results.core_seconds = object.at("core_seconds").get<double>();
   for (const auto& row : object.at("families")) {
     FuzzResults::Row& added = results.rows.emplace_back();
     added.name = row.at("name").get<std::string>();
     added.report.tally = tally(row);
+    added.report.core_seconds = row.at("core_seconds").get<double>();
     for (const auto& found : row.at("findings")) added.report.findings.push_back(finding(found));
   }
   return results;
@@ -120,7 +121,6 @@ void add(FuzzResults& whole, FuzzResults&& part, const std::string& file) {
     whole.parts.push_back(shard);
   }
   std::ranges::sort(whole.parts);
-  whole.core_seconds += part.core_seconds;
   for (std::size_t i = 0; i < whole.rows.size(); ++i) {
     fuzz::add(whole.rows[i].report, std::move(part.rows[i].report));
   }
@@ -128,9 +128,12 @@ void add(FuzzResults& whole, FuzzResults&& part, const std::string& file) {
 
 }  // namespace
 
-Tally total(const FuzzResults& results) {
-  Tally sum;
-  for (const FuzzResults::Row& row : results.rows) sum += row.report.tally;
+fuzz::Report total(const FuzzResults& results) {
+  fuzz::Report sum;
+  for (const FuzzResults::Row& row : results.rows) {
+    sum.tally += row.report.tally;
+    sum.core_seconds += row.report.core_seconds;
+  }
   return sum;
 }
 
@@ -145,7 +148,7 @@ std::string case_lines(const FuzzResults& results) {
 }
 
 std::string to_json(const FuzzResults& results) {
-  const Tally all = total(results);
+  const fuzz::Report all = total(results);
   Json families = Json::array();
   for (const FuzzResults::Row& row : results.rows) {
     Json object = json(row);
@@ -156,9 +159,9 @@ std::string to_json(const FuzzResults& results) {
   const Json object{{"seed", results.seed},
                     {"shards", results.shards},
                     {"parts", results.parts},
-                    {"cases", all.cases},
-                    {"disagreements", all.disagreements},
-                    {"core_seconds", results.core_seconds},
+                    {"cases", all.tally.cases},
+                    {"disagreements", all.tally.disagreements},
+                    {"core_seconds", all.core_seconds},
                     {"families", std::move(families)}};
   return object.dump(1) + '\n';
 }

@@ -18,11 +18,11 @@ struct FuzzResults {
   std::uint64_t seed = 1;
   std::uint64_t shards = 1;
   std::vector<std::uint64_t> parts;  ///< the shards that are in it
-  double core_seconds = 0;           ///< processor time, all threads together
   std::vector<Row> rows;
 };
 
-[[nodiscard]] fuzz::Tally total(const FuzzResults& results);
+/// All rows together, without their findings.
+[[nodiscard]] fuzz::Report total(const FuzzResults& results);
 
 /// Every finding that a case file can hold, a line each.
 [[nodiscard]] std::string case_lines(const FuzzResults& results);

@@ -21,18 +21,26 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 constexpr std::string_view kHead =
-    "                                              the right answer, %     decided |  wrong |   conservative | wrong "
-    "answers of others, %: culls, draws\n"
-    "family                              cases inside partial outside     exactly |        | undecided, of  |  plain        "
-    "  float32        FMA\n";
+    "                                           right answer, % of cases  decided |       |  conservative | wrong answers "
+    "of others, %: culls draws   | 1000 cases\n"
+    "family                              cases inside partial outside  exactly | wrong |  leaves to do |  plain           "
+    "float32         FMA     | a second\n";
 
-std::string line(const std::string& name, const Tally& t) {
+/// Thousands of cases a second and core.
+std::string speed(const fuzz::Report& report) {
+  if (report.core_seconds <= 0) return "-";
+  return fmt::format("{:.0f}", 1e-3 * static_cast<double>(report.tally.cases) / report.core_seconds);
+}
+
+std::string line(const std::string& name, const fuzz::Report& report) {
+  const Tally& t = report.tally;
   const std::uint64_t answered = t.cases - t.refused;
   const auto share = [&](std::uint64_t part) { return percent(part, answered); };
-  return fmt::format("{:<30} {:>10} {:>6} {:>7} {:>7} {:>11} | {:>6} | {:>14} | {:>6} {:>6}  {:>6} {:>6}  {:>6} {:>6}\n",
-                     name, t.cases, share(t.relations[0]), share(t.relations[1]), share(t.relations[2]), share(t.stages[1]),
-                     t.disagreements, percent(t.undecided, t.relations[2]), share(t.plain.culls), share(t.plain.draws),
-                     share(t.float32.culls), share(t.float32.draws), share(t.fused.culls), share(t.fused.draws));
+  return fmt::format(
+      "{:<30} {:>10} {:>6} {:>7} {:>7} {:>8} | {:>5} | {:>13} | {:>6} {:>6}  {:>6} {:>6}  {:>6} {:>6} | {:>6}\n", name,
+      t.cases, share(t.relations[0]), share(t.relations[1]), share(t.relations[2]), share(t.stages[1]), t.disagreements,
+      percent(t.undecided, t.relations[2]), share(t.plain.culls), share(t.plain.draws), share(t.float32.culls),
+      share(t.float32.draws), share(t.fused.culls), share(t.fused.draws), speed(report));
 }
 
 constexpr std::string_view kLegend = R"(
@@ -58,15 +66,15 @@ std::string findings(const FuzzResults& results) {
 
 std::string table(const FuzzResults& results) {
   std::string text(kHead);
-  for (const FuzzResults::Row& row : results.rows) text += line(row.name, row.report.tally);
-  const Tally all = total(results);
-  text += line("all", all);
+  for (const FuzzResults::Row& row : results.rows) text += line(row.name, row.report);
+  const fuzz::Report sum = total(results);
+  const Tally& all = sum.tally;
+  text += line("all", sum);
   text += kLegend;
   text += findings(results);
   text += fmt::format("\n{} cases, {} refused by both sides, {} judged by the second oracle as well; {} wrong\n", all.cases,
                       all.refused, all.judged_twice, all.disagreements);
-  text += fmt::format("seed {}, {:.0f} cases a second and core\n", results.seed,
-                      results.core_seconds > 0 ? static_cast<double>(all.cases) / results.core_seconds : 0);
+  text += fmt::format("seed {}\n", results.seed);
   return text;
 }
 

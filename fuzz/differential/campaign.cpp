@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "campaign.h"
 
+#include <time.h>
+
 #include <atomic>
 #include <thread>
 
 namespace occlude::fuzz {
+namespace {
+
+/// Of this thread.
+double core_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
 std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> experiments,
                         const std::function<bool(std::uint64_t groups, std::uint64_t findings)>& go_on) {
   const std::uint64_t rounds = (campaign.rounds + campaign.shards - 1 - campaign.shard) / campaign.shards;
@@ -15,7 +28,9 @@ std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> ex
       const std::uint64_t round = campaign.shard + i / experiments.size() * campaign.shards;
       const std::size_t experiment = i % experiments.size();
       Report group;
+      const double start = core_seconds();
       experiments[experiment].run(campaign.seed + round, group);
+      group.core_seconds = core_seconds() - start;
       found += group.tally.disagreements;
       add(own[experiment], std::move(group));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment.h"
 
+#include "frustum_batches.h"
 #include "overlap.h"
 #include "refusals.h"
 
@@ -14,6 +15,7 @@ const std::vector<Experiment>& experiments() {
           {std::string(name(family)), [=](std::uint64_t seed, Report& report) { run_overlap(family, seed, report); }});
     }
     list.push_back({"spoiled", run_refusals});
+    list.push_back({"frustum_batch", run_frustum_batch});
     return list;
   }();
   return all;

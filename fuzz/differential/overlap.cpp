@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "answers.h"
 #include "experiment.h"
 #include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/batch.h"
+#include "occlude/oracle/second.h"
 #include "rivals.h"
 #include "to_oracle.h"
 
@@ -21,13 +23,8 @@ using kernel::NearBoundary;
 using kernel::Relation;
 using kernel::ShadowFrustum;
 
-std::string text(Relation relation) { return std::string(kernel::to_string(relation)); }
-
-Relation relation_of(oracle::Relation relation) {
-  return relation == oracle::Relation::inside    ? Relation::inside
-         : relation == oracle::Relation::partial ? Relation::partial
-                                                 : Relation::outside;
-}
+/// The second oracle is slow: it judges one case in so many.
+constexpr std::uint64_t kJudgedTwice = 100;
 
 oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustumResult& made) {
   return {to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made)};
@@ -44,7 +41,8 @@ class Judgement {
         made_(make_frustum(question)),
         shadow_(shadow_of(question, made_)) {}
 
-  void judge(const Box& box) {
+  /// `number` tells the cases of the family apart.
+  void judge(const Box& box, std::uint64_t number) {
     ++report_.tally.cases;
     const oracle::Answer answer = shadow_.relation(to_oracle(box));
     const bool refused = !made_.frustum || check(box) != kernel::Refusal::none;
@@ -57,6 +55,7 @@ class Judgement {
       return;
     }
     const Relation truth = relation_of(answer.relation);
+    if (number % kJudgedTwice == 0) judge_again(box, truth);
     const kernel::Decision certified = overlap(*made_.frustum, box);
     report_.tally.count(truth, certified.stage);
     if (const std::string fault = fault_of(box, certified.relation, truth); !fault.empty()) add_finding(box, fault);
@@ -107,6 +106,14 @@ class Judgement {
     return "";
   }
 
+  void judge_again(const Box& box, Relation truth) {
+    ++report_.tally.judged_twice;
+    const oracle::Answer second = oracle::second::relation(to_oracle(question_.viewpoint), to_oracle(question_.occluder),
+                                                           to_oracle(question_.near, made_), to_oracle(box));
+    const Relation answer = relation_of(second.relation);
+    if (answer != truth) add_finding(box, "the second oracle: " + text(answer) + ", the first: " + text(truth));
+  }
+
   void count_rivals(const Box& box, Relation truth) {
     report_.tally.plain.count(overlap_plain(*made_.frustum, box), truth);
     report_.tally.float32.count(overlap_float32(*made_.frustum, box), truth);
@@ -135,7 +142,7 @@ class Judgement {
 void judge_overlap(const Case& question, std::span<const Box> boxes, const std::string& family, std::uint64_t seed,
                    Report& report) {
   Judgement judgement(question, family, seed, report);
-  for (const Box& box : boxes) judgement.judge(box);
+  for (std::size_t i = 0; i < boxes.size(); ++i) judgement.judge(boxes[i], seed * kGroup + i);
   judgement.judge_batch();
 }
 

@@ -22,6 +22,7 @@ Tally& Tally::operator+=(const Tally& other) {
 
 void add(Report& whole, Report&& part) {
   whole.tally += part.tally;
+  whole.core_seconds += part.core_seconds;
   std::vector<Finding>& findings = whole.findings;
   std::ranges::move(part.findings, std::back_inserter(findings));
   std::ranges::stable_sort(findings, {}, &Finding::seed);

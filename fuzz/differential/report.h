@@ -60,6 +60,7 @@ struct Finding {
 
 struct Report {
   Tally tally;
+  double core_seconds = 0;  ///< processor time
   std::vector<Finding> findings;
 };
 
