@@ -22,13 +22,6 @@ std::string range_fault(const Point& p) {
   return std::ranges::all_of(p, is_in_range) ? "" : "a coordinate is out of range";
 }
 
-std::string first_range_fault(std::span<const Point> points) {
-  for (const Point& point : points) {
-    if (std::string fault = range_fault(point); !fault.empty()) return fault;
-  }
-  return "";
-}
-
 /// The points that give the box.
 std::vector<Point> points_of(const Box& box) {
   if (const Aabb* aabb = std::get_if<Aabb>(&box)) return {aabb->min, aabb->max};
@@ -60,14 +53,21 @@ std::string box_fault(const Box& box) {
   return !aabb || is_in_order(*aabb) ? "" : "the box has min > max";
 }
 
+std::string range_fault(std::span<const Point> points) {
+  for (const Point& point : points) {
+    if (std::string fault = range_fault(point); !fault.empty()) return fault;
+  }
+  return "";
+}
+
 std::string strict_box_fault(const Box& box) {
-  const std::string fault = first_range_fault(points_of(box));
+  const std::string fault = range_fault(points_of(box));
   return fault.empty() ? box_fault(box) : fault;
 }
 
 std::string number_fault(const Viewpoint& view, std::span<const Point> vertices) {
   const std::string fault = range_fault(view.value);
-  return fault.empty() ? first_range_fault(vertices) : fault;
+  return fault.empty() ? range_fault(vertices) : fault;
 }
 
 std::string setting_fault(const Viewpoint& view, const Near& near) {

@@ -16,6 +16,9 @@ namespace occlude::oracle {
 /// As box_fault, or a coordinate is out of range.
 [[nodiscard]] std::string strict_box_fault(const Box& box);
 
+/// A coordinate is not finite or out of range.
+[[nodiscard]] std::string range_fault(std::span<const Point> points);
+
 /// A number of the viewpoint or of the vertices is not finite or out of range.
 [[nodiscard]] std::string number_fault(const Viewpoint& view, std::span<const Point> vertices);
 

@@ -47,6 +47,17 @@ struct LoopPlane {
   }
 };
 
+/// The plane through a point that is parallel to a LoopPlane, to that of a mean plane when the loop is not coplanar.
+struct MeanPlane {
+  Loop loop;
+  Point point;
+
+  template <class N>
+  HalfSpace<N> operator()() const {
+    return {LoopPlane{loop}.operator()<N>().normal, vector_of<N>(point)};
+  }
+};
+
 /// The near plane `farthest`: across the line of sight to the vertex `p`, what is beyond it positive.
 struct FarthestPlane {
   Viewpoint view;
@@ -81,14 +92,15 @@ struct CoefficientPlane {
 
 /// One of these planes with the side of it that counts as positive.
 struct OrientedPlane {
-  std::variant<SidePlane, LoopPlane, FarthestPlane, GivenPlane> plane;
+  std::variant<SidePlane, LoopPlane, MeanPlane, FarthestPlane, GivenPlane, CoefficientPlane> plane;
   CGAL::Sign positive = CGAL::POSITIVE;
 
   template <class N>
   HalfSpace<N> operator()() const {
     const auto build = [](const auto& definition) { return definition.template operator()<N>(); };
     const HalfSpace<N> half_space = std::visit(build, plane);
-    return positive == CGAL::NEGATIVE ? HalfSpace<N>{-half_space.normal, half_space.point} : half_space;
+    if (positive != CGAL::NEGATIVE) return half_space;
+    return {-half_space.normal, half_space.point, -half_space.offset};
   }
 };
 

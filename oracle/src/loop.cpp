@@ -36,7 +36,7 @@ void find_sides(const SidePlane& edge, const Loop& loop, std::span<CGAL::Sign> s
 /// Whether every vertex lies strictly ahead of the eye, so that the eye is not in the hull of the polygon. (A convex loop
 /// for which this fails is folded around a line through the eye.)
 bool lies_ahead(const Point& eye, const Loop& loop, CGAL::Sign turn) {
-  Plane across([&]<class N>() { return HalfSpace<N>{LoopPlane{loop}.operator()<N>().normal, vector_of<N>(eye)}; });
+  Plane across(MeanPlane{loop, eye});
   return std::ranges::all_of(loop, [&](const Point& vertex) { return across.side(vertex) == turn; });
 }
 

@@ -14,6 +14,8 @@ namespace occlude::oracle {
 inline Point judged(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 inline Viewpoint judged(const kernel::Viewpoint& v) { return {judged(v.value), !v.is_eye()}; }
 
+inline Relation judged(kernel::Relation relation) { return static_cast<Relation>(relation); }
+
 inline Loop judged(const std::vector<kernel::Vec3>& vertices) {
   Loop result;
   for (const kernel::Vec3& v : vertices) result.push_back(judged(v));

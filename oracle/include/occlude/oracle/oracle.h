@@ -58,6 +58,8 @@ struct Answer {
   Relation relation = Relation::partial;
 };
 
+struct Prepared;
+
 /// The shadow frustum of an occluder, prepared for many boxes: what is computed for one box is kept for the next. Different
 /// shadows may be asked in different threads, one only by one thread at a time.
 class Shadow {
@@ -75,13 +77,18 @@ class Shadow {
   /// Relation of `box` to the frustum, or the reason for refusing the case, the box's faults included.
   [[nodiscard]] Answer relation(const Box& box);
 
+  /// Relation of a convex polytope to the frustum; the viewpoint may lie in it.
+  [[nodiscard]] Answer relation(const Polytope& occludee);
+
+  /// Relation of `box` to the union of this frustum and the other: inside when every point is in one of them or in both.
+  [[nodiscard]] Answer relation_to_union(Shadow& other, const Box& box);
+
   /// Proof that `box` lies in the frustum and strictly beyond its near planes, a given `plane` being sound for the occluder
   /// (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side). Empty when proved,
   /// else what failed.
   [[nodiscard]] std::string refute_cull(const Box& box);
 
  private:
-  struct Prepared;
   std::unique_ptr<Prepared> prepared_;
 };
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// How a box lies to planes, of which each has an inner side.
+#pragma once
+
+#include <vector>
+
+#include "box.h"
+#include "half_spaces.h"
+
+namespace occlude::oracle {
+
+/// The planes of a question. What they compute for it they keep.
+using Planes = std::vector<Plane<OrientedPlane>*>;
+
+inline void append(Planes& planes, std::vector<Plane<OrientedPlane>>& more) {
+  for (Plane<OrientedPlane>& plane : more) planes.push_back(&plane);
+}
+
+/// Whether some point of the box is strictly outside of none of the planes.
+[[nodiscard]] bool share_a_point(const Planes& planes, const Box& box);
+
+/// Relation of the box to the intersection of the inner sides.
+[[nodiscard]] Relation relate(const Planes& planes, const Box& box);
+
+}  // namespace occlude::oracle

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// The other questions, by cases worked out by hand.
+#include "occlude/oracle/questions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/cuboid.h"
+#include "oracle/hand_cases.h"
+
+namespace occlude::oracle {
+namespace {
+
+constexpr Viewpoint kUp{{0, 0, 1}, true};
+
+// ------------------------------------------------------------------------------------------------------------ half-spaces
+
+// |x| <= z, |y| <= z, 1 <= z <= 4.
+const std::vector<HalfSpaceCoefficients> kPyramid{{-1, 0, 1, 0}, {1, 0, 1, 0},  {0, -1, 1, 0},
+                                                  {0, 1, 1, 0},  {0, 0, 1, -1}, {0, 0, -1, 4}};
+
+TEST(HalfSpaces, AgreeWithCasesWorkedOutByHand) {
+  const std::pair<Aabb, Relation> cases[] = {
+      {{{-1, -1, 3}, {1, 1, 4}}, kInside},        {{{-1, -1, 3}, {1, 1, above(4)}}, kPartial},
+      {{{-1, -1, 4}, {1, 1, 5}}, kPartial},       {{{-1, -1, above(4)}, {1, 1, 5}}, kOutside},
+      {{{4, 4, 4}, {5, 5, 5}}, kPartial},         {{{-9, -9, -9}, {9, 9, 9}}, kPartial},
+      {{{3, -1, 2}, {4, 1, below(3)}}, kOutside}, {{{3, 3, 2}, {4, 4, 3}}, kPartial},
+      {{{3, above(3), 2}, {4, 4, 3}}, kOutside},
+  };
+  for (const auto& [box, expected] : cases) {
+    EXPECT_EQ(relation_to_half_spaces(kPyramid, box).relation, expected) << box.min[0] << " " << box.min[2];
+  }
+}
+
+TEST(HalfSpaces, OneNoneEmptyAndFaulty) {
+  const auto ask = [](const std::vector<HalfSpaceCoefficients>& half_spaces, const Box& box) {
+    return relation_to_half_spaces(half_spaces, box);
+  };
+  const Aabb cube{{-1, -1, -1}, {1, 1, 1}};
+  EXPECT_EQ(ask({{1, 1, 1, 3}}, cube).relation, kInside);
+  EXPECT_EQ(ask({{1, 1, 1, below(3)}}, cube).relation, kPartial);
+  EXPECT_EQ(ask({{1, 1, 1, -3}}, cube).relation, kPartial);
+  EXPECT_EQ(ask({{1, 1, 1, below(-3)}}, cube).relation, kOutside);
+  EXPECT_EQ(ask({{1, 1, 1, -3}}, Obb{{2, 0, 0}, {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}}).relation, kPartial);
+  EXPECT_EQ(ask({}, cube).relation, kInside);
+  EXPECT_EQ(ask({{0, 0, 0, 0}}, cube).relation, kInside);
+  EXPECT_EQ(ask({{0, 0, 0, -1}}, cube).relation, kOutside);
+  EXPECT_EQ(ask({{1, 0, 0, 0}, {-1, 0, 0, 0}}, cube).relation, kPartial);
+  EXPECT_EQ(ask({{1, 0, 0, 0}, {-1, 0, 0, -0x1p-60}}, cube).relation, kOutside);
+  EXPECT_EQ(ask({{1, 0, 0, kNan}}, cube).refusal, "a number is not finite");
+  EXPECT_EQ(ask({{1, 0, 0, 0}}, Aabb{{1, 0, 0}, {0, 0, 0}}).refusal, "the box has min > max");
+}
+
+// -------------------------------------------------------------------------------------------------------------- silhouette
+
+std::vector<Point> sorted(std::vector<Point> points) {
+  std::ranges::sort(points);
+  return points;
+}
+
+TEST(Outline, OfAPolygonLeavesOutWhatDoesNotTurn) {
+  EXPECT_EQ(outline(kOrigin, kSquare).corners, sorted(kSquare));
+  Loop loop = kSquare;
+  loop.insert(loop.begin() + 1, {0, -1, 1});
+  loop.insert(loop.begin(), loop[0]);
+  EXPECT_EQ(outline(kOrigin, loop).corners, sorted(kSquare));
+  const Loop bent{{-1, -1, 1}, {0, -2, 2}, {1, -1, 1}, {0, 1, 1}};  // the second is seen on the edge from first to third
+  EXPECT_EQ(outline(kOrigin, bent).corners, sorted({bent[0], bent[2], bent[3]}));
+  EXPECT_EQ(outline(kOrigin, bent).farthest, bent[1]);
+  EXPECT_EQ(outline(kUp, bent).corners, sorted(bent));
+}
+
+TEST(Outline, OfAPolytopeRunsAlongTheFacesTurnedToTheViewpoint) {
+  const Polytope level = cuboid({1, -1, -2}, {3, 1, 0});  // its top, z = 0, is seen edge-on
+  EXPECT_EQ(outline(kOrigin, level).corners, sorted({{1, -1, -2}, {1, 1, -2}, {1, -1, 0}, {1, 1, 0}}));
+  const Polytope corner = cuboid({1, 1, 1}, {3, 3, 3});
+  EXPECT_EQ(outline(kOrigin, corner).corners, sorted({{3, 1, 1}, {3, 3, 1}, {1, 3, 1}, {1, 3, 3}, {1, 1, 3}, {3, 1, 3}}));
+  EXPECT_EQ(outline(kOrigin, corner).farthest, (Point{3, 3, 1})) << "the first of three";
+  EXPECT_EQ(outline(kUp, corner).farthest, (Point{1, 1, 1}));
+  EXPECT_EQ(outline({{2, 2, 2}, false}, corner).refusal, "the eye lies in the polytope");
+}
+
+// ------------------------------------------------------------------------------------------------------------ cones of rays
+
+Loop scaled(Loop loop, double factor) {
+  for (Point& v : loop) v = {v[0] * factor, v[1] * factor, v[2] * factor};
+  return loop;
+}
+
+TEST(Cones, AgreeWithCasesWorkedOutByHand) {
+  const double more = above(1);
+  const std::pair<Loop, Relation> cases[] = {
+      {kSquare, kInside},
+      {scaled(kSquare, 3), kInside},
+      {scaled(kSquare, -1), kOutside},
+      {{{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}, kInside},
+      {{{-1, -1, 1}, {more, -1, 1}, {0, 1, 1}}, kPartial},
+      {kDiamond, kPartial},
+      {{{1, 1, 1}, {2, 1, 1}, {1, 2, 1}}, kPartial},
+      {{{more, 1, 1}, {2, 1, 1}, {more, 2, 1}}, kOutside},
+      {{{1, -1, 1}, {1, 1, 1}, {2, 0, 1}}, kPartial},
+      {{{more, -1, 1}, {more, 1, 1}, {2, 0, 1}}, kOutside},
+      {{{3, 0, 1}, {0, 3, 1}, {3, 3, 1}}, kOutside},
+      {{{2, 0, 1}, {0, 2, 1}, {3, 3, 1}}, kPartial},
+      {{{0, 0, 1}, {9, -1, -1}, {9, 1, -1}}, kPartial},
+      {{{-3, 9, -1}, {-3, -9, -1}, {9, 0, -1}}, kOutside},
+  };
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    const auto& [occludee, expected] = cases[i];
+    const Answer answer = cone_relation(kOrigin, kSquare, occludee);
+    EXPECT_EQ(answer.refusal, "") << i;
+    EXPECT_EQ(answer.relation, expected) << i;
+  }
+  const Loop folded{{-1, -1, 1}, {1, -1, 2}, {1, 1, 3}, {-1, 1, 1}};
+  EXPECT_EQ(cone_relation(kOrigin, kSquare, folded).relation, kInside);
+  EXPECT_EQ(cone_relation(kOrigin, folded, kSquare).relation, kPartial);
+}
+
+TEST(Cones, OfPolytopesAndAlongADirection) {
+  const Polytope block = cuboid({-1, -1, 1}, {1, 1, 3}), corner = cuboid({1, 1, 1}, {3, 3, 3});
+  EXPECT_EQ(cone_relation(kOrigin, kSquare, block).relation, kInside);
+  EXPECT_EQ(cone_relation(kOrigin, block, kSquare).relation, kInside);
+  EXPECT_EQ(cone_relation(kOrigin, block, corner).relation, kPartial);
+  EXPECT_EQ(cone_relation(kOrigin, block, cuboid({-1, -1, -3}, {1, 1, -1})).relation, kOutside);
+  EXPECT_EQ(cone_relation(kUp, block, cuboid({-1, -1, -3}, {1, 1, -1})).relation, kInside);
+  EXPECT_EQ(cone_relation(kUp, block, corner).relation, kPartial) << "they touch in an edge as seen";
+  EXPECT_EQ(cone_relation(kUp, block, cuboid({above(1), 1, 7}, {3, 3, 9})).relation, kOutside);
+  EXPECT_EQ(cone_relation(kOrigin, kSquare, Loop{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}).refusal,
+            "the eye lies in the polygon's plane");
+}
+
+// ------------------------------------------------------------------------------------------------- polytopes as occludees
+
+TEST(Occludee, AgreesWithCasesWorkedOutByHand) {
+  Shadow shadow(kOrigin, kSquare, kSurface);
+  const auto ask = [&](const Point& min, const Point& max) { return shadow.relation(cuboid(min, max)).relation; };
+  EXPECT_EQ(ask({-2, -2, 2}, {2, 2, 3}), kInside);
+  EXPECT_EQ(ask({-2, -2, 2}, {above(2), 2, 3}), kPartial);
+  EXPECT_EQ(ask({2, 0, 1}, {3, 1, 2}), kPartial);
+  EXPECT_EQ(ask({2, 0, 1}, {3, 1, below(2)}), kOutside);
+  EXPECT_EQ(ask({-9, -9, -9}, {9, 9, 9}), kPartial);
+  EXPECT_EQ(ask({-9, -9, -9}, {9, 9, below(1)}), kOutside);
+  // The box about it meets F, the tetrahedron only where it touches the side x = z at (4, 0, 4), or does not.
+  const auto tetrahedron = [](double x) {
+    return Polytope{{{x, 0, 4}, {9, 0, 3}, {9, 1, 5}, {9, -1, 5}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 2, 3}}};
+  };
+  EXPECT_EQ(shadow.relation(tetrahedron(4)).relation, kPartial);
+  EXPECT_EQ(shadow.relation(tetrahedron(above(4))).relation, kOutside);
+  Polytope open = cuboid({-1, -1, 2}, {1, 1, 3});
+  open.faces.pop_back();
+  EXPECT_EQ(shadow.relation(open).refusal, "the polytope is not closed");
+  open.vertices[0][0] = kNan;
+  EXPECT_EQ(shadow.relation(open).refusal, "a number is not finite");
+}
+
+// ------------------------------------------------------------------------------------------------------------------ unions
+
+/// A wall at z = 1 from x = low to x = high, and y from -1 to 1.
+Loop wall(double low, double high) { return {{low, -1, 1}, {high, -1, 1}, {high, 1, 1}, {low, 1, 1}}; }
+
+TEST(Union, AgreesWithCasesWorkedOutByHand) {
+  struct HandCase {
+    const char* what;
+    double low;  // of the second wall, which ends at 1; the first reaches from -1 to 0
+    Box box;
+    Relation expected;
+  };
+  const HandCase cases[] = {
+      {"in the first alone", 0, Aabb{{-2, -1, 2}, {-1, 1, 3}}, kInside},
+      {"across the common edge", 0, Aabb{{-1, -1, 2}, {1, 1, 3}}, kInside},
+      {"all of both", 0, Aabb{{-2, -2, 2}, {2, 2, 3}}, kInside},
+      {"the same, out by an ulp", 0, Aabb{{-2, -2, 2}, {above(2), 2, 3}}, kPartial},
+      {"on the near planes", 0, Aabb{{-1, -1, 1}, {1, 1, 2}}, kInside},
+      {"before them", 0, Aabb{{-1, -1, below(1)}, {1, 1, 2}}, kPartial},
+      {"a gap of 2^-60", 0x1p-60, Aabb{{-1, -1, 2}, {1, 1, 3}}, kPartial},
+      {"walls that overlap", -0.5, Aabb{{-2, -2, 2}, {2, 2, 3}}, kInside},
+      {"touching both from outside", 0, Aabb{{-1, 2, 2}, {1, 3, 2}}, kPartial},
+      {"in neither", 0, Aabb{{-1, above(2), 2}, {1, 3, 2}}, kOutside},
+      {"flat, in the common plane", 0, Aabb{{0, -2, 2}, {0, 2, 3}}, kInside},
+      {"a diamond across", 0, Obb{{0, 0, 3}, {{{1, 1, 0}, {1, -1, 0}, {0, 0, 1}}}}, kInside},
+      {"the same, wider", 0, Obb{{0, 0, 3}, {{{above(1), 1, 0}, {1, -1, 0}, {0, 0, 1}}}}, kPartial},
+  };
+  for (const auto& [what, low, box, expected] : cases) {
+    Shadow first(kOrigin, wall(-1, 0), kSurface), second(kOrigin, wall(low, 1), kSurface);
+    EXPECT_EQ(first.relation_to_union(second, box).relation, expected) << what;
+    EXPECT_EQ(second.relation_to_union(first, box).relation, expected) << what;
+  }
+}
+
+TEST(Union, NeedNotBeConvex) {
+  // Seen from the origin a cross of two bars: what is between their arms is in neither.
+  const Loop level{{-3, -1, 1}, {3, -1, 1}, {3, 1, 1}, {-3, 1, 1}}, upright{{-1, -3, 1}, {1, -3, 1}, {1, 3, 1}, {-1, 3, 1}};
+  Shadow first(kOrigin, level, kSurface), second(kOrigin, upright, kSurface);
+  const auto ask = [&](const Box& box) { return first.relation_to_union(second, box).relation; };
+  EXPECT_EQ(ask(Aabb{{-1, -1, 1}, {1, 3, 2}}), kInside);
+  EXPECT_EQ(ask(Aabb{{-3, -1, 1}, {3, 1, 1}}), kInside);
+  EXPECT_EQ(ask(Obb{{1, 1, 1}, {{{1, -1, 0}, {0, 0, 0}, {0, 0, 0}}}}), kInside) << "through the inner corner";
+  EXPECT_EQ(ask(Obb{{above(1), 1, 1}, {{{1, -1, 0}, {0, 0, 0}, {0, 0, 0}}}}), kPartial) << "just past it";
+  EXPECT_EQ(ask(Aabb{{above(1), above(1), 1}, {2, 2, 1}}), kOutside);
+}
+
+TEST(Union, NamesTheFirstFault) {
+  Shadow good(kOrigin, kSquare, kSurface), flat({{1, 1, 1}, false}, kSquare, kSurface);
+  const Aabb box{{-1, -1, 2}, {1, 1, 3}};
+  EXPECT_EQ(good.relation_to_union(flat, box).refusal, flat.refusal());
+  EXPECT_EQ(flat.relation_to_union(good, box).refusal, flat.refusal());
+  EXPECT_EQ(good.relation_to_union(flat, Aabb{{1, 1, 1}, {0, 0, 0}}).refusal, "the box has min > max");
+}
+
+}  // namespace
+}  // namespace occlude::oracle
