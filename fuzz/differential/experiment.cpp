@@ -4,6 +4,9 @@
 #include "frustum_batches.h"
 #include "overlap.h"
 #include "refusals.h"
+#include "seen.h"
+#include "unions.h"
+#include "view_frusta.h"
 
 namespace occlude::fuzz {
 
@@ -16,6 +19,10 @@ const std::vector<Experiment>& experiments() {
     }
     list.push_back({"spoiled", run_refusals});
     list.push_back({"frustum_batch", run_frustum_batch});
+    list.push_back({"union", run_unions});
+    list.push_back({"view_frustum", run_view_frusta});
+    list.push_back({"cones", run_cones});
+    list.push_back({"occludees", run_occludees});
     return list;
   }();
   return all;

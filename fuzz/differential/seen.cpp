@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "seen.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "any_case.h"
+#include "experiment.h"
+#include "occlude/fuzz/ask.h"
+#include "occlude/fuzz/neighbours.h"
+#include "occlude/kernel/polytope_overlap.h"
+#include "occlude/kernel/view_cone.h"
+#include "occlude/oracle/questions.h"
+#include "to_oracle.h"
+#include "verdict.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using kernel::Aabb;
+using kernel::Polytope;
+using kernel::Vec3;
+using kernel::ViewCone;
+
+const std::vector<Vec3>& vertices_of(const Occluder& occluder) {
+  const auto* const polygon = std::get_if<Polygon>(&occluder);
+  return polygon ? *polygon : std::get<Polytope>(occluder).vertices;
+}
+
+/// Corner i is high on axis k where bit k of i is set.
+std::vector<Vec3> corners_of(const Aabb& box) {
+  std::vector<Vec3> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners.push_back({(i & 1U ? box.max : box.min).x, (i & 2U ? box.max : box.min).y, (i & 4U ? box.max : box.min).z});
+  }
+  return corners;
+}
+
+Polytope polytope_of(const Aabb& box) {
+  return {corners_of(box), {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+}
+
+Polytope tetrahedron_of(Random& random, const Aabb& box) {
+  const std::vector<Vec3> corners = corners_of(box);
+  Polytope result{{}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+  for (int i = 0; i < 4; ++i) result.vertices.push_back(corners[random.index(8)]);
+  return result;
+}
+
+Polygon face_of(Random& random, const Aabb& box) {
+  const Polytope whole = polytope_of(box);
+  Polygon face;
+  for (const std::uint32_t i : whole.faces[random.index(whole.faces.size())]) face.push_back(whole.vertices[i]);
+  return face;
+}
+
+/// Three of its vertices.
+Polygon part_of(Random& random, const Occluder& occluder) {
+  const std::vector<Vec3>& vertices = vertices_of(occluder);
+  Polygon part;
+  for (int i = 0; i < 3; ++i) part.push_back(vertices[random.index(vertices.size())]);
+  return part;
+}
+
+Occluder some_occludee(Random& random, const Case& c) {
+  const Box box = random.chance(0.5) ? c.box : neighbour(c.box, random.bits());
+  const auto* const aabb = std::get_if<Aabb>(&box);
+  switch (random.integer(0, aabb ? 5 : 2)) {
+    case 0:
+      return c.occluder;
+    case 1:
+      return part_of(random, c.occluder);
+    case 2:
+      return any_case(random).occluder;
+    case 3:
+      return face_of(random, *aabb);
+    case 4:
+      return tetrahedron_of(random, *aabb);
+    default:
+      return polytope_of(*aabb);
+  }
+}
+
+Case some_legal_case(Random& random) {
+  while (true) {
+    Case c = any_case(random);
+    if (make_frustum(c).frustum) return c;
+  }
+}
+
+std::optional<ViewCone> cone_of(const kernel::Viewpoint& viewpoint, const Occluder& object) {
+  if (const auto* const polygon = std::get_if<Polygon>(&object)) return ViewCone::make(viewpoint, *polygon).cone;
+  const auto made = kernel::ConvexPolytope::make(std::get<Polytope>(object));
+  return made.polytope ? ViewCone::make(viewpoint, *made.polytope).cone : std::nullopt;
+}
+
+/// Whether the corners are those of the oracle's outline. A corner that is seen where another is may be named by either.
+std::string outline_fault(const Case& c, const ViewCone& cone) {
+  const oracle::Outline outline = oracle::outline(to_oracle(c.viewpoint), to_oracle(c.occluder));
+  if (!outline.refusal.empty()) return "silhouette: the oracle refuses: " + outline.refusal;
+  std::vector<oracle::Point> corners = to_oracle(Polygon(cone.corners().begin(), cone.corners().end()));
+  std::ranges::sort(corners);
+  if (!std::ranges::includes(outline.corners, corners)) return "silhouette: a corner that is none";
+  const bool may_share = std::holds_alternative<Polygon>(c.occluder);
+  if (corners.size() < outline.corners.size() && !may_share) return "silhouette: a corner is missing";
+  return "";
+}
+
+void add_fault(Report& report, const char* family, std::uint64_t seed, const std::string& what) {
+  if (what.empty()) return;
+  ++report.tally.disagreements;
+  report.findings.push_back({family, seed, what, std::nullopt, ""});
+}
+
+}  // namespace
+
+void run_cones(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  const Case c = some_legal_case(random);
+  const std::optional<ViewCone> occluder = cone_of(c.viewpoint, c.occluder);
+  add_fault(report, "cones", seed, outline_fault(c, *occluder));
+  for (std::uint64_t i = 0; i < kGroup;) {
+    const Occluder object = some_occludee(random, c);
+    const std::optional<ViewCone> occludee = cone_of(c.viewpoint, object);
+    if (!occludee) continue;
+    const kernel::ConeOverlap answer = kernel::overlap_certified(*occluder, *occludee);
+    judge(report, "cones", seed, "occludee " + std::to_string(i++), answer.relation, answer.stage,
+          oracle::cone_relation(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(object)));
+  }
+}
+
+void run_occludees(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  const Case c = some_legal_case(random);
+  const auto made = make_frustum(c);
+  oracle::Shadow shadow(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made));
+  for (std::uint64_t i = 0; i < kGroup;) {
+    const Occluder object = some_occludee(random, c);
+    const auto* const given = std::get_if<Polytope>(&object);
+    if (!given) continue;
+    const auto occludee = kernel::ConvexPolytope::make(*given);
+    if (!occludee.polytope) continue;
+    const kernel::Decision answer = kernel::overlap_certified(*made.frustum, *occludee.polytope);
+    judge(report, "occludees", seed, "occludee " + std::to_string(i++), answer.relation, answer.stage,
+          shadow.relation(to_oracle(*given)));
+  }
+}
+
+}  // namespace occlude::fuzz

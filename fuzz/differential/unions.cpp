@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "unions.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "any_case.h"
+#include "experiment.h"
+#include "occlude/fuzz/ask.h"
+#include "occlude/fuzz/neighbours.h"
+#include "occlude/kernel/shadow_union.h"
+#include "to_oracle.h"
+#include "verdict.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using kernel::Vec3;
+
+/// A polygon cut along a line through two corners, or of a triangle a corner and the middle of the side across.
+std::array<Polygon, 2> cut(Random& random, Polygon polygon) {
+  if (polygon.size() == 3) {
+    const Vec3 &a = polygon[0], &b = polygon[1];
+    polygon.insert(polygon.begin() + 1, {a.x + 0.5 * (b.x - a.x), a.y + 0.5 * (b.y - a.y), a.z + 0.5 * (b.z - a.z)});
+    return {Polygon{polygon[0], polygon[1], polygon[3]}, Polygon{polygon[1], polygon[2], polygon[3]}};
+  }
+  const std::size_t k = 2 + random.index(polygon.size() - 3);
+  const auto middle = polygon.begin() + static_cast<std::ptrdiff_t>(k);
+  Polygon first(polygon.begin(), middle + 1), second(middle, polygon.end());
+  second.push_back(polygon.front());
+  return {std::move(first), std::move(second)};
+}
+
+void nudge(Random& random, Polygon& polygon) {
+  double& x = polygon[random.index(polygon.size())][random.integer(0, 2)];
+  x = std::nextafter(x, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
+}
+
+/// The two occluders of a question: each a case of its own, of one viewpoint and near side.
+std::array<Case, 2> halves_of(Random& random, const Case& whole) {
+  std::array<Case, 2> halves{whole, whole};
+  if (const auto* const polygon = std::get_if<Polygon>(&whole.occluder); polygon && random.chance(0.8)) {
+    std::array<Polygon, 2> parts = cut(random, *polygon);
+    if (random.chance(0.3)) nudge(random, parts[1]);
+    for (std::size_t i = 0; i < 2; ++i) halves[i].occluder = std::move(parts[i]);
+  } else {
+    halves[1].occluder = any_case(random).occluder;
+  }
+  return halves;
+}
+
+struct Pair {
+  std::array<Case, 2> halves;
+  kernel::ShadowUnion shadows;
+  Box box;
+};
+
+Pair some_pair(Random& random) {
+  while (true) {
+    const Case whole = any_case(random);
+    std::array<Case, 2> halves = halves_of(random, whole);
+    auto first = make_frustum(halves[0]), second = make_frustum(halves[1]);
+    if (first.frustum && second.frustum) {
+      return {std::move(halves), {std::move(*first.frustum), std::move(*second.frustum)}, whole.box};
+    }
+  }
+}
+
+oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustum& frustum) {
+  return {to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, {frustum, {}})};
+}
+
+}  // namespace
+
+void run_unions(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  const auto [halves, shadows, touching] = some_pair(random);
+  oracle::Shadow first = shadow_of(halves[0], shadows.first), second = shadow_of(halves[1], shadows.second);
+  for (std::uint64_t i = 0; i < kGroup;) {
+    const Box box = i == 0 ? touching : neighbour(touching, random.bits());
+    if (check(box) != kernel::Refusal::none) continue;
+    const auto ask = [&, &pair = shadows](const auto& kind) { return kernel::overlap_certified(pair, kind); };
+    const kernel::Decision decision = std::visit(ask, box);
+    judge(report, "union", seed, "box " + std::to_string(i++), decision.relation, decision.stage,
+          first.relation_to_union(second, to_oracle(box)));
+  }
+}
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "view_frusta.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "any_case.h"
+#include "experiment.h"
+#include "occlude/fuzz/ask.h"
+#include "occlude/fuzz/neighbours.h"
+#include "occlude/kernel/view_frustum.h"
+#include "occlude/oracle/questions.h"
+#include "to_oracle.h"
+#include "verdict.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using kernel::HalfSpace;
+using kernel::Vec3;
+using HalfSpaces = std::vector<HalfSpace>;
+
+/// The test is cubic in their number.
+constexpr std::size_t kMostPlanes = 12;
+
+double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+bool is_legal(const HalfSpace& h) {
+  return kernel::check(h.normal) == kernel::Refusal::none && kernel::check(h.offset) == kernel::Refusal::none;
+}
+
+/// The frustum's planes as the filter has them, rounded or not.
+HalfSpaces planes_of(const kernel::ShadowFrustum& frustum) {
+  HalfSpaces planes;
+  for (const auto& plane : frustum.filter_planes().first(frustum.plane_count())) {
+    planes.push_back({plane.normal, plane.offset - dot(plane.normal, frustum.origin())});
+  }
+  return planes;
+}
+
+/// Parallel to the first plane and behind a point of the box, or just through it.
+HalfSpace far_plane(Random& random, const HalfSpace& near, const Box& box) {
+  const auto* const aabb = std::get_if<kernel::Aabb>(&box);
+  const Vec3 point = aabb ? aabb->max : std::get<kernel::Obb>(box).center;
+  const Vec3 normal{-near.normal.x, -near.normal.y, -near.normal.z};
+  return {normal, -dot(normal, point) + (random.chance(0.5) ? 0 : std::abs(near.offset))};
+}
+
+/// Half-spaces with a common point: those of a shadow, and far from the eye another.
+HalfSpaces some_view(Random& random, Box& box) {
+  while (true) {
+    const Case c = any_case(random);
+    const auto made = make_frustum(c);
+    if (!made.frustum) continue;
+    HalfSpaces view = planes_of(*made.frustum);
+    if (random.chance(0.5)) {
+      const HalfSpace& near = view.front();
+      const HalfSpace far = far_plane(random, near, c.box);
+      // Between the two there is room: the shadow goes on beyond its near plane for ever.
+      if (far.offset + near.offset > 1e-3 * std::abs(near.offset)) view.push_back(far);
+    }
+    if (view.size() > kMostPlanes || !std::ranges::all_of(view, is_legal)) continue;
+    box = c.box;
+    return view;
+  }
+}
+
+std::vector<oracle::HalfSpaceCoefficients> to_oracle(const HalfSpaces& view) {
+  std::vector<oracle::HalfSpaceCoefficients> result;
+  for (const HalfSpace& h : view) result.push_back({h.normal.x, h.normal.y, h.normal.z, h.offset});
+  return result;
+}
+
+}  // namespace
+
+void run_view_frusta(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  Box touching;
+  const HalfSpaces view = some_view(random, touching);
+  const auto judged = to_oracle(view);
+  for (std::uint64_t i = 0; i < kGroup / 2;) {
+    const Box box = i == 0 ? touching : neighbour(touching, random.bits());
+    if (check(box) != kernel::Refusal::none) continue;
+    const std::size_t one = random.index(view.size());
+    const auto ask_all = [&](const auto& kind) { return kernel::overlap_certified(view, kind); };
+    const auto ask_one = [&](const auto& kind) { return kernel::relation(view[one], kind, kernel::Arithmetic::certified); };
+    const kernel::Decision all = std::visit(ask_all, box);
+    judge(report, "view_frustum", seed, "box " + std::to_string(i), all.relation, all.stage,
+          oracle::relation_to_half_spaces(judged, to_oracle(box)));
+    judge(report, "view_frustum", seed, "box " + std::to_string(i) + ", half-space " + std::to_string(one),
+          std::visit(ask_one, box), kernel::Stage::filter,
+          oracle::relation_to_half_spaces({&judged[one], 1}, to_oracle(box)));
+    ++i;
+  }
+}
+
+}  // namespace occlude::fuzz
