@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment.h"
 
+#include "culling.h"
 #include "frustum_batches.h"
 #include "overlap.h"
 #include "refusals.h"
@@ -23,6 +24,7 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"view_frustum", run_view_frusta});
     list.push_back({"cones", run_cones});
     list.push_back({"occludees", run_occludees});
+    list.push_back({"culler", run_culling});
     return list;
   }();
   return all;

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "cull_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <optional>
+#include <vector>
+
+#include "to_oracle.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using culler::Camera;
+using culler::Culled;
+using culler::CullOptions;
+using culler::CullResult;
+using culler::Hierarchy;
+using glm::dvec3;
+
+kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// Corners of what the camera shows of a model that reaches no farther than `depth` along the line of sight.
+std::vector<dvec3> corners_of_view(const Camera& camera, double depth) {
+  const auto [right, up, forward] = camera.axes();
+  const bool perspective = camera.projection == culler::Projection::perspective;
+  const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
+  std::vector<dvec3> corners;
+  for (const double along : {camera.near, std::isfinite(camera.far) ? camera.far : std::max(depth, camera.near)}) {
+    const double size = perspective ? along * half : half;
+    for (const double x : {-size, size}) {
+      for (const double y : {-size, size}) {
+        corners.push_back(camera.eye + along * forward + x * camera.aspect * right + y * up);
+      }
+    }
+  }
+  return corners;
+}
+
+class CullJudge {
+ public:
+  CullJudge(const culler::Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& result)
+      : hierarchy_(culler.hierarchy()),
+        camera_(camera),
+        options_(options),
+        result_(result),
+        shadows_(result.occluders.size()),
+        is_drawn_(hierarchy_.soup().size()) {}
+
+  /// First of all the ranges are marked: the other checks take them to be sound.
+  std::string fault_of_ranges() {
+    std::vector<char> is_known(is_drawn_.size());
+    const auto mark = [&](std::size_t first, std::size_t count, bool drawn) {
+      if (count == 0 || first > is_known.size() || count > is_known.size() - first) return false;
+      for (std::size_t p = first; p < first + count; ++p) {
+        if (is_known[p] != 0) return false;
+        is_known[p] = 1;
+        is_drawn_[p] = drawn;
+      }
+      return true;
+    };
+    std::size_t end = 0;
+    for (const auto [first, count] : result_.drawn) {
+      if (!mark(first, count, true)) return "a polygon is drawn twice, or there is none";
+      if (end != 0 && first <= end) return "what is drawn is not in order, or not merged";
+      end = first + count;
+    }
+    for (const Culled& culled : result_.culled) {
+      if (culled.node >= hierarchy_.nodes().size()) return "a node is culled that does not exist";
+      const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
+      if (!mark(node.first, node.count, false)) return "a polygon is drawn and culled, or culled twice";
+    }
+    return std::ranges::count(is_known, 0) == 0 ? "" : "a polygon is neither drawn nor culled";
+  }
+
+  std::string fault_of_counts() const {
+    std::size_t by_view = 0, by_shadow = 0;
+    for (const Culled& culled : result_.culled) {
+      (culled.by == Culled::By::view ? by_view : by_shadow) += hierarchy_.nodes()[culled.node].count;
+    }
+    const culler::CullStats& stats = result_.stats;
+    const bool right = stats.view_culled_polygons == by_view && stats.shadow_culled_polygons == by_shadow &&
+                       stats.drawn_polygons == hierarchy_.soup().size() - by_view - by_shadow &&
+                       result_.occluders.size() <= options_.occluders;
+    return right ? "" : "the counts are wrong";
+  }
+
+  /// Against the same frame without occluders.
+  std::string fault_against(const CullResult& without) const {
+    std::size_t drawn = 0;
+    for (const auto [first, count] : without.drawn) {
+      for (std::size_t p = first; p < first + count; ++p) drawn += is_drawn_[p];
+    }
+    return drawn == result_.stats.drawn_polygons ? "" : "a polygon is drawn with occluders and not without";
+  }
+
+  std::string fault_of_proofs() {
+    for (const Culled& culled : result_.culled) {
+      const std::size_t reasons = culled.by == Culled::By::view ? result_.view.size() : result_.occluders.size();
+      if (culled.index >= reasons) return "a subtree is culled by what does not exist";
+      const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
+      if (!holds_its_polygons(node)) return "a polygon reaches out of the box of its node";
+      const std::string fault =
+          culled.by == Culled::By::view ? fault_of_view_cull(node, culled.index) : fault_of_shadow_cull(node, culled.index);
+      if (!fault.empty()) return fault;
+    }
+    return "";
+  }
+
+ private:
+  bool holds_its_polygons(const Hierarchy::Node& node) const {
+    for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) {
+      for (const std::uint32_t index : hierarchy_.soup().loop(p)) {
+        if (!oracle::contains(to_oracle(node.box), to_oracle(to_kernel(hierarchy_.soup().vertices[index])))) return false;
+      }
+    }
+    return true;
+  }
+
+  std::string fault_of_view_cull(const Hierarchy::Node& node, std::uint32_t index) const {
+    const auto& [normal, offset] = result_.view[index];
+    // In doubles, as the renderer itself computes what it shows: the planes keep a margin far above rounding.
+    for (const dvec3& corner : corners_of_view(camera_, depth())) {
+      if (!(glm::dot(normal, corner) + offset >= 0)) return "a plane of the view cuts off what the camera shows";
+    }
+    const std::string refuted = oracle::refute_view_cull({normal.x, normal.y, normal.z, offset}, to_oracle(node.box));
+    return refuted.empty() ? "" : "culled by view: " + refuted;
+  }
+
+  std::string fault_of_shadow_cull(const Hierarchy::Node& node, std::uint32_t index) {
+    const std::uint32_t polygon = result_.occluders[index].polygon;
+    if (polygon >= hierarchy_.soup().size()) return "an occluder is no polygon of the model";
+    if (polygon >= node.first && polygon - node.first < node.count) return "an occluder culls itself";
+    if (is_clipped(polygon)) return "the near plane clips an occluder";
+    if (!shadows_[index]) shadows_[index] = shadow(result_.occluders[index]);
+    const std::string refuted = shadows_[index]->refute_cull(to_oracle(node.box));
+    return refuted.empty() ? "" : "culled by shadow: " + refuted;
+  }
+
+  bool is_clipped(std::uint32_t polygon) const {
+    const dvec3 forward = camera_.axes().forward;
+    return std::ranges::any_of(hierarchy_.soup().loop(polygon), [&](std::uint32_t index) {
+      return glm::dot(hierarchy_.soup().vertices[index] - camera_.eye, forward) < camera_.near;
+    });
+  }
+
+  oracle::Shadow shadow(const culler::Occluder& occluder) const {
+    oracle::Loop loop;
+    for (const std::uint32_t index : hierarchy_.soup().loop(occluder.polygon)) {
+      loop.push_back(to_oracle(to_kernel(hierarchy_.soup().vertices[index])));
+    }
+    const bool perspective = camera_.projection == culler::Projection::perspective;
+    const kernel::Vec3 viewpoint = to_kernel(perspective ? camera_.eye : camera_.axes().forward);
+    return {{to_oracle(viewpoint), !perspective}, loop, to_oracle(options_.near, {occluder.frustum})};
+  }
+
+  /// How far the model reaches along the line of sight.
+  double depth() const {
+    const dvec3 forward = camera_.axes().forward;
+    double result = 0;
+    for (const dvec3& v : hierarchy_.soup().vertices) result = std::max(result, glm::dot(v - camera_.eye, forward));
+    return result;
+  }
+
+  const Hierarchy& hierarchy_;
+  const Camera& camera_;
+  const CullOptions& options_;
+  const CullResult& result_;
+  std::vector<std::optional<oracle::Shadow>> shadows_;  ///< of the occluders, made when first needed
+  std::vector<char> is_drawn_;                          ///< by polygon
+};
+
+}  // namespace
+
+std::string fault_of(const culler::Culler& culler, const Camera& camera, const CullOptions& options,
+                     const CullResult& result) {
+  CullJudge judge(culler, camera, options, result);
+  if (std::string fault = judge.fault_of_ranges(); !fault.empty()) return fault;
+  if (std::string fault = judge.fault_of_counts(); !fault.empty()) return fault;
+  CullOptions no_occluders = options;
+  no_occluders.occluders = 0;
+  if (std::string fault = judge.fault_against(culler.cull(camera, no_occluders)); !fault.empty()) return fault;
+  // `plain` promises nothing more.
+  return options.arithmetic == kernel::Arithmetic::certified ? judge.fault_of_proofs() : "";
+}
+
+}  // namespace occlude::fuzz

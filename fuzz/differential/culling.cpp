@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "culling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "any_case.h"
+#include "cull_judge.h"
+#include "occlude/culler/culler.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using culler::Camera;
+using culler::Culler;
+using culler::CullOptions;
+using culler::CullResult;
+using culler::PolygonSoup;
+using glm::dvec3;
+
+dvec3 lattice_point(Random& random, int reach) {
+  const auto coordinate = [&] { return static_cast<double>(random.integer(-reach, reach)); };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return {x, y, z};
+}
+
+void add_loop(PolygonSoup& soup, const std::vector<dvec3>& loop) {
+  std::vector<std::uint32_t> indices;
+  for (const dvec3& v : loop) indices.push_back(soup.add_vertex(v));
+  soup.add_polygon(indices);
+}
+
+/// A rectangle along two axes, its sides up to `size`.
+void add_wall(Random& random, PolygonSoup& soup, int reach, int size) {
+  const int axis = random.integer(0, 2);
+  dvec3 along{}, across{};
+  along[(axis + 1) % 3] = random.integer(1, size);
+  across[(axis + 2) % 3] = random.integer(1, size);
+  const dvec3 corner = lattice_point(random, reach);
+  add_loop(soup, {corner, corner + along, corner + along + across, corner + across});
+}
+
+void add_triangle(Random& random, PolygonSoup& soup, int reach) {
+  add_loop(soup, {lattice_point(random, reach), lattice_point(random, reach), lattice_point(random, reach)});
+}
+
+/// The occluder of some case, moved near: any number of sides, slivers, folded ones.
+void add_occluder_of_case(Random& random, PolygonSoup& soup, int reach) {
+  const Case c = any_case(random);
+  const auto* const polygon = std::get_if<Polygon>(&c.occluder);
+  if (!polygon) return add_triangle(random, soup, reach);
+  double largest = 0;
+  for (const kernel::Vec3& v : *polygon) largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  const double scale = largest == 0 ? 1 : std::exp2(std::floor(std::log2(reach / largest)));
+  std::vector<dvec3> loop;
+  for (const kernel::Vec3& v : *polygon) loop.push_back(scale * dvec3{v.x, v.y, v.z});
+  add_loop(soup, loop);
+}
+
+constexpr int kReach = 8;
+
+/// Some walls that hide, small things that can be hidden, and a few polygons of any kind.
+PolygonSoup some_soup(Random& random) {
+  PolygonSoup soup;
+  for (int walls = random.integer(1, 4); walls > 0; --walls) add_wall(random, soup, kReach / 2, 2 * kReach);
+  for (int things = random.integer(4, 24); things > 0; --things) add_wall(random, soup, 2 * kReach, 2);
+  for (int others = random.integer(0, 4); others > 0; --others) {
+    (random.chance(0.5) ? add_triangle : add_occluder_of_case)(random, soup, kReach);
+  }
+  if (random.chance(0.2)) {  // far from the origin, rounded
+    const dvec3 away = 1e6 * lattice_point(random, 9) + dvec3{0.1, 0.2, 0.3};
+    for (dvec3& v : soup.vertices) v += away;
+  }
+  return soup;
+}
+
+Camera some_camera(Random& random, const PolygonSoup& soup) {
+  const auto some_vertex = [&] { return soup.vertices[random.index(soup.vertices.size())]; };
+  Camera camera;
+  const dvec3 corner_of_first_wall = soup.vertices[0];
+  camera.eye = (random.chance(0.7) ? corner_of_first_wall : some_vertex()) + lattice_point(random, kReach / 2);
+  camera.target = random.chance(0.7) ? 0.5 * (corner_of_first_wall + soup.vertices[2]) : some_vertex();
+  camera.up = random.chance(0.5) ? dvec3{0, 0, 1} : dvec3{0.3, 1, 0.2};
+  camera.fov_y_deg = std::array{60.0, 90.0, 20.0, 150.0}[random.index(4)];
+  camera.height = random.integer(1, 4 * kReach);
+  camera.aspect = random.chance(0.5) ? 1 : 16.0 / 9;
+  camera.near = std::array{0.1, 1.0, 3.0}[random.index(3)];
+  if (random.chance(0.3)) camera.projection = culler::Projection::orthographic;
+  if (random.chance(0.3)) camera.far = camera.near + random.integer(1, 2 * kReach);
+  return camera;
+}
+
+CullOptions some_options(Random& random) {
+  CullOptions options;
+  options.occluders = static_cast<std::size_t>(random.integer(0, 12));
+  if (random.chance(0.3)) options.near = kernel::Near::farthest;
+  if (random.chance(0.3)) options.test = kernel::Test::overlap;
+  return options;
+}
+
+Culler::Config some_config(Random& random) {
+  Culler::Config config;
+  config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
+  config.grid.regions = std::array{1.0, 8.0, 64.0}[random.index(3)];
+  return config;
+}
+
+/// What a traversal does that asks every half-space and every shadow at every node.
+class Twin {
+ public:
+  Twin(const Culler& culler, const CullOptions& options, const CullResult& result)
+      : hierarchy_(culler.hierarchy()), options_(options), result_(result), drawn_(hierarchy_.soup().size()) {
+    visit(0);
+  }
+
+  [[nodiscard]] const std::vector<bool>& drawn() const { return drawn_; }
+
+ private:
+  bool is_culled(const kernel::Aabb& box) const {
+    for (const culler::HalfSpace& h : result_.view) {
+      const kernel::HalfSpace plane{{h.normal.x, h.normal.y, h.normal.z}, h.offset};
+      if (kernel::relation(plane, box, options_.arithmetic) == kernel::Relation::outside) return true;
+    }
+    for (const culler::Occluder& occluder : result_.occluders) {
+      const kernel::Decision decision =
+          kernel::decide(occluder.frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
+      if (decision.relation == kernel::Relation::inside) return true;
+    }
+    return false;
+  }
+
+  void visit(std::uint32_t index) {
+    const auto& node = hierarchy_.nodes()[index];
+    if (is_culled(node.box)) return;
+    if (node.is_leaf()) {
+      for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) drawn_[p] = true;
+      return;
+    }
+    visit(index + 1);
+    visit(node.right);
+  }
+
+  const culler::Hierarchy& hierarchy_;
+  const CullOptions& options_;
+  const CullResult& result_;
+  std::vector<bool> drawn_;
+};
+
+std::vector<bool> drawn_of(const Culler& culler, const CullResult& result) {
+  std::vector<bool> drawn(culler.hierarchy().soup().size());
+  for (const auto [first, count] : result.drawn) {
+    for (std::size_t p = first; p < std::size_t{first} + count; ++p) drawn[p] = true;
+  }
+  return drawn;
+}
+
+std::string fault_of_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
+                           const CullResult& result) {
+  if (std::string fault = fault_of(culler, camera, options, result); !fault.empty()) return fault;
+  const bool is_same = Twin(culler, options, result).drawn() == drawn_of(culler, result);
+  return is_same ? "" : "a traversal without active sets draws something else";
+}
+
+}  // namespace
+
+void run_culling(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  const PolygonSoup soup = some_soup(random);
+  const Culler culler(soup, some_config(random));
+  Camera camera = some_camera(random, soup);
+  while (!fault(camera).empty()) camera = some_camera(random, soup);
+  const CullOptions options = some_options(random);
+  const CullResult result = culler.cull(camera, options);
+  const culler::CullStats& stats = result.stats;
+  report.tally.cases += soup.size();
+  report.tally.relations[0] += stats.shadow_culled_polygons;
+  report.tally.relations[1] += stats.drawn_polygons;
+  report.tally.relations[2] += stats.view_culled_polygons;
+  report.tally.stages[stats.exact_shadow_tests != 0 ? 1 : 0] += soup.size();
+  const std::string wrong = fault_of_frame(culler, camera, options, result);
+  if (wrong.empty()) return;
+  ++report.tally.disagreements;
+  report.findings.push_back({"culler", seed, wrong, std::nullopt, ""});
+}
+
+}  // namespace occlude::fuzz
