@@ -108,6 +108,7 @@ TEST(Cones, AgreeWithCasesWorkedOutByHand) {
       {{{2, 0, 1}, {0, 2, 1}, {3, 3, 1}}, kPartial},
       {{{0, 0, 1}, {9, -1, -1}, {9, 1, -1}}, kPartial},
       {{{-3, 9, -1}, {-3, -9, -1}, {9, 0, -1}}, kOutside},
+      {{{-9, 0, 1}, {9, 5, -9}, {9, -5, -9}}, kOutside},  // the eye is in the box about it
   };
   for (std::size_t i = 0; i < std::size(cases); ++i) {
     const auto& [occludee, expected] = cases[i];
