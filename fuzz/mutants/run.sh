@@ -18,7 +18,7 @@ cd "$(dirname "$0")/../.."
 
 folder=build/mutants
 log=$folder/log.txt
-limit=300  # seconds for a run of tests: a fault may make them endless
+limit=900  # seconds for a run of tests: a fault may make them endless, and nothing else should come near
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 
 fail() {
