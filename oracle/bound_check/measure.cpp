@@ -28,14 +28,14 @@ double share(const Exact& off, double bound) {
 
 Exact distance(const Exact& a, const Exact& b) { return CGAL::abs(a - b); }
 
-/// The power of two by which the kernel scales a plane.
-Exact scale_of(const kernel::FilterPlane& filter, const TruePlane& plane) {
-  int largest = 0;
-  for (const int k : {1, 2}) {
-    if (filter.magnitudes[k] > filter.magnitudes[largest]) largest = k;
+using Twice = kernel::DoubleDoubleArithmetic;
+
+/// The power of two by which the kernel has scaled a plane; 0 when nothing of it is left.
+Exact scale_of(const kernel::FilterPlane& filter, const kernel::PlaneCoefficients<Twice>& plane) {
+  for (int k = 0; k < 3; ++k) {
+    if (filter.normal[k] != 0) return Exact(filter.normal[k] / plane.normal[k].high);
   }
-  const double ratio = filter.normal[largest] / CGAL::to_double(plane.normal[largest]);
-  return Exact(std::exp2(std::round(std::log2(ratio))));
+  return Exact(filter.offset == 0 ? 0 : filter.offset / plane.offset.high);
 }
 
 /// An arithmetic that keeps the last number whose sign was asked for: the value that a question was about.
@@ -85,11 +85,11 @@ class Measurement {
     const Range range = values(truth, box_);
     measure_expression(recipe, range.high);
     const kernel::FilterPlane& filter = frustum_.filter_planes()[i];
-    const Exact scale = scale_of(filter, truth);
+    const auto twice = kernel::coefficients<Twice>(frustum_, recipe);
+    const Exact scale = scale_of(filter, twice);
     const Frame frame(box_, frustum_.origin());
     const auto extremes = frame.extremes(filter);
     // Its own bound: the frustum's is the largest of all planes.
-    const auto twice = kernel::coefficients<kernel::DoubleDoubleArithmetic>(frustum_, recipe);
     const double error = frame.error(kernel::rounded(twice).bound);
     const Exact unit = kIsAligned ? 2 * scale : scale;  // AabbFrame doubles
     shares_.note(kind, share(distance(Exact(extremes.low()), unit * range.low), error));
@@ -114,7 +114,7 @@ class Measurement {
   /// The value at the vertex of the box farthest along the plane, in the arithmetics that bound it as they go.
   void measure_expression(const PlaneRecipe& recipe, const Exact& truth) {
     note<Remembering<kernel::FilterArithmetic>>(Kind::running_error, recipe, truth);
-    note<Remembering<kernel::DoubleDoubleArithmetic>>(Kind::double_double, recipe, truth);
+    note<Remembering<Twice>>(Kind::double_double, recipe, truth);
   }
 
   template <class A>
@@ -152,7 +152,7 @@ class Measurement {
     const auto [p, q] = two_points(box_);
     const Exact truth = true_f.at(p) * true_g.at(q) - true_f.at(q) * true_g.at(p);
     shares_.note(Kind::running_error, share(crossed<kernel::FilterArithmetic>(f, g, p, q), truth));
-    shares_.note(Kind::double_double, share(crossed<kernel::DoubleDoubleArithmetic>(f, g, p, q), truth));
+    shares_.note(Kind::double_double, share(crossed<Twice>(f, g, p, q), truth));
   }
 
   template <class A>

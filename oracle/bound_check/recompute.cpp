@@ -40,7 +40,7 @@ kernel::FilterPlane plane(const Vec3& n, double offset) {
   return {n, {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}, offset, {}};
 }
 
-/// The planes at the corners of their set with a normal: for each the use, and its value at a coordinate of one.
+/// The normals at the corners of the set of planes.
 void for_each_normal(const std::function<void(const Vec3&)>& use) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) use(along(axis, sign));
@@ -101,7 +101,7 @@ void for_each_order(const Numbers& terms, const std::function<void(const TracedN
 
 /// The same values with their sums in any order, as batches and compilers may have it. `center` and `extent` are those of
 /// AabbFrame.
-Exact needed_in_any_order(const kernel::FilterPlane& p, double bound) {
+Exact needed_in_any_order(const kernel::FilterPlane& p) {
   Exact most = 0;
   for (const auto& [low, high] : kIntervals) {
     const TracedNumber from = A::difference(low, 0), to = A::difference(high, 0), center = to + from, extent = to - from;
@@ -113,8 +113,8 @@ Exact needed_in_any_order(const kernel::FilterPlane& p, double bound) {
     const double truth = 2 * (p.offset + std::max(sum(p.normal) * low, sum(p.normal) * high));
     for_each_order(middle, [&](const TracedNumber& m) {
       for_each_order(spread, [&](const TracedNumber& s) {
-        // The bound as the kernel has it: reach, product and sum rounded.
-        most = std::max(most, needed(m + s, truth, TracedNumber(bound) * (fabs(center) + extent) + TracedNumber(0)));
+        // The bound is rounded as the kernel's: in the reach, in a product and a sum.
+        most = std::max(most, needed(m + s, truth, TracedNumber(1) * (fabs(center) + extent) + TracedNumber(0)));
       });
     });
   }
@@ -170,17 +170,15 @@ Exact needed_by_half_spaces() {
   return most;
 }
 
-/// Operands that are all value, and all error.
+/// Operands that are all value or all error, and one in truth.
 using Running = kernel::BasicRunningError<TracedNumber>;
-const std::array<Running, 2> kOperands{Running{1, 0}, Running{0, 1}};
-
-double most_true(const Running& x) { return (x.value == 1 ? 1 : 0) + (x.error == 1 ? 1 : 0); }
+std::array<Running, 2> operands() { return {Running{1, 0}, Running{0, 1}}; }
 
 Exact needed_by_sums() {
   Exact most = 0;
-  for (const Running& a : kOperands) {
+  for (const Running& a : operands()) {
     for (const Running& sum : {a + Running{}, Running{} + a, a - Running{}}) {
-      most = std::max(most, needed(sum.value, most_true(a), sum.error));
+      most = std::max(most, needed(sum.value, 1, sum.error));
     }
   }
   return most * Exact(kernel::kBoundInflation);
@@ -188,10 +186,10 @@ Exact needed_by_sums() {
 
 Exact needed_by_products() {
   Exact most = 0;
-  for (const Running& a : kOperands) {
-    for (const Running& b : kOperands) {
+  for (const Running& a : operands()) {
+    for (const Running& b : operands()) {
       const Running product = a * b;
-      most = std::max(most, needed(product.value, most_true(a) * most_true(b), product.error));
+      most = std::max(most, needed(product.value, 1, product.error));
     }
   }
   return most * Exact(kernel::kBoundInflation);
@@ -204,14 +202,12 @@ std::vector<Constant> recomputed_constants() {
   const kernel::FilterBound slope{.slope = 1, .base = 0}, base{.slope = 0, .base = 1};
   const auto aabb = [](const auto& bound) { return [&](const auto& p) { return needed_by_aabb(p, bound); }; };
   const auto obb = [](const auto& bound) { return [&](const auto& p) { return needed_by_obb(p, bound); }; };
-  const auto any_slope = [](const auto& p) { return needed_in_any_order(p, 1); };
-  const auto any_base = [](const auto& p) { return needed_in_any_order(p, 1); };
   return {
       {"kPlaneError", "values over axis-aligned boxes", over_normals(aabb(slope)), plane_error, 1},
-      {"kPlaneError", "the same, summed in any order", over_normals(any_slope), plane_error, 1},
+      {"kPlaneError", "the same, summed in any order", over_normals(needed_in_any_order), plane_error, 1},
       {"kPlaneError", "values over oriented boxes", over_normals(obb(slope)), plane_error, 1},
       {"kOffsetError", "values over axis-aligned boxes", over_offsets(aabb(base)), offset_error, 1},
-      {"kOffsetError", "the same, summed in any order", over_offsets(any_base), offset_error, 1},
+      {"kOffsetError", "the same, summed in any order", over_offsets(needed_in_any_order), offset_error, 1},
       {"kOffsetError", "values over oriented boxes", over_offsets(obb(base)), offset_error, 1},
       {"kRefinedError", "values of refined planes", needed_by_refined(), Exact(kernel::kRefinedError), 2},
       {"kHalfSpaceError", "values of half-spaces", needed_by_half_spaces(), Exact(kernel::kHalfSpaceError), 1},
