@@ -67,7 +67,8 @@ bool is_cut_off_by(A& arithmetic, const CornerValues<A>& values, int least_inner
 
 template <class Box>
 bool is_covered(const ShadowUnion& shadows, const Box& box, NearBoundary near, Stage& stage) {
-  const auto& [first, second] = shadows;
+  // No structured binding: clang 14 captures none.
+  const ShadowFrustum &first = shadows.first, &second = shadows.second;
   const auto least = [&](const ShadowFrustum& frustum, std::size_t plane) {
     return near == NearBoundary::open && plane < frustum.near_count() ? 1 : 0;
   };
