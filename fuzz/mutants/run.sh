@@ -81,6 +81,7 @@ caught_by_fuzzer() {
   build occlude || { echo '**does not build**'; return; }
   local output status=0 start=$SECONDS family seconds
   output=$(timeout $((fuzz_seconds + limit)) "$folder/occlude" fuzz --seconds "$fuzz_seconds" --stop-at-first --json \
+    --findings "$folder/findings.jsonl" \
     2>>"$log") || status=$?
   seconds=$((SECONDS - start))
   tail -n 50 <<<"$output" >>"$log"
