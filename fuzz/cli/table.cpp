@@ -21,10 +21,10 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
 }
 
 constexpr std::string_view kHead =
-    "                                           right answer, % of cases  decided |       |  conservative | wrong answers "
-    "of others, %: culls draws   | 1000 cases\n"
-    "family                              cases inside partial outside  exactly | wrong |  leaves to do |  plain           "
-    "float32         FMA     | a second\n";
+    "                                        the right answer, %   by |       | con- |   plain     |   float32   |    FMA   "
+    "   | 1000\n"
+    "family                            cases inside partial  out exact | wrong | serv.| culls draws | culls draws | culls "
+    "draws |  /s\n";
 
 /// Thousands of cases a second and core.
 std::string speed(const fuzz::Report& report) {
@@ -37,19 +37,21 @@ std::string line(const std::string& name, const fuzz::Report& report) {
   const std::uint64_t answered = t.cases - t.refused;
   const auto share = [&](std::uint64_t part) { return percent(part, answered); };
   return fmt::format(
-      "{:<30} {:>10} {:>6} {:>7} {:>7} {:>8} | {:>5} | {:>13} | {:>6} {:>6}  {:>6} {:>6}  {:>6} {:>6} | {:>6}\n", name,
+      "{:<29} {:>9} {:>6} {:>7} {:>5} {:>5} | {:>5} | {:>4} | {:>5} {:>5} | {:>5} {:>5} | {:>5} {:>5} | {:>4}\n", name,
       t.cases, share(t.relations[0]), share(t.relations[1]), share(t.relations[2]), share(t.stages[1]), t.disagreements,
       percent(t.undecided, t.relations[2]), share(t.plain.culls), share(t.plain.draws), share(t.float32.culls),
       share(t.float32.draws), share(t.fused.culls), share(t.fused.draws), speed(report));
 }
 
 constexpr std::string_view kLegend = R"(
-A case asks whether a box is inside a shadow, partial or outside; the exact oracle knows. "-" is none.
-decided exactly   the share that needed certified's exact stage; the floating-point filter decided the rest
-wrong             cases on which certified, conservative, a batch or the culler is not what the oracle proves: 0, or a defect of ours
-undecided         conservative asks planes alone: the share of the boxes outside that it leaves partial, as it may
-plain             the paper's double arithmetic; float32: the same in single precision; FMA: with fused multiply-adds
-culls             "inside" of what is not: something visible would disappear; draws: any other wrong answer: time lost
+A case asks whether a box is inside a shadow, partly in it or out of it; the exact oracle knows. All but cases, wrong and 1000/s
+is in per cent of the answered cases, "-" is none.
+by exact  the share that needed certified's exact stage; the floating-point filter decided the rest
+wrong     cases on which certified, conservative, a batch or the culler is not what the oracle proves: 0, or a defect of ours
+conserv.  of the boxes outside, the share that the conservative test leaves partial, as it may
+plain     the paper's double arithmetic; float32: the same in single precision; FMA: with fused multiply-adds
+culls     it says "inside" of what is not: something visible would disappear; draws: any other wrong answer: time lost
+1000/s    thousands of cases a second, of one core
 )";
 
 std::string findings(const FuzzResults& results) {
