@@ -11,16 +11,21 @@
 #include <variant>
 #include <vector>
 
+#include "differential/answers.h"
+#include "differential/to_oracle.h"
+#include "occlude/fuzz/ask.h"
+#include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/polytope_overlap.h"
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/view_cone.h"
 #include "occlude/kernel/view_frustum.h"
 #include "occlude/oracle/questions.h"
-#include "oracle/judged.h"
 
 namespace occlude::oracle {
 namespace {
+
+using fuzz::to_oracle;
 
 using Polygon = std::vector<kernel::Vec3>;
 using Counts = std::array<std::size_t, 3>;
@@ -96,7 +101,7 @@ std::vector<kernel::HalfSpace> half_spaces_about(const fuzz::Box& box, fuzz::Ran
     if (random.chance(0.3)) d *= 1 + 0x1p-52 * random.integer(-2, 2);
     const HalfSpaceCoefficients plane{n.x, n.y, n.z, d};
     // A point box tells exactly on which side it is.
-    if (relation_to_half_spaces(std::array<HalfSpaceCoefficients, 1>{plane}, Aabb{judged(within), judged(within)})
+    if (relation_to_half_spaces(std::array<HalfSpaceCoefficients, 1>{plane}, Aabb{to_oracle(within), to_oracle(within)})
             .relation == Relation::outside) {
       n = {-n.x, -n.y, -n.z};
       d = -d;
@@ -115,13 +120,14 @@ TEST_P(QuestionsOfFamily, HalfSpaces) {
       if (kernel::check(d) != kernel::Refusal::none) return;
       coefficients.push_back({n.x, n.y, n.z, d});
     }
-    const Box box = judged(c.box);
+    const Box box = to_oracle(c.box);
     const auto found = std::visit([&](const auto& kind) { return overlap_certified(half_spaces, kind); }, c.box);
     const Answer answer = relation_to_half_spaces(coefficients, box);
     ASSERT_EQ(answer.refusal, "");
-    ASSERT_EQ(judged(found.relation), answer.relation);
+    ASSERT_EQ(found.relation, fuzz::relation_of(answer.relation));
     const auto one = [&](const auto& kind) { return relation(half_spaces[0], kind, kernel::Arithmetic::certified); };
-    ASSERT_EQ(judged(std::visit(one, c.box)), relation_to_half_spaces(std::span(coefficients).first(1), box).relation);
+    ASSERT_EQ(std::visit(one, c.box),
+              fuzz::relation_of(relation_to_half_spaces(std::span(coefficients).first(1), box).relation));
     ++counts[static_cast<std::size_t>(answer.relation)];
   });
   EXPECT_GT(counts[0] + counts[1] + counts[2], 100U);
@@ -138,13 +144,13 @@ TEST_P(QuestionsOfFamily, Silhouette) {
   std::size_t answered = 0;
   for_each_case([&](fuzz::Case c, fuzz::Random&) {
     c.near = kernel::Near::farthest;
-    const auto made = made_by_kernel(c);
-    const Outline found = outline(judged(c.viewpoint), judged(c.occluder));
+    const auto made = fuzz::make_frustum(c);
+    const Outline found = outline(to_oracle(c.viewpoint), to_oracle(c.occluder));
     ASSERT_EQ(made.frustum.has_value(), found.refusal.empty()) << found.refusal;
     if (!made.frustum) return;
     const auto corners = made.frustum->silhouette();
-    ASSERT_EQ(sorted(judged(Polygon(corners.begin(), corners.end()))), found.corners);
-    ASSERT_EQ(judged(std::get<kernel::ExactPlane>(made.frustum->recipes()[0]).origin), found.farthest);
+    ASSERT_EQ(sorted(to_oracle(Polygon(corners.begin(), corners.end()))), found.corners);
+    ASSERT_EQ(to_oracle(std::get<kernel::ExactPlane>(made.frustum->recipes()[0]).origin), found.farthest);
     ++answered;
   });
   EXPECT_GT(answered, 100U);
@@ -164,10 +170,10 @@ TEST_P(QuestionsOfFamily, Cones) {
   for_each_case([&](const fuzz::Case& c, fuzz::Random& random) {
     const fuzz::Occluder occludee = random.chance(0.7) ? occludee_of(c.box, random) : other_case(random).occluder;
     const auto outer = cone_of(c.viewpoint, c.occluder), inner = cone_of(c.viewpoint, occludee);
-    const Answer answer = cone_relation(judged(c.viewpoint), judged(c.occluder), judged(occludee));
+    const Answer answer = cone_relation(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(occludee));
     ASSERT_EQ(outer.cone && inner.cone, answer.refusal.empty()) << answer.refusal;
     if (!outer.cone || !inner.cone) return;
-    ASSERT_EQ(judged(overlap_certified(*outer.cone, *inner.cone).relation), answer.relation);
+    ASSERT_EQ(overlap_certified(*outer.cone, *inner.cone).relation, fuzz::relation_of(answer.relation));
     ++counts[static_cast<std::size_t>(answer.relation)];
   });
   std::printf("%-28s inside %zu partial %zu outside %zu\n", std::string(fuzz::name(GetParam())).c_str(), counts[0],
@@ -179,17 +185,17 @@ TEST_P(QuestionsOfFamily, Cones) {
 TEST_P(QuestionsOfFamily, Occludees) {
   Counts counts{};
   for_each_case([&](const fuzz::Case& c, fuzz::Random& random) {
-    const auto made = made_by_kernel(c);
+    const auto made = fuzz::make_frustum(c);
     if (!made.frustum) return;
     fuzz::Occluder given = random.chance(0.7) ? occludee_of(c.box, random) : other_case(random).occluder;
     const auto* polytope = std::get_if<kernel::Polytope>(&given);
     if (!polytope) return;
     const auto occludee = kernel::ConvexPolytope::make(*polytope);
-    Shadow shadow(judged(c.viewpoint), judged(c.occluder), judged_near(c, made));
-    const Answer answer = shadow.relation(std::get<Polytope>(judged(given)));
+    Shadow shadow(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made));
+    const Answer answer = shadow.relation(std::get<Polytope>(to_oracle(given)));
     ASSERT_EQ(occludee.polytope.has_value(), answer.refusal.empty()) << answer.refusal;
     if (!occludee.polytope) return;
-    ASSERT_EQ(judged(overlap_certified(*made.frustum, *occludee.polytope).relation), answer.relation);
+    ASSERT_EQ(overlap_certified(*made.frustum, *occludee.polytope).relation, fuzz::relation_of(answer.relation));
     ++counts[static_cast<std::size_t>(answer.relation)];
   });
   std::printf("%-28s inside %zu partial %zu outside %zu\n", std::string(fuzz::name(GetParam())).c_str(), counts[0],
@@ -214,18 +220,18 @@ TEST_P(QuestionsOfFamily, Unions) {
   for_each_case([&](const fuzz::Case& c, fuzz::Random& random) {
     std::pair<fuzz::Case, fuzz::Case> parts{c, c};
     std::tie(parts.first.occluder, parts.second.occluder) = occluders_of(c, other_case(random));
-    const auto first = made_by_kernel(parts.first), second = made_by_kernel(parts.second);
+    const auto first = fuzz::make_frustum(parts.first), second = fuzz::make_frustum(parts.second);
     if (!first.frustum || !second.frustum) return;
     const auto shadow = [&](const fuzz::Case& part, const kernel::ShadowFrustumResult& made) {
-      return Shadow(judged(part.viewpoint), judged(part.occluder), judged_near(part, made));
+      return Shadow(to_oracle(part.viewpoint), to_oracle(part.occluder), to_oracle(part.near, made));
     };
     Shadow one = shadow(parts.first, first), two = shadow(parts.second, second);
-    const Box box = judged(c.box);
+    const Box box = to_oracle(c.box);
     const Answer answer = one.relation_to_union(two, box);
     ASSERT_EQ(answer.refusal, "");
     const kernel::ShadowUnion both{*first.frustum, *second.frustum};
     const auto found = std::visit([&](const auto& kind) { return overlap_certified(both, kind); }, c.box);
-    ASSERT_EQ(judged(found.relation), answer.relation);
+    ASSERT_EQ(found.relation, fuzz::relation_of(answer.relation));
     ++counts[static_cast<std::size_t>(answer.relation)];
     const bool is_in_one = one.relation(box).relation == Relation::inside || two.relation(box).relation == Relation::inside;
     if (answer.relation == Relation::inside && !is_in_one) ++joint;

@@ -7,12 +7,15 @@
 #include <cstdlib>
 #include <string>
 
+#include "differential/to_oracle.h"
+#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/oracle/oracle.h"
-#include "oracle/judged.h"
 
 namespace occlude::oracle {
 namespace {
+
+using fuzz::to_oracle;
 
 class SecondOfFamily : public testing::TestWithParam<fuzz::Family> {};
 
@@ -25,10 +28,10 @@ TEST_P(SecondOfFamily, AgreesWithTheFirst) {
     const std::uint64_t seed = base * kCases + i;
     SCOPED_TRACE("seed " + std::to_string(seed));
     const fuzz::Case c = fuzz::make_case(GetParam(), seed);
-    const Viewpoint view = judged(c.viewpoint);
-    const Occluder occluder = judged(c.occluder);
-    const Near near = judged_near(c, made_by_kernel(c));
-    const Box box = judged(c.box);
+    const Viewpoint view = to_oracle(c.viewpoint);
+    const Occluder occluder = to_oracle(c.occluder);
+    const Near near = to_oracle(c.near, fuzz::make_frustum(c));
+    const Box box = to_oracle(c.box);
     const Answer first = relation(view, occluder, near, box);
     if (!first.refusal.empty()) continue;
     const Answer other = second::relation(view, occluder, near, box);

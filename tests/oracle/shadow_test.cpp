@@ -6,13 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "differential/to_oracle.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/oracle/oracle.h"
 #include "oracle/hand_cases.h"
-#include "oracle/judged.h"
 
 namespace occlude::oracle {
 namespace {
+
+using fuzz::to_oracle;
 
 class ShadowOfFamily : public testing::TestWithParam<fuzz::Family> {};
 
@@ -22,12 +24,12 @@ TEST_P(ShadowOfFamily, KeepsNoTraceOfOtherBoxes) {
   std::vector<fuzz::Case> cases;
   for (std::uint64_t seed = 0; seed < kBoxes; ++seed) cases.push_back(fuzz::make_case(GetParam(), seed));
   for (const fuzz::Case& c : cases) {
-    const Viewpoint view = judged(c.viewpoint);
-    const Occluder occluder = judged(c.occluder);
-    const Near near = judged(c.near);
+    const Viewpoint view = to_oracle(c.viewpoint);
+    const Occluder occluder = to_oracle(c.occluder);
+    const Near near = to_oracle(c.near);
     Shadow shadow(view, occluder, near);
     for (const fuzz::Case& other : cases) {
-      const Box box = judged(other.box);
+      const Box box = to_oracle(other.box);
       const Answer alone = relation(view, occluder, near, box), kept = shadow.relation(box);
       ASSERT_EQ(kept.refusal, alone.refusal);
       ASSERT_EQ(kept.relation, alone.relation);
