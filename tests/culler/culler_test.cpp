@@ -315,13 +315,17 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_NE(fault_with([](Camera& c) { c.height = 1e-200; }), "");
 }
 
-TEST(Culler, CountsOperationsOfTheShadowTests) {
+TEST(Culler, VisitsEveryShadowTest) {
   const Culler culler(random_town(8, 2000));
   Camera camera;
   camera.eye = {-45, 0, 2};
   camera.target = {0, 0, 2};
   const CullResult frame = culler.cull(camera, {});
-  const kernel::Operations operations = culler.count_operations(camera, {});
+  const CullOptions options;
+  kernel::Operations operations;
+  culler.visit_shadow_tests(camera, options, [&](const Occluder& occluder, const kernel::Aabb& box) {
+    operations += kernel::count_operations(occluder.frustum, box, options.arithmetic, options.test);
+  });
   EXPECT_EQ(operations.tests, frame.stats.shadow_tests);
   EXPECT_GE(operations.dot, 2 * operations.tests);
   EXPECT_EQ(operations.cross, 0U);
