@@ -25,8 +25,9 @@ Exact largest_error(const TracedNumber& computed, double truth) {
   return TracedNumber::sum(computed, TracedNumber(-truth)).most();
 }
 
-/// By how much a bound must be multiplied to hold.
+/// By how much a bound must be multiplied to hold: without end when it may be zero.
 Exact needed(const TracedNumber& computed, double truth, const TracedNumber& bound) {
+  if (bound.least() <= 0) return Exact(std::numeric_limits<double>::max());
   return largest_error(computed, truth) / bound.least();
 }
 
