@@ -150,6 +150,10 @@ constexpr std::array kRecipes{
            finish_with<reorder, nudge>},
     Recipe{Family::obb_polytope_orthographic, "obb_polytope_orthographic", orthographic_lattice_polytope_scene, place_box,
            kLatticeObb, disguise},
+    Recipe{Family::hair, "hair", lattice_scene, place_box, kLattice, move_by_a_hair},
+    Recipe{Family::obb_hair, "obb_hair", lattice_scene, place_box, kLatticeObb, move_by_a_hair},
+    Recipe{Family::polytope_hair, "polytope_hair", simplicial_lattice_scene, place_box, kLattice,
+           finish_with<reorder, move_by_a_hair>},
 };
 
 constexpr auto kFamilies = [] {

@@ -74,6 +74,25 @@ void nudge(Random& random, Case& made) {
   }
 }
 
+void move_by_a_hair(Random& random, Case& made) {
+  const bool bends = may_bend(made);
+  std::vector<Vec3>& vertices = vertices_of(made.occluder);
+  const auto box = vectors_of(made.box);
+  const std::array<Vec3, 3> corners{*box[0], *box[1], vertices[random.index(vertices.size())]};
+  const Vec3 middle = corners[random.index(std::holds_alternative<kernel::Aabb>(made.box) ? 3 : 1)];
+  for_each_point(made, [&](Vec3& p) { p = p - middle; });
+  Vec3* const vertex = bends ? &vertices[random.index(vertices.size())] : box[3];
+  const std::array<Vec3*, 6> choice{box[0], box[1], box[2], box[3], &made.viewpoint.value, vertex};
+  for (int tries = random.integer(3, 12); tries > 0; --tries) {
+    double& value = (*choice[random.index(choice.size())])[random.integer(0, 2)];
+    const double hair = std::ldexp(random.chance(0.5) ? 1.0 : -1.0, -random.integer(40, 100));
+    if (value == 0) value = hair;
+  }
+  if (auto* const aabb = std::get_if<kernel::Aabb>(&made.box)) {
+    for (int axis = 0; axis < 3; ++axis) aabb->max[axis] = std::max(aabb->min[axis], aabb->max[axis]);
+  }
+}
+
 void move_far(Random& random, Case& made) {
   const double unit = 0x1p-8;
   const auto part = [&] { return 4e9 * random.integer(-1, 1) + unit * random.integer(-1000, 1000); };

@@ -13,6 +13,10 @@ void leave(Random& random, Case& made);
 /// after it.
 void nudge(Random& random, Case& made);
 
+/// Puts a corner of the box or a vertex at the origin and moves coordinates that are zero by 2^-40 to 2^-100, far below the last
+/// bits of the others: sums that no double holds, nor two.
+void move_by_a_hair(Random& random, Case& made);
+
 /// Exactly, by a few thousand million: what was a small number becomes the last bits of a large one.
 void move_far(Random& random, Case& made);
 

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "box_plane.h"
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
+#include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "profile.h"
 #include "rounded_plane.h"
@@ -198,8 +199,8 @@ Shares measure(fuzz::Family family, int cases, std::uint64_t seed) {
   fuzz::Random random(seed);
   for (int i = 0; i < cases; ++i) {
     const fuzz::Case made = fuzz::make_case(family, random.bits());
-    const auto result = make_frustum(made);
-    if (!result.frustum || check(made.box) != kernel::Refusal::none) continue;
+    const auto result = fuzz::make_frustum(made);
+    if (!result.frustum || fuzz::check(made.box) != kernel::Refusal::none) continue;
     ++shares.legal_cases;
     std::visit([&](const auto& box) { Measurement(*result.frustum, box, random, shares).run(); }, made.box);
   }

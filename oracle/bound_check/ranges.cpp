@@ -6,7 +6,8 @@
 #include <variant>
 
 #include "box_plane.h"
-#include "kernel/scene.h"
+#include "occlude/fuzz/ask.h"
+#include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "profile.h"
 #include "segment_clip.h"
@@ -125,7 +126,7 @@ class Survey {
   explicit Survey(fuzz::Random& random) : arithmetic_(random) {}
 
   void include(const fuzz::Case& made) {
-    const auto result = make_frustum(made);
+    const auto result = fuzz::make_frustum(made);
     if (!result.frustum) return;
     const kernel::ShadowFrustum& frustum = *result.frustum;
     for (const PlaneRecipe& recipe : frustum.recipes()) {

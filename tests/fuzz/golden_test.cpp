@@ -100,6 +100,9 @@ const std::map<std::string_view, std::uint64_t> kHashes{
     {"obb_polytope_edge_crossing", 0x8abae4779277b36b},
     {"obb_polytope_ulp", 0xd99d26e4364567e6},
     {"obb_polytope_orthographic", 0x1b3d91fe0138a113},
+    {"hair", 0xad375656b7de4998},
+    {"obb_hair", 0xa14dea385098420c},
+    {"polytope_hair", 0x0e5356a111918993},
 };
 
 std::uint64_t hash_of(Family family) {

@@ -36,10 +36,10 @@ void damage(Case& c, std::uint64_t seed) {
 }
 
 TEST(Golden, NeighboursAreWhatTheyWere) {
-  EXPECT_EQ(hash_of(move_box), 0x7129655213d1556cU) << std::hex << hash_of(move_box);
+  EXPECT_EQ(hash_of(move_box), 0x80386972a5beabbdU) << std::hex << hash_of(move_box);
 }
 
-TEST(Golden, SpoiledCasesAreWhatTheyWere) { EXPECT_EQ(hash_of(damage), 0x7dea323e56bb3b5fU) << std::hex << hash_of(damage); }
+TEST(Golden, SpoiledCasesAreWhatTheyWere) { EXPECT_EQ(hash_of(damage), 0x6aee2341c2092935U) << std::hex << hash_of(damage); }
 
 TEST(Neighbour, MovesBoundsByTheLeastThereIsAndByWhole) {
   const kernel::Aabb box{{8, 16, 24}, {40, 48, 72}};

@@ -98,6 +98,9 @@ enum class Family {
   obb_polytope_edge_crossing,
   obb_polytope_ulp,
   obb_polytope_orthographic,
+  hair,
+  obb_hair,
+  polytope_hair,
 };
 
 [[nodiscard]] std::span<const Family> families();
