@@ -4,15 +4,19 @@
 #include <assimp/config.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cstdint>
+#include <cstdio>
 #include <glm/mat4x4.hpp>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "child_process.h"
 #include "input_file.h"
 #include "model_check.h"
 #include "occlude/render/errors.h"
@@ -41,7 +45,6 @@ class SceneReader {
       for (unsigned i = 0; i < node->mNumMeshes; ++i) add_mesh(node->mMeshes[i], transform);
       for (unsigned i = node->mNumChildren; i-- > 0;) stack.push_back({node->mChildren[i], transform});
     }
-    require_usable(file_, soup_);
     return std::move(soup_);
   }
 
@@ -89,10 +92,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-}  // namespace
-
-PolygonSoup read_with_assimp(const std::filesystem::path& file) {
-  require_readable(file);
+PolygonSoup import(const std::filesystem::path& file) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   constexpr unsigned kNoPostProcessing = 0;  // above all no triangulation
@@ -100,6 +100,105 @@ PolygonSoup read_with_assimp(const std::filesystem::path& file) {
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw InputError(file.string() + ": cannot import: " + one_line(importer.GetErrorString()));
   return SceneReader(file, *scene).read();
+}
+
+// What a child process hands over: four arrays, each as its length and its items. The first is the message of an
+// InputError, empty when there was none; the others are a soup's.
+
+template <class Items>
+void put(std::FILE* out, const Items& items) {
+  const std::uint64_t count = items.size();
+  if (std::fwrite(&count, sizeof(count), 1, out) != 1 || std::fwrite(items.data(), sizeof(items[0]), count, out) != count)
+    throw std::runtime_error("a temporary file cannot be written");
+}
+
+/// What a child has written that may have damaged its own memory before.
+class Handover {
+ public:
+  explicit Handover(std::FILE* file) : file_(file) {
+    std::fseek(file_, 0, SEEK_END);
+    left_ = static_cast<std::uint64_t>(std::ftell(file_));
+    std::rewind(file_);
+  }
+
+  template <class Items>
+  Items take() {
+    std::uint64_t count = 0;
+    take(&count, sizeof(count));
+    if (count > left_ / sizeof(typename Items::value_type)) fail();
+    Items items;
+    items.resize(static_cast<std::size_t>(count));
+    take(items.data(), items.size() * sizeof(items[0]));
+    return items;
+  }
+
+  [[noreturn]] static void fail() { throw ChildFailure("damages what it reads"); }
+
+ private:
+  void take(void* to, std::size_t bytes) {
+    if (bytes > left_ || std::fread(to, 1, bytes, file_) != bytes) fail();
+    left_ -= bytes;
+  }
+
+  std::FILE* file_;
+  std::uint64_t left_;  ///< bytes behind the place in the file
+};
+
+void hand_over(const std::filesystem::path& file, std::FILE* out) {
+  std::string failure;
+  PolygonSoup soup;
+  try {
+    soup = import(file);
+  } catch (const InputError& error) {
+    failure = error.what();
+  }
+  put(out, failure);
+  put(out, soup.vertices);
+  put(out, soup.indices);
+  put(out, soup.first);
+}
+
+PolygonSoup take_over(std::FILE* in) {
+  Handover handover(in);
+  if (const auto failure = handover.take<std::string>(); !failure.empty()) throw InputError(failure);
+  const auto vertices = handover.take<std::vector<glm::dvec3>>();
+  const auto indices = handover.take<std::vector<std::uint32_t>>();
+  const auto first = handover.take<std::vector<std::uint32_t>>();
+  // Added anew, so that nothing is believed.
+  PolygonSoup soup;
+  soup.vertices = vertices;
+  if (std::ranges::any_of(vertices, [](const glm::dvec3& v) { return vertex_fault(v).has_value(); })) Handover::fail();
+  std::vector<std::int64_t> loop;
+  for (std::size_t p = 0; p + 1 < first.size(); ++p) {
+    if (first[p] > first[p + 1] || first[p + 1] > indices.size()) Handover::fail();
+    loop.assign(indices.begin() + first[p], indices.begin() + first[p + 1]);
+    if (loop_fault(loop, vertices.size())) Handover::fail();
+    add_polygon(soup, loop);
+  }
+  return soup;
+}
+
+/// More than any honest file of its size needs: importers read megabytes a second. Files that it refers to do not count,
+/// they are taken as they are.
+ChildLimits limits_for(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kBytesPerSecond = 100'000;
+  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
+  const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return {pages / 2 * page, static_cast<unsigned>(60 + std::filesystem::file_size(file) / kBytesPerSecond)};
+}
+
+}  // namespace
+
+PolygonSoup read_with_assimp(const std::filesystem::path& file) {
+  require_readable(file);
+  try {
+    const File handed_over = run_in_child(limits_for(file), [&](std::FILE* out) { hand_over(file, out); });
+    PolygonSoup soup = take_over(handed_over.get());
+    require_usable(file, soup);
+    return soup;
+  } catch (const ChildFailure& failure) {
+    throw InputError(file.string() + ": cannot import: the import library " + failure.what());
+  }
 }
 
 }  // namespace occlude::render

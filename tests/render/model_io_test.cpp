@@ -344,6 +344,13 @@ TEST_F(ModelIoTest, WhatAssimpRefusesIsOneLine) {
       "no error");
 }
 
+TEST_F(ModelIoTest, WhatAssimpCrashesOnIsRefused) {
+  // Assimp 5.2.5 reads forty indices where the file has none.
+  EXPECT_EQ(failure("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n40\n0 1 0\n4 0 1 2 3\n")
+                .rfind(": cannot import: the import library ", 0),
+            0U);
+}
+
 TEST_F(ModelIoTest, WritingNowhereNamesTheFile) { EXPECT_THROW(save(folder_ / "none" / "a.ply", sample(), ""), InputError); }
 
 }  // namespace

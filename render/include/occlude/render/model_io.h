@@ -12,6 +12,7 @@ namespace occlude::render {
 
 /// Reads a model as polygon soup; polygons keep their sides. PLY and OBJ keep double precision; every other format the
 /// Assimp library knows (glTF, COLLADA, STL, ...) comes in its single precision.
+/// That library works in a child process, whose end, whatever its cause, is the end of the child alone.
 /// Throws InputError with file and place for: a file that cannot be read or parsed, a coordinate that is not finite or
 /// outside {0} or [2^-100, 2^100] in magnitude, an index out of range, a polygon of fewer than three vertices, no polygons.
 [[nodiscard]] culler::PolygonSoup read_model(const std::filesystem::path& file);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Work that may crash, hang or ask for any amount of memory, done where that harms nobody.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+
+namespace occlude::render {
+
+struct ChildLimits {
+  std::uint64_t memory_bytes;  ///< address space on top of what the process has already
+  unsigned seconds;            ///< by the clock on the wall
+};
+
+/// The child did not end as it should. The message says how: "crashes", "takes longer than 60 seconds".
+struct ChildFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Runs work(file) in a copy of this process and returns the file, rewound, once the copy has ended. The copy prints
+/// nothing, and whatever it changes in memory is lost. Throws ChildFailure, std::system_error, Interrupted.
+[[nodiscard]] File run_in_child(const ChildLimits& limits, const std::function<void(std::FILE*)>& work);
+
+}  // namespace occlude::render

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "child_process.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <new>
+#include <string>
+#include <thread>
+
+namespace occlude::render {
+namespace {
+
+constexpr ChildLimits kAmple{1ULL << 30U, 60};
+
+std::string failure(const ChildLimits& limits, const std::function<void(std::FILE*)>& work) {
+  try {
+    static_cast<void>(run_in_child(limits, work));
+  } catch (const ChildFailure& failure) {
+    return failure.what();
+  }
+  return "no failure";
+}
+
+TEST(ChildProcess, HandsOverWhatItWrites) {
+  int changed = 0;
+  const File file = run_in_child(kAmple, [&](std::FILE* out) {
+    changed = 1;
+    std::fputs("some text", out);
+  });
+  std::string text(100, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  EXPECT_EQ(text, "some text");
+  EXPECT_EQ(changed, 0);
+}
+
+TEST(ChildProcess, CrashesAlone) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) {
+    EXPECT_EQ(failure(kAmple, [&](std::FILE*) { raise(signal); }), "crashes");
+  }
+}
+
+TEST(ChildProcess, FailsAlone) {
+  EXPECT_EQ(failure(kAmple, [](std::FILE*) { throw 1; }), "fails");
+  EXPECT_EQ(failure(kAmple, [](std::FILE*) { _exit(3); }), "fails");
+}
+
+TEST(ChildProcess, IsEndedWhenItDoesNotEnd) {
+  const auto sleep = [](std::FILE*) { std::this_thread::sleep_for(std::chrono::hours(1)); };
+  EXPECT_EQ(failure({kAmple.memory_bytes, 1}, sleep), "takes longer than 1 seconds");
+}
+
+TEST(ChildProcess, GetsNoMoreMemoryThanItMayHave) {
+  const auto allocate = [](std::size_t bytes) { return [bytes](std::FILE*) { ::operator delete(::operator new(bytes)); }; };
+  EXPECT_EQ(failure(kAmple, allocate(kAmple.memory_bytes / 2)), "no failure");
+  // "needs more memory than it may have", or however a sanitizer ends the process.
+  EXPECT_NE(failure(kAmple, allocate(2 * kAmple.memory_bytes)), "no failure");
+}
+
+}  // namespace
+}  // namespace occlude::render
