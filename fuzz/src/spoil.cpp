@@ -94,10 +94,20 @@ void spoil_loop(Random& random, Polygon& loop) {
   }
 }
 
+/// Cuts a triangle off the face whose third corner lies within: what is left is plane, closes the solid, and is not convex.
+void dent_face(kernel::Polytope& polytope, std::size_t i) {
+  std::vector<std::uint32_t>& face = polytope.faces[i];
+  const std::uint32_t last = face.back(), first = face[0], inner = static_cast<std::uint32_t>(polytope.vertices.size());
+  polytope.vertices.push_back(0.25 *
+                              (polytope.vertices[last] + polytope.vertices[first] + 2.0 * polytope.vertices[face[1]]));
+  face.push_back(inner);
+  polytope.faces.push_back({last, first, inner});
+}
+
 void spoil_faces(Random& random, kernel::Polytope& polytope) {
   auto& faces = polytope.faces;
   const std::size_t i = random.index(faces.size());
-  switch (random.integer(0, 4)) {
+  switch (random.integer(0, 5)) {
     case 0:
       faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(i));
       break;
@@ -108,6 +118,9 @@ void spoil_faces(Random& random, kernel::Polytope& polytope) {
       faces[i].pop_back();
       break;
     case 3:
+      dent_face(polytope, i);
+      break;
+    case 4:
       faces[i][random.index(faces[i].size())] = static_cast<std::uint32_t>(random.index(polytope.vertices.size() + 2));
       break;
     default:

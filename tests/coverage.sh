@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# How much of the kernel the tests and the fuzzer run: lines and branches, a table, and every line that nothing reaches.
+# Needs clang and llvm (llvm-profdata, llvm-cov). Usage: bash tests/coverage.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+tool() { command -v "$1" || ls /usr/lib/llvm-*/bin/"$1" | tail -n 1; }
+profdata=$(tool llvm-profdata) cov=$(tool llvm-cov)
+folder=build/coverage
+programs=(tests/kernel_tests tests/oracle_tests tests/differential_tests)
+
+cmake --preset coverage >/dev/null
+cmake --build --preset coverage --target kernel_tests oracle_tests differential_tests occlude
+rm -f "$folder"/*.profraw
+export LLVM_PROFILE_FILE="$PWD/$folder/%p.profraw"
+for program in "${programs[@]}"; do "$folder/$program" --gtest_brief=1 >"$folder/log.txt" || cat "$folder/log.txt"; done
+"$folder/occlude" fuzz --cases 500000 --findings "$folder/findings.jsonl" >"$folder/log.txt" || cat "$folder/log.txt"
+"$profdata" merge -sparse "$folder"/*.profraw -o "$folder/kernel.profdata"
+what=(-instr-profile "$folder/kernel.profdata" "$folder/${programs[0]}" -object "$folder/${programs[1]}"
+  -object "$folder/${programs[2]}" -object "$folder/occlude")
+sources=(kernel/include kernel/src)
+"$cov" report "${what[@]}" "${sources[@]}" -show-functions=false -show-branch-summary |
+  awk 'NR < 3 || NF > 10 { print $1, $8, $9, $10, $11, $12, $13 }' | column -t
+echo
+echo "Lines that nothing reached, and branches that went one way only:"
+"$cov" show "${what[@]}" "${sources[@]}" -show-branches=count -show-expansions=false |
+  awk '/^[^ ].*:$/ { file = $1 } /^ +[0-9]+\| +0\|/ { print file, $0 } /Branch \(.*(: 0|: 0,).*/ && !/True: 0, False: 0/ { print file, $0 }'
