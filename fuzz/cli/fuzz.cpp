@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "case_line.h"
 #include "command_arguments.h"
@@ -66,35 +67,48 @@ fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
   return campaign;
 }
 
-/// Runs until the cases are done, the time is over, a finding is enough, or the user has seen enough.
-std::vector<fuzz::Report> run_watched(const Arguments& a, const fuzz::Campaign& campaign,
-                                      const std::vector<fuzz::Experiment>& experiments, bool& interrupted) {
-  const auto end = Clock::now() + std::chrono::duration<double>(a.seconds > 0 ? a.seconds : 1e9);
-  const std::uint64_t groups = campaign.rounds / campaign.shards * experiments.size();
-  render::Progress progress(a.seconds > 0 ? "seconds" : "groups",
-                            a.seconds > 0 ? static_cast<std::size_t>(a.seconds) : groups);
-  const auto start = Clock::now();
-  const auto watcher = std::this_thread::get_id();
-  std::atomic<bool> stop = false;
-  const auto go_on = [&](std::uint64_t done, std::uint64_t findings) {
-    if (std::this_thread::get_id() == watcher) {
-      try {
-        render::check_interrupt();
-      } catch (const render::Interrupted&) {
-        interrupted = true;
-        stop = true;
-      }
-      progress.update(a.seconds > 0 ? static_cast<std::size_t>(std::chrono::duration<double>(Clock::now() - start).count())
-                                    : done);
+/// Says when to stop: when the time is over, a finding is enough, or the user has seen enough.
+class Watch {
+ public:
+  Watch(const Arguments& a, std::uint64_t groups)
+      : seconds_(a.seconds),
+        stop_at_first_(a.stop_at_first),
+        progress_(a.seconds > 0 ? "seconds" : "groups", a.seconds > 0 ? static_cast<std::size_t>(a.seconds) : groups) {}
+
+  /// Called from any thread; that of the command also shows the progress.
+  bool go_on(std::uint64_t groups, std::uint64_t findings) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (std::this_thread::get_id() == thread_) {
+      look_for_interrupt();
+      progress_.update(seconds_ > 0 ? static_cast<std::size_t>(seconds) : groups);
     }
-    return !stop && Clock::now() < end && !(a.stop_at_first && findings > 0);
-  };
-  return fuzz::run(campaign, experiments, go_on);
-}
+    const bool is_over = seconds_ > 0 && seconds >= seconds_;
+    return !interrupted_ && !is_over && !(stop_at_first_ && findings > 0);
+  }
+
+  [[nodiscard]] bool interrupted() const { return interrupted_; }
+
+ private:
+  void look_for_interrupt() {
+    try {
+      render::check_interrupt();
+    } catch (const render::Interrupted&) {
+      interrupted_ = true;
+    }
+  }
+
+  double seconds_;
+  bool stop_at_first_;
+  render::Progress progress_;
+  Clock::time_point start_ = Clock::now();
+  std::thread::id thread_ = std::this_thread::get_id();
+  std::atomic<bool> interrupted_ = false;
+};
 
 void minimise_findings(std::vector<fuzz::Report>& reports) {
   for (fuzz::Report& report : reports) {
     for (fuzz::Finding& finding : report.findings) {
+      render::check_interrupt();
       if (!finding.question || !fuzz::is_disagreement(*finding.question)) continue;
       finding.question = fuzz::minimise(*finding.question, fuzz::is_disagreement);
       finding.expect = fuzz::judged_answer(*finding.question);
@@ -102,19 +116,22 @@ void minimise_findings(std::vector<fuzz::Report>& reports) {
   }
 }
 
-FuzzResults fuzz_families(const Arguments& a, bool& interrupted) {
+FuzzResults fuzz_families(const Arguments& a) {
   const std::vector<fuzz::Experiment> experiments = chosen(a.families);
   const fuzz::Campaign campaign = campaign_of(a, experiments.size());
-  std::vector<fuzz::Report> reports = run_watched(a, campaign, experiments, interrupted);
-  FuzzResults results{campaign.seed, campaign.shards, {campaign.shard}, {}};
-  minimise_findings(reports);
+  std::optional<Watch> watch(std::in_place, a, campaign.rounds / campaign.shards * experiments.size());
+  std::vector<fuzz::Report> reports = fuzz::run(
+      campaign, experiments, [&](std::uint64_t groups, std::uint64_t findings) { return watch->go_on(groups, findings); });
+  FuzzResults results{campaign.seed, campaign.shards, {campaign.shard}, watch->interrupted(), {}};
+  watch.reset();
+  if (!results.interrupted) minimise_findings(reports);
   for (std::size_t i = 0; i < experiments.size(); ++i) results.rows.push_back({experiments[i].name, std::move(reports[i])});
   return results;
 }
 
 /// One row a case file, each line put as it stands.
 FuzzResults fuzz_files(const std::vector<std::string>& files) {
-  FuzzResults results{1, 1, {0}, {}};
+  FuzzResults results{1, 1, {0}, false, {}};
   for (const std::string& file : files) {
     FuzzResults::Row& row = results.rows.emplace_back();
     row.name = std::filesystem::path(file).filename();
@@ -129,29 +146,36 @@ FuzzResults fuzz_files(const std::vector<std::string>& files) {
   return results;
 }
 
-FuzzResults results_of(const Arguments& a, bool& interrupted) {
+FuzzResults results_of(const Arguments& a) {
   if (!a.merged.empty()) return merge(a.merged);
-  return a.files.empty() ? fuzz_families(a, interrupted) : fuzz_files(a.files);
-}
-
-void write(const std::string& file, const std::string& text) {
-  render::OutputFile out(file);
-  out.write(text);
-  out.commit();
+  return a.files.empty() ? fuzz_families(a) : fuzz_files(a.files);
 }
 
 int fuzz_command(const Arguments& a) {
-  bool interrupted = false;
-  const FuzzResults results = results_of(a, interrupted);
+  std::vector<std::string> files{a.findings, a.out};
+  files.insert(files.end(), a.files.begin(), a.files.end());
+  files.insert(files.end(), a.merged.begin(), a.merged.end());
+  std::erase(files, "");
+  check_distinct(files);
+  // Opened before the work: what cannot be written is known at once.
+  render::OutputFile findings(a.findings);
+  std::optional<render::OutputFile> out;
+  if (!a.out.empty()) out.emplace(a.out);
+
+  const FuzzResults results = results_of(a);
   fmt::print("{}", a.json ? to_json(results) : table(results));
-  if (!a.out.empty()) write(a.out, to_json(results));
   if (const std::string lines = case_lines(results); !lines.empty()) {
-    write(a.findings, lines);
+    findings.write(lines);
+    findings.commit();
     fmt::print(stderr, "{}see {}, occlude classify replays it\n", lines, a.findings);
   }
-  if (interrupted) {
+  if (results.interrupted) {
     fmt::print(stderr, "occlude: interrupted; the table has what was done till then\n");
     return 130;
+  }
+  if (out) {
+    out->write(to_json(results));
+    out->commit();
   }
   return total(results).tally.disagreements == 0 ? 0 : 1;
 }

@@ -18,6 +18,7 @@ struct FuzzResults {
   std::uint64_t seed = 1;
   std::uint64_t shards = 1;
   std::vector<std::uint64_t> parts;  ///< the shards that are in it
+  bool interrupted = false;          ///< by the user: there would have been more
   std::vector<Row> rows;
 };
 

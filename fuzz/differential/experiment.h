@@ -11,12 +11,12 @@
 
 namespace occlude::fuzz {
 
-/// How many cases an experiment makes at a time: they share what is dear to prepare, a shadow or a scene.
+/// How many cases an experiment makes at a time, at least: they share what is dear to prepare, a shadow or a scene.
 inline constexpr std::uint64_t kGroup = 16;
 
 struct Experiment {
   std::string name;
-  /// Makes the kGroup cases of this seed, the same on every machine, and adds what they gave to the report.
+  /// Makes the cases of this seed, kGroup or a few more, the same on every machine, and adds what they gave to the report.
   std::function<void(std::uint64_t seed, Report& report)> run;
 };
 

@@ -81,8 +81,8 @@ class Minimiser {
   }
 
  private:
-  /// Enough for some hundred coordinates, a few seconds at most.
-  static constexpr int kMostTries = 50'000;
+  /// Enough for some hundred coordinates, a second at most.
+  static constexpr int kMostTries = 10'000;
 
   bool step() {
     const bool fewer = drop_vertices(), moved = move_to_origin(), shorter = shorten();

@@ -65,7 +65,7 @@ struct Report {
 };
 
 /// Findings kept of many reports: those of the lowest seeds.
-inline constexpr std::size_t kKeptFindings = 10;
+inline constexpr std::size_t kKeptFindings = 3;
 
 /// Adds `part` to `whole`, in whatever order parts come.
 void add(Report& whole, Report&& part);

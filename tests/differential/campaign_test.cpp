@@ -66,14 +66,14 @@ TEST(Campaign, StopsWhenTold) {
   EXPECT_EQ(reports[0].findings[0].seed, 3U);
 }
 
-/// The families, for real: nobody is wrong, and any number of jobs gives the same table.
+/// All experiments, for real: nobody is wrong, and any number of jobs gives the same table.
 TEST(Campaign, FamiliesAgreeWithTheOracle) {
   const std::vector<Experiment>& all = experiments();
   const auto one = run({.seed = 11, .rounds = 3, .jobs = 1}, all, for_ever);
   const auto two = run({.seed = 11, .rounds = 3, .jobs = 2}, all, for_ever);
   expect_same(one, two);
   for (std::size_t e = 0; e < all.size(); ++e) {
-    EXPECT_EQ(one[e].tally.cases, 3 * kGroup) << all[e].name;
+    EXPECT_GE(one[e].tally.cases, 3 * kGroup) << all[e].name;
     EXPECT_EQ(one[e].tally.disagreements, 0U) << all[e].name << ": " << one[e].findings[0].what;
   }
 }
