@@ -54,8 +54,6 @@ struct Finding {
   std::string what;              ///< one line: who said what
   std::optional<Case> question;  ///< where it is one that a case file can hold
   std::string expect;            ///< the oracle's answer to it
-
-  friend bool operator==(const Finding&, const Finding&) = default;
 };
 
 struct Report {
