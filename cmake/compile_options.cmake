@@ -17,12 +17,17 @@ if(PROJECT_IS_TOP_LEVEL)
   endif()
 endif()
 
-set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined or thread")
+set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined, thread or several with commas")
 if(OCCLUDE_SANITIZE)
   target_compile_options(occlude_options INTERFACE
     -Wno-error  # the checks that are compiled in mislead the compiler's own flow analysis
     -fsanitize=${OCCLUDE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(occlude_options INTERFACE -fsanitize=${OCCLUDE_SANITIZE})
+endif()
+
+option(OCCLUDE_FUZZERS "Build everything for a coverage-guided fuzzer, the harnesses as such (clang or afl-clang-fast)" OFF)
+if(OCCLUDE_FUZZERS)
+  target_compile_options(occlude_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # occlude_module(NAME DIRECTORY): the library occlude::NAME from DIRECTORY/src, its public headers in DIRECTORY/include.

@@ -93,7 +93,7 @@ class CullJudge {
   std::string fault_against(const CullResult& without) const {
     std::size_t drawn = 0;
     for (const auto [first, count] : without.drawn) {
-      for (std::size_t p = first; p < first + count; ++p) drawn += is_drawn_[p];
+      for (std::size_t p = first; p < first + count; ++p) drawn += is_drawn_[p] != 0 ? 1 : 0;
     }
     return drawn == result_.stats.drawn_polygons ? "" : "a polygon is drawn with occluders and not without";
   }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A line of a case file: refused with a message, or read back from what is written.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "case_line.h"
+#include "finding.h"
+
+namespace occlude::harness {
+namespace {
+
+void read(std::string_view line) {
+  const nlohmann::json object = cli::parse_object(line);
+  const cli::CaseLine taken = cli::read_case(object);
+  const std::string id = cli::case_id(object).dump();
+  const std::string text = cli::write_case(id, taken.question, taken.expect.value_or(""));
+  try {
+    const cli::CaseLine again = cli::read_case(cli::parse_object(text));
+    if (cli::write_case(id, again.question, again.expect.value_or("")) != text) finding("reads back as another: " + text);
+  } catch (const cli::LineError& error) {
+    finding(std::string(error.what()) + ", in a case that was written: " + text);
+  }
+}
+
+}  // namespace
+}  // namespace occlude::harness
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace occlude;
+  try {
+    harness::read({reinterpret_cast<const char*>(data), size});
+  } catch (const cli::LineError&) {
+    // The one way to refuse a line.
+  }
+  return 0;
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How a harness says that something is wrong: one line, and the end of the process, which is what fuzzers look for.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace occlude::harness {
+
+[[noreturn]] inline void finding(const std::string& what) {
+  std::fprintf(stderr, "finding: %s\n", what.c_str());
+  std::abort();
+}
+
+}  // namespace occlude::harness

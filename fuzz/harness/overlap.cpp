@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The kernel's main question: one shadow, some boxes, everyone's answers.
+#include "differential/overlap.h"
+
+#include <span>
+#include <vector>
+
+#include "case_line.h"
+#include "decode.h"
+#include "finding.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace occlude;
+  harness::Decoder decoder({data, size});
+  const fuzz::Case question = decoder.question();
+  std::vector<fuzz::Box> boxes;
+  for (std::size_t i = 0, count = 1 + decoder.below(6); i < count; ++i) boxes.push_back(decoder.box());
+  fuzz::Report report;
+  fuzz::judge_overlap(question, boxes, "harness", 0, report);
+  if (report.findings.empty()) return 0;
+  const fuzz::Finding& first = report.findings[0];
+  harness::finding(first.what + ": " + cli::write_case("overlap", *first.question, first.expect));
+}
