@@ -70,7 +70,7 @@ constexpr int kReach = 8;
 PolygonSoup some_soup(Random& random) {
   PolygonSoup soup;
   for (int walls = random.integer(1, 4); walls > 0; --walls) add_wall(random, soup, kReach / 2, 2 * kReach);
-  for (int things = random.integer(4, 24); things > 0; --things) add_wall(random, soup, 2 * kReach, 2);
+  for (int things = random.integer(15, 30); things > 0; --things) add_wall(random, soup, 2 * kReach, 2);
   for (int others = random.integer(0, 4); others > 0; --others) {
     (random.chance(0.5) ? add_triangle : add_occluder_of_case)(random, soup, kReach);
   }
