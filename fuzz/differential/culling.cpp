@@ -60,7 +60,10 @@ void add_occluder_of_case(Random& random, PolygonSoup& soup, int reach) {
   for (const kernel::Vec3& v : *polygon) largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   const double scale = largest == 0 ? 1 : std::exp2(std::floor(std::log2(reach / largest)));
   std::vector<dvec3> loop;
-  for (const kernel::Vec3& v : *polygon) loop.push_back(scale * dvec3{v.x, v.y, v.z});
+  for (const kernel::Vec3& v : *polygon) {
+    if (kernel::check(kernel::Vec3{scale * v.x, scale * v.y, scale * v.z}) != kernel::Refusal::none) return;
+    loop.push_back(scale * dvec3{v.x, v.y, v.z});
+  }
   add_loop(soup, loop);
 }
 
