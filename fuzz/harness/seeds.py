@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the scenes in fuzz/corpus/traversal that chance would not find soon: walls and what they hide, as bytes that
-decode.cpp and traversal.cpp read. Usage: python3 fuzz/harness/seeds.py"""
+"""Writes what chance would not find soon, as bytes that decode.cpp reads: walls and what they hide for `traversal`, loops
+that go round twice for `construction`. Usage: python3 fuzz/harness/seeds.py"""
 import pathlib
 
-FOLDER = pathlib.Path(__file__).parents[1] / "corpus" / "traversal"
+CORPUS = pathlib.Path(__file__).parents[1] / "corpus"
 
 
 def point(x, y, z):
@@ -31,6 +31,12 @@ def scene(polygons, orthographic=False, farthest=False, overlap=False, near=None
     return bytes(byte & 255 for byte in [0, *camera, *config, *options, len(polygons), *(b for p in polygons for b in p)])
 
 
+def loop(corners):
+    """Seen from the origin, in the plane x = 4; any order of corners."""
+    free_polygon = [3, len(corners), *(byte for y, z in corners for byte in point(4, y, z))]
+    return bytes(byte & 255 for byte in [0, 0, *point(0, 0, 0), 1, 0, *free_polygon])
+
+
 def main():
     hidden = [triangle(x, y, z) for x in (4, 6) for y in range(-2, 3) for z in (-1, 1)]
     beside = [triangle(3, y, 0) for y in (-8, 8)]
@@ -44,8 +50,14 @@ def main():
         "wall_across_the_near_plane": scene([slanted, *hidden], near=3),
         "coplanar_walls": scene([wall(2, 3), wall(2, 3), wall(2, 1), *(triangle(2, y, 0) for y in range(-2, 3))]),
     }
-    for name, data in scenes.items():
-        (FOLDER / name).write_bytes(data)
+    pentagon = [(0, 3), (3, 1), (2, -3), (-2, -3), (-3, 1)]
+    loops = {
+        "pentagram": loop([pentagon[2 * i % 5] for i in range(5)]),
+        "pentagon_twice": loop(pentagon * 2),
+    }
+    for folder, seeds in (("traversal", scenes), ("construction", loops)):
+        for name, data in seeds.items():
+            (CORPUS / folder / name).write_bytes(data)
 
 
 if __name__ == "__main__":
