@@ -104,10 +104,19 @@ void dent_face(kernel::Polytope& polytope, std::size_t i) {
   polytope.faces.push_back({last, first, inner});
 }
 
+/// Lays a triangle twice on the face: every edge still has its two faces.
+void patch_face_twice(kernel::Polytope& polytope, std::size_t i) {
+  const std::vector<std::uint32_t>& face = polytope.faces[i];
+  const Vec3 a = polytope.vertices[face.back()], b = polytope.vertices[face[0]], c = polytope.vertices[face[1]];
+  const auto first = static_cast<std::uint32_t>(polytope.vertices.size());
+  for (const Vec3& corner : {a, b, c}) polytope.vertices.push_back(0.25 * (a + b + c + corner));
+  for (int times = 0; times < 2; ++times) polytope.faces.push_back({first, first + 1, first + 2});
+}
+
 void spoil_faces(Random& random, kernel::Polytope& polytope) {
   auto& faces = polytope.faces;
   const std::size_t i = random.index(faces.size());
-  switch (random.integer(0, 5)) {
+  switch (random.integer(0, 6)) {
     case 0:
       faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(i));
       break;
@@ -121,6 +130,9 @@ void spoil_faces(Random& random, kernel::Polytope& polytope) {
       dent_face(polytope, i);
       break;
     case 4:
+      patch_face_twice(polytope, i);
+      break;
+    case 5:
       faces[i][random.index(faces[i].size())] = static_cast<std::uint32_t>(random.index(polytope.vertices.size() + 2));
       break;
     default:

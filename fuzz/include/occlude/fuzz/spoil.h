@@ -8,8 +8,9 @@
 namespace occlude::fuzz {
 
 /// Damages the case in one way: a number at or beyond the border of the legal range, min above max, the eye in the occluder
-/// or in its plane, a loop out of order, wound twice, spiked or cut short, faces missing, doubled, dented or wrong, no
-/// direction. What comes out may still be legal. REQUIRES: the case has vertices and, of a polytope, faces of existing ones.
+/// or in its plane, a loop out of order, wound twice, spiked or cut short, faces missing, doubled, dented, patched or wrong,
+/// no direction. What comes out may still be legal. REQUIRES: the case has vertices and, of a polytope, faces of existing
+/// ones.
 void spoil(Random& random, Case& c);
 
 }  // namespace occlude::fuzz
