@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -28,13 +28,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kDefaultCases = 1'000'000;
+constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U;
 
 struct Arguments {
   std::vector<std::string> families, files, merged;
-  std::uint64_t cases = 0;
   double seconds = 0;
-  std::string seed = "1", shard = "0/1", findings = "fuzz_findings.jsonl", out;
+  std::string cases = std::to_string(kDefaultCases), seed = "1", shard = "0/1", findings = "fuzz_findings.jsonl", out;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   bool stop_at_first = false, json = false;
 };
@@ -61,9 +60,9 @@ fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
   read_shard(a.shard, campaign);
   campaign.jobs = a.jobs;
   const std::uint64_t per_round = experiments * fuzz::kGroup;
-  const std::uint64_t cases = a.cases != 0 ? a.cases : kDefaultCases;
-  constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max() / 1'000'000;
-  campaign.rounds = a.seconds > 0 ? kEndless : (cases + per_round - 1) / per_round;
+  const std::uint64_t cases = whole_number("--cases", a.cases);
+  if (cases == 0 || cases > kMostCases) throw CLI::ValidationError("--cases", fmt::format("expected 1 to {}", kMostCases));
+  campaign.rounds = a.seconds > 0 ? kMostCases : (cases + per_round - 1) / per_round;
   return campaign;
 }
 
@@ -105,13 +104,26 @@ class Watch {
   std::atomic<bool> interrupted_ = false;
 };
 
-void minimise_findings(std::vector<fuzz::Report>& reports) {
-  for (fuzz::Report& report : reports) {
-    for (fuzz::Finding& finding : report.findings) {
+/// The finding as small as it can be while it stays what it is.
+void minimise(fuzz::Finding& finding) {
+  const auto again = [&](const fuzz::Case& c) { return fuzz::find_again(c, finding.kind); };
+  if (!finding.question || !again(*finding.question)) return;
+  const fuzz::Case small = fuzz::minimise(*finding.question, [&](const fuzz::Case& c) { return again(c).has_value(); });
+  const fuzz::Finding found = *again(small);
+  finding.question = found.question;
+  finding.what = found.what;
+  finding.expect = found.expect;
+}
+
+void minimise_findings(FuzzResults& results) {
+  std::size_t all = 0, done = 0;
+  for (const FuzzResults::Row& row : results.rows) all += row.report.findings.size();
+  render::Progress progress("findings minimised", all);
+  for (FuzzResults::Row& row : results.rows) {
+    for (fuzz::Finding& finding : row.report.findings) {
       render::check_interrupt();
-      if (!finding.question || !fuzz::is_disagreement(*finding.question)) continue;
-      finding.question = fuzz::minimise(*finding.question, fuzz::is_disagreement);
-      finding.expect = fuzz::judged_answer(*finding.question);
+      minimise(finding);
+      progress.update(++done);
     }
   }
 }
@@ -119,29 +131,43 @@ void minimise_findings(std::vector<fuzz::Report>& reports) {
 FuzzResults fuzz_families(const Arguments& a) {
   const std::vector<fuzz::Experiment> experiments = chosen(a.families);
   const fuzz::Campaign campaign = campaign_of(a, experiments.size());
-  std::optional<Watch> watch(std::in_place, a, campaign.rounds / campaign.shards * experiments.size());
+  std::optional<Watch> watch(std::in_place, a, fuzz::rounds_of_shard(campaign) * experiments.size());
   std::vector<fuzz::Report> reports = fuzz::run(
       campaign, experiments, [&](std::uint64_t groups, std::uint64_t findings) { return watch->go_on(groups, findings); });
-  FuzzResults results{campaign.seed, campaign.shards, {campaign.shard}, watch->interrupted(), {}};
+  FuzzResults results{campaign.seed, campaign.rounds, campaign.shards, {campaign.shard}, watch->interrupted(), {}};
   watch.reset();
-  if (!results.interrupted) minimise_findings(reports);
   for (std::size_t i = 0; i < experiments.size(); ++i) results.rows.push_back({experiments[i].name, std::move(reports[i])});
   return results;
 }
 
+/// What is wrong with a line of a case file, as one case and against what it expects.
+fuzz::Report judge_line(const CaseLine& line, const std::string& name, std::size_t number) {
+  fuzz::Report report;
+  fuzz::judge_overlap(line.question, {&line.question.box, 1}, name, number, report);
+  const std::string judged = fuzz::judged_answer(line.question);
+  if (!line.expect || *line.expect == judged) return report;
+  ++report.tally.disagreements;
+  report.findings.push_back({name, number, "expect",
+                             fmt::format("{}, the oracle: {}", *line.expect, judged.empty() ? "none" : judged),
+                             line.question, judged});
+  return report;
+}
+
 /// One row a case file, each line put as it stands.
 FuzzResults fuzz_files(const std::vector<std::string>& files) {
-  FuzzResults results{1, 1, {0}, false, {}};
-  for (const std::string& file : files) {
-    FuzzResults::Row& row = results.rows.emplace_back();
-    row.name = std::filesystem::path(file).filename();
-    for_each_case(file, [&](std::size_t number, const nlohmann::json& object) {
-      render::check_interrupt();
-      const fuzz::Case question = read_case(object).question;
-      fuzz::Report report;
-      fuzz::judge_overlap(question, {&question.box, 1}, row.name, number, report);
-      fuzz::add(row.report, std::move(report));
-    });
+  FuzzResults results{1, 0, 1, {0}, false, {}};
+  try {
+    for (const std::string& file : files) {
+      FuzzResults::Row& row = results.rows.emplace_back();
+      row.name = std::filesystem::path(file).filename();
+      for_each_case(file, [&](std::size_t number, const nlohmann::json& object) {
+        render::check_interrupt();
+        fuzz::add(row.report, judge_line(read_case(object), row.name, number));
+      });
+      if (row.report.tally.cases == 0) throw render::InputError(file + ": no cases");
+    }
+  } catch (const render::Interrupted&) {
+    results.interrupted = true;
   }
   return results;
 }
@@ -151,26 +177,47 @@ FuzzResults results_of(const Arguments& a) {
   return a.files.empty() ? fuzz_families(a) : fuzz_files(a.files);
 }
 
+/// The case lines of the findings, in a file of their own.
+void store(const FuzzResults& results, const std::string& file) {
+  render::OutputFile findings(file);
+  findings.write(case_lines(results));
+  findings.commit();
+}
+
+/// Stored as they are at once, and again when they are small: that takes a while, and the user may not wait.
+void report_findings(FuzzResults& results, const std::string& file) {
+  if (case_lines(results).empty()) {
+    if (std::filesystem::exists(file)) fmt::print(stderr, "{} is of an earlier run\n", file);
+    return;
+  }
+  store(results, file);
+  try {
+    minimise_findings(results);
+    store(results, file);
+  } catch (const render::Interrupted&) {
+    results.interrupted = true;
+  }
+  fmt::print(stderr, "{}The cases are in {}; occlude fuzz {} judges them again. Each is a defect: please report it.\n",
+             case_lines(results), file, file);
+}
+
 int fuzz_command(const Arguments& a) {
   std::vector<std::string> files{a.findings, a.out};
   files.insert(files.end(), a.files.begin(), a.files.end());
   files.insert(files.end(), a.merged.begin(), a.merged.end());
   std::erase(files, "");
   check_distinct(files);
-  // Opened before the work: what cannot be written is known at once.
-  render::OutputFile findings(a.findings);
-  std::optional<render::OutputFile> out;
+  std::optional<render::OutputFile> out;  // opened before the work: what cannot be written is known at once
   if (!a.out.empty()) out.emplace(a.out);
 
-  const FuzzResults results = results_of(a);
-  fmt::print("{}", a.json ? to_json(results) : table(results));
-  if (const std::string lines = case_lines(results); !lines.empty()) {
-    findings.write(lines);
-    findings.commit();
-    fmt::print(stderr, "{}see {}, occlude classify replays it\n", lines, a.findings);
-  }
+  FuzzResults results = results_of(a);
+  if (!a.json) fmt::print("{}", table(results));
+  std::fflush(stdout);
+  report_findings(results, a.findings);
+  if (a.json) fmt::print("{}", to_json(results));
   if (results.interrupted) {
-    fmt::print(stderr, "occlude: interrupted; the table has what was done till then\n");
+    fmt::print(stderr, "occlude: interrupted; this is what was done till then{}\n",
+               out ? fmt::format(", {} is not written", a.out) : "");
     return 130;
   }
   if (out) {
@@ -183,7 +230,7 @@ int fuzz_command(const Arguments& a) {
 std::string check_family(const std::string& name) {
   const auto& all = fuzz::experiments();
   const bool known = std::ranges::find(all, name, &fuzz::Experiment::name) != all.end();
-  return known ? "" : fmt::format("{}: no such family (occlude fuzz --cases 1 lists them)", name);
+  return known ? "" : fmt::format("{}: no such family (fuzz/README.md lists them)", name);
 }
 
 }  // namespace
@@ -200,26 +247,27 @@ void add_fuzz(CLI::App& app, int& exit_code) {
       "Example: occlude fuzz --cases 100000000 --shard 3/16 --out part3.json     then: occlude fuzz --merge part*.json");
   const auto a = std::make_shared<Arguments>();
   CLI::Option* files = command->add_option("FILE", a->files, "case files to be judged instead of families");
-  CLI::Option* cases =
-      command
-          ->add_option("--cases", a->cases, fmt::format("at least so many, all families alike; default {}", kDefaultCases))
-          ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 50U));
+  CLI::Option* cases = command->add_option(
+      "--cases", a->cases,
+      fmt::format("at least so many, all families alike, 16 or more of each; default {}", kDefaultCases));
   CLI::Option* seconds = command->add_option("--seconds", a->seconds, "as many as this time allows")
                              ->check(CLI::Range(0.001, 1e7))
                              ->excludes(cases);
-  command->add_option("--family", a->families, "only these families; may be given several times")->check(check_family);
-  command->add_option("--seed", a->seed, "whole number")->capture_default_str();
+  CLI::Option* family =
+      command->add_option("--family", a->families, "only these families, one or more")->check(check_family);
+  CLI::Option* seed = command->add_option("--seed", a->seed, "whole number")->capture_default_str();
   command->add_option("--jobs", a->jobs, "threads")->capture_default_str()->check(CLI::Range(1U, 1024U));
-  command->add_option("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
-      ->capture_default_str()
-      ->excludes(seconds);
+  CLI::Option* shard =
+      command->add_option("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
+          ->capture_default_str()
+          ->excludes(seconds);
   CLI::Option* merged = command->add_option("--merge", a->merged, "results of shards (--out), to be added up");
   command->add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding");
   command->add_option("--findings", a->findings, "file for the case lines of findings, written when there are any")
       ->capture_default_str();
   command->add_option("--out", a->out, "file for the results as JSON");
   command->add_flag("--json", a->json, "print the results as JSON");
-  for (CLI::Option* option : {cases, seconds}) option->excludes(files)->excludes(merged);
+  for (CLI::Option* option : {cases, seconds, family, seed, shard}) option->excludes(files)->excludes(merged);
   files->excludes(merged);
   command->callback([a, &exit_code] { exit_code = fuzz_command(*a); });
 }

@@ -21,12 +21,14 @@ using fuzz::Tally;
 
 Json json(const fuzz::WrongAnswers& wrong) { return {{"wrong_culls", wrong.culls}, {"wrong_draws", wrong.draws}}; }
 
-std::string id_of(const Finding& finding) { return fmt::format("{} {}", finding.family, finding.seed); }
+std::string id_of(const Finding& finding) {
+  return fmt::format("{} {}: {}: {}", finding.family, finding.seed, finding.kind, finding.what);
+}
 
 std::string case_line(const Finding& finding) { return write_case(id_of(finding), *finding.question, finding.expect); }
 
 Json json(const Finding& finding) {
-  Json result{{"family", finding.family}, {"seed", finding.seed}, {"what", finding.what}};
+  Json result{{"family", finding.family}, {"seed", finding.seed}, {"kind", finding.kind}, {"what", finding.what}};
   if (finding.question) result["case"] = Json::parse(case_line(finding));
   return result;
 }
@@ -43,7 +45,9 @@ Json json(const FuzzResults::Row& row) {
           {"exact", t.stages[1]},
           {"judged_twice", t.judged_twice},
           {"disagreements", t.disagreements},
+          {"conservative_asked_outside", t.planes_asked},
           {"conservative_undecided", t.undecided},
+          {"others_asked", t.others_asked},
           {"plain", json(t.plain)},
           {"float32", json(t.float32)},
           {"fma", json(t.fused)},
@@ -63,7 +67,9 @@ Tally tally(const nlohmann::json& row) {
   t.stages = {count("filter"), count("exact")};
   t.judged_twice = count("judged_twice");
   t.disagreements = count("disagreements");
+  t.planes_asked = count("conservative_asked_outside");
   t.undecided = count("conservative_undecided");
+  t.others_asked = count("others_asked");
   t.plain = wrong_answers(row.at("plain"));
   t.float32 = wrong_answers(row.at("float32"));
   t.fused = wrong_answers(row.at("fma"));
@@ -71,8 +77,12 @@ Tally tally(const nlohmann::json& row) {
 }
 
 Finding finding(const nlohmann::json& object) {
-  Finding result{object.at("family").get<std::string>(), object.at("seed").get<std::uint64_t>(),
-                 object.at("what").get<std::string>(), std::nullopt, ""};
+  Finding result{object.at("family").get<std::string>(),
+                 object.at("seed").get<std::uint64_t>(),
+                 object.at("kind").get<std::string>(),
+                 object.at("what").get<std::string>(),
+                 std::nullopt,
+                 ""};
   if (object.contains("case")) {
     CaseLine line = read_case(object.at("case"));
     result.question = std::move(line.question);
@@ -84,7 +94,9 @@ Finding finding(const nlohmann::json& object) {
 FuzzResults read(const nlohmann::json& object) {
   FuzzResults results;
   results.seed = object.at("seed").get<std::uint64_t>();
+  results.rounds = object.at("rounds").get<std::uint64_t>();
   results.shards = object.at("shards").get<std::uint64_t>();
+  results.interrupted = object.at("interrupted").get<bool>();
   results.parts = object.at("parts").get<std::vector<std::uint64_t>>();
   for (const auto& row : object.at("families")) {
     FuzzResults::Row& added = results.rows.emplace_back();
@@ -107,13 +119,19 @@ FuzzResults read_file(const std::string& file) {
 }
 
 bool is_same_run(const FuzzResults& a, const FuzzResults& b) {
-  return a.seed == b.seed && a.shards == b.shards &&
+  return a.seed == b.seed && a.rounds == b.rounds && a.shards == b.shards &&
          std::ranges::equal(a.rows, b.rows, {}, &FuzzResults::Row::name, &FuzzResults::Row::name);
+}
+
+FuzzResults read_part(const std::string& file) {
+  FuzzResults results = read_file(file);
+  if (results.interrupted) throw render::InputError(file + ": a run that was interrupted: the part is not whole");
+  return results;
 }
 
 void add(FuzzResults& whole, FuzzResults&& part, const std::string& file) {
   if (!is_same_run(whole, part))
-    throw render::InputError(file + ": a result of another run: other seed, shards or families");
+    throw render::InputError(file + ": a result of another run: other seed, cases, shards or families");
   for (const std::uint64_t shard : part.parts) {
     if (std::ranges::find(whole.parts, shard) != whole.parts.end()) {
       throw render::InputError(fmt::format("{}: shard {} of {} was given before", file, shard, whole.shards));
@@ -157,8 +175,10 @@ std::string to_json(const FuzzResults& results) {
     families.push_back(std::move(object));
   }
   const Json object{{"seed", results.seed},
+                    {"rounds", results.rounds},
                     {"shards", results.shards},
                     {"parts", results.parts},
+                    {"interrupted", results.interrupted},
                     {"cases", all.tally.cases},
                     {"disagreements", all.tally.disagreements},
                     {"core_seconds", all.core_seconds},
@@ -167,8 +187,8 @@ std::string to_json(const FuzzResults& results) {
 }
 
 FuzzResults merge(const std::vector<std::string>& files) {
-  FuzzResults whole = read_file(files[0]);
-  for (std::size_t i = 1; i < files.size(); ++i) add(whole, read_file(files[i]), files[i]);
+  FuzzResults whole = read_part(files[0]);
+  for (std::size_t i = 1; i < files.size(); ++i) add(whole, read_part(files[i]), files[i]);
   return whole;
 }
 

@@ -16,7 +16,7 @@ struct FuzzResults {
     fuzz::Report report;
   };
   std::uint64_t seed = 1;
-  std::uint64_t shards = 1;
+  std::uint64_t rounds = 0, shards = 1;
   std::vector<std::uint64_t> parts;  ///< the shards that are in it
   bool interrupted = false;          ///< by the user: there would have been more
   std::vector<Row> rows;

@@ -16,11 +16,25 @@ double core_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// Whatever an experiment throws is a finding.
+void run_one(const Experiment& experiment, std::uint64_t seed, Report& report) {
+  try {
+    experiment.run(seed, report);
+  } catch (const std::exception& error) {
+    ++report.tally.disagreements;
+    report.findings.push_back({experiment.name, seed, "exception", error.what(), std::nullopt, ""});
+  }
+}
+
 }  // namespace
+
+std::uint64_t rounds_of_shard(const Campaign& campaign) {
+  return (campaign.rounds + campaign.shards - 1 - campaign.shard) / campaign.shards;
+}
 
 std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> experiments,
                         const std::function<bool(std::uint64_t groups, std::uint64_t findings)>& go_on) {
-  const std::uint64_t rounds = (campaign.rounds + campaign.shards - 1 - campaign.shard) / campaign.shards;
+  const std::uint64_t rounds = rounds_of_shard(campaign);
   std::atomic<std::uint64_t> next = 0, found = 0;
   std::vector<std::vector<Report>> reports(campaign.jobs, std::vector<Report>(experiments.size()));
   const auto work = [&](std::vector<Report>& own) {
@@ -29,7 +43,7 @@ std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> ex
       const std::size_t experiment = i % experiments.size();
       Report group;
       const double start = core_seconds();
-      experiments[experiment].run(campaign.seed + round, group);
+      run_one(experiments[experiment], campaign.seed + round, group);
       group.core_seconds = core_seconds() - start;
       found += group.tally.disagreements;
       add(own[experiment], std::move(group));

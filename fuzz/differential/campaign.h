@@ -20,9 +20,12 @@ struct Campaign {
   unsigned jobs = 1;
 };
 
+/// The rounds that are the shard's own.
+[[nodiscard]] std::uint64_t rounds_of_shard(const Campaign& campaign);
+
 /// One report an experiment, in their order. `go_on` is asked before every group by any of the threads, with the number of
-/// findings so far; once it says no, groups under way are finished and no others begun. REQUIRES: the experiments do not
-/// throw, shard < shards.
+/// findings so far; once it says no, groups under way are finished and no others begun. What an
+/// experiment throws is a finding. REQUIRES: shard < shards.
 [[nodiscard]] std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> experiments,
                                       const std::function<bool(std::uint64_t groups, std::uint64_t findings)>& go_on);
 

@@ -14,6 +14,7 @@
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
+#include "verdict.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -51,6 +52,13 @@ void add_triangle(Random& random, PolygonSoup& soup, int reach) {
   add_loop(soup, {lattice_point(random, reach), lattice_point(random, reach), lattice_point(random, reach)});
 }
 
+/// The largest power of two that is not above x.
+double power_below(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return std::ldexp(1.0, exponent - 1);
+}
+
 /// The occluder of some case, moved near: any number of sides, slivers, folded ones.
 void add_occluder_of_case(Random& random, PolygonSoup& soup, int reach) {
   const Case c = any_case(random);
@@ -58,7 +66,7 @@ void add_occluder_of_case(Random& random, PolygonSoup& soup, int reach) {
   if (!polygon) return add_triangle(random, soup, reach);
   double largest = 0;
   for (const kernel::Vec3& v : *polygon) largest = std::max({largest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-  const double scale = largest == 0 ? 1 : std::exp2(std::floor(std::log2(reach / largest)));
+  const double scale = largest == 0 ? 1 : power_below(reach / largest);
   std::vector<dvec3> loop;
   for (const kernel::Vec3& v : *polygon) {
     if (kernel::check(kernel::Vec3{scale * v.x, scale * v.y, scale * v.z}) != kernel::Refusal::none) return;
@@ -189,8 +197,7 @@ void run_culling(std::uint64_t seed, Report& report) {
   report.tally.stages[stats.exact_shadow_tests != 0 ? 1 : 0] += soup.size();
   const std::string wrong = fault_of_frame(culler, camera, options, result);
   if (wrong.empty()) return;
-  ++report.tally.disagreements;
-  report.findings.push_back({"culler", seed, wrong, std::nullopt, ""});
+  add_finding(report, "culler", seed, "frame", wrong);
 }
 
 }  // namespace occlude::fuzz

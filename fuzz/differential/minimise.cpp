@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -45,6 +46,7 @@ std::vector<Vec3*> vectors_of(Case& c) {
 /// Bits of the mantissa that are used.
 int length(double x) {
   if (x == 0) return 0;
+  if (!std::isfinite(x)) return std::numeric_limits<double>::digits + 1;  // longer than any number
   int exponent = 0, used = 0;
   for (double rest = std::fabs(std::frexp(x, &exponent)); rest != 0; ++used) {
     rest *= 2;
@@ -61,6 +63,7 @@ double shortened(double x, int bits) {
 
 /// What may stand for x, the best first.
 std::vector<double> simpler(double x) {
+  if (!std::isfinite(x)) return {0, 1};
   std::vector<double> choices{0, std::copysign(1.0, x), std::trunc(x), std::round(x)};
   for (int bits = 1; bits < length(x); bits = bits < 8 ? bits + 1 : bits + bits / 4) choices.push_back(shortened(x, bits));
   return choices;

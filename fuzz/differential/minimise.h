@@ -8,9 +8,9 @@
 
 namespace occlude::fuzz {
 
-/// A case for which `shows` holds and of which no single step makes a smaller one: a vertex of a polygon left out; the scene
-/// moved so that the viewpoint or another point is the origin; a coordinate made zero, rounded to a whole number or to fewer
-/// bits, or made equal to another. Ends after a bounded number of tries. REQUIRES: shows(question).
+/// A case for which `shows` holds, smaller by steps as long as one succeeds or a number of tries is used up: a vertex of a
+/// polygon left out; the scene moved so that the viewpoint or another point is the origin; a coordinate made zero, rounded
+/// to a whole number or to fewer bits. REQUIRES: shows(question).
 [[nodiscard]] Case minimise(Case question, const std::function<bool(const Case&)>& shows);
 
 }  // namespace occlude::fuzz

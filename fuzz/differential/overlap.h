@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,7 +24,7 @@ void run_overlap(Family family, std::uint64_t seed, Report& report);
 /// What the oracle says of one case: "inside", "partial", "outside"; empty when it refuses.
 [[nodiscard]] std::string judged_answer(const Case& question);
 
-/// Whether the kernel's answer to this one case is not the oracle's: what a smaller case must show as well to stand for it.
-[[nodiscard]] bool is_disagreement(const Case& question);
+/// The finding of this kind that the case gives by itself, if it does: what a smaller case must show too to stand for it.
+[[nodiscard]] std::optional<Finding> find_again(const Case& question, const std::string& kind);
 
 }  // namespace occlude::fuzz

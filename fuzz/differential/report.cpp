@@ -13,7 +13,9 @@ Tally& Tally::operator+=(const Tally& other) {
   for (std::size_t i = 0; i < stages.size(); ++i) stages[i] += other.stages[i];
   judged_twice += other.judged_twice;
   disagreements += other.disagreements;
+  planes_asked += other.planes_asked;
   undecided += other.undecided;
+  others_asked += other.others_asked;
   plain += other.plain;
   float32 += other.float32;
   fused += other.fused;

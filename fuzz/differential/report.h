@@ -35,8 +35,10 @@ struct Tally {
   std::array<std::uint64_t, 3> relations{};  ///< as in kernel::Relation; of answered cases
   std::array<std::uint64_t, 2> stages{};     ///< as in kernel::Stage
   std::uint64_t judged_twice = 0;            ///< by the second oracle as well
-  std::uint64_t disagreements = 0;           ///< cases with a finding
+  std::uint64_t disagreements = 0;           ///< cases with one finding or more
+  std::uint64_t planes_asked = 0;            ///< boxes outside that `conservative` was asked of
   std::uint64_t undecided = 0;               ///< `conservative` says partial of a box that is outside
+  std::uint64_t others_asked = 0;            ///< cases that plain and the rivals were asked
   WrongAnswers plain, float32, fused;
 
   void count(kernel::Relation truth, kernel::Stage stage) {
@@ -51,6 +53,7 @@ struct Tally {
 struct Finding {
   std::string family;
   std::uint64_t seed = 0;
+  std::string kind;              ///< who was wrong about what: a smaller case must show the same
   std::string what;              ///< one line: who said what
   std::optional<Case> question;  ///< where it is one that a case file can hold
   std::string expect;            ///< the oracle's answer to it

@@ -2,6 +2,8 @@
 // One answer of the kernel's against one of the oracle's, for questions that a case file cannot hold.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "answers.h"
@@ -9,18 +11,23 @@
 
 namespace occlude::fuzz {
 
-/// Counts the case; a difference is a finding. `what` is the question in a few words, `family` and `seed` make it again.
-inline void judge(Report& report, std::string_view family, std::uint64_t seed, std::string_view what,
-                  kernel::Relation certified, kernel::Stage stage, const oracle::Answer& truth) {
+/// A finding about a question that a case file cannot hold; the family and the seed make it again.
+inline void add_finding(Report& report, std::string_view family, std::uint64_t seed, std::string_view kind,
+                        const std::string& what) {
+  ++report.tally.disagreements;
+  report.findings.push_back({std::string(family), seed, std::string(kind), what, std::nullopt, ""});
+}
+
+/// Counts the case; a difference is a finding. `what` is the question in a few words. No stage where the answer has none.
+inline void judge(Report& report, std::string_view family, std::uint64_t seed, const std::string& what,
+                  kernel::Relation certified, std::optional<kernel::Stage> stage, const oracle::Answer& truth) {
   ++report.tally.cases;
   const kernel::Relation right = relation_of(truth.relation);
-  report.tally.count(right, stage);
+  ++report.tally.relations[static_cast<std::size_t>(right)];
+  if (stage) ++report.tally.stages[static_cast<std::size_t>(*stage)];
   if (truth.refusal.empty() && certified == right) return;
-  ++report.tally.disagreements;
-  report.findings.push_back({std::string(family), seed,
-                             std::string(what) + ": certified: " + text(certified) +
-                                 ", the oracle: " + (truth.refusal.empty() ? text(right) : truth.refusal),
-                             std::nullopt, ""});
+  add_finding(report, family, seed, "certified",
+              what + ": " + text(certified) + ", the oracle: " + (truth.refusal.empty() ? text(right) : truth.refusal));
 }
 
 }  // namespace occlude::fuzz

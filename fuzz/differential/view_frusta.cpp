@@ -90,8 +90,7 @@ void run_view_frusta(std::uint64_t seed, Report& report) {
     judge(report, "view_frustum", seed, "box " + std::to_string(i), all.relation, all.stage,
           oracle::relation_to_half_spaces(judged, to_oracle(box)));
     judge(report, "view_frustum", seed, "box " + std::to_string(i) + ", half-space " + std::to_string(one),
-          std::visit(ask_one, box), kernel::Stage::filter,
-          oracle::relation_to_half_spaces({&judged[one], 1}, to_oracle(box)));
+          std::visit(ask_one, box), std::nullopt, oracle::relation_to_half_spaces({&judged[one], 1}, to_oracle(box)));
     ++i;
   }
 }

@@ -154,6 +154,12 @@ constexpr std::array kRecipes{
     Recipe{Family::obb_hair, "obb_hair", lattice_scene, place_box, kLatticeObb, move_by_a_hair},
     Recipe{Family::polytope_hair, "polytope_hair", simplicial_lattice_scene, place_box, kLattice,
            finish_with<reorder, move_by_a_hair>},
+    Recipe{Family::edge_on, "edge_on", level_with_eye_scene, place_box, kReal, leave},
+    Recipe{Family::cospherical, "cospherical", cospherical_scene, place_box, kReal, leave},
+    Recipe{Family::any_scale, "any_scale", lattice_scene, place_box, kLattice, stretch},
+    Recipe{Family::obb_any_scale, "obb_any_scale", lattice_scene, place_box, kLatticeObb, stretch},
+    Recipe{Family::polytope_any_scale, "polytope_any_scale", lattice_polytope_scene, place_box, kLattice,
+           finish_with<reorder, stretch>},
 };
 
 constexpr auto kFamilies = [] {

@@ -105,6 +105,17 @@ void shrink(Random&, Case& made) { scale(made, 0x1p-60); }
 
 void grow(Random&, Case& made) { scale(made, 0x1p60); }
 
+void stretch(Random& random, Case& made) {
+  const int all = random.integer(-100, 80);
+  Vec3 factor;
+  for (int axis = 0; axis < 3; ++axis) factor[axis] = std::ldexp(1, random.chance(0.5) ? all : random.integer(-100, 80));
+  const auto change = [&](Vec3& v) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] *= factor[axis];
+  };
+  for_each_point(made, change);
+  for_each_half_edge(made, change);
+}
+
 void make_decimal(Random& random, Case& made) {
   const bool tenths = random.chance(0.5);
   const auto change = [&](Vec3& v) {

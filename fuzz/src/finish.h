@@ -13,8 +13,8 @@ void leave(Random& random, Case& made);
 /// after it.
 void nudge(Random& random, Case& made);
 
-/// Puts a corner of the box or a vertex at the origin and moves coordinates that are zero by 2^-40 to 2^-100, far below the last
-/// bits of the others: sums that no double holds, nor two.
+/// Puts a corner of the box or a vertex at the origin and moves coordinates that are zero by 2^-40 to 2^-100, far below the
+/// last bits of the others: sums that no double holds, nor two.
 void move_by_a_hair(Random& random, Case& made);
 
 /// Exactly, by a few thousand million: what was a small number becomes the last bits of a large one.
@@ -22,6 +22,10 @@ void move_far(Random& random, Case& made);
 
 void shrink(Random& random, Case& made);
 void grow(Random& random, Case& made);
+
+/// Scales each axis by itself, exactly, anywhere within the legal range: what touches still touches. Of integers below 2^20,
+/// for an eye.
+void stretch(Random& random, Case& made);
 
 /// Rounds every coordinate as decimal input or thirds do: what touched is now off by a rounding or not.
 void make_decimal(Random& random, Case& made);

@@ -57,6 +57,8 @@ std::array<double, 2> on_circle(double turn) {
   }
 }
 
+Vec3 unit(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
+
 /// A convex polygon about `centre`, its vertices on an ellipse in a random plane and off it by up to `fold`.
 std::vector<Vec3> ellipse_polygon(Random& random, int sides, const Vec3& centre, double fold) {
   const Vec3 e = random_vector(random, 5), f = random_vector(random, 5), up = cross(e, f);
@@ -114,6 +116,41 @@ Scene folded_scene(Random& random) {
   const double distance = random.real(5, 15) / std::sqrt(dot(across, across));
   scene.viewpoint = kernel::Viewpoint::eye(scene.vertices[0] + random_vector(random, 2) + distance * across);
   return scene;
+}
+
+Scene cospherical_scene(Random& random) {
+  const int sides = random.chance(0.5) ? random.integer(3, 12) : random.integer(13, 200);
+  const Vec3 u = unit(random_vector(random, 1)), v = unit(cross(u, random_vector(random, 1))), axis = cross(u, v);
+  const double distance = random.real(1, 20), radius = random.real(1, 5);
+  Scene scene;
+  scene.viewpoint = kernel::Viewpoint::eye(random_vector(random, 10));
+  for (int i = 0; i < sides; ++i) {
+    const auto [c, s] = on_circle((i + random.real(0.1, 0.9)) / sides);
+    scene.vertices.push_back(scene.viewpoint.value + distance * axis + (radius * c) * u + (radius * s) * v);
+  }
+  return scene;
+}
+
+Scene level_with_eye_scene(Random& random) {
+  constexpr double kUnit = 0x1p-45;  // coordinates below 2^7 are whole multiples of it
+  const auto near_one = [&] { return kUnit * std::floor(random.real(0.5, 2) / kUnit); };
+  const double a = random.integer(-3, 3), b = random.integer(-3, 3);
+  const Vec3 eye{random.integer(-9, 9) * 1.0, random.integer(-9, 9) * 1.0, random.integer(-9, 9) * 1.0};
+  std::array<Vec3, 4> spread;
+  for (Vec3& v : spread) {
+    const double x = near_one(), y = near_one() - 1;
+    v = {x, y, a * x + b * y};
+  }
+  std::ranges::sort(spread, {}, [](const Vec3& v) { return v.y / v.x; });
+  // Of the two vertices seen between the others one is on either side of the plane: the loop is convex.
+  spread[1].z -= kUnit * random.integer(1, 8);
+  spread[2].z += kUnit * random.integer(1, 8);
+  Scene scene;
+  for (const int i : {0, 1, 3, 2}) scene.vertices.push_back(eye + spread[static_cast<std::size_t>(i)]);
+  if (random.chance(0.5)) std::ranges::reverse(scene.vertices);
+  scene.viewpoint = kernel::Viewpoint::eye(eye);
+  scene.near = random_near(random);
+  return exchange_axes(random, std::move(scene));
 }
 
 Scene sliver_scene(Random& random) {

@@ -2,6 +2,7 @@
 #include "command_arguments.h"
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -85,8 +86,13 @@ std::uint64_t whole_number(const std::string& option, const std::string& text) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [next, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || next != end) throw CLI::ValidationError(option, "cannot read '" + text + "'");
-  return value;
+  if (error == std::errc() && next == end) return value;
+  double number = 0;  // 1e8 is a whole number as well
+  const auto [rest, fault] = std::from_chars(text.data(), end, number);
+  const bool is_whole =
+      fault == std::errc() && rest == end && number >= 0 && number <= 0x1p53 && number == std::floor(number);
+  if (!is_whole) throw CLI::ValidationError(option, "'" + text + "' is not a whole number");
+  return static_cast<std::uint64_t>(number);
 }
 
 void check_distinct(const std::vector<std::string>& files) {

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -44,6 +45,11 @@ void restrict_self(const ChildLimits& limits) {
   }
   set_limit(RLIMIT_AS, memory_in_use() + limits.memory_bytes);
   set_limit(RLIMIT_CORE, 0);
+  // What is read into memory is what is written: a write beyond this fails.
+  std::signal(SIGXFSZ, SIG_IGN);
+  set_limit(RLIMIT_FSIZE, limits.memory_bytes);
+  // It does not outlive who asked for it.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   alarm(limits.seconds);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
@@ -54,7 +60,7 @@ int work_in_child(const ChildLimits& limits, const std::function<void(std::FILE*
   try {
     restrict_self(limits);
     work(out);
-    return std::fflush(out) == 0 ? kDone : kFailed;
+    return std::fflush(out) == 0 && std::ferror(out) == 0 ? kDone : kFailed;
   } catch (const std::bad_alloc&) {
     return kOutOfMemory;
   } catch (...) {

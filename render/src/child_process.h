@@ -23,7 +23,8 @@ struct ChildFailure : std::runtime_error {
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 /// Runs work(file) in a copy of this process and returns the file, rewound, once the copy has ended. The copy prints
-/// nothing, and whatever it changes in memory is lost. Throws ChildFailure, std::system_error, Interrupted.
+/// nothing, and whatever it changes in memory is lost; the threads of this process are not in it, nor what they hold locked.
+/// Throws ChildFailure, std::system_error, Interrupted.
 [[nodiscard]] File run_in_child(const ChildLimits& limits, const std::function<void(std::FILE*)>& work);
 
 }  // namespace occlude::render

@@ -253,7 +253,8 @@ done
 
 # fuzz: nothing is wrong, whatever the number of jobs and however the cases are dealt.
 "$occlude" fuzz --cases 20000 --seed 7 >table || fail "fuzz: $(tail -3 table)"
-grep -q '^all .* | *0 |' table || fail "fuzz: no total"
+grep -q '^all .*| *0 |' table || fail "fuzz: no total"
+grep -q '^0 wrong in [0-9]* cases' table || fail "fuzz: no verdict"
 without_time() { grep -v core_seconds "$1"; }
 "$occlude" fuzz --cases 20000 --seed 7 --jobs 1 --json >one.json || fail "fuzz --jobs 1"
 "$occlude" fuzz --cases 20000 --seed 7 --jobs 3 --json >three.json || fail "fuzz --jobs 3"
@@ -264,19 +265,31 @@ counts() { sed -n '/"families"/,$p' "$1" | grep -v core_seconds; }
 diff <(counts one.json) <(counts merged.json) >/dev/null || fail "fuzz: shards do not add up"
 "$occlude" fuzz --family lattice --family spoiled --cases 1 | grep -c '^spoiled\|^lattice' | grep -qx 2 || fail "fuzz --family"
 "$occlude" fuzz cases.jsonl | grep -q '^cases.jsonl' || fail "fuzz FILE"
-"$occlude" fuzz --seconds 0.2 | grep -q ' 0 wrong' || fail "fuzz --seconds"
+"$occlude" fuzz --seconds 0.2 | grep -q '^0 wrong in ' || fail "fuzz --seconds"
+sed 's/"expect":"[a-z]*"/"expect":"outside"/' cases.jsonl >untrue.jsonl
+"$occlude" fuzz untrue.jsonl --findings untrue_findings.jsonl >table 2>stderr && fail "fuzz: a wrong expect is no finding"
+grep -q '^WRONG .*: expect: outside, the oracle: inside' table || fail "fuzz: does not say what is wrong: $(cat table)"
+"$occlude" classify untrue_findings.jsonl >/dev/null || fail "classify of the findings of fuzz"
 "$occlude" walk good.ply --path path.json --out recorded --no-render --cases recorded.jsonl >/dev/null || fail "walk --cases"
 "$occlude" classify recorded.jsonl >stdout || fail "classify of what walk recorded"
 [ -s stdout ] && [ "$(wc -l <stdout)" -eq "$(wc -l <recorded.jsonl)" ] || fail "walk --cases recorded nothing"
 echo '{"seed":1}' >bad.json
 expect_error "bad.json: not a result" "$occlude" fuzz --merge part0.json bad.json
 expect_error "missing.json" "$occlude" fuzz --merge missing.json
-expect_error "part0.json: shard 0 of 3 was given before" "$occlude" fuzz --merge part0.json part0.json
-expect_error "another run" "$occlude" fuzz --merge part0.json one.json
+expect_error "part0.json: named twice" "$occlude" fuzz --merge part0.json part0.json
+cp part0.json same.json
+expect_error "same.json: shard 0 of 3 was given before" "$occlude" fuzz --merge part0.json same.json
+expect_error "one.json: a result of another run" "$occlude" fuzz --merge part0.json one.json
+sed 's/"interrupted": false/"interrupted": true/' part1.json >half.json
+expect_error "half.json: a run that was interrupted" "$occlude" fuzz --merge part0.json half.json
 expect_error "nonsense: no such family" "$occlude" fuzz --family nonsense
 expect_error "--shard" "$occlude" fuzz --shard 3/3
 expect_error "--shard" "$occlude" fuzz --shard 1
 expect_error "--cases" "$occlude" fuzz --cases 0
+expect_error "'many' is not a whole number" "$occlude" fuzz --cases many
+expect_error "--family" "$occlude" fuzz cases.jsonl --family lattice
+: >empty.jsonl
+expect_error "empty.jsonl: no cases" "$occlude" fuzz empty.jsonl
 expect_error "missing.jsonl" "$occlude" fuzz missing.jsonl
 echo '{"id":"x"}' >bad.jsonl
 expect_error "bad.jsonl:1: " "$occlude" fuzz bad.jsonl

@@ -19,7 +19,7 @@ const std::vector<Experiment> kExperiments{
        report.tally.relations[seed % 3] += seed;
        if (seed % 3 != 0) return;
        ++report.tally.disagreements;
-       report.findings.push_back({"some", seed, "a finding", std::nullopt, ""});
+       report.findings.push_back({"some", seed, "certified", "a finding", std::nullopt, ""});
      }},
     {"none", [](std::uint64_t, Report& report) { report.tally.cases += kGroup; }},
 };
@@ -51,7 +51,7 @@ TEST(Campaign, IsTheSameForAnyNumberOfJobs) {
 TEST(Campaign, IsTheSumOfItsShards) {
   const auto whole = run({.seed = 7, .rounds = 101, .jobs = 1}, kExperiments, for_ever);
   std::vector<Report> sum(kExperiments.size());
-  for (const std::uint64_t shard : {2, 0, 3, 1}) {
+  for (const std::uint64_t shard : {2U, 0U, 3U, 1U}) {
     auto part = run({.seed = 7, .rounds = 101, .shard = shard, .shards = 4, .jobs = 2}, kExperiments, for_ever);
     EXPECT_LE(part[0].tally.cases, 26 * kGroup);
     for (std::size_t e = 0; e < sum.size(); ++e) add(sum[e], std::move(part[e]));

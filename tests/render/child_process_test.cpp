@@ -61,5 +61,17 @@ TEST(ChildProcess, GetsNoMoreMemoryThanItMayHave) {
   EXPECT_NE(failure(kAmple, allocate(2 * kAmple.memory_bytes)), "no failure");
 }
 
+TEST(ChildProcess, WritesNoMoreThanItMayHave) {
+  const std::string mebibyte(1U << 20U, 'x');
+  const auto write = [&](std::size_t times) {
+    return [&, times](std::FILE* out) {
+      for (std::size_t i = 0; i < times; ++i) std::fwrite(mebibyte.data(), 1, mebibyte.size(), out);
+    };
+  };
+  const ChildLimits small{16U << 20U, 60};
+  EXPECT_EQ(failure(small, write(15)), "no failure");
+  EXPECT_EQ(failure(small, write(17)), "fails");
+}
+
 }  // namespace
 }  // namespace occlude::render

@@ -101,6 +101,11 @@ enum class Family {
   hair,
   obb_hair,
   polytope_hair,
+  edge_on,
+  cospherical,
+  any_scale,
+  obb_any_scale,
+  polytope_any_scale,
 };
 
 [[nodiscard]] std::span<const Family> families();
