@@ -2,10 +2,13 @@
 // A case of any family, for experiments that are not about one.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
+#include "occlude/fuzz/neighbours.h"
 #include "occlude/fuzz/random.h"
 
 namespace occlude::fuzz {
@@ -15,13 +18,30 @@ namespace occlude::fuzz {
   return make_case(family, random.bits() >> 16U);
 }
 
-/// One whose occluder the kernel takes. Nearly all are such; throws std::runtime_error when a thousand are not.
-[[nodiscard]] inline Case any_legal_case(Random& random) {
+/// What `draw` gives, of what may not be legal, when it first gives something. Nearly all that is drawn is legal; throws
+/// std::runtime_error when a thousand in a row are not.
+template <class Draw>
+[[nodiscard]] auto first_legal(const Draw& draw) {
   for (int tries = 0; tries < 1000; ++tries) {
-    Case c = any_case(random);
-    if (make_frustum(c).frustum) return c;
+    if (auto drawn = draw()) return *std::move(drawn);
   }
-  throw std::runtime_error("the kernel refuses a thousand cases in a row");
+  throw std::runtime_error("the kernel refuses a thousand in a row");
+}
+
+/// One whose occluder the kernel takes.
+[[nodiscard]] inline Case any_legal_case(Random& random) {
+  return first_legal([&]() -> std::optional<Case> {
+    Case c = any_case(random);
+    return make_frustum(c).frustum ? std::optional(std::move(c)) : std::nullopt;
+  });
+}
+
+/// A neighbour of the box.
+[[nodiscard]] inline Box legal_neighbour(Random& random, const Box& box) {
+  return first_legal([&]() -> std::optional<Box> {
+    Box moved = neighbour(box, random.bits());
+    return check(moved) == kernel::Refusal::none ? std::optional(moved) : std::nullopt;
+  });
 }
 
 }  // namespace occlude::fuzz

@@ -59,15 +59,12 @@ struct Pair {
   Box box;
 };
 
-Pair some_pair(Random& random) {
-  while (true) {
-    const Case whole = any_case(random);
-    std::array<Case, 2> halves = halves_of(random, whole);
-    auto first = make_frustum(halves[0]), second = make_frustum(halves[1]);
-    if (first.frustum && second.frustum) {
-      return {std::move(halves), {std::move(*first.frustum), std::move(*second.frustum)}, whole.box};
-    }
-  }
+std::optional<Pair> some_pair(Random& random) {
+  const Case whole = any_case(random);
+  std::array<Case, 2> halves = halves_of(random, whole);
+  auto first = make_frustum(halves[0]), second = make_frustum(halves[1]);
+  if (!first.frustum || !second.frustum) return std::nullopt;
+  return Pair{std::move(halves), {std::move(*first.frustum), std::move(*second.frustum)}, whole.box};
 }
 
 oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustum& frustum) {
@@ -78,14 +75,13 @@ oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustum& frustum) {
 
 void run_unions(std::uint64_t seed, Report& report) {
   Random random(seed);
-  const auto [halves, shadows, touching] = some_pair(random);
+  const auto [halves, shadows, touching] = first_legal([&] { return some_pair(random); });
   oracle::Shadow first = shadow_of(halves[0], shadows.first), second = shadow_of(halves[1], shadows.second);
-  for (std::uint64_t i = 0; i < kGroup;) {
-    const Box box = i == 0 ? touching : neighbour(touching, random.bits());
-    if (check(box) != kernel::Refusal::none) continue;
+  for (std::uint64_t i = 0; i < kGroup; ++i) {
+    const Box box = i == 0 ? touching : legal_neighbour(random, touching);
     const auto ask = [&, &pair = shadows](const auto& kind) { return kernel::overlap_certified(pair, kind); };
     const kernel::Decision decision = std::visit(ask, box);
-    judge(report, "union", seed, "box " + std::to_string(i++), decision.relation, decision.stage,
+    judge(report, "union", seed, "box " + std::to_string(i), decision.relation, decision.stage,
           first.relation_to_union(second, to_oracle(box)));
   }
 }

@@ -48,23 +48,23 @@ HalfSpace far_plane(Random& random, const HalfSpace& near, const Box& box) {
   return {normal, -dot(normal, point) + (random.chance(0.5) ? 0 : std::abs(near.offset))};
 }
 
+struct View {
+  HalfSpaces half_spaces;
+  Box box;
+};
+
 /// Half-spaces with a common point: those of a shadow, and far from the eye another.
-HalfSpaces some_view(Random& random, Box& box) {
-  while (true) {
-    const Case c = any_case(random);
-    const auto made = make_frustum(c);
-    if (!made.frustum) continue;
-    HalfSpaces view = planes_of(*made.frustum);
-    if (random.chance(0.5)) {
-      const HalfSpace& near = view.front();
-      const HalfSpace far = far_plane(random, near, c.box);
-      // Between the two there is room: the shadow goes on beyond its near plane for ever.
-      if (far.offset + near.offset > 1e-3 * std::abs(near.offset)) view.push_back(far);
-    }
-    if (view.size() > kMostPlanes || !std::ranges::all_of(view, is_legal)) continue;
-    box = c.box;
-    return view;
+std::optional<View> some_view(Random& random) {
+  const Case c = any_legal_case(random);
+  HalfSpaces view = planes_of(*make_frustum(c).frustum);
+  if (random.chance(0.5)) {
+    const HalfSpace& near = view.front();
+    const HalfSpace far = far_plane(random, near, c.box);
+    // Between the two there is room: the shadow goes on beyond its near plane for ever.
+    if (far.offset + near.offset > 1e-3 * std::abs(near.offset)) view.push_back(far);
   }
+  if (view.size() > kMostPlanes || !std::ranges::all_of(view, is_legal)) return std::nullopt;
+  return View{std::move(view), c.box};
 }
 
 std::vector<oracle::HalfSpaceCoefficients> to_oracle(const HalfSpaces& view) {
@@ -77,12 +77,11 @@ std::vector<oracle::HalfSpaceCoefficients> to_oracle(const HalfSpaces& view) {
 
 void run_view_frusta(std::uint64_t seed, Report& report) {
   Random random(seed);
-  Box touching;
-  const HalfSpaces view = some_view(random, touching);
+  const auto [half_spaces, touching] = first_legal([&] { return some_view(random); });
+  const HalfSpaces& view = half_spaces;
   const auto judged = to_oracle(view);
-  for (std::uint64_t i = 0; i < kGroup / 2;) {
-    const Box box = i == 0 ? touching : neighbour(touching, random.bits());
-    if (check(box) != kernel::Refusal::none) continue;
+  for (std::uint64_t i = 0; i < kGroup / 2; ++i) {
+    const Box box = i == 0 ? touching : legal_neighbour(random, touching);
     const std::size_t one = random.index(view.size());
     const auto ask_all = [&](const auto& kind) { return kernel::overlap_certified(view, kind); };
     const auto ask_one = [&](const auto& kind) { return kernel::relation(view[one], kind, kernel::Arithmetic::certified); };
@@ -91,7 +90,6 @@ void run_view_frusta(std::uint64_t seed, Report& report) {
           oracle::relation_to_half_spaces(judged, to_oracle(box)));
     judge(report, "view_frustum", seed, "box " + std::to_string(i) + ", half-space " + std::to_string(one),
           std::visit(ask_one, box), std::nullopt, oracle::relation_to_half_spaces({&judged[one], 1}, to_oracle(box)));
-    ++i;
   }
 }
 
