@@ -185,8 +185,10 @@ void run_culling(std::uint64_t seed, Report& report) {
   Random random(seed);
   const PolygonSoup soup = some_soup(random);
   const Culler culler(soup, some_config(random));
-  Camera camera = some_camera(random, soup);
-  while (!fault(camera).empty()) camera = some_camera(random, soup);
+  const Camera camera = first_legal([&]() -> std::optional<Camera> {
+    Camera drawn = some_camera(random, soup);
+    return fault(drawn).empty() ? std::optional(drawn) : std::nullopt;
+  });
   const CullOptions options = some_options(random);
   const CullResult result = culler.cull(camera, options);
   const culler::CullStats& stats = result.stats;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// A frame as the culler gives it is right; each thing that can be wrong with one is named.
+#include "differential/cull_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "culler/scenes.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using culler::Camera;
+using culler::Culled;
+using culler::Culler;
+using culler::CullOptions;
+using culler::CullResult;
+using glm::dvec3;
+
+void add_triangle(culler::PolygonSoup& soup, const dvec3& at) {
+  culler::add(soup, {at, at + dvec3{0, 1, 0}, at + dvec3{0, 0, 1}});
+}
+
+/// A leaning wall from x = 5 to x = 6; a triangle before it, two behind it, one to each side of what the camera shows.
+culler::PolygonSoup scene() {
+  culler::PolygonSoup soup;
+  culler::add(soup, {{5, -4, -4}, {5, 4, -4}, {6, 4, 4}, {6, -4, 4}});
+  for (const dvec3 at : {dvec3{3, -2, 0}, dvec3{20, 0, 0}, dvec3{30, 5, 0}, dvec3{8, 90, 0}, dvec3{8, -90, 0}}) {
+    add_triangle(soup, at);
+  }
+  return soup;
+}
+
+class CullJudgeTest : public testing::Test {
+ protected:
+  CullJudgeTest() { camera_.target = {1, 0, 0}; }
+
+  /// What the judge says of the frame after this change.
+  std::string fault_after(const std::function<void(CullResult&)>& change) const {
+    CullResult result = culler_.cull(camera_, options_);
+    change(result);
+    return fault_of(culler_, camera_, options_, result);
+  }
+
+  static Culled& first(CullResult& result, Culled::By by) { return *std::ranges::find(result.culled, by, &Culled::by); }
+
+  std::size_t polygons(const Culled& culled) const { return culler_.hierarchy().nodes()[culled.node].count; }
+
+  Culler culler_{scene(), {.hierarchy = {.leaf_size = 1}, .grid = {}}};
+  Camera camera_;
+  CullOptions options_;
+};
+
+TEST_F(CullJudgeTest, FindsNothingWrongWithAFrame) {
+  EXPECT_EQ(fault_after([](CullResult& result) {
+              EXPECT_EQ(result.stats.drawn_polygons, 2U);
+              EXPECT_EQ(result.stats.shadow_culled_polygons, 2U);
+              EXPECT_EQ(result.stats.view_culled_polygons, 2U);
+            }),
+            "");
+}
+
+TEST_F(CullJudgeTest, NamesWhatIsWrongWithTheRanges) {
+  EXPECT_EQ(fault_after([](CullResult& result) { result.drawn.push_back(result.drawn.front()); }),
+            "a polygon is drawn twice, or there is none");
+  EXPECT_EQ(fault_after([](CullResult& result) {
+              result.drawn.push_back({100, 1});
+            }),
+            "a polygon is drawn twice, or there is none");
+  EXPECT_EQ(fault_after([](CullResult& result) {
+              result.drawn.push_back({0, 0});
+            }),
+            "a polygon is drawn twice, or there is none");
+  EXPECT_EQ(fault_after([](CullResult& result) {
+              std::vector<culler::PolygonRange> apart;
+              for (const auto [begin, count] : result.drawn) {
+                for (auto p = begin; p < begin + count; ++p) apart.insert(apart.begin(), {p, 1});
+              }
+              result.drawn = std::move(apart);
+            }),
+            "what is drawn is not in order, or not merged");
+  EXPECT_EQ(fault_after([](CullResult& result) { result.culled.front().node = 1000; }),
+            "a node is culled that does not exist");
+  EXPECT_EQ(fault_after([](CullResult& result) { result.culled.push_back(result.culled.front()); }),
+            "a polygon is drawn and culled, or culled twice");
+  EXPECT_EQ(fault_after([](CullResult& result) { result.culled.pop_back(); }), "a polygon is neither drawn nor culled");
+}
+
+TEST_F(CullJudgeTest, NamesWrongCounts) {
+  EXPECT_EQ(fault_after([](CullResult& result) { ++result.stats.drawn_polygons; }), "the counts are wrong");
+  EXPECT_EQ(fault_after([](CullResult& result) { result.occluders.resize(100, result.occluders.front()); }),
+            "the counts are wrong");
+}
+
+TEST_F(CullJudgeTest, NamesWhatIsDrawnOnlyWithOccluders) {
+  EXPECT_EQ(fault_after([&](CullResult& result) {
+              const auto beyond = std::ranges::find(result.culled, Culled::By::view, &Culled::by);
+              const auto& node = culler_.hierarchy().nodes()[beyond->node];
+              result.drawn.push_back({node.first, node.count});
+              std::ranges::sort(result.drawn, {}, &culler::PolygonRange::first);
+              result.stats.view_culled_polygons -= node.count;
+              result.stats.drawn_polygons += node.count;
+              result.culled.erase(beyond);
+              // Neighbours are one range.
+              for (std::size_t i = 1; i < result.drawn.size();) {
+                auto& before = result.drawn[i - 1];
+                if (before.first + before.count != result.drawn[i].first) {
+                  ++i;
+                  continue;
+                }
+                before.count += result.drawn[i].count;
+                result.drawn.erase(result.drawn.begin() + static_cast<std::ptrdiff_t>(i));
+              }
+            }),
+            "a polygon is drawn with occluders and not without");
+}
+
+TEST_F(CullJudgeTest, NamesCullsWithoutAReason) {
+  for (const Culled::By by : {Culled::By::view, Culled::By::shadow}) {
+    EXPECT_EQ(fault_after([&](CullResult& result) { first(result, by).index = 1000; }),
+              "a subtree is culled by what does not exist");
+  }
+}
+
+TEST_F(CullJudgeTest, NamesUnprovedCullsByView) {
+  EXPECT_EQ(fault_after([](CullResult& result) {
+              for (auto& half_space : result.view) half_space.offset -= 100;
+            }),
+            "a plane of the view cuts off what the camera shows");
+  const std::string fault = fault_after([](CullResult& result) {
+    // Of what is beyond one side of the view, the other side proves nothing.
+    const auto is_by_view = [](const Culled& culled) { return culled.by == Culled::By::view; };
+    Culled& one = first(result, Culled::By::view);
+    Culled& other = *std::find_if(&one + 1, result.culled.data() + result.culled.size(), is_by_view);
+    std::swap(one.index, other.index);
+  });
+  EXPECT_EQ(fault.rfind("culled by view: ", 0), 0U) << fault;
+}
+
+TEST_F(CullJudgeTest, NamesUnprovedCullsByShadow) {
+  const auto with_polygon = [](std::uint32_t polygon) {
+    return [polygon](CullResult& result) { result.occluders[first(result, Culled::By::shadow).index].polygon = polygon; };
+  };
+  EXPECT_EQ(fault_after(with_polygon(1000)), "an occluder is no polygon of the model");
+  EXPECT_EQ(fault_after([&](CullResult& result) {
+              const Culled& culled = first(result, Culled::By::shadow);
+              result.occluders[culled.index].polygon = culler_.hierarchy().nodes()[culled.node].first;
+            }),
+            "an occluder culls itself");
+  std::size_t wrong = 0;
+  for (std::uint32_t polygon = 0; polygon < scene().size(); ++polygon) {
+    wrong += fault_after(with_polygon(polygon)).rfind("culled by shadow: ", 0) == 0 ? 1U : 0U;
+  }
+  EXPECT_GE(wrong, 3U);
+}
+
+TEST_F(CullJudgeTest, NamesAnOccluderThatTheNearPlaneClips) {
+  culler::PolygonSoup soup;
+  culler::add(soup, {{5, -4, -4}, {5, 4, -4}, {6, 4, 4}, {6, -4, 4}});
+  add_triangle(soup, {20, 0, 0});
+  const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .grid = {}});
+  const CullResult result = culler.cull(camera_, options_);
+  EXPECT_EQ(result.stats.shadow_culled_polygons, 1U);
+  camera_.near = 5.5;
+  EXPECT_EQ(fault_of(culler, camera_, options_, result), "the near plane clips an occluder");
+}
+
+}  // namespace
+}  // namespace occlude::fuzz
