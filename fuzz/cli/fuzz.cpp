@@ -28,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U;
+constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U, kMostShards = 1U << 20U;
 
 struct Arguments {
   std::vector<std::string> families, files, merged;
@@ -51,7 +51,9 @@ void read_shard(const std::string& text, fuzz::Campaign& campaign) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   campaign.shard = whole_number("--shard", text.substr(0, slash));
   campaign.shards = whole_number("--shard", text.substr(std::min(slash + 1, text.size())));
-  if (campaign.shard >= campaign.shards) throw CLI::ValidationError("--shard", "expected i/n with i from 0 to n - 1");
+  if (campaign.shard >= campaign.shards || campaign.shards > kMostShards) {
+    throw CLI::ValidationError("--shard", fmt::format("expected i/n with i from 0 to n - 1 and n up to {}", kMostShards));
+  }
 }
 
 fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {

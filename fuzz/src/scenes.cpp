@@ -132,19 +132,27 @@ Scene cospherical_scene(Random& random) {
 }
 
 Scene level_with_eye_scene(Random& random) {
-  constexpr double kUnit = 0x1p-45;  // coordinates below 2^7 are whole multiples of it
-  const auto near_one = [&] { return kUnit * std::floor(random.real(0.5, 2) / kUnit); };
-  const double a = random.integer(-3, 3), b = random.integer(-3, 3);
-  const Vec3 eye{random.integer(-9, 9) * 1.0, random.integer(-9, 9) * 1.0, random.integer(-9, 9) * 1.0};
+  // Multiples of the unit, below 2 about the origin and below 2^5 elsewhere: sums of a few are exact, and so are products of
+  // slopes, sixteenths, with coarser multiples.
+  const bool at_origin = random.chance(0.5);
+  const double unit = at_origin ? 0x1p-52 : 0x1p-48;
+  const auto multiple = [&](double step, double low, double high) {
+    return step * std::floor(random.real(low, high) / step);
+  };
+  const auto slope = [&] { return random.integer(-8, 8) / 16.0; };
+  const double along = slope(), a = slope(), b = slope();
+  // The narrower what is seen of it, the more of the mean normal is rounding.
+  const double width = std::ldexp(0.5, -random.integer(0, 20));
+  const Vec3 eye = at_origin ? Vec3{} : lattice_vector(random, 9);
   std::array<Vec3, 4> spread;
   for (Vec3& v : spread) {
-    const double x = near_one(), y = near_one() - 1;
+    const double x = multiple(256 * unit, 0.25, 1), y = along * x + multiple(16 * unit, -width, width);
     v = {x, y, a * x + b * y};
   }
   std::ranges::sort(spread, {}, [](const Vec3& v) { return v.y / v.x; });
   // Of the two vertices seen between the others one is on either side of the plane: the loop is convex.
-  spread[1].z -= kUnit * random.integer(1, 8);
-  spread[2].z += kUnit * random.integer(1, 8);
+  spread[1].z -= unit * random.integer(1, 4);
+  spread[2].z += unit * random.integer(1, 4);
   Scene scene;
   for (const int i : {0, 1, 3, 2}) scene.vertices.push_back(eye + spread[static_cast<std::size_t>(i)]);
   if (random.chance(0.5)) std::ranges::reverse(scene.vertices);

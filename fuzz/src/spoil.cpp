@@ -94,14 +94,24 @@ void spoil_loop(Random& random, Polygon& loop) {
   }
 }
 
+/// Lets two vertices change places in the list.
+void exchange(kernel::Polytope& polytope, std::uint32_t a, std::uint32_t b) {
+  std::swap(polytope.vertices[a], polytope.vertices[b]);
+  for (std::vector<std::uint32_t>& face : polytope.faces) {
+    for (std::uint32_t& i : face) i = i == a ? b : i == b ? a : i;
+  }
+}
+
 /// Cuts a triangle off the face whose third corner lies within: what is left is plane, closes the solid, and is not convex.
-void dent_face(kernel::Polytope& polytope, std::size_t i) {
+void dent_face(Random& random, kernel::Polytope& polytope, std::size_t i) {
   std::vector<std::uint32_t>& face = polytope.faces[i];
   const std::uint32_t last = face.back(), first = face[0], inner = static_cast<std::uint32_t>(polytope.vertices.size());
   polytope.vertices.push_back(0.25 *
                               (polytope.vertices[last] + polytope.vertices[first] + 2.0 * polytope.vertices[face[1]]));
   face.push_back(inner);
   polytope.faces.push_back({last, first, inner});
+  // An edge is asked from the vertex that is listed first: the new one is to be that of some and not of others.
+  exchange(polytope, inner, static_cast<std::uint32_t>(random.index(polytope.vertices.size())));
 }
 
 /// Lays a triangle twice on the face: every edge still has its two faces.
@@ -127,7 +137,7 @@ void spoil_faces(Random& random, kernel::Polytope& polytope) {
       faces[i].pop_back();
       break;
     case 3:
-      dent_face(polytope, i);
+      dent_face(random, polytope, i);
       break;
     case 4:
       patch_face_twice(polytope, i);

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <glm/mat4x4.hpp>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -58,32 +59,56 @@ class SceneReader {
     throw InputError(fmt::format("{}: mesh {}: {} {}: {}", file_.string(), mesh, what, index, reason));
   }
 
+  /// Not a point or a line.
+  static bool is_polygon(const aiFace& face) { return face.mNumIndices >= 3; }
+
   void add_mesh(unsigned index, const glm::dmat4& transform) {
     const aiMesh& mesh = *scene_.mMeshes[index];
-    const std::size_t base = soup_.vertices.size();
-    if (mesh.mNumVertices > std::numeric_limits<std::uint32_t>::max() - base)
-      throw InputError(file_.string() + ": too many vertices");
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) check_face(index, i);
+    add_vertices(index, transform);
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) add_face(mesh.mFaces[i]);
+  }
+
+  void check_face(unsigned mesh, unsigned index) const {
+    const aiFace& face = scene_.mMeshes[mesh]->mFaces[index];
+    if (!is_polygon(face)) return;
+    const std::vector<std::int64_t> loop(face.mIndices, face.mIndices + face.mNumIndices);
+    if (const auto fault = loop_fault(loop, scene_.mMeshes[mesh]->mNumVertices)) fail(mesh, "face", index, *fault);
+  }
+
+  /// Those that a polygon has: an importer may make up any number of others from a short file.
+  void add_vertices(unsigned index, const glm::dmat4& transform) {
+    const aiMesh& mesh = *scene_.mMeshes[index];
+    places_.assign(mesh.mNumVertices, kNowhere);
+    for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+      if (!is_polygon(face)) continue;
+      for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) places_[vertex] = 0;
+    }
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      if (places_[i] == kNowhere) continue;
+      if (soup_.vertices.size() > std::numeric_limits<std::uint32_t>::max())
+        throw InputError(file_.string() + ": too many vertices");
       const aiVector3D& v = mesh.mVertices[i];
       const glm::dvec3 placed(transform * glm::dvec4(v.x, v.y, v.z, 1));
       if (const auto fault = vertex_fault(placed)) fail(index, "vertex", i, *fault);
+      places_[i] = static_cast<std::int64_t>(soup_.vertices.size());
       soup_.vertices.push_back(placed);
     }
-    for (unsigned i = 0; i < mesh.mNumFaces; ++i) add_face(index, i, base);
   }
 
-  void add_face(unsigned mesh, unsigned index, std::size_t base) {
-    const aiFace& face = scene_.mMeshes[mesh]->mFaces[index];
-    if (face.mNumIndices < 3) return;
-    loop_.assign(face.mIndices, face.mIndices + face.mNumIndices);
-    if (const auto fault = loop_fault(loop_, scene_.mMeshes[mesh]->mNumVertices)) fail(mesh, "face", index, *fault);
-    for (std::int64_t& vertex : loop_) vertex += static_cast<std::int64_t>(base);
+  void add_face(const aiFace& face) {
+    if (!is_polygon(face)) return;
+    loop_.clear();
+    for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) loop_.push_back(places_[vertex]);
     add_polygon(soup_, loop_);
   }
+
+  static constexpr std::int64_t kNowhere = -1;
 
   const std::filesystem::path& file_;
   const aiScene& scene_;
   PolygonSoup soup_;
+  std::vector<std::int64_t> places_;  ///< of the mesh's vertices in the soup
   std::vector<std::int64_t> loop_;
 };
 
@@ -161,18 +186,17 @@ void hand_over(const std::filesystem::path& file, std::FILE* out) {
 PolygonSoup take_over(std::FILE* in) {
   Handover handover(in);
   if (const auto failure = handover.take<std::string>(); !failure.empty()) throw InputError(failure);
-  const auto vertices = handover.take<std::vector<glm::dvec3>>();
-  const auto indices = handover.take<std::vector<std::uint32_t>>();
-  const auto first = handover.take<std::vector<std::uint32_t>>();
   // Added anew, so that nothing is believed.
   PolygonSoup soup;
-  soup.vertices = vertices;
-  if (std::ranges::any_of(vertices, [](const glm::dvec3& v) { return vertex_fault(v).has_value(); })) Handover::fail();
+  soup.vertices = handover.take<std::vector<glm::dvec3>>();
+  if (std::ranges::any_of(soup.vertices, [](const glm::dvec3& v) { return vertex_fault(v).has_value(); })) Handover::fail();
+  const auto indices = handover.take<std::vector<std::uint32_t>>();
+  const auto first = handover.take<std::vector<std::uint32_t>>();
   std::vector<std::int64_t> loop;
   for (std::size_t p = 0; p + 1 < first.size(); ++p) {
     if (first[p] > first[p + 1] || first[p + 1] > indices.size()) Handover::fail();
     loop.assign(indices.begin() + first[p], indices.begin() + first[p + 1]);
-    if (loop_fault(loop, vertices.size())) Handover::fail();
+    if (loop_fault(loop, soup.vertices.size())) Handover::fail();
     add_polygon(soup, loop);
   }
   return soup;

@@ -285,6 +285,7 @@ expect_error "half.json: a run that was interrupted" "$occlude" fuzz --merge par
 expect_error "nonsense: no such family" "$occlude" fuzz --family nonsense
 expect_error "--shard" "$occlude" fuzz --shard 3/3
 expect_error "--shard" "$occlude" fuzz --shard 1
+expect_error "--shard" "$occlude" fuzz --shard 0/1048577
 expect_error "--cases" "$occlude" fuzz --cases 0
 expect_error "'many' is not a whole number" "$occlude" fuzz --cases many
 expect_error "--family" "$occlude" fuzz cases.jsonl --family lattice

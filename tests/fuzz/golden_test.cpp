@@ -103,7 +103,7 @@ const std::map<std::string_view, std::uint64_t> kHashes{
     {"hair", 0xad375656b7de4998},
     {"obb_hair", 0xa14dea385098420c},
     {"polytope_hair", 0x0e5356a111918993},
-    {"edge_on", 0x8d479778dbd7c87f},
+    {"edge_on", 0x19a9662ac7e91fc3},
     {"cospherical", 0x5e7139f9e542d23f},
     {"any_scale", 0xbf4102ad75f973c2},
     {"obb_any_scale", 0x76f1fbcf302f3cec},

@@ -36,10 +36,10 @@ void damage(Case& c, std::uint64_t seed) {
 }
 
 TEST(Golden, NeighboursAreWhatTheyWere) {
-  EXPECT_EQ(hash_of(move_box), 0xe6bf59a638f329dbU) << std::hex << hash_of(move_box);
+  EXPECT_EQ(hash_of(move_box), 0x1078c0a07c7e1b7dU) << std::hex << hash_of(move_box);
 }
 
-TEST(Golden, SpoiledCasesAreWhatTheyWere) { EXPECT_EQ(hash_of(damage), 0x43a611040e609fb4U) << std::hex << hash_of(damage); }
+TEST(Golden, SpoiledCasesAreWhatTheyWere) { EXPECT_EQ(hash_of(damage), 0x04c0ee08d896af69U) << std::hex << hash_of(damage); }
 
 TEST(Neighbour, MovesBoundsByTheLeastThereIsAndByWhole) {
   const kernel::Aabb box{{8, 16, 24}, {40, 48, 72}};

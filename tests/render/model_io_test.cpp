@@ -351,6 +351,11 @@ TEST_F(ModelIoTest, WhatAssimpCrashesOnIsRefused) {
             0U);
 }
 
+TEST_F(ModelIoTest, VerticesThatNoPolygonHasAreNotImported) {
+  const PolygonSoup soup = read("a.off", "OFF\n4 1 0\n0 0 0\n9 9 9\n1 0 0\n1 1 0\n3 0 2 3\n");
+  EXPECT_EQ(soup.vertices, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+}
+
 TEST_F(ModelIoTest, WritingNowhereNamesTheFile) { EXPECT_THROW(save(folder_ / "none" / "a.ply", sample(), ""), InputError); }
 
 }  // namespace
