@@ -23,8 +23,8 @@ using kernel::Vec3;
 
 /// What is off without a bound is off without end.
 double share(const Exact& off, double bound) {
-  if (off <= 0) return 0;
-  return bound == 0 ? std::numeric_limits<double>::infinity() : CGAL::to_double(off) / bound;
+  if (off <= 0 && bound >= 0) return 0;
+  return !(bound > 0) ? std::numeric_limits<double>::infinity() : CGAL::to_double(off) / bound;
 }
 
 Exact distance(const Exact& a, const Exact& b) { return CGAL::abs(a - b); }
