@@ -160,6 +160,12 @@ constexpr std::array kRecipes{
     Recipe{Family::obb_any_scale, "obb_any_scale", lattice_scene, place_box, kLatticeObb, stretch},
     Recipe{Family::polytope_any_scale, "polytope_any_scale", lattice_polytope_scene, place_box, kLattice,
            finish_with<reorder, stretch>},
+    Recipe{Family::long_box, "long_box", lattice_scene, place_box, kLattice, lengthen},
+    Recipe{Family::obb_long_box, "obb_long_box", lattice_scene, place_box, kLatticeObb, lengthen},
+    Recipe{Family::polytope_long_box, "polytope_long_box", lattice_polytope_scene, place_box, kLattice,
+           finish_with<reorder, lengthen>},
+    Recipe{Family::edge_at_eye, "edge_at_eye", edge_at_eye_scene, place_box, kReal, leave},
+    Recipe{Family::obb_edge_at_eye, "obb_edge_at_eye", edge_at_eye_scene, place_box, kRealObb, leave},
 };
 
 constexpr auto kFamilies = [] {

@@ -105,6 +105,24 @@ void shrink(Random&, Case& made) { scale(made, 0x1p-60); }
 
 void grow(Random&, Case& made) { scale(made, 0x1p60); }
 
+void lengthen(Random& random, Case& made) {
+  const double length = std::ldexp(random.real(1, 2), random.integer(2, 40));
+  const int axis = random.integer(0, 2);
+  if (auto* const aabb = std::get_if<kernel::Aabb>(&made.box)) {
+    if (random.chance(0.5)) {
+      aabb->max[axis] += length;
+    } else {
+      aabb->min[axis] -= length;
+    }
+    return;
+  }
+  auto& obb = std::get<kernel::Obb>(made.box);
+  Vec3& half_edge = obb.half_edges[static_cast<std::size_t>(axis)];
+  const Vec3 more = length * half_edge;
+  obb.center = random.chance(0.5) ? obb.center + more : obb.center - more;
+  half_edge = half_edge + more;
+}
+
 void stretch(Random& random, Case& made) {
   const int all = random.integer(-100, 80);
   Vec3 factor;

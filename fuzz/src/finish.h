@@ -23,6 +23,9 @@ void move_far(Random& random, Case& made);
 void shrink(Random& random, Case& made);
 void grow(Random& random, Case& made);
 
+/// Draws the box out to one side, four to a million million times: what touches with the others still does.
+void lengthen(Random& random, Case& made);
+
 /// Scales each axis by itself, exactly, anywhere within the legal range: what touches still touches. Of integers below 2^20,
 /// for an eye.
 void stretch(Random& random, Case& made);

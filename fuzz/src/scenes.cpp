@@ -131,6 +131,17 @@ Scene cospherical_scene(Random& random) {
   return scene;
 }
 
+Scene edge_at_eye_scene(Random& random) {
+  // (p - e) x (2 p - e) = p x e, and e is almost parallel to p: all that is left of products of 2^80 is below 2^-20.
+  const Vec3 p = random_vector(random, 0x1p40);
+  const Vec3 e = 0x1p-60 * p + random_vector(random, std::ldexp(1, -random.integer(60, 68)));
+  Scene scene;
+  scene.vertices = {p, 2.0 * p, random_vector(random, 0x1p41)};
+  scene.viewpoint = kernel::Viewpoint::eye(e);
+  scene.near = random_near(random);
+  return scene;
+}
+
 Scene level_with_eye_scene(Random& random) {
   // Multiples of the unit, below 2 about the origin and below 2^5 elsewhere: sums of a few are exact, and so are products of
   // slopes, sixteenths, with coarser multiples.

@@ -14,6 +14,9 @@ namespace occlude::fuzz {
 [[nodiscard]] Scene folded_scene(Random& random);
 /// 3 to 200 vertices on a circle, all at the same distance from the eye but for rounding; near `farthest`.
 [[nodiscard]] Scene cospherical_scene(Random& random);
+/// A triangle with an edge that points at the eye but for so little that the plane through both is beyond twice the
+/// precision of a double.
+[[nodiscard]] Scene edge_at_eye_scene(Random& random);
 /// A quadrilateral whose vertices lie in one plane with the eye but for a few units in the last place.
 [[nodiscard]] Scene level_with_eye_scene(Random& random);
 /// A triangle a million to a thousand million times longer than wide.

@@ -108,6 +108,11 @@ const std::map<std::string_view, std::uint64_t> kHashes{
     {"any_scale", 0xbf4102ad75f973c2},
     {"obb_any_scale", 0x76f1fbcf302f3cec},
     {"polytope_any_scale", 0xf69a1ffcb8c4d0fb},
+    {"long_box", 0xded35a32490dea2a},
+    {"obb_long_box", 0x2bf5a75ad4b887bd},
+    {"polytope_long_box", 0x1ea250dbf222c73e},
+    {"edge_at_eye", 0x89778db2e213d302},
+    {"obb_edge_at_eye", 0xdb35e94f23390a0e},
 };
 
 std::uint64_t hash_of(Family family) {

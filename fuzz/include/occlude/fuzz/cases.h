@@ -106,6 +106,11 @@ enum class Family {
   any_scale,
   obb_any_scale,
   polytope_any_scale,
+  long_box,
+  obb_long_box,
+  polytope_long_box,
+  edge_at_eye,
+  obb_edge_at_eye,
 };
 
 [[nodiscard]] std::span<const Family> families();
