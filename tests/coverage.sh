@@ -1,23 +1,31 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# How much of the kernel the tests and the fuzzer run: lines and branches, a table, and every line that nothing reaches.
+# How much of the kernel the tests and the fuzzer's corpus run: lines and branches, a table, and every line that nothing reaches.
 # Needs clang and llvm (llvm-profdata, llvm-cov). Usage: bash tests/coverage.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tool() { command -v "$1" || ls /usr/lib/llvm-*/bin/"$1" | tail -n 1; }
 profdata=$(tool llvm-profdata) cov=$(tool llvm-cov)
 folder=build/coverage
-programs=(tests/kernel_tests tests/oracle_tests tests/differential_tests)
+tests=(kernel_tests oracle_tests differential_tests culler_tests)
+harnesses=(overlap construction traversal)
 
 cmake --preset coverage >/dev/null
-cmake --build --preset coverage --target kernel_tests oracle_tests differential_tests occlude
+cmake --build --preset coverage --target "${tests[@]}" "${harnesses[@]}"
 rm -f "$folder"/*.profraw
 export LLVM_PROFILE_FILE="$PWD/$folder/%p.profraw"
-for program in "${programs[@]}"; do "$folder/$program" --gtest_brief=1 >"$folder/log.txt" || cat "$folder/log.txt"; done
-"$folder/occlude" fuzz --cases 500000 --findings "$folder/findings.jsonl" >"$folder/log.txt" || cat "$folder/log.txt"
+run() { "$@" >"$folder/log.txt" 2>&1 || cat "$folder/log.txt"; }
+what=()
+for name in "${tests[@]}"; do
+  run "$folder/tests/$name" --gtest_brief=1
+  what+=(-object "$folder/tests/$name")
+done
+for name in "${harnesses[@]}"; do
+  run "$folder/fuzz/$name" "fuzz/corpus/$name"
+  what+=(-object "$folder/fuzz/$name")
+done
 "$profdata" merge -sparse "$folder"/*.profraw -o "$folder/kernel.profdata"
-what=(-instr-profile "$folder/kernel.profdata" "$folder/${programs[0]}" -object "$folder/${programs[1]}"
-  -object "$folder/${programs[2]}" -object "$folder/occlude")
+what+=(-instr-profile "$folder/kernel.profdata")
 sources=(kernel/include kernel/src)
 "$cov" report "${what[@]}" "${sources[@]}" -show-functions=false -show-branch-summary |
   awk 'NR < 3 || NF > 10 { print $1, $8, $9, $10, $11, $12, $13 }' | column -t
