@@ -15,17 +15,18 @@ cmake --build --preset coverage --target "${tests[@]}" "${harnesses[@]}"
 rm -f "$folder"/*.profraw
 export LLVM_PROFILE_FILE="$PWD/$folder/%p.profraw"
 run() { "$@" >"$folder/log.txt" 2>&1 || cat "$folder/log.txt"; }
-what=()
+binaries=()
 for name in "${tests[@]}"; do
   run "$folder/tests/$name" --gtest_brief=1
-  what+=(-object "$folder/tests/$name")
+  binaries+=("$folder/tests/$name")
 done
 for name in "${harnesses[@]}"; do
   run "$folder/fuzz/$name" "fuzz/corpus/$name"
-  what+=(-object "$folder/fuzz/$name")
+  binaries+=("$folder/fuzz/$name")
 done
 "$profdata" merge -sparse "$folder"/*.profraw -o "$folder/kernel.profdata"
-what+=(-instr-profile "$folder/kernel.profdata")
+others=("${binaries[@]:1}")
+what=(-instr-profile "$folder/kernel.profdata" "${binaries[0]}" "${others[@]/#/-object=}")
 sources=(kernel/include kernel/src)
 "$cov" report "${what[@]}" "${sources[@]}" -show-functions=false -show-branch-summary |
   awk 'NR < 3 || NF > 10 { print $1, $8, $9, $10, $11, $12, $13 }' | column -t
