@@ -267,9 +267,11 @@ diff <(counts one.json) <(counts merged.json) >/dev/null || fail "fuzz: shards d
 "$occlude" fuzz cases.jsonl | grep -q '^cases.jsonl' || fail "fuzz FILE"
 "$occlude" fuzz --seconds 0.2 | grep -q '^0 wrong in ' || fail "fuzz --seconds"
 sed 's/"expect":"[a-z]*"/"expect":"outside"/' cases.jsonl >untrue.jsonl
-"$occlude" fuzz untrue.jsonl --findings untrue_findings.jsonl >table 2>stderr && fail "fuzz: a wrong expect is no finding"
+"$occlude" fuzz untrue.jsonl --findings untrue_findings.jsonl --out untrue.json >table 2>stderr && fail "fuzz: a wrong expect is no finding"
 grep -q '^WRONG .*: expect: outside, the oracle: inside' table || fail "fuzz: does not say what is wrong: $(cat table)"
 "$occlude" classify untrue_findings.jsonl >/dev/null || fail "classify of the findings of fuzz"
+"$occlude" fuzz --merge untrue.json --findings merged_findings.jsonl >/dev/null 2>stderr && fail "fuzz --merge loses a finding"
+cmp -s untrue_findings.jsonl merged_findings.jsonl || fail "fuzz --merge: other findings than those of the parts"
 "$occlude" walk good.ply --path path.json --out recorded --no-render --cases recorded.jsonl >/dev/null || fail "walk --cases"
 "$occlude" classify recorded.jsonl >stdout || fail "classify of what walk recorded"
 [ -s stdout ] && [ "$(wc -l <stdout)" -eq "$(wc -l <recorded.jsonl)" ] || fail "walk --cases recorded nothing"
