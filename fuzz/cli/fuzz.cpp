@@ -33,7 +33,7 @@ constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1}
 struct Arguments {
   std::vector<std::string> families, files, merged;
   double seconds = 0;
-  std::string cases = std::to_string(kDefaultCases), seed = "1", shard = "0/1", findings = "fuzz_findings.jsonl", out;
+  std::string cases = std::to_string(kDefaultCases), seed = "1", shard = "0/1", findings, out;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   bool stop_at_first = false, json = false;
 };
@@ -48,9 +48,10 @@ std::vector<fuzz::Experiment> chosen(const std::vector<std::string>& families) {
 
 /// "i/n" as shard i of n.
 void read_shard(const std::string& text, fuzz::Campaign& campaign) {
-  const std::size_t slash = std::min(text.find('/'), text.size());
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) throw CLI::ValidationError("--shard", "expected i/n, not " + text);
   campaign.shard = whole_number("--shard", text.substr(0, slash));
-  campaign.shards = whole_number("--shard", text.substr(std::min(slash + 1, text.size())));
+  campaign.shards = whole_number("--shard", text.substr(slash + 1));
   if (campaign.shard >= campaign.shards || campaign.shards > kMostShards) {
     throw CLI::ValidationError("--shard", fmt::format("expected i/n with i from 0 to n - 1 and n up to {}", kMostShards));
   }
@@ -151,7 +152,7 @@ fuzz::Report judge_line(const CaseLine& line, const std::string& name, std::size
   ++report.tally.disagreements;
   report.findings.push_back({name, number, "expect",
                              fmt::format("{}, the oracle: {}", *line.expect, judged.empty() ? "none" : judged),
-                             line.question, judged});
+                             line.question, *line.expect});
   return report;
 }
 
@@ -181,6 +182,7 @@ FuzzResults results_of(const Arguments& a) {
 
 /// The case lines of the findings, in a file of their own.
 void store(const FuzzResults& results, const std::string& file) {
+  if (file.empty()) return;
   render::OutputFile findings(file);
   findings.write(case_lines(results));
   findings.commit();
@@ -199,23 +201,37 @@ void report_findings(FuzzResults& results, const std::string& file) {
   } catch (const render::Interrupted&) {
     results.interrupted = true;
   }
-  fmt::print(stderr, "{}The cases are in {}; occlude fuzz {} judges them again. Each is a defect: please report it.\n",
-             case_lines(results), file, file);
+  fmt::print(stderr, "{}", case_lines(results));
+  if (!file.empty()) fmt::print(stderr, "These lines are in {}: occlude fuzz {} judges them again.\n", file, file);
+  fmt::print(stderr, "A wrong answer of ours is a defect: please report its line.\n");
 }
 
-int fuzz_command(const Arguments& a) {
-  std::vector<std::string> files{a.findings, a.out};
+/// The lines of case files are in a file already.
+std::string findings_file(const Arguments& a) {
+  return a.findings.empty() && a.files.empty() ? "fuzz_findings.jsonl" : a.findings;
+}
+
+void check_files(const Arguments& a) {
+  std::vector<std::string> files{findings_file(a), a.out};
   files.insert(files.end(), a.files.begin(), a.files.end());
   files.insert(files.end(), a.merged.begin(), a.merged.end());
   std::erase(files, "");
   check_distinct(files);
-  std::optional<render::OutputFile> out;  // opened before the work: what cannot be written is known at once
+}
+
+int fuzz_command(const Arguments& a) {
+  check_files(a);
+  const std::string file = findings_file(a);
+  // Opened before the work: what cannot be written is known at once.
+  std::optional<render::OutputFile> findings, out;
+  if (!file.empty()) findings.emplace(file);
   if (!a.out.empty()) out.emplace(a.out);
 
   FuzzResults results = results_of(a);
+  findings.reset();
   if (!a.json) fmt::print("{}", table(results));
   std::fflush(stdout);
-  report_findings(results, a.findings);
+  report_findings(results, file);
   if (a.json) fmt::print("{}", to_json(results));
   if (results.interrupted) {
     fmt::print(stderr, "occlude: interrupted; this is what was done till then{}\n",
@@ -229,10 +245,16 @@ int fuzz_command(const Arguments& a) {
   return total(results).tally.disagreements == 0 ? 0 : 1;
 }
 
+std::string check_seconds(const std::string& text) {
+  double seconds = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, seconds);
+  return is_number && seconds >= 0.001 && seconds <= 1e7 ? "" : text + " is not from 0.001 to 1e7";
+}
+
 std::string check_family(const std::string& name) {
   const auto& all = fuzz::experiments();
   const bool known = std::ranges::find(all, name, &fuzz::Experiment::name) != all.end();
-  return known ? "" : fmt::format("{}: no such family (fuzz/README.md lists them)", name);
+  return known ? "" : fmt::format("{}: no such family (occlude fuzz --cases 1 names all)", name);
 }
 
 }  // namespace
@@ -252,9 +274,8 @@ void add_fuzz(CLI::App& app, int& exit_code) {
   CLI::Option* cases = command->add_option(
       "--cases", a->cases,
       fmt::format("at least so many, all families alike, 16 or more of each; default {}", kDefaultCases));
-  CLI::Option* seconds = command->add_option("--seconds", a->seconds, "as many as this time allows")
-                             ->check(CLI::Range(0.001, 1e7))
-                             ->excludes(cases);
+  CLI::Option* seconds =
+      command->add_option("--seconds", a->seconds, "as many as this time allows")->check(check_seconds)->excludes(cases);
   CLI::Option* family =
       command->add_option("--family", a->families, "only these families, one or more")->check(check_family);
   CLI::Option* seed = command->add_option("--seed", a->seed, "whole number")->capture_default_str();
@@ -265,8 +286,9 @@ void add_fuzz(CLI::App& app, int& exit_code) {
           ->excludes(seconds);
   CLI::Option* merged = command->add_option("--merge", a->merged, "results of shards (--out), to be added up");
   command->add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding");
-  command->add_option("--findings", a->findings, "file for the case lines of findings, written when there are any")
-      ->capture_default_str();
+  command->add_option("--findings", a->findings,
+                      "file for the case lines of findings, written when there are any; default fuzz_findings.jsonl, and "
+                      "none for case files");
   command->add_option("--out", a->out, "file for the results as JSON");
   command->add_flag("--json", a->json, "print the results as JSON");
   for (CLI::Option* option : {cases, seconds, family, seed, shard}) option->excludes(files)->excludes(merged);

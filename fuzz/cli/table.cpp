@@ -26,10 +26,11 @@ std::string speed(const fuzz::Report& report) {
 }
 
 constexpr std::string_view kHead =
-    "                                      the oracle's answer, %  exact |  OURS |cons. |    wrong answers of others, %: "
-    "culls, draws   | 1000\n"
-    "family                            cases inside partial    out stage | wrong |left %|     plain     |    float32    |   "
-    "   FMA      |   /s\n";
+    "                                        oracle's answer, %    % by |  OURS | cons. |     others wrong, %: culls and "
+    "draws "
+    "          | 1000/\n"
+    "family                            cases inside partial    out exact | wrong | left% |     plain     |    float32    |  "
+    "    FMA      |   s\n";
 
 std::string line(const std::string& name, const fuzz::Report& report) {
   const Tally& t = report.tally;
@@ -38,22 +39,23 @@ std::string line(const std::string& name, const fuzz::Report& report) {
   const auto others = [&](const fuzz::WrongAnswers& wrong) {
     return fmt::format("{:>6} {:>6}", percent(wrong.culls, t.others_asked), percent(wrong.draws, t.others_asked));
   };
-  return fmt::format("{:<29} {:>9} {:>6} {:>7} {:>6} {:>5} | {:>5} | {:>4} | {} | {} | {} | {:>4}\n", name, t.cases,
+  return fmt::format("{:<29} {:>9} {:>6} {:>7} {:>6} {:>5} | {:>5} | {:>5} | {} | {} | {} | {:>4}\n", name, t.cases,
                      share(t.relations[0]), share(t.relations[1]), share(t.relations[2]), share(t.stages[1]),
                      t.disagreements, percent(t.undecided, t.planes_asked), others(t.plain), others(t.float32),
                      others(t.fused), speed(report));
 }
 
 constexpr std::string_view kLegend = R"(
-A case asks whether a box is inside a shadow, partly in it or out of it; the exact oracle knows. Blank: not asked.
-exact stage  per cent that the floating-point filter of `certified` left to its exact stage
-OURS, wrong  how many times certified, conservative, a batch or the culler was not what the oracle proves: 0, or it is a defect
-cons. left   per cent of the boxes outside that the conservative test leaves partial, as it may: it asks planes alone
-others       no part of the product: plain, the paper's double arithmetic; float32, the same in single precision; FMA, with fused
-             multiply-adds. A wrong cull says inside of what is not: something visible would disappear. Any other wrong
-             answer, a wrong draw, costs time
-culler       here a case is a polygon: inside is culled by shadow, partial drawn, out culled by the view
-1000/s       thousands of cases a second, of one core
+A case asks whether a box is inside a shadow, partly in it or out of it (occludees: a polytope; view_frustum: in half-spaces; culler:
+a polygon is culled by shadow, drawn, or culled by the view). Shares are of the cases that are legal; blank: nobody was asked.
+by exact    what the floating-point filter of `certified` left to its exact stage; of culler, polygons of such frames
+OURS wrong  cases in which we say what the oracle refutes, our two oracles differ, or a case file expects something else: 0, or it
+            is a defect
+cons. left  of the boxes out, those that the conservative test leaves partial, as it may: it asks planes alone
+others      no part of the product: plain, the paper's double arithmetic; float32, the same in single precision; FMA, with fused
+            multiply-adds. A wrong cull says inside of what is not: something visible would disappear. Any other wrong answer, a
+            wrong draw, costs time
+1000/s      thousands of cases a second, of one core
 )";
 
 std::string findings(const FuzzResults& results) {
@@ -77,9 +79,11 @@ std::string table(const FuzzResults& results) {
   if (results.rows.size() > 1) text += fmt::format("\n{}{}", kHead, line("all", sum));
   text += kLegend;
   const Tally& all = sum.tally;
-  text += fmt::format("\nseed {}; {} cases refused by both sides; {} judged by the second oracle as well\n", results.seed,
-                      all.refused, all.judged_twice);
-  if (results.parts.size() < results.shards) text += fmt::format("{} of {} parts\n", results.parts.size(), results.shards);
+  text += fmt::format("\n{}{} cases not legal, refused by us and by the oracle; {} judged by the second oracle as well\n",
+                      results.rounds == 0 ? "" : fmt::format("seed {}; ", results.seed), all.refused, all.judged_twice);
+  if (results.parts.size() < results.shards) {
+    text += fmt::format("{} of {} shards only\n", results.parts.size(), results.shards);
+  }
   text += findings(results);
   return text + fmt::format("{} wrong in {} cases\n", all.disagreements, all.cases);
 }

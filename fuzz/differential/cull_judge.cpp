@@ -24,18 +24,17 @@ using glm::dvec3;
 
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Corners of what the camera shows of a model that reaches no farther than `depth` along the line of sight.
-std::vector<dvec3> corners_of_view(const Camera& camera, double depth) {
+/// Corners of what the camera shows within `reach` of the line of sight and along it: where the model ends.
+std::vector<dvec3> corners_of_view(const Camera& camera, double reach) {
   const auto [right, up, forward] = camera.axes();
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
   std::vector<dvec3> corners;
-  for (const double along : {camera.near, std::isfinite(camera.far) ? camera.far : std::max(depth, camera.near)}) {
+  for (const double along : {camera.near, std::min(camera.far, std::max(reach, camera.near))}) {
     const double size = perspective ? along * half : half;
-    for (const double x : {-size, size}) {
-      for (const double y : {-size, size}) {
-        corners.push_back(camera.eye + along * forward + x * camera.aspect * right + y * up);
-      }
+    const double width = std::min(size * camera.aspect, reach), height = std::min(size, reach);
+    for (const double x : {-width, width}) {
+      for (const double y : {-height, height}) corners.push_back(camera.eye + along * forward + x * right + y * up);
     }
   }
   return corners;
@@ -124,7 +123,7 @@ class CullJudge {
   std::string fault_of_view_cull(const Hierarchy::Node& node, std::uint32_t index) const {
     const auto& [normal, offset] = result_.view[index];
     // In doubles, as the renderer itself computes what it shows: the planes keep a margin far above rounding.
-    for (const dvec3& corner : corners_of_view(camera_, depth())) {
+    for (const dvec3& corner : corners_of_view(camera_, reach())) {
       if (!(glm::dot(normal, corner) + offset >= 0)) return "a plane of the view cuts off what the camera shows";
     }
     const std::string refuted = oracle::refute_view_cull({normal.x, normal.y, normal.z, offset}, to_oracle(node.box));
@@ -158,11 +157,10 @@ class CullJudge {
     return {{to_oracle(viewpoint), !perspective}, loop, to_oracle(options_.near, {occluder.frustum})};
   }
 
-  /// How far the model reaches along the line of sight.
-  double depth() const {
-    const dvec3 forward = camera_.axes().forward;
+  /// How far from the eye the model reaches.
+  double reach() const {
     double result = 0;
-    for (const dvec3& v : hierarchy_.soup().vertices) result = std::max(result, glm::dot(v - camera_.eye, forward));
+    for (const dvec3& v : hierarchy_.soup().vertices) result = std::max(result, glm::distance(v, camera_.eye));
     return result;
   }
 

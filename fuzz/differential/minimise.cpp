@@ -15,16 +15,11 @@ namespace {
 using kernel::Vec3;
 using Shows = std::function<bool(const Case&)>;
 
-std::vector<Vec3>& vertices_of(Case& c) {
-  if (auto* const polygon = std::get_if<Polygon>(&c.occluder)) return *polygon;
-  return std::get<kernel::Polytope>(c.occluder).vertices;
-}
-
 /// Everything that moves with the scene.
 std::vector<Vec3*> points_of(Case& c) {
   std::vector<Vec3*> points;
   if (c.viewpoint.is_eye()) points.push_back(&c.viewpoint.value);
-  for (Vec3& vertex : vertices_of(c)) points.push_back(&vertex);
+  for (Vec3& vertex : vertices_of(c.occluder)) points.push_back(&vertex);
   if (auto* const aabb = std::get_if<kernel::Aabb>(&c.box)) {
     points.insert(points.end(), {&aabb->min, &aabb->max});
   } else {
@@ -101,9 +96,9 @@ class Minimiser {
   bool drop_vertices() {
     bool any = false;
     if (!std::holds_alternative<Polygon>(best_.occluder)) return any;
-    for (std::size_t i = 0; i < vertices_of(best_).size();) {
+    for (std::size_t i = 0; i < vertices_of(best_.occluder).size();) {
       Case candidate = best_;
-      std::vector<Vec3>& vertices = vertices_of(candidate);
+      std::vector<Vec3>& vertices = vertices_of(candidate.occluder);
       vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(i));
       if (take(candidate)) {
         any = true;

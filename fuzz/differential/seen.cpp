@@ -25,11 +25,6 @@ using kernel::Polytope;
 using kernel::Vec3;
 using kernel::ViewCone;
 
-const std::vector<Vec3>& vertices_of(const Occluder& occluder) {
-  const auto* const polygon = std::get_if<Polygon>(&occluder);
-  return polygon ? *polygon : std::get<Polytope>(occluder).vertices;
-}
-
 /// Corner i is high on axis k where bit k of i is set.
 std::vector<Vec3> corners_of(const Aabb& box) {
   std::vector<Vec3> corners;

@@ -12,11 +12,6 @@
 namespace occlude::fuzz {
 namespace {
 
-std::vector<Vec3>& vertices_of(Occluder& occluder) {
-  auto* const polygon = std::get_if<std::vector<Vec3>>(&occluder);
-  return polygon ? *polygon : std::get<kernel::Polytope>(occluder).vertices;
-}
-
 /// Applies `change` to every coordinate of the case, a direction of view and half edges excepted.
 template <class Change>
 void for_each_point(Case& made, const Change& change) {

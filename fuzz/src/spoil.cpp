@@ -13,13 +13,8 @@
 namespace occlude::fuzz {
 namespace {
 
-std::vector<Vec3>& vertices_of(Case& c) {
-  if (auto* const polygon = std::get_if<Polygon>(&c.occluder)) return *polygon;
-  return std::get<kernel::Polytope>(c.occluder).vertices;
-}
-
 Vec3& some_vertex(Random& random, Case& c) {
-  std::vector<Vec3>& vertices = vertices_of(c);
+  std::vector<Vec3>& vertices = vertices_of(c.occluder);
   return vertices[random.index(vertices.size())];
 }
 

@@ -25,35 +25,33 @@ bool contains(const kernel::Aabb& outer, const kernel::Aabb& inner) {
   return true;
 }
 
-/// How far along the line of sight the model reaches, at least the near plane.
-double depth_of(const kernel::Aabb& model, const culler::Camera& camera) {
-  const glm::dvec3 forward = camera.axes().forward;
-  double depth = camera.near;
+/// How far from the eye the model reaches.
+double reach_of(const kernel::Aabb& model, const culler::Camera& camera) {
+  double reach = 0;
   for (int i = 0; i < 8; ++i) {
     const glm::dvec3 corner{i & 1 ? model.max.x : model.min.x, i & 2 ? model.max.y : model.min.y,
                             i & 4 ? model.max.z : model.min.z};
-    depth = std::max(depth, glm::dot(corner - camera.eye, forward));
+    reach = std::max(reach, glm::distance(corner, camera.eye));
   }
-  return depth;
+  return reach;
 }
 
 /// Whether all that the camera can show of the model is on the inner side of the plane: the corners of its near face and
-/// those of its far face, or of a face beyond the model. In doubles: the renderer's own planes are rounded too, and the
-/// culler keeps a margin far above either rounding.
+/// those of its far face, no farther along the line of sight or from it than the model reaches. In doubles: the renderer's
+/// own planes are rounded too, and the culler keeps a margin far above either rounding.
 bool is_outside_of_view(const std::array<double, 4>& plane, const culler::Camera& camera, const kernel::Aabb& model) {
   const auto [right, up, forward] = camera.axes();
   const glm::dvec3 normal{plane[0], plane[1], plane[2]};
-  const auto value = [&](const glm::dvec3& x) { return glm::dot(normal, x) + plane[3]; };
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
-  const double far = std::isfinite(camera.far) ? camera.far : depth_of(model, camera);
-  for (const double x : {-half * camera.aspect, half * camera.aspect}) {
-    for (const double y : {-half, half}) {
-      const glm::dvec3 across = x * right + y * up;
-      const glm::dvec3 ray = perspective ? forward + across : forward;
-      const glm::dvec3 origin = perspective ? camera.eye : camera.eye + across;
-      if (value(origin + camera.near * ray) < 0) return false;
-      if (value(origin + far * ray) < 0) return false;
+  const double reach = reach_of(model, camera);
+  for (const double along : {camera.near, std::min(camera.far, std::max(reach, camera.near))}) {
+    const double size = perspective ? along * half : half;
+    const double width = std::min(size * camera.aspect, reach), height = std::min(size, reach);
+    for (const double x : {-width, width}) {
+      for (const double y : {-height, height}) {
+        if (glm::dot(normal, camera.eye + along * forward + x * right + y * up) + plane[3] < 0) return false;
+      }
     }
   }
   return true;

@@ -91,7 +91,7 @@ std::uint64_t whole_number(const std::string& option, const std::string& text) {
   const auto [rest, fault] = std::from_chars(text.data(), end, number);
   const bool is_whole =
       fault == std::errc() && rest == end && number >= 0 && number <= 0x1p53 && number == std::floor(number);
-  if (!is_whole) throw CLI::ValidationError(option, "'" + text + "' is not a whole number");
+  if (!is_whole) throw CLI::ValidationError(option, "'" + text + "' is not a whole number, or too large");
   return static_cast<std::uint64_t>(number);
 }
 
@@ -102,7 +102,7 @@ void check_distinct(const std::vector<std::string>& files) {
     const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
     if (!std::filesystem::is_regular_file(path, error) && std::filesystem::exists(path, error))
       continue;  // a device or pipe
-    if (!seen.insert(path).second) throw render::InputError(file + ": named twice, as two different files");
+    if (!seen.insert(path).second) throw render::InputError(file + ": named twice");
   }
 }
 

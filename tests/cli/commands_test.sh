@@ -269,7 +269,8 @@ diff <(counts one.json) <(counts merged.json) >/dev/null || fail "fuzz: shards d
 sed 's/"expect":"[a-z]*"/"expect":"outside"/' cases.jsonl >untrue.jsonl
 "$occlude" fuzz untrue.jsonl --findings untrue_findings.jsonl --out untrue.json >table 2>stderr && fail "fuzz: a wrong expect is no finding"
 grep -q '^WRONG .*: expect: outside, the oracle: inside' table || fail "fuzz: does not say what is wrong: $(cat table)"
-"$occlude" classify untrue_findings.jsonl >/dev/null || fail "classify of the findings of fuzz"
+"$occlude" fuzz untrue_findings.jsonl >again 2>stderr && fail "fuzz: a stored finding is none any more"
+[ "$(grep -c '^WRONG' again)" -eq "$(grep -c '^WRONG' table)" ] || fail "fuzz: $(grep -c '^WRONG' again) of the stored findings again"
 "$occlude" fuzz --merge untrue.json --findings merged_findings.jsonl >/dev/null 2>stderr && fail "fuzz --merge loses a finding"
 cmp -s untrue_findings.jsonl merged_findings.jsonl || fail "fuzz --merge: other findings than those of the parts"
 "$occlude" walk good.ply --path path.json --out recorded --no-render --cases recorded.jsonl >/dev/null || fail "walk --cases"
@@ -289,6 +290,8 @@ expect_error "--shard" "$occlude" fuzz --shard 3/3
 expect_error "--shard" "$occlude" fuzz --shard 1
 expect_error "--shard" "$occlude" fuzz --shard 0/1048577
 expect_error "--cases" "$occlude" fuzz --cases 0
+expect_error "--seconds" "$occlude" fuzz --seconds nan
+expect_error "none/f" "$occlude" fuzz --cases 1 --findings none/f
 expect_error "'many' is not a whole number" "$occlude" fuzz --cases many
 expect_error "--family" "$occlude" fuzz cases.jsonl --family lattice
 : >empty.jsonl

@@ -35,11 +35,6 @@ std::uint64_t count(Family family, const std::function<bool(const Case&)>& is_su
   return number;
 }
 
-const std::vector<Vec3>& vertices_of(const Case& c) {
-  const auto* const polygon = std::get_if<Polygon>(&c.occluder);
-  return polygon ? *polygon : std::get<kernel::Polytope>(c.occluder).vertices;
-}
-
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3 cross(const Vec3& a, const Vec3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
@@ -60,7 +55,7 @@ TEST_P(Cases, AreTheSameForTheSameSeed) {
 TEST_P(Cases, AreWithinTheLegalRange) {
   for_each_case(GetParam(), [](const Case& c) {
     ASSERT_EQ(kernel::check(c.viewpoint.value), kernel::Refusal::none);
-    for (const Vec3& vertex : vertices_of(c)) ASSERT_EQ(kernel::check(vertex), kernel::Refusal::none);
+    for (const Vec3& vertex : vertices_of(c.occluder)) ASSERT_EQ(kernel::check(vertex), kernel::Refusal::none);
     std::visit([](const auto& box) { ASSERT_EQ(kernel::check(box), kernel::Refusal::none); }, c.box);
   });
 }
@@ -138,7 +133,7 @@ TEST(Families, AxisBoxesLieAlongTheAxes) {
 }
 
 const Vec3& farthest_from_eye(const Case& c) {
-  return *std::ranges::max_element(vertices_of(c), {}, [&](const Vec3& v) {
+  return *std::ranges::max_element(vertices_of(c.occluder), {}, [&](const Vec3& v) {
     const Vec3 ray = minus(v, c.viewpoint.value);
     return dot(ray, ray);
   });
@@ -147,7 +142,7 @@ const Vec3& farthest_from_eye(const Case& c) {
 TEST(Families, WideFrustaHaveRaysBehindTheirNearPlane) {
   const auto has_ray_behind = [](const Case& c) {
     const Vec3 normal = minus(farthest_from_eye(c), c.viewpoint.value);
-    return std::ranges::any_of(vertices_of(c), [&](const Vec3& v) { return dot(minus(v, c.viewpoint.value), normal) <= 0; });
+    return std::ranges::any_of(vertices_of(c.occluder), [&](const Vec3& v) { return dot(minus(v, c.viewpoint.value), normal) <= 0; });
   };
   EXPECT_GT(count(Family::wide_frustum, has_ray_behind), kCases / 2);
   EXPECT_GT(count(Family::obb_wide_frustum, has_ray_behind), kCases / 2);
@@ -181,7 +176,7 @@ TEST(Families, FarthestVerticesAreEquallyFar) {
   const auto has_tie = [](const Case& c) {
     const Vec3& p = farthest_from_eye(c);
     const auto square = [&](const Vec3& v) { return dot(minus(v, c.viewpoint.value), minus(v, c.viewpoint.value)); };
-    return std::ranges::any_of(vertices_of(c), [&](const Vec3& v) { return v != p && square(v) == square(p); });
+    return std::ranges::any_of(vertices_of(c.occluder), [&](const Vec3& v) { return v != p && square(v) == square(p); });
   };
   EXPECT_EQ(count(Family::equal_farthest, has_tie), kCases);
   // An apex may be farther still, and is not seen.

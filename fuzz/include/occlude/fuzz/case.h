@@ -25,4 +25,13 @@ struct Case {
   Box box;
 };
 
+[[nodiscard]] inline std::vector<kernel::Vec3>& vertices_of(Occluder& occluder) {
+  auto* const polygon = std::get_if<Polygon>(&occluder);
+  return polygon ? *polygon : std::get<kernel::Polytope>(occluder).vertices;
+}
+[[nodiscard]] inline const std::vector<kernel::Vec3>& vertices_of(const Occluder& occluder) {
+  const auto* const polygon = std::get_if<Polygon>(&occluder);
+  return polygon ? *polygon : std::get<kernel::Polytope>(occluder).vertices;
+}
+
 }  // namespace occlude::fuzz
