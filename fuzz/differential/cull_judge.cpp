@@ -24,13 +24,15 @@ using glm::dvec3;
 
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Corners of what the camera shows within `reach` of the line of sight and along it: where the model ends.
+/// Corners of what the camera shows within `reach` of the line of sight and along it: where the model ends. None when it ends
+/// before the near plane.
 std::vector<dvec3> corners_of_view(const Camera& camera, double reach) {
   const auto [right, up, forward] = camera.axes();
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
   std::vector<dvec3> corners;
-  for (const double along : {camera.near, std::min(camera.far, std::max(reach, camera.near))}) {
+  if (reach < camera.near) return corners;
+  for (const double along : {camera.near, std::min(camera.far, reach)}) {
     const double size = perspective ? along * half : half;
     const double width = std::min(size * camera.aspect, reach), height = std::min(size, reach);
     for (const double x : {-width, width}) {

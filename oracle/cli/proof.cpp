@@ -45,7 +45,8 @@ bool is_outside_of_view(const std::array<double, 4>& plane, const culler::Camera
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
   const double reach = reach_of(model, camera);
-  for (const double along : {camera.near, std::min(camera.far, std::max(reach, camera.near))}) {
+  if (reach < camera.near) return true;
+  for (const double along : {camera.near, std::min(camera.far, reach)}) {
     const double size = perspective ? along * half : half;
     const double width = std::min(size * camera.aspect, reach), height = std::min(size, reach);
     for (const double x : {-width, width}) {
