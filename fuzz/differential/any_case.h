@@ -28,11 +28,12 @@ template <class Draw>
   throw std::runtime_error("the kernel refuses a thousand in a row");
 }
 
-/// One whose occluder the kernel takes.
+/// One whose occluder and box the kernel takes.
 [[nodiscard]] inline Case any_legal_case(Random& random) {
   return first_legal([&]() -> std::optional<Case> {
     Case c = any_case(random);
-    return make_frustum(c).frustum ? std::optional(std::move(c)) : std::nullopt;
+    const bool is_legal = make_frustum(c).frustum && check(c.box) == kernel::Refusal::none;
+    return is_legal ? std::optional(std::move(c)) : std::nullopt;
   });
 }
 

@@ -63,7 +63,7 @@ std::optional<Pair> some_pair(Random& random) {
   const Case whole = any_case(random);
   std::array<Case, 2> halves = halves_of(random, whole);
   auto first = make_frustum(halves[0]), second = make_frustum(halves[1]);
-  if (!first.frustum || !second.frustum) return std::nullopt;
+  if (!first.frustum || !second.frustum || check(whole.box) != kernel::Refusal::none) return std::nullopt;
   return Pair{std::move(halves), {std::move(*first.frustum), std::move(*second.frustum)}, whole.box};
 }
 
