@@ -96,7 +96,8 @@ Camera some_camera(Random& random, const PolygonSoup& soup) {
   const auto some_vertex = [&] { return soup.vertices[random.index(soup.vertices.size())]; };
   Camera camera;
   const dvec3 corner_of_first_wall = soup.vertices[0];
-  camera.eye = (random.chance(0.7) ? corner_of_first_wall : some_vertex()) + lattice_point(random, kReach / 2);
+  const dvec3 away = lattice_point(random, kReach / 2);
+  camera.eye = (random.chance(0.7) ? corner_of_first_wall : some_vertex()) + away;
   camera.target = random.chance(0.7) ? 0.5 * (corner_of_first_wall + soup.vertices[2]) : some_vertex();
   camera.up = random.chance(0.5) ? dvec3{0, 0, 1} : dvec3{0.3, 1, 0.2};
   camera.fov_y_deg = std::array{60.0, 90.0, 20.0, 150.0}[random.index(4)];

@@ -80,7 +80,7 @@ void move_by_a_hair(Random& random, Case& made) {
   const std::array<Vec3*, 6> choice{box[0], box[1], box[2], box[3], &made.viewpoint.value, vertex};
   for (int tries = random.integer(3, 12); tries > 0; --tries) {
     double& value = (*choice[random.index(choice.size())])[random.integer(0, 2)];
-    const double hair = std::ldexp(random.chance(0.5) ? 1.0 : -1.0, -random.integer(40, 100));
+    const double size = std::ldexp(1, -random.integer(40, 100)), hair = random.chance(0.5) ? size : -size;
     if (value == 0) value = hair;
   }
   if (auto* const aabb = std::get_if<kernel::Aabb>(&made.box)) {
@@ -101,7 +101,7 @@ void shrink(Random&, Case& made) { scale(made, 0x1p-60); }
 void grow(Random&, Case& made) { scale(made, 0x1p60); }
 
 void lengthen(Random& random, Case& made) {
-  const double length = std::ldexp(random.real(1, 2), random.integer(2, 40));
+  const double scale = std::ldexp(1, random.integer(2, 40)), length = scale * random.real(1, 2);
   const int axis = random.integer(0, 2);
   if (auto* const aabb = std::get_if<kernel::Aabb>(&made.box)) {
     if (random.chance(0.5)) {

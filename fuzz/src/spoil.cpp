@@ -55,8 +55,8 @@ void move_eye_to_occluder(Random& random, Case& c) {
 /// Along two edges of the occluder: into the plane of a polygon, and of a face perhaps.
 void move_eye_into_plane(Random& random, Case& c) {
   const Vec3 a = some_vertex(random, c), b = some_vertex(random, c), d = some_vertex(random, c);
-  const Vec3 way =
-      static_cast<double>(random.integer(-3, 3)) * (b - a) + static_cast<double>(random.integer(-3, 3)) * (d - a);
+  const double across = random.integer(-3, 3), along = random.integer(-3, 3);
+  const Vec3 way = along * (b - a) + across * (d - a);
   c.viewpoint.value = c.viewpoint.is_eye() ? a + way : way;
 }
 
