@@ -121,9 +121,10 @@ TEST_P(QuestionsOfFamily, HalfSpaces) {
       coefficients.push_back({n.x, n.y, n.z, d});
     }
     const Box box = to_oracle(c.box);
-    const auto found = std::visit([&](const auto& kind) { return overlap_certified(half_spaces, kind); }, c.box);
     const Answer answer = relation_to_half_spaces(coefficients, box);
-    ASSERT_EQ(answer.refusal, "");
+    ASSERT_EQ(answer.refusal.empty(), fuzz::check(c.box) == kernel::Refusal::none) << answer.refusal;
+    if (!answer.refusal.empty()) return;
+    const auto found = std::visit([&](const auto& kind) { return overlap_certified(half_spaces, kind); }, c.box);
     ASSERT_EQ(found.relation, fuzz::relation_of(answer.relation));
     const auto one = [&](const auto& kind) { return relation(half_spaces[0], kind, kernel::Arithmetic::certified); };
     ASSERT_EQ(std::visit(one, c.box),
@@ -228,7 +229,8 @@ TEST_P(QuestionsOfFamily, Unions) {
     Shadow one = shadow(parts.first, first), two = shadow(parts.second, second);
     const Box box = to_oracle(c.box);
     const Answer answer = one.relation_to_union(two, box);
-    ASSERT_EQ(answer.refusal, "");
+    ASSERT_EQ(answer.refusal.empty(), fuzz::check(c.box) == kernel::Refusal::none) << answer.refusal;
+    if (!answer.refusal.empty()) return;
     const kernel::ShadowUnion both{*first.frustum, *second.frustum};
     const auto found = std::visit([&](const auto& kind) { return overlap_certified(both, kind); }, c.box);
     ASSERT_EQ(found.relation, fuzz::relation_of(answer.relation));
