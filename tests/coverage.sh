@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # How much of the kernel the tests and the fuzzer's corpus run: a table of lines and branches, and every line that nothing reaches.
-# Needs clang and llvm (llvm-profdata, llvm-cov). Usage: bash tests/coverage.sh
+# Exit code 1 when a test fails. Needs clang and llvm (llvm-profdata, llvm-cov). Usage: bash tests/coverage.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tool() { command -v "$1" || ls /usr/lib/llvm-*/bin/"$1" | tail -n 1; }
@@ -14,7 +14,8 @@ cmake --preset coverage >/dev/null
 cmake --build --preset coverage --target "${tests[@]}" "${harnesses[@]}"
 rm -f "$folder"/*.profraw
 export LLVM_PROFILE_FILE="$PWD/$folder/%p.profraw"
-run() { "$@" >"$folder/log.txt" 2>&1 || cat "$folder/log.txt"; }
+status=0
+run() { "$@" >"$folder/log.txt" 2>&1 || { status=1; cat "$folder/log.txt"; }; }
 binaries=()
 for name in "${tests[@]}"; do
   run "$folder/tests/$name" --gtest_brief=1
@@ -34,3 +35,4 @@ echo
 echo "Lines that nothing reached:"
 "$cov" show "${what[@]}" -show-instantiations=false |
   awk '/^[^ ].*:$/ { file = $1; sub(".*/kernel/", "kernel/", file) } /^ +[0-9]+\| +0\|/ { print file, $0 }'
+exit $status

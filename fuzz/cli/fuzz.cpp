@@ -28,12 +28,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U, kMostShards = 1U << 20U;
+/// By default some ten seconds' worth; at most what every reader of JSON counts exactly, below 2^53.
+constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U;
+/// More machines than anybody has.
+constexpr std::uint64_t kMostShards = 1U << 20U;
 
 struct Arguments {
   std::vector<std::string> families, files, merged;
   double seconds = 0;
-  std::string cases = std::to_string(kDefaultCases), seed = "1", shard = "0/1", findings, out;
+  std::string cases = std::to_string(kDefaultCases), seed = "1", shard = "0/1", out;
+  std::optional<std::string> findings;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   bool stop_at_first = false, json = false;
 };
@@ -137,11 +141,16 @@ FuzzResults fuzz_families(const Arguments& a) {
   std::optional<Watch> watch(std::in_place, a, fuzz::rounds_of_shard(campaign) * experiments.size());
   std::vector<fuzz::Report> reports = fuzz::run(
       campaign, experiments, [&](std::uint64_t groups, std::uint64_t findings) { return watch->go_on(groups, findings); });
-  FuzzResults results{campaign.seed, campaign.rounds, campaign.shards, {campaign.shard}, watch->interrupted(), {}};
+  const bool is_counted = a.seconds == 0 && !a.stop_at_first;
+  FuzzResults results{
+      campaign.seed, is_counted ? campaign.rounds : 0, campaign.shards, {campaign.shard}, watch->interrupted(), {}};
   watch.reset();
   for (std::size_t i = 0; i < experiments.size(); ++i) results.rows.push_back({experiments[i].name, std::move(reports[i])});
   return results;
 }
+
+/// The kind of finding in which only the user's file need be wrong.
+constexpr const char* kExpect = "expect";
 
 /// What is wrong with a line of a case file, as one case and against what it expects.
 fuzz::Report judge_line(const CaseLine& line, const std::string& name, std::size_t number) {
@@ -149,8 +158,8 @@ fuzz::Report judge_line(const CaseLine& line, const std::string& name, std::size
   fuzz::judge_overlap(line.question, {&line.question.box, 1}, name, number, report);
   const std::string judged = fuzz::judged_answer(line.question);
   if (!line.expect || *line.expect == judged) return report;
-  ++report.tally.disagreements;
-  report.findings.push_back({name, number, "expect",
+  report.tally.disagreements = 1;
+  report.findings.push_back({name, number, kExpect,
                              fmt::format("{}, the oracle: {}", *line.expect, judged.empty() ? "none" : judged),
                              line.question, *line.expect});
   return report;
@@ -158,13 +167,12 @@ fuzz::Report judge_line(const CaseLine& line, const std::string& name, std::size
 
 /// One row a case file, each line put as it stands.
 FuzzResults fuzz_files(const std::vector<std::string>& files) {
-  FuzzResults results{1, 0, 1, {0}, false, {}};
+  FuzzResults results{std::nullopt, 0, 1, {0}, false, {}};
   try {
     for (const std::string& file : files) {
       FuzzResults::Row& row = results.rows.emplace_back();
       row.name = std::filesystem::path(file).filename();
-      for_each_case(file, [&](std::size_t number, const nlohmann::json& object) {
-        render::check_interrupt();
+      for_each_case(file, false, [&](std::size_t number, const nlohmann::json& object) {
         fuzz::add(row.report, judge_line(read_case(object), row.name, number));
       });
       if (row.report.tally.cases == 0) throw render::InputError(file + ": no cases");
@@ -188,10 +196,16 @@ void store(const FuzzResults& results, const std::string& file) {
   findings.commit();
 }
 
+bool has_defects(const FuzzResults& results) {
+  return std::ranges::any_of(results.rows, [](const FuzzResults::Row& row) {
+    return !std::ranges::all_of(row.report.findings, [](const fuzz::Finding& f) { return f.kind == kExpect; });
+  });
+}
+
 /// Stored as they are at once, and again when they are small: that takes a while, and the user may not wait.
 void report_findings(FuzzResults& results, const std::string& file) {
   if (case_lines(results).empty()) {
-    if (std::filesystem::exists(file)) fmt::print(stderr, "{} is of an earlier run\n", file);
+    if (std::filesystem::is_regular_file(file)) fmt::print(stderr, "{} is of an earlier run\n", file);
     return;
   }
   store(results, file);
@@ -203,12 +217,12 @@ void report_findings(FuzzResults& results, const std::string& file) {
   }
   fmt::print(stderr, "{}", case_lines(results));
   if (!file.empty()) fmt::print(stderr, "These lines are in {}: occlude fuzz {} judges them again.\n", file, file);
-  fmt::print(stderr, "A wrong answer of ours is a defect: please report its line.\n");
+  if (has_defects(results)) fmt::print(stderr, "A wrong answer of ours is a defect: please report its line.\n");
 }
 
 /// The lines of case files are in a file already.
 std::string findings_file(const Arguments& a) {
-  return a.findings.empty() && a.files.empty() ? "fuzz_findings.jsonl" : a.findings;
+  return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : "");
 }
 
 void check_files(const Arguments& a) {
@@ -245,6 +259,7 @@ int fuzz_command(const Arguments& a) {
   return total(results).tally.disagreements == 0 ? 0 : 1;
 }
 
+/// From the least that shows anything to a season.
 std::string check_seconds(const std::string& text) {
   double seconds = 0;
   const bool is_number = CLI::detail::lexical_cast(text, seconds);
@@ -279,19 +294,19 @@ void add_fuzz(CLI::App& app, int& exit_code) {
   CLI::Option* family =
       command->add_option("--family", a->families, "only these families, one or more")->check(check_family);
   CLI::Option* seed = command->add_option("--seed", a->seed, "whole number")->capture_default_str();
-  command->add_option("--jobs", a->jobs, "threads")->capture_default_str()->check(CLI::Range(1U, 1024U));
+  CLI::Option* jobs = command->add_option("--jobs", a->jobs, "threads")->capture_default_str()->check(CLI::Range(1U, 1024U));
   CLI::Option* shard =
       command->add_option("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
           ->capture_default_str()
           ->excludes(seconds);
   CLI::Option* merged = command->add_option("--merge", a->merged, "results of shards (--out), to be added up");
-  command->add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding");
+  CLI::Option* stop = command->add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding")->excludes(shard);
   command->add_option("--findings", a->findings,
                       "file for the case lines of findings, written when there are any; default fuzz_findings.jsonl, and "
-                      "none for case files");
+                      "none for case files; an empty name: none");
   command->add_option("--out", a->out, "file for the results as JSON");
   command->add_flag("--json", a->json, "print the results as JSON");
-  for (CLI::Option* option : {cases, seconds, family, seed, shard}) option->excludes(files)->excludes(merged);
+  for (CLI::Option* option : {cases, seconds, family, seed, jobs, shard, stop}) option->excludes(files)->excludes(merged);
   files->excludes(merged);
   command->callback([a, &exit_code] { exit_code = fuzz_command(*a); });
 }

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -54,35 +56,53 @@ Json json(const FuzzResults::Row& row) {
           {"core_seconds", row.report.core_seconds}};
 }
 
-fuzz::WrongAnswers wrong_answers(const nlohmann::json& object) {
-  return {object.at("wrong_culls").get<std::uint64_t>(), object.at("wrong_draws").get<std::uint64_t>()};
+std::uint64_t count(const nlohmann::json& object, const char* name) {
+  const nlohmann::json& value = member(object, name);
+  if (!value.is_number_unsigned()) throw LineError(fmt::format("\"{}\": expected a whole number from 0", name));
+  return value.get<std::uint64_t>();
+}
+
+const std::string& word(const nlohmann::json& object, const char* name) {
+  const nlohmann::json& value = member(object, name);
+  if (!value.is_string()) throw LineError(fmt::format("\"{}\": expected a string", name));
+  return value.get_ref<const std::string&>();
+}
+
+const nlohmann::json& list(const nlohmann::json& object, const char* name) {
+  const nlohmann::json& value = member(object, name);
+  if (!value.is_array() || value.empty()) throw LineError(fmt::format("\"{}\": expected a list, not empty", name));
+  return value;
+}
+
+fuzz::WrongAnswers wrong_answers(const nlohmann::json& row, const char* name) {
+  const nlohmann::json& object = member(row, name);
+  return {count(object, "wrong_culls"), count(object, "wrong_draws")};
 }
 
 Tally tally(const nlohmann::json& row) {
-  const auto count = [&](const char* name) { return row.at(name).get<std::uint64_t>(); };
   Tally t;
-  t.cases = count("cases");
-  t.refused = count("refused");
-  t.relations = {count("inside"), count("partial"), count("outside")};
-  t.stages = {count("filter"), count("exact")};
-  t.judged_twice = count("judged_twice");
-  t.disagreements = count("disagreements");
-  t.planes_asked = count("conservative_asked_outside");
-  t.undecided = count("conservative_undecided");
-  t.others_asked = count("others_asked");
-  t.plain = wrong_answers(row.at("plain"));
-  t.float32 = wrong_answers(row.at("float32"));
-  t.fused = wrong_answers(row.at("fma"));
+  t.cases = count(row, "cases");
+  const auto part = [&](const char* name) {
+    const std::uint64_t some = count(row, name);
+    if (some > t.cases) throw LineError(fmt::format("\"{}\": more than there are cases", name));
+    return some;
+  };
+  t.refused = part("refused");
+  t.relations = {part("inside"), part("partial"), part("outside")};
+  t.stages = {part("filter"), part("exact")};
+  t.judged_twice = part("judged_twice");
+  t.disagreements = part("disagreements");
+  t.planes_asked = part("conservative_asked_outside");
+  t.undecided = part("conservative_undecided");
+  t.others_asked = part("others_asked");
+  t.plain = wrong_answers(row, "plain");
+  t.float32 = wrong_answers(row, "float32");
+  t.fused = wrong_answers(row, "fma");
   return t;
 }
 
 Finding finding(const nlohmann::json& object) {
-  Finding result{object.at("family").get<std::string>(),
-                 object.at("seed").get<std::uint64_t>(),
-                 object.at("kind").get<std::string>(),
-                 object.at("what").get<std::string>(),
-                 std::nullopt,
-                 ""};
+  Finding result{word(object, "family"), count(object, "seed"), word(object, "kind"), word(object, "what"), std::nullopt, ""};
   if (object.contains("case")) {
     CaseLine line = read_case(object.at("case"));
     result.question = std::move(line.question);
@@ -91,30 +111,43 @@ Finding finding(const nlohmann::json& object) {
   return result;
 }
 
+FuzzResults::Row row_of(const nlohmann::json& object) {
+  FuzzResults::Row row{word(object, "name"), {}};
+  row.report.tally = tally(object);
+  row.report.core_seconds = number(member(object, "core_seconds"), "core_seconds");
+  if (!(row.report.core_seconds >= 0)) throw LineError("\"core_seconds\": expected a number from 0");
+  const nlohmann::json& findings = member(object, "findings");
+  if (!findings.is_array()) throw LineError("\"findings\": expected a list");
+  std::ranges::transform(findings, std::back_inserter(row.report.findings), finding);
+  return row;
+}
+
 FuzzResults read(const nlohmann::json& object) {
   FuzzResults results;
-  results.seed = object.at("seed").get<std::uint64_t>();
-  results.rounds = object.at("rounds").get<std::uint64_t>();
-  results.shards = object.at("shards").get<std::uint64_t>();
-  results.interrupted = object.at("interrupted").get<bool>();
-  results.parts = object.at("parts").get<std::vector<std::uint64_t>>();
-  for (const auto& row : object.at("families")) {
-    FuzzResults::Row& added = results.rows.emplace_back();
-    added.name = row.at("name").get<std::string>();
-    added.report.tally = tally(row);
-    added.report.core_seconds = row.at("core_seconds").get<double>();
-    for (const auto& found : row.at("findings")) added.report.findings.push_back(finding(found));
+  if (!member(object, "seed").is_null()) results.seed = count(object, "seed");
+  results.rounds = count(object, "rounds");
+  results.shards = count(object, "shards");
+  const nlohmann::json& interrupted = member(object, "interrupted");
+  if (!interrupted.is_boolean()) throw LineError("\"interrupted\": expected true or false");
+  results.interrupted = interrupted.get<bool>();
+  for (const nlohmann::json& part : list(object, "parts")) {
+    if (!part.is_number_unsigned() || part.get<std::uint64_t>() >= results.shards) {
+      throw LineError("\"parts\": expected numbers of shards");
+    }
+    results.parts.push_back(part.get<std::uint64_t>());
   }
+  std::ranges::transform(list(object, "families"), std::back_inserter(results.rows), row_of);
   return results;
 }
 
 FuzzResults read_file(const std::string& file) {
   std::ifstream in(file);
-  if (!in) throw render::InputError(file + ": cannot be opened");
+  if (!in || std::filesystem::is_directory(file)) throw render::InputError(file + ": cannot be opened");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
   try {
-    return read(nlohmann::json::parse(in));
-  } catch (const std::exception& error) {
-    throw render::InputError(fmt::format("{}: not a result of occlude fuzz --json", file));
+    return read(parse_object(text));
+  } catch (const LineError& error) {
+    throw render::InputError(fmt::format("{}: not a result of occlude fuzz --out: {}", file, error.what()));
   }
 }
 
@@ -129,16 +162,20 @@ FuzzResults read_part(const std::string& file) {
   return results;
 }
 
-void add(FuzzResults& whole, FuzzResults&& part, const std::string& file) {
-  if (!is_same_run(whole, part))
-    throw render::InputError(file + ": a result of another run: other seed, cases, shards or families");
-  for (const std::uint64_t shard : part.parts) {
+void add_parts(FuzzResults& whole, const std::vector<std::uint64_t>& parts, const std::string& file) {
+  for (const std::uint64_t shard : parts) {
     if (std::ranges::find(whole.parts, shard) != whole.parts.end()) {
       throw render::InputError(fmt::format("{}: shard {} of {} was given before", file, shard, whole.shards));
     }
     whole.parts.push_back(shard);
   }
   std::ranges::sort(whole.parts);
+}
+
+void add(FuzzResults& whole, FuzzResults&& part, const std::string& file) {
+  if (!is_same_run(whole, part))
+    throw render::InputError(file + ": a result of another run: other seed, cases, shards or families");
+  add_parts(whole, part.parts, file);
   for (std::size_t i = 0; i < whole.rows.size(); ++i) {
     fuzz::add(whole.rows[i].report, std::move(part.rows[i].report));
   }
@@ -174,7 +211,7 @@ std::string to_json(const FuzzResults& results) {
     for (const Finding& found : row.report.findings) object["findings"].push_back(json(found));
     families.push_back(std::move(object));
   }
-  const Json object{{"seed", results.seed},
+  const Json object{{"seed", results.seed ? Json(*results.seed) : Json()},
                     {"rounds", results.rounds},
                     {"shards", results.shards},
                     {"parts", results.parts},
@@ -183,11 +220,12 @@ std::string to_json(const FuzzResults& results) {
                     {"disagreements", all.tally.disagreements},
                     {"core_seconds", all.core_seconds},
                     {"families", std::move(families)}};
-  return object.dump(1) + '\n';
+  return object.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 FuzzResults merge(const std::vector<std::string>& files) {
   FuzzResults whole = read_part(files[0]);
+  add_parts(whole, std::exchange(whole.parts, {}), files[0]);
   for (std::size_t i = 1; i < files.size(); ++i) add(whole, read_part(files[i]), files[i]);
   return whole;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ struct FuzzResults {
     std::string name;
     fuzz::Report report;
   };
-  std::uint64_t seed = 1;
-  std::uint64_t rounds = 0, shards = 1;
+  std::optional<std::uint64_t> seed;  ///< none for the lines of case files
+  /// Of the whole run; 0 when it was to end by the time, by a finding, or with the lines.
+  std::uint64_t rounds = 0;
+  std::uint64_t shards = 1;
   std::vector<std::uint64_t> parts;  ///< the shards that are in it
   bool interrupted = false;          ///< by the user: there would have been more
   std::vector<Row> rows;
@@ -32,8 +35,8 @@ struct FuzzResults {
 
 [[nodiscard]] std::string to_json(const FuzzResults& results);
 
-/// The sum of shards of one run. Throws InputError, naming the file, for what is no result of this command, of another run
-/// or given before.
+/// The sum of shards of one run. Throws InputError, naming the file and what is wrong with it, for what is no result of this
+/// command, of another run or given before.
 [[nodiscard]] FuzzResults merge(const std::vector<std::string>& files);
 
 }  // namespace occlude::cli

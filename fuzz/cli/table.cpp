@@ -49,7 +49,7 @@ constexpr std::string_view kLegend = R"(
 A case asks whether a box is inside a shadow, partly in it or out of it (occludees: a polytope; view_frustum: in half-spaces; culler:
 a polygon is culled by shadow, drawn, or culled by the view). Shares are of the cases that are legal; blank: nobody was asked.
 by exact    what the floating-point filter of `certified` left to its exact stage; of culler, polygons of such frames
-OURS wrong  cases in which we say what the oracle refutes, our two oracles differ, or a case file expects something else: 0, or it
+OURS wrong  cases (of culler, frames) in which we say what the oracle refutes, our two oracles differ, or a case file expects something else: 0, or it
             is a defect
 cons. left  of the boxes out, those that the conservative test leaves partial, as it may: it asks planes alone
 others      no part of the product: plain, the paper's double arithmetic; float32, the same in single precision; FMA, with fused
@@ -64,10 +64,8 @@ std::string findings(const FuzzResults& results) {
     for (const fuzz::Finding& found : row.report.findings) {
       text += fmt::format("WRONG  {}, {}: {}: {}\n", found.family, found.seed, found.kind, found.what);
     }
-    const std::uint64_t all = row.report.tally.disagreements, shown = row.report.findings.size();
-    if (all > shown) text += fmt::format("       and {} more of {}\n", all - shown, row.name);
   }
-  return text;
+  return text.empty() ? text : text + fmt::format("(of a row the first {}, at most)\n", fuzz::kKeptFindings);
 }
 
 }  // namespace
@@ -80,7 +78,7 @@ std::string table(const FuzzResults& results) {
   text += kLegend;
   const Tally& all = sum.tally;
   text += fmt::format("\n{}{} cases not legal, refused by us and by the oracle; {} judged by the second oracle as well\n",
-                      results.rounds == 0 ? "" : fmt::format("seed {}; ", results.seed), all.refused, all.judged_twice);
+                      results.seed ? fmt::format("seed {}; ", *results.seed) : "", all.refused, all.judged_twice);
   if (results.parts.size() < results.shards) {
     text += fmt::format("{} of {} shards only\n", results.parts.size(), results.shards);
   }

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "cut_vertex.h"
+
 namespace occlude::fuzz {
 namespace {
 
@@ -79,7 +81,7 @@ class Minimiser {
   }
 
  private:
-  /// Enough for some hundred coordinates, a second at most.
+  /// Enough for some hundred coordinates; about a second where the second oracle is wrong, the slowest to ask.
   static constexpr int kMostTries = 10'000;
 
   bool step() {
@@ -95,18 +97,28 @@ class Minimiser {
 
   bool drop_vertices() {
     bool any = false;
-    if (!std::holds_alternative<Polygon>(best_.occluder)) return any;
     for (std::size_t i = 0; i < vertices_of(best_.occluder).size();) {
-      Case candidate = best_;
-      std::vector<Vec3>& vertices = vertices_of(candidate.occluder);
-      vertices.erase(vertices.begin() + static_cast<std::ptrdiff_t>(i));
-      if (take(candidate)) {
+      if (drop_vertex(i)) {
         any = true;
       } else {
         ++i;
       }
     }
     return any;
+  }
+
+  bool drop_vertex(std::size_t i) {
+    Case candidate = best_;
+    if (auto* const polygon = std::get_if<Polygon>(&candidate.occluder)) {
+      polygon->erase(polygon->begin() + static_cast<std::ptrdiff_t>(i));
+      return take(candidate);
+    }
+    for (kernel::Polytope& cut :
+         cut_vertex(std::get<kernel::Polytope>(best_.occluder), static_cast<std::uint32_t>(i))) {
+      candidate.occluder = std::move(cut);
+      if (take(candidate)) return true;
+    }
+    return false;
   }
 
   /// Where that loses no bit of any coordinate. A scene that has a point at the origin stays.

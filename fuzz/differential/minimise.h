@@ -8,8 +8,8 @@
 
 namespace occlude::fuzz {
 
-/// A case for which `shows` holds, smaller by steps as long as one succeeds or a number of tries is used up: a vertex of a
-/// polygon left out; the scene moved so that the viewpoint or another point is the origin; a coordinate made zero, rounded
+/// A case for which `shows` holds, smaller by steps as long as one succeeds or a number of tries is used up: a vertex left
+/// out, or cut off a polytope; the scene moved so that the viewpoint or another point is the origin; a coordinate made zero, rounded
 /// to a whole number or to fewer bits. REQUIRES: shows(question).
 [[nodiscard]] Case minimise(Case question, const std::function<bool(const Case&)>& shows);
 

@@ -30,7 +30,7 @@ oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustumResult& made)
   return {to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made)};
 }
 
-/// Whether a case is for the second oracle too, which is slow: one in a hundred, whatever its place in its group.
+/// Whether a case is for the second oracle too, which is slow: one in a hundred.
 bool is_judged_twice(std::uint64_t number) { return Random(number).bits() % 100 == 0; }
 
 /// One shadow, and what becomes of the boxes put to it.
@@ -48,7 +48,6 @@ class Judgement {
     ++report_.tally.cases;
     is_wrong_ = false;
     judge_answers(box, twice);
-    if (is_wrong_) ++report_.tally.disagreements;
   }
 
   /// The axis-aligned boxes once more, all at once.
@@ -62,13 +61,12 @@ class Judgement {
     for (std::size_t i = 0; i < batch_.size(); ++i) {
       std::array<Relation, 1> one{};
       kernel::overlap_certified(frusta, batch_[i], NearBoundary::closed, one);
-      is_wrong_ = false;
+      is_wrong_ = wrong_[i];
       if (overlap[i] != truths_[i]) add_finding(batch_[i], "batch of boxes", overlap[i], truths_[i]);
       if (one[0] != truths_[i]) add_finding(batch_[i], "batch of frusta", one[0], truths_[i]);
       if (!is_sound(conservative[i], truths_[i])) {
         add_finding(batch_[i], "conservative batch", conservative[i], truths_[i]);
       }
-      if (is_wrong_) ++report_.tally.disagreements;
     }
   }
 
@@ -100,6 +98,7 @@ class Judgement {
     if (const auto* const aabb = std::get_if<kernel::Aabb>(&box)) {
       batch_.push_back(*aabb);
       truths_.push_back(truth);
+      wrong_.push_back(is_wrong_);
     }
   }
 
@@ -153,7 +152,7 @@ class Judgement {
   }
 
   void add_finding(const Box& box, const std::string& kind, const std::string& what) {
-    is_wrong_ = true;
+    if (!std::exchange(is_wrong_, true)) ++report_.tally.disagreements;
     Case found{question_.viewpoint, question_.occluder, question_.near, box};
     std::string expect = judged_answer(found);
     report_.findings.push_back({family_, seed_, kind, what, std::move(found), std::move(expect)});
@@ -168,6 +167,7 @@ class Judgement {
   bool is_wrong_ = false;  ///< the case in hand
   std::vector<kernel::Aabb> batch_;
   std::vector<Relation> truths_;
+  std::vector<bool> wrong_;  ///< found to be so one by one
 };
 
 }  // namespace

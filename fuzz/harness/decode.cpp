@@ -77,7 +77,10 @@ double Decoder::fresh_number() {
   if (how == 0xff) return any_double();
   if (how == 0xfe) return unit_ * std::ldexp(1, static_cast<std::int8_t>(byte()));
   if (how >= 0xf0) return -used_number();
-  if (how >= 0xe0) return used_number() + unit_ * static_cast<double>(below(9));
+  if (how >= 0xe0) {
+    const double from = used_number();
+    return from + unit_ * static_cast<double>(below(9));
+  }
   if (how >= 0xd0) return std::nextafter(used_number(), how % 2 == 0 ? kInfinity : -kInfinity);
   if (how >= 0xb0) return used_number();
   const double whole = static_cast<std::int8_t>(byte());
@@ -109,7 +112,10 @@ Vec3 Decoder::made_point() {
     return {x, y, number()};
   }
   if (how == 3) return used_point();
-  if (how == 4) return used_point() + step();
+  if (how == 4) {
+    const Vec3 from = used_point();
+    return from + step();
+  }
   if (how == 5) {
     constexpr std::array<double, 8> kAlong = {2, 0.5, 3, -1, 4, 1.5, 1.0 / 3, -2};
     const Vec3 from = used_point(), to = used_point();

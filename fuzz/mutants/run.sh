@@ -101,13 +101,15 @@ names=()
 while [ $# -gt 0 ]; do
   case $1 in
     --check) check; exit ;;
-    --only) only=${2:-}; shift ;;
-    --seconds) fuzz_seconds=${2:-}; shift ;;
+    --only | --seconds) [ $# -ge 2 ] || fail "$1 takes a value" ;;&
+    --only) only=$2; shift ;;
+    --seconds) fuzz_seconds=$2; shift ;;
     --*) fail "unknown option $1" ;;
     *) [ -f "$(patch_of "$1")" ] || fail "there is no fault $1"; names+=("$1") ;;
   esac
   shift
 done
+[[ $fuzz_seconds =~ ^[1-9][0-9]*$ ]] || fail "--seconds takes a whole number, not $fuzz_seconds"
 [[ $only =~ ^(suite|fuzz)?$ ]] || fail "--only takes suite or fuzz, not $only"
 [ ${#names[@]} -gt 0 ] || mapfile -t names < <(all_names)
 

@@ -90,7 +90,10 @@ void move_by_a_hair(Random& random, Case& made) {
 
 void move_far(Random& random, Case& made) {
   const double unit = 0x1p-8;
-  const auto part = [&] { return 4e9 * random.integer(-1, 1) + unit * random.integer(-1000, 1000); };
+  const auto part = [&] {
+    const double far = 4e9 * random.integer(-1, 1);
+    return far + unit * random.integer(-1000, 1000);
+  };
   const double x = part(), y = part(), z = part();
   for_each_point(made, [&](Vec3& p) { p = unit * p + Vec3{x, y, z}; });
   for_each_half_edge(made, [&](Vec3& e) { e = unit * e; });

@@ -89,7 +89,8 @@ Vec3 lattice_sizes(Random& random) {
 /// Along the axis, and not, or less often, along the others.
 Vec3 offset_along_axes(Random& random, int axis) {
   Vec3 offset;
-  offset[axis] = random.integer(1, 9) * (random.chance(0.5) ? 1 : -1);
+  const int along = random.integer(1, 9);
+  offset[axis] = random.chance(0.5) ? along : -along;
   for (const int other : {(axis + 1) % 3, (axis + 2) % 3}) {
     if (random.chance(0.4)) offset[other] = random.integer(-9, 9);
   }

@@ -4,12 +4,11 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <variant>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/line_reader.h"
+#include "occlude/render/progress.h"
 
 namespace occlude::cli {
 namespace {
@@ -54,20 +53,6 @@ Json json(const kernel::Polytope& polytope) {
 Json json(const kernel::Aabb& box) { return {{"min", json(box.min)}, {"max", json(box.max)}}; }
 Json json(const kernel::Obb& box) { return {{"center", json(box.center)}, {"half_edges", json_of_all(box.half_edges)}}; }
 
-void read_lines(std::istream& in, const std::string& name,
-                const std::function<void(std::size_t number, const nlohmann::json&)>& take) {
-  std::string line;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    try {
-      take(number, parse_object(line));
-    } catch (const LineError& error) {
-      throw render::InputError(fmt::format("{}:{}: {}", name, number, error.what()));
-    }
-  }
-  if (in.bad()) throw render::InputError(name + ": cannot be read");
-}
-
 }  // namespace
 
 Json case_id(const nlohmann::json& object) {
@@ -80,11 +65,19 @@ CaseLine read_case(const nlohmann::json& object) {
   return {{viewpoint(object), occluder(member(object, "occluder")), near_of(object), box(object)}, expect_of(object)};
 }
 
-void for_each_case(const std::string& file, const std::function<void(std::size_t number, const nlohmann::json&)>& take) {
-  if (file == "-") return read_lines(std::cin, "standard input", take);
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) throw render::InputError(file + ": cannot be opened");
-  read_lines(in, file, take);
+void for_each_case(const std::string& file, bool silence,
+                   const std::function<void(std::size_t number, const nlohmann::json&)>& take) {
+  render::LineReader lines(file);
+  render::Progress progress("MB of cases", lines.size() >> 20U);
+  for (std::string line; lines.next(line);) {
+    if (!silence) progress.update(lines.read() >> 20U);
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      take(lines.number(), parse_object(line));
+    } catch (const LineError& error) {
+      throw render::InputError(fmt::format("{}:{}: {}", lines.name(), lines.number(), error.what()));
+    }
+  }
 }
 
 std::string write_case(const std::string& id, const fuzz::Case& question, const std::string& expect) {
@@ -95,7 +88,7 @@ std::string write_case(const std::string& id, const fuzz::Case& question, const 
   line["near"] = question.near == kernel::Near::farthest ? "farthest" : "surface";
   line["box"] = std::visit(write, question.box);
   if (!expect.empty()) line["expect"] = expect;
-  return line.dump();
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace occlude::cli

@@ -23,8 +23,10 @@ struct CaseLine {
 [[nodiscard]] CaseLine read_case(const nlohmann::json& object);
 
 /// Calls `take` with the object on every line that is not blank, in order; "-" is standard input. Throws InputError, naming
-/// file and line, for what cannot be read and for the LineErrors of `take`.
-void for_each_case(const std::string& file, const std::function<void(std::size_t number, const nlohmann::json&)>& take);
+/// file and line, for what cannot be read and for the LineErrors of `take`, and Interrupted. Who prints while it works asks
+/// for `silence`: no progress between the lines.
+void for_each_case(const std::string& file, bool silence,
+                   const std::function<void(std::size_t number, const nlohmann::json&)>& take);
 
 /// The line that reads back as the same case, without a line break; an empty `expect` is left out.
 [[nodiscard]] std::string write_case(const std::string& id, const fuzz::Case& question, const std::string& expect);

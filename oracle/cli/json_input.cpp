@@ -26,26 +26,39 @@ Json parse(std::string_view line) {
   });
 }
 
-/// Puts the numbers that JSON cannot write, NaN, Infinity and those too large for a double, in quotes as "nan", "inf",
-/// "-inf".
-std::string with_special_numbers_quoted(std::string_view line) {
-  std::string result;
-  bool in_string = false;
+/// A line as JSON takes it, and where in the line its characters come from.
+struct Rewritten {
+  std::string text;
+  std::vector<std::size_t> columns;
+
+  void add(std::string_view piece, std::size_t column, bool is_copy) {
+    text += piece;
+    for (std::size_t i = 0; i < piece.size(); ++i) columns.push_back(is_copy ? column + i : column);
+  }
+};
+
+/// What a number that JSON cannot write, NaN, Infinity or one too large for a double, is put as; nothing for other words.
+std::string_view quoted_special(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || end != word.c_str() + word.size() || std::isfinite(value)) return "";
+  return std::isnan(value) ? "\"nan\"" : value > 0 ? "\"inf\"" : "\"-inf\"";
+}
+
+/// Puts those numbers in quotes as "nan", "inf", "-inf". Strings stay.
+Rewritten with_special_numbers_quoted(std::string_view line) {
+  Rewritten result;
   for (std::size_t i = 0; i < line.size();) {
-    const std::string_view rest = line.substr(i);
-    const std::size_t word = in_string ? 0 : std::min(rest.find_first_of(",]} \t\r\n:\""), rest.size());
-    const std::string text(rest.substr(0, word));
-    char* end = nullptr;
-    const double value = word == 0 ? 0 : std::strtod(text.c_str(), &end);
-    if (word != 0 && end == text.c_str() + word && !std::isfinite(value)) {
-      result += std::isnan(value) ? "\"nan\"" : value > 0 ? "\"inf\"" : "\"-inf\"";
-      i += word;
-      continue;
-    }
-    if (in_string && line[i] == '\\') result += line[i++];
-    if (i < line.size()) {
-      if (line[i] == '"') in_string = !in_string;
-      result += line[i++];
+    const std::size_t start = i;
+    if (line[i] == '"') {
+      for (++i; i < line.size() && line[i] != '"'; ++i) i += line[i] == '\\' ? 1 : 0;
+      i = std::min(i + 1, line.size());
+      result.add(line.substr(start, i - start), start, true);
+    } else if (i = std::min(line.find_first_of(",[]{} \t\r\n:\"", i), line.size()); i == start) {
+      result.add(line.substr(i++, 1), start, true);
+    } else {
+      const std::string_view word = line.substr(start, i - start), special = quoted_special(std::string(word));
+      result.add(special.empty() ? word : special, start, special.empty());
     }
   }
   return result;
@@ -75,10 +88,13 @@ Json parse_object(std::string_view line) {
   try {
     object = parse(line);
   } catch (const Json::exception&) {
+    const Rewritten rewritten = with_special_numbers_quoted(line);
     try {
-      object = parse(with_special_numbers_quoted(line));
+      object = parse(rewritten.text);
     } catch (const Json::parse_error& error) {
-      throw LineError(fmt::format("not JSON, near column {}", error.byte));
+      const std::size_t at = error.byte - std::min<std::size_t>(error.byte, 1);  // it counts from 1, and 0 for none
+      const std::size_t column = at < rewritten.columns.size() ? rewritten.columns[at] : line.size();
+      throw LineError(fmt::format("not JSON, near column {}", column + 1));
     } catch (const Json::exception&) {
       throw LineError("not JSON");
     }

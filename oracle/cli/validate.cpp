@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,6 +16,7 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/line_reader.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/witness.h"
@@ -83,29 +82,22 @@ void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& 
 constexpr std::size_t kBatch = 16384;
 
 Outcome prove_file(const Prover& prover, const std::string& file) {
-  std::error_code error;
-  const auto bytes = std::filesystem::file_size(file, error);
-  std::ifstream in(file);
-  if (error || !in) throw render::InputError(file + ": cannot be opened");
-  render::Progress progress("proved MB", bytes >> 20U);
+  render::LineReader lines(file);
+  render::Progress progress("proved MB", lines.size() >> 20U);
   Outcome outcome;
   std::vector<Place> places;
-  std::string line;
-  std::size_t read = 0;
   const auto prove_batch = [&] {
-    render::check_interrupt();
     prove_all(prover, places, outcome);
     places.clear();
-    progress.update(read >> 20U);
+    progress.update(lines.read() >> 20U);
   };
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    read += line.size() + 1;
+  for (std::string line; lines.next(line);) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    places.push_back({line, fmt::format("{}:{}", file, number)});
+    places.push_back({line, fmt::format("{}:{}", lines.name(), lines.number())});
     if (places.size() == kBatch) prove_batch();
   }
   prove_batch();
-  if (outcome.proved + outcome.failed == 0) throw render::InputError(file + ": no witnesses");
+  if (outcome.proved + outcome.failed == 0) throw render::InputError(lines.name() + ": no witnesses");
   return outcome;
 }
 

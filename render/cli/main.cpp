@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const occlude::render::Interrupted&) {
-    fmt::print(stderr, "occlude: interrupted, nothing written\n");
+    fmt::print(stderr, "occlude: interrupted, no file written\n");
     return kInterrupted;
   } catch (const occlude::render::InputError& error) {
     fmt::print(stderr, "occlude: {}\n", error.what());

@@ -31,6 +31,11 @@ void Progress::update(std::size_t done) {
   if (!terminal_ || now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(500)) return;
   last_ = now;
   shown_ = true;
+  if (total_ == 0) {
+    fmt::print(stderr, "\r\033[K{} {}", label_, done);
+    std::fflush(stderr);
+    return;
+  }
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = done == 0 ? 0 : elapsed / static_cast<double>(done) * static_cast<double>(total_ - done);
   fmt::print(stderr, "\r\033[K{} {}/{}  {:.0f} s left", label_, done, total_, left);
@@ -38,8 +43,10 @@ void Progress::update(std::size_t done) {
 }
 
 void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;  // without SA_RESTART: a read that waits ends
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 void check_interrupt() {

@@ -249,6 +249,17 @@ for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],$box}
   echo "$line" >line.jsonl
   expect_error "line.jsonl:1: " "$occlude" classify line.jsonl
 done
+{ head -c 1000000 /dev/zero | tr '\0' 'a'; echo; } >line.jsonl
+expect_error "line.jsonl:1: not JSON, near column 1" timeout 10 "$occlude" classify line.jsonl
+echo '{"eye":[NaN,NaN,NaN,NaN}' >line.jsonl
+expect_error "line.jsonl:1: not JSON, near column 24" "$occlude" classify line.jsonl
+# Who waits for input can be stopped.
+mkfifo pipe
+for command in classify fuzz; do
+  (sleep 5 >pipe &) # keeps the pipe open, and silent
+  timeout --preserve-status --signal INT --kill-after 5 1 "$occlude" $command pipe >/dev/null 2>stderr
+  [ $? -eq 130 ] || fail "$command does not stop while it waits: $(cat stderr)"
+done
 [ ! -e /dev/full ] || expect_error "standard output" bash -c '"$0" classify cases.jsonl >/dev/full' "$occlude"
 
 # fuzz: nothing is wrong, whatever the number of jobs and however the cases are dealt.
@@ -277,7 +288,17 @@ cmp -s untrue_findings.jsonl merged_findings.jsonl || fail "fuzz --merge: other 
 "$occlude" classify recorded.jsonl >stdout || fail "classify of what walk recorded"
 [ -s stdout ] && [ "$(wc -l <stdout)" -eq "$(wc -l <recorded.jsonl)" ] || fail "walk --cases recorded nothing"
 echo '{"seed":1}' >bad.json
-expect_error "bad.json: not a result" "$occlude" fuzz --merge part0.json bad.json
+expect_error "bad.json: not a result of occlude fuzz --out: \"rounds\" is missing" "$occlude" fuzz --merge part0.json bad.json
+head -c 100 part0.json >bad.json
+expect_error "bad.json: not a result of occlude fuzz --out: not JSON, near column 101" "$occlude" fuzz --merge bad.json
+for change in 's/"cases": [0-9]*/"cases": -5/' 's/"cases": [0-9]*/"cases": 1.5/' 's/"cases": [0-9]*/"cases": 1e30/' \
+  's/"inside": [0-9]*/"inside": 1000000000/' 's/"seed": 7/"seed": -1/' 's/"shards": 3/"shards": 0/' \
+  's/"core_seconds": [0-9.]*/"core_seconds": -1/' 's/"families": /"families": [], "x": /'; do
+  sed "$change" part0.json >bad.json
+  expect_error "bad.json: not a result of occlude fuzz --out: \"" "$occlude" fuzz --merge bad.json
+done
+tr -d ' \n' <part0.json | sed 's/"parts":\[0\]/"parts":[0,0]/' >bad.json
+expect_error "bad.json: shard 0 of 3 was given before" "$occlude" fuzz --merge bad.json
 expect_error "missing.json" "$occlude" fuzz --merge missing.json
 expect_error "part0.json: named twice" "$occlude" fuzz --merge part0.json part0.json
 cp part0.json same.json
@@ -294,6 +315,14 @@ expect_error "--seconds" "$occlude" fuzz --seconds nan
 expect_error "none/f" "$occlude" fuzz --cases 1 --findings none/f
 expect_error "'many' is not a whole number" "$occlude" fuzz --cases many
 expect_error "--family" "$occlude" fuzz cases.jsonl --family lattice
+expect_error "--jobs" "$occlude" fuzz cases.jsonl --jobs 2
+expect_error "--stop-at-first" "$occlude" fuzz --merge part0.json --stop-at-first
+expect_error "--stop-at-first" "$occlude" fuzz --shard 0/2 --stop-at-first
+"$occlude" fuzz --cases 1 --family lattice --json --out late.json 2>stderr | true
+ls -A | grep -q 'tmp-' && fail "left behind: $(ls -A | grep tmp-)"
+cp untrue.jsonl $'odd\xff.jsonl'
+"$occlude" fuzz $'odd\xff.jsonl' --json --findings odd_findings.jsonl >/dev/null 2>stderr
+[ $? -eq 1 ] && [ -s odd_findings.jsonl ] || fail "fuzz: a file name that is not UTF-8: $(cat stderr)"
 : >empty.jsonl
 expect_error "empty.jsonl: no cases" "$occlude" fuzz empty.jsonl
 expect_error "missing.jsonl" "$occlude" fuzz missing.jsonl

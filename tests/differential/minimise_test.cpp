@@ -50,6 +50,15 @@ TEST(Minimise, LeavesOutVertices) {
   }
 }
 
+TEST(Minimise, MakesPolytopesTetrahedra) {
+  for (const Family family : {Family::polytope_random, Family::polytope_many}) {
+    for (const Case& c : wrong_culls(family, 3)) {
+      const Case small = minimise(c, is_wrong_cull);
+      EXPECT_LE(std::get<kernel::Polytope>(small.occluder).vertices.size(), 5U);
+    }
+  }
+}
+
 /// What matters is one coordinate of the second vertex, whichever that is: the third does when the second is gone.
 TEST(Minimise, KeepsOnlyWhatMatters) {
   const auto shows = [](const Case& c) {

@@ -9,6 +9,7 @@
 namespace occlude::render {
 
 /// Shows "LABEL done/total  time left" once a second has passed, only when stderr is a terminal; the destructor clears it.
+/// A total of 0 is not known: "LABEL done".
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
@@ -26,7 +27,7 @@ class Progress {
   bool terminal_, shown_ = false;
 };
 
-/// From now on Ctrl-C (and SIGTERM) only sets a flag.
+/// From now on Ctrl-C (and SIGTERM, SIGHUP) only sets a flag, and a closed pipe is an error of writing.
 void catch_interrupts();
 
 /// Throws Interrupted when the flag is set. Long work calls it between its steps.
