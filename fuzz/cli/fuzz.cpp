@@ -221,9 +221,7 @@ void report_findings(FuzzResults& results, const std::string& file) {
 }
 
 /// The lines of case files are in a file already.
-std::string findings_file(const Arguments& a) {
-  return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : "");
-}
+std::string findings_file(const Arguments& a) { return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : ""); }
 
 void check_files(const Arguments& a) {
   std::vector<std::string> files{findings_file(a), a.out};

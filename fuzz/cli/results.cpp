@@ -102,7 +102,8 @@ Tally tally(const nlohmann::json& row) {
 }
 
 Finding finding(const nlohmann::json& object) {
-  Finding result{word(object, "family"), count(object, "seed"), word(object, "kind"), word(object, "what"), std::nullopt, ""};
+  Finding result{word(object, "family"), count(object, "seed"), word(object, "kind"),
+                 word(object, "what"),   std::nullopt,          ""};
   if (object.contains("case")) {
     CaseLine line = read_case(object.at("case"));
     result.question = std::move(line.question);

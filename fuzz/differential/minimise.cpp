@@ -113,8 +113,7 @@ class Minimiser {
       polygon->erase(polygon->begin() + static_cast<std::ptrdiff_t>(i));
       return take(candidate);
     }
-    for (kernel::Polytope& cut :
-         cut_vertex(std::get<kernel::Polytope>(best_.occluder), static_cast<std::uint32_t>(i))) {
+    for (kernel::Polytope& cut : cut_vertex(std::get<kernel::Polytope>(best_.occluder), static_cast<std::uint32_t>(i))) {
       candidate.occluder = std::move(cut);
       if (take(candidate)) return true;
     }

@@ -78,7 +78,8 @@ void add_classify(CLI::App& app, int& exit_code) {
       app.add_subcommand("classify", "Answer cases (JSON Lines) by every arithmetic and by the exact oracle");
   command->footer(
       "Touching counts as sharing a point, on the near plane as well; \"near\" is \"farthest\" where a case does not say.\n"
-      "Exit code 0; 1 when the oracle differs from `certified`, refutes `conservative` or is not what a case has in \"expect\";\n"
+      "Exit code 0; 1 when the oracle differs from `certified`, refutes `conservative` or is not what a case has in "
+      "\"expect\";\n"
       "2 for a line that is not a case. Members that a case does not need are ignored.\n"
       "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}.\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
