@@ -36,7 +36,8 @@ double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
 }
 
 /// What is coplanar with an occluder is drawn: the near plane is open.
-kernel::Decision decide(const Occluder& occluder, const kernel::Aabb& box, const CullOptions& options) {
+template <class Box>
+kernel::Decision decide(const Occluder& occluder, const Box& box, const CullOptions& options) {
   return kernel::decide(occluder.frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
 }
 
@@ -51,11 +52,12 @@ CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, cons
 
   std::vector<kernel::HalfSpace> planes;
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
-  auto test_view = [&](std::uint32_t i, const kernel::Aabb& box) {
-    return kernel::relation(planes[i], box, options.arithmetic);
+  auto test_view = [&](std::uint32_t i, std::uint32_t node) {
+    return hierarchy.ask(node, [&](const auto& box) { return kernel::relation(planes[i], box, options.arithmetic); });
   };
-  auto test_shadow = [&](std::uint32_t i, const kernel::Aabb& box) {
-    const kernel::Decision decision = shadow_test(result.occluders[i], box);
+  auto test_shadow = [&](std::uint32_t i, std::uint32_t node) {
+    const kernel::Decision decision =
+        hierarchy.ask(node, [&](const auto& box) { return shadow_test(result.occluders[i], box); });
     if (decision.stage == kernel::Stage::exact) ++result.stats.exact_shadow_tests;
     return decision.relation;
   };
@@ -69,13 +71,13 @@ Culler::Culler(const PolygonSoup& soup, const Config& config)
     : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)), grid_(OccluderGrid::build(hierarchy_, config.grid)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
-  const auto test = [&](const Occluder& occluder, const kernel::Aabb& box) { return decide(occluder, box, options); };
+  const auto test = [&](const Occluder& occluder, const auto& box) { return decide(occluder, box, options); };
   return cull_frame(hierarchy_, grid_, camera, options, test);
 }
 
 void Culler::visit_shadow_tests(const Camera& camera, const CullOptions& options,
-                                const std::function<void(const Occluder& occluder, const kernel::Aabb& box)>& visit) const {
-  const auto visit_and_test = [&](const Occluder& occluder, const kernel::Aabb& box) {
+                                const std::function<void(const Occluder& occluder, const Box& box)>& visit) const {
+  const auto visit_and_test = [&](const Occluder& occluder, const auto& box) {
     visit(occluder, box);
     return decide(occluder, box, options);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The traversal of section 5: one descent of the hierarchy culls by the view frustum, culls by the shadow frusta and draws.
 //
-// It knows no frusta: two callables classify a node's box against half-space or shadow i. A half-space that a box is inside
+// It knows no frusta and no boxes: two callables classify a node against half-space or shadow i. A half-space that a box is inside
 // of, and a shadow that it is outside of, are dropped below that node; any number of either can be active.
 #pragma once
 
@@ -56,7 +56,7 @@ class Traversal {
     for (std::size_t i = above.begin; i < above.middle; ++i) {
       const std::uint32_t plane = active_[i];
       ++result_.stats.view_tests;
-      const Relation relation = view_test_(plane, node.box);
+      const Relation relation = view_test_(plane, index);
       if (relation == Relation::outside) return cull(index, node, Culled::By::view, plane);
       if (relation == Relation::partial) active_.push_back(plane);
     }
@@ -64,7 +64,7 @@ class Traversal {
     for (std::size_t i = above.middle; i < above.end; ++i) {
       const std::uint32_t occluder = active_[i];
       ++result_.stats.shadow_tests;
-      const Relation relation = shadow_test_(occluder, node.box);
+      const Relation relation = shadow_test_(occluder, index);
       if (relation == Relation::inside) return cull(index, node, Culled::By::shadow, occluder);
       if (relation == Relation::partial) active_.push_back(occluder);
     }

@@ -24,8 +24,8 @@ using glm::dvec3;
 
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Corners of what the camera shows within `reach` of the line of sight and along it: where the model ends. None when it ends
-/// before the near plane.
+/// Corners of what the camera shows within `reach` of the line of sight and along it: where the model ends. None when it
+/// ends before the near plane.
 std::vector<dvec3> corners_of_view(const Camera& camera, double reach) {
   const auto [right, up, forward] = camera.axes();
   const bool perspective = camera.projection == culler::Projection::perspective;
@@ -103,42 +103,45 @@ class CullJudge {
     for (const Culled& culled : result_.culled) {
       const std::size_t reasons = culled.by == Culled::By::view ? result_.view.size() : result_.occluders.size();
       if (culled.index >= reasons) return "a subtree is culled by what does not exist";
-      const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
-      if (!holds_its_polygons(node)) return "a polygon reaches out of the box of its node";
-      const std::string fault =
-          culled.by == Culled::By::view ? fault_of_view_cull(node, culled.index) : fault_of_shadow_cull(node, culled.index);
+      if (!holds_its_polygons(culled.node)) return "a polygon reaches out of the box of its node";
+      const std::string fault = culled.by == Culled::By::view ? fault_of_view_cull(culled) : fault_of_shadow_cull(culled);
       if (!fault.empty()) return fault;
     }
     return "";
   }
 
  private:
-  bool holds_its_polygons(const Hierarchy::Node& node) const {
+  bool holds_its_polygons(std::uint32_t index_of_node) const {
+    const Hierarchy::Node& node = hierarchy_.nodes()[index_of_node];
+    const oracle::Box box = to_oracle(hierarchy_.volume(index_of_node));
     for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) {
       for (const std::uint32_t index : hierarchy_.soup().loop(p)) {
-        if (!oracle::contains(to_oracle(node.box), to_oracle(to_kernel(hierarchy_.soup().vertices[index])))) return false;
+        const oracle::Point vertex = to_oracle(to_kernel(hierarchy_.soup().vertices[index]));
+        if (!oracle::contains(box, vertex)) return false;
       }
     }
     return true;
   }
 
-  std::string fault_of_view_cull(const Hierarchy::Node& node, std::uint32_t index) const {
-    const auto& [normal, offset] = result_.view[index];
+  std::string fault_of_view_cull(const Culled& culled) const {
+    const auto& [normal, offset] = result_.view[culled.index];
     // In doubles, as the renderer itself computes what it shows: the planes keep a margin far above rounding.
     for (const dvec3& corner : corners_of_view(camera_, reach())) {
       if (!(glm::dot(normal, corner) + offset >= 0)) return "a plane of the view cuts off what the camera shows";
     }
-    const std::string refuted = oracle::refute_view_cull({normal.x, normal.y, normal.z, offset}, to_oracle(node.box));
+    const std::string refuted =
+        oracle::refute_view_cull({normal.x, normal.y, normal.z, offset}, to_oracle(hierarchy_.volume(culled.node)));
     return refuted.empty() ? "" : "culled by view: " + refuted;
   }
 
-  std::string fault_of_shadow_cull(const Hierarchy::Node& node, std::uint32_t index) {
-    const std::uint32_t polygon = result_.occluders[index].polygon;
+  std::string fault_of_shadow_cull(const Culled& culled) {
+    const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
+    const std::uint32_t index = culled.index, polygon = result_.occluders[index].polygon;
     if (polygon >= hierarchy_.soup().size()) return "an occluder is no polygon of the model";
     if (polygon >= node.first && polygon - node.first < node.count) return "an occluder culls itself";
     if (is_clipped(polygon)) return "the near plane clips an occluder";
     if (!shadows_[index]) shadows_[index] = shadow(result_.occluders[index]);
-    const std::string refuted = shadows_[index]->refute_cull(to_oracle(node.box));
+    const std::string refuted = shadows_[index]->refute_cull(to_oracle(hierarchy_.volume(culled.node)));
     return refuted.empty() ? "" : "culled by shadow: " + refuted;
   }
 

@@ -120,6 +120,7 @@ CullOptions some_options(Random& random) {
 Culler::Config some_config(Random& random) {
   Culler::Config config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
+  if (random.chance(0.5)) config.hierarchy.bounds = culler::Bounds::obb;
   config.grid.regions = std::array{1.0, 8.0, 64.0}[random.index(3)];
   return config;
 }
@@ -135,7 +136,8 @@ class Twin {
   [[nodiscard]] const std::vector<bool>& drawn() const { return drawn_; }
 
  private:
-  bool is_culled(const kernel::Aabb& box) const {
+  template <class Volume>
+  bool is_culled(const Volume& box) const {
     for (const culler::HalfSpace& h : result_.view) {
       const kernel::HalfSpace plane{{h.normal.x, h.normal.y, h.normal.z}, h.offset};
       if (kernel::relation(plane, box, options_.arithmetic) == kernel::Relation::outside) return true;
@@ -150,7 +152,7 @@ class Twin {
 
   void visit(std::uint32_t index) {
     const auto& node = hierarchy_.nodes()[index];
-    if (is_culled(node.box)) return;
+    if (hierarchy_.ask(index, [&](const auto& box) { return is_culled(box); })) return;
     if (node.is_leaf()) {
       for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) drawn_[p] = true;
       return;

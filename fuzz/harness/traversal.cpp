@@ -88,9 +88,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   harness::Decoder decoder({data, size});
   const culler::Camera camera = harness::camera_of(decoder);
-  const culler::Culler::Config config = harness::config_of(decoder);
+  culler::Culler::Config config = harness::config_of(decoder);
   const culler::CullOptions options = harness::options_of(decoder);
   const culler::PolygonSoup soup = harness::soup_of(decoder, camera);
+  // Last, so that what was kept before there were oriented boxes is still the same scene.
+  if (decoder.flag()) config.hierarchy.bounds = culler::Bounds::obb;
   try {
     const culler::Culler culler(soup, config);
     if (const std::string fault = harness::fault_of_frame(culler, camera, options); !fault.empty()) harness::finding(fault);

@@ -127,7 +127,7 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
 int validate(Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
   const render::CameraPath path = render::read_camera_path(arguments.path);
-  const culler::Culler culler(render::read_model(arguments.model));
+  const culler::Culler culler(render::read_model(arguments.model), options.build);
   const Prover prover(culler.hierarchy(), path, render::aspect(options));
   const Outcome outcome =
       arguments.witness.empty() ? prove_walk(prover, culler, path, options) : prove_file(prover, arguments.witness);

@@ -67,7 +67,8 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
              "where a shadow begins: at the polygon, or at its farthest vertex (the paper's)"),
       choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
       choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
-      choice("--bounds", bounds_, {"aabb"}, "bounding volumes of the hierarchy"),
+      choice("--bounds", bounds_, {"aabb", "obb"},
+             "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
   };
 }
 
@@ -78,6 +79,7 @@ render::WalkOptions WalkArguments::options() const {
   options.cull.occluders = occluders_;
   options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
   options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
+  options.build.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
   options.cull.test = test_ == "overlap" ? kernel::Test::overlap : kernel::Test::conservative;
   return options;
 }

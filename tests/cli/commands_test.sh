@@ -92,6 +92,24 @@ grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(ca
 "$occlude" validate good.ply --path path.json --size 64x36 >again || fail "validate without file"
 cmp -s stdout again || fail "culling anew proves something else: $(cat again)"
 
+# A wall, and behind it a slanting one of 64 tiles, in a tree of oriented boxes.
+vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n' faces='4 0 1 2 3\n' i=4
+for along in $(seq 0 7); do
+  for up in $(seq 0 7); do
+    vertices+="$((4 + along)) $((along - 4)) $((up - 4))\n$((5 + along)) $((along - 3)) $((up - 4))\n"
+    vertices+="$((5 + along)) $((along - 3)) $((up - 3))\n$((4 + along)) $((along - 4)) $((up - 3))\n"
+    faces+="4 $i $((i + 1)) $((i + 2)) $((i + 3))\n"
+    i=$((i + 4))
+  done
+done
+ply slanting.ply 260 65 "$vertices$faces"
+"$occlude" walk slanting.ply --path path.json --out oriented --no-render --bounds obb --witness oriented.jsonl >/dev/null ||
+  fail "walk --bounds obb"
+grep -q '"box":{"center":' oriented.jsonl || fail "walk --bounds obb: no oriented box was culled"
+grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not in the summary"
+"$occlude" validate slanting.ply --path path.json --witness oriented.jsonl >stdout 2>&1 || fail "oriented: $(cat stdout)"
+"$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
+
 # Parallel projection, without a far plane.
 echo '{"frames":5,"projection":"orthographic","height":3,"keyframes":[{"eye":[0,0.1,0.2],"target":[3,1,0.5]},{"eye":[0.5,0,0],"target":[7,-0.4,0.1]}]}' >parallel.json
 "$occlude" walk good.ply --path parallel.json --out parallel --size 64x36 --witness parallel.jsonl >stdout || fail "parallel walk: $(cat stdout)"

@@ -22,20 +22,24 @@ using namespace occlude::culler;
 
 kernel::HalfSpace to_kernel(const HalfSpace& h) { return {{h.normal.x, h.normal.y, h.normal.z}, h.offset}; }
 
-/// Which polygons to draw, asking every leaf about every half-space and shadow.
+/// Which polygons to draw, asking every leaf about every half-space and shadow. The boxes of a leaf's ancestors cull no
+/// more: axis-aligned ones hold the leaf's.
 std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, kernel::Arithmetic arithmetic,
                               kernel::Test test) {
   std::vector<bool> drawn(culler.hierarchy().soup().size(), false);
-  for (const Hierarchy::Node& node : culler.hierarchy().nodes()) {
+  for (std::uint32_t n = 0; n < culler.hierarchy().nodes().size(); ++n) {
+    const Hierarchy::Node& node = culler.hierarchy().nodes()[n];
     if (!node.is_leaf()) continue;
-    bool visible = true;
-    for (const HalfSpace& h : frame.view) {
-      visible = visible && kernel::relation(to_kernel(h), node.box, arithmetic) != kernel::Relation::outside;
-    }
-    for (const Occluder& o : frame.occluders) {
-      visible = visible && kernel::decide(o.frustum, node.box, arithmetic, test, kernel::NearBoundary::open).relation !=
-                               kernel::Relation::inside;
-    }
+    const bool visible = culler.hierarchy().ask(n, [&](const auto& box) {
+      for (const HalfSpace& h : frame.view) {
+        if (kernel::relation(to_kernel(h), box, arithmetic) == kernel::Relation::outside) return false;
+      }
+      for (const Occluder& o : frame.occluders) {
+        const auto decision = kernel::decide(o.frustum, box, arithmetic, test, kernel::NearBoundary::open);
+        if (decision.relation == kernel::Relation::inside) return false;
+      }
+      return true;
+    });
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) drawn[p] = visible;
   }
   return drawn;
@@ -323,8 +327,8 @@ TEST(Culler, VisitsEveryShadowTest) {
   const CullResult frame = culler.cull(camera, {});
   const CullOptions options;
   kernel::Operations operations;
-  culler.visit_shadow_tests(camera, options, [&](const Occluder& occluder, const kernel::Aabb& box) {
-    operations += kernel::count_operations(occluder.frustum, box, options.arithmetic, options.test);
+  culler.visit_shadow_tests(camera, options, [&](const Occluder& occluder, const Box& box) {
+    operations += kernel::count_operations(occluder.frustum, std::get<kernel::Aabb>(box), options.arithmetic, options.test);
   });
   EXPECT_EQ(operations.tests, frame.stats.shadow_tests);
   EXPECT_GE(operations.dot, 2 * operations.tests);

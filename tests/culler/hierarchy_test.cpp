@@ -4,13 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <set>
 
+#include "occlude/kernel/containment.h"
 #include "scenes.h"
 
 namespace {
 
 using namespace occlude::culler;
+
+bool encloses(const occlude::kernel::Obb& box, const glm::dvec3& v) {
+  return occlude::kernel::contains(box, {v.x, v.y, v.z});
+}
 
 bool encloses(const occlude::kernel::Aabb& box, const glm::dvec3& v) {
   return v.x >= box.min.x && v.x <= box.max.x && v.y >= box.min.y && v.y <= box.max.y && v.z >= box.min.z &&
@@ -33,7 +39,9 @@ void check(const PolygonSoup& soup, const Hierarchy& hierarchy, std::uint32_t le
     const Hierarchy::Node& node = nodes[n];
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
       for (const std::uint32_t index : hierarchy.soup().loop(p)) {
-        ASSERT_TRUE(encloses(node.box, hierarchy.soup().vertices[index]));
+        const glm::dvec3& v = hierarchy.soup().vertices[index];
+        ASSERT_TRUE(encloses(node.box, v));
+        ASSERT_TRUE(hierarchy.ask(static_cast<std::uint32_t>(n), [&](const auto& box) { return encloses(box, v); }));
       }
     }
     if (node.is_leaf()) {
@@ -57,6 +65,46 @@ TEST(Hierarchy, EveryPolygonInExactlyOneLeafAndEnclosed) {
   }
 }
 
+/// The town turned about a vertical axis and moved: no wall is parallel to a coordinate axis.
+PolygonSoup turned_town(double scale, double offset) {
+  PolygonSoup soup = random_town(7, 3000);
+  for (glm::dvec3& v : soup.vertices) {
+    v = scale * glm::dvec3{0.8 * v.x - 0.6 * v.y, 0.6 * v.x + 0.8 * v.y, v.z} + glm::dvec3{offset, offset, 0};
+  }
+  return soup;
+}
+
+TEST(Hierarchy, OrientedBoxesHoldTheirPolygonsExactly) {
+  for (const double scale : {1.0, 0x1p-90, 0x1p90}) {
+    const PolygonSoup soup = turned_town(scale, 0);
+    const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 4, .bounds = Bounds::obb});
+    check(soup, hierarchy, 4);
+    EXPECT_GT(hierarchy.oriented(), 200U) << "scale " << scale;
+  }
+  const PolygonSoup far = turned_town(1, 4e9);
+  const Hierarchy hierarchy = Hierarchy::build(far, {.leaf_size = 4, .bounds = Bounds::obb});
+  check(far, hierarchy, 4);
+  EXPECT_GT(hierarchy.oriented(), 200U);
+}
+
+/// What is parallel to the axes keeps its axis-aligned boxes; turned by 45 degrees a wall's box shrinks to the wall.
+TEST(Hierarchy, OrientedBoxesWhereTheyAreSmaller) {
+  PolygonSoup aligned, turned;
+  for (int i = 0; i < 64; ++i) {
+    add_wall(aligned, i, 0, 5, 0, 3);
+    add(turned, {{i, 0, 0}, {i + 5, 5, 0}, {i + 5, 5, 3}, {i, 0, 3}});
+  }
+  EXPECT_EQ(Hierarchy::build(aligned, {.leaf_size = 1, .bounds = Bounds::obb}).oriented(), 0U);
+  const Hierarchy hierarchy = Hierarchy::build(turned, {.leaf_size = 1, .bounds = Bounds::obb});
+  for (std::uint32_t n = 0; n < hierarchy.nodes().size(); ++n) {
+    if (!hierarchy.nodes()[n].is_leaf()) continue;
+    const Box volume = hierarchy.volume(n);
+    const auto* const box = std::get_if<occlude::kernel::Obb>(&volume);
+    ASSERT_NE(box, nullptr);
+    EXPECT_LT(glm::length(glm::dvec3{box->half_edges[2].x, box->half_edges[2].y, box->half_edges[2].z}), 1e-12);
+  }
+}
+
 TEST(Hierarchy, CoincidingPolygonsAreSplitAllTheSame) {
   PolygonSoup soup;
   for (int i = 0; i < 5000; ++i) add_wall(soup, 1, 0, 1, 0, 1);
@@ -67,6 +115,18 @@ TEST(Hierarchy, ExtremeCoordinates) {
   PolygonSoup soup;
   for (int i = 0; i < 200; ++i) add_wall(soup, (i % 2 ? 1 : -1) * 0x1p100, i, i + 1, 0, 0x1p100);
   check(soup, Hierarchy::build(soup, {.leaf_size = 4}), 4);
+}
+
+TEST(Hierarchy, OrientedBoxesOfExtremeOrDegeneratePolygons) {
+  PolygonSoup soup;
+  for (int i = 0; i < 50; ++i) {
+    const double sign = i % 2 ? 1 : -1;
+    add(soup, {{sign * 0x1p100, 0x1p100, i}, {0, -sign * 0x1p100, i}, {0x1p100, 0, 0x1p100}});
+    add(soup, {{i, i, i}, {i, i, i}, {i, i, i}});
+    add(soup, {{i, 0, 0}, {i + 1, 1, 0}, {i + 2, 2, 0}});
+    add(soup, {{0x1p-100, 0, 0}, {0, 0x1p-100, 0}, {0x1p-100, 0x1p-100, 0}});
+  }
+  check(soup, Hierarchy::build(soup, {.leaf_size = 2, .bounds = Bounds::obb}), 2);
 }
 
 TEST(Hierarchy, OnePolygon) {

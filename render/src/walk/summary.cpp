@@ -51,7 +51,7 @@ Json options_used(const WalkOptions& options) {
           {"near", options.cull.near == kernel::Near::surface ? "surface" : "farthest"},
           {"arithmetic", options.cull.arithmetic == kernel::Arithmetic::certified ? "certified" : "plain"},
           {"test", options.cull.test == kernel::Test::overlap ? "overlap" : "conservative"},
-          {"bounds", "aabb"}};
+          {"bounds", options.build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"}};
 }
 
 /// Table 2 of the paper beside the summary.

@@ -112,8 +112,12 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
                                       const WalkOptions& options) {
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
   kernel::Operations total;
-  culler.visit_shadow_tests(camera, options.cull, [&](const culler::Occluder& occluder, const kernel::Aabb& box) {
-    total += kernel::count_operations(occluder.frustum, box, options.cull.arithmetic, options.cull.test);
+  culler.visit_shadow_tests(camera, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
+    total += std::visit(
+        [&](const auto& kind) {
+          return kernel::count_operations(occluder.frustum, kind, options.cull.arithmetic, options.cull.test);
+        },
+        box);
     if (!options.on_shadow_test) return;
     ShadowTest test{frame, occluder.frustum.viewpoint(), {}, options.cull.near, box};
     for (const std::uint32_t index : soup.loop(occluder.polygon)) {
@@ -184,7 +188,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   result.polygons = soup.size();
   result.triangles = soup.indices.size() - 2 * soup.size();
   const Clock::time_point start = Clock::now();
-  const culler::Culler culler(soup);
+  const culler::Culler culler(soup, options.build);
   result.preprocess_s = milliseconds_since(start) / 1000;
 
   Stage stage;

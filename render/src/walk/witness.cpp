@@ -12,6 +12,15 @@ std::string triple(const Vector& v) {
   return fmt::format("[{},{},{}]", v.x, v.y, v.z);
 }
 
+std::string box_member(const kernel::Aabb& box) {
+  return fmt::format(R"({{"min":{},"max":{}}})", triple(box.min), triple(box.max));
+}
+
+std::string box_member(const kernel::Obb& box) {
+  const auto& [x, y, z] = box.half_edges;
+  return fmt::format(R"({{"center":{},"half_edges":[{},{},{}]}})", triple(box.center), triple(x), triple(y), triple(z));
+}
+
 std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near) {
   if (const auto& plane = frustum.support_plane()) {
     return fmt::format(R"({{"normal":{},"point":{}}})", triple(plane->normal), triple(plane->point));
@@ -56,8 +65,9 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
     const std::size_t first = hierarchy.first_triangle(node.first);
     const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
     const auto& reason = (culled.by == culler::Culled::By::view ? by_view : by_shadow)[culled.index];
-    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{{"min":{},"max":{}}},"triangles":[{},{}],{}}})", frame, viewpoint,
-                                triple(node.box.min), triple(node.box.max), first, count, reason));
+    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint,
+                                hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }), first, count,
+                                reason));
   }
 }
 

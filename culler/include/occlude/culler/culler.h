@@ -71,7 +71,7 @@ class Culler {
 
   /// Calls `visit` for every test of a box against a shadow that such a frame makes, in the order of the traversal.
   void visit_shadow_tests(const Camera& camera, const CullOptions& options,
-                          const std::function<void(const Occluder& occluder, const kernel::Aabb& box)>& visit) const;
+                          const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The spatial hierarchy of section 3.1: a binary tree of AABBs in which every polygon lies in exactly one leaf, unsplit.
+// The spatial hierarchy of section 3.1: a binary tree of AABBs or OBBs in which every polygon lies in exactly one leaf,
+// unsplit.
 // Reading order: 3.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "occlude/culler/polygon_soup.h"
@@ -13,11 +16,17 @@
 
 namespace occlude::culler {
 
+/// The bounding volumes of the nodes. `obb`: oriented boxes where they are smaller than axis-aligned ones.
+enum class Bounds { aabb, obb };
+
+using Box = std::variant<kernel::Aabb, kernel::Obb>;
+
 class Hierarchy {
  public:
   struct Config {
     /// Most polygons in a leaf. Smaller leaves cull more and cost more tests and more, shorter draw ranges.
     std::uint32_t leaf_size = 16;
+    Bounds bounds = Bounds::aabb;
   };
 
   /// Holds polygons [first, first + count) of soup(), all of them within `box`. Nodes lie in depth-first order: the left
@@ -41,13 +50,31 @@ class Hierarchy {
   [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_.first[p] - 2 * p; }
   /// The root first.
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+  /// Calls question(box) with the bounding volume of the node, an AABB or an OBB: it holds all polygons of the node,
+  /// exactly.
+  template <class Question>
+  decltype(auto) ask(std::uint32_t node, Question&& question) const {
+    const std::uint32_t i = oriented_.empty() ? kNone : oriented_[node];
+    return i == kNone ? question(nodes_[node].box) : question(oriented_boxes_[i]);
+  }
+  [[nodiscard]] Box volume(std::uint32_t node) const {
+    return ask(node, [](const auto& box) -> Box { return box; });
+  }
+  /// Number of nodes whose volume is an OBB.
+  [[nodiscard]] std::size_t oriented() const { return oriented_boxes_.size(); }
   [[nodiscard]] const kernel::Aabb& box(std::size_t polygon) const { return boxes_[polygon]; }
 
  private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  void fit_oriented_boxes();
+
   PolygonSoup soup_;
   std::vector<std::uint32_t> order_;
   std::vector<kernel::Aabb> boxes_;
   std::vector<Node> nodes_;
+  std::vector<kernel::Obb> oriented_boxes_;
+  std::vector<std::uint32_t> oriented_;  ///< of each node, the index in oriented_boxes_ or kNone; empty with Bounds::aabb
 };
 
 }  // namespace occlude::culler

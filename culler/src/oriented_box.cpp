@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "oriented_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "bounds.h"
+#include "occlude/kernel/containment.h"
+#include "occlude/kernel/validity.h"
+
+namespace occlude::culler {
+namespace {
+
+constexpr BoxAxes kCoordinateAxes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+
+/// Twice its area along its normal.
+glm::dvec3 doubled_area(const PolygonSoup& soup, std::size_t polygon) {
+  const auto loop = soup.loop(polygon);
+  const glm::dvec3& base = soup.vertices[loop[0]];
+  glm::dvec3 sum{0, 0, 0};
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    sum += glm::cross(soup.vertices[loop[i]] - base, soup.vertices[loop[i + 1]] - base);
+  }
+  return sum;
+}
+
+glm::dvec3 longest_edge(const PolygonSoup& soup, std::size_t polygon) {
+  const auto loop = soup.loop(polygon);
+  glm::dvec3 longest{0, 0, 0};
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const glm::dvec3 edge = soup.vertices[loop[(i + 1) % loop.size()]] - soup.vertices[loop[i]];
+    if (glm::dot(edge, edge) > glm::dot(longest, longest)) longest = edge;
+  }
+  return longest;
+}
+
+template <class Take>
+void for_each_vertex(const PolygonSoup& soup, const PolygonRange& polygons, Take&& take) {
+  const std::uint32_t begin = soup.first[polygons.first], end = soup.first[polygons.first + polygons.count];
+  for (std::uint32_t i = begin; i < end; ++i) take(soup.vertices[soup.indices[i]]);
+}
+
+bool holds_all(const kernel::Obb& box, const PolygonSoup& soup, const PolygonRange& polygons) {
+  const std::uint32_t begin = soup.first[polygons.first], end = soup.first[polygons.first + polygons.count];
+  return std::all_of(soup.indices.begin() + begin, soup.indices.begin() + end,
+                     [&](std::uint32_t i) { return kernel::contains(box, to_kernel(soup.vertices[i])); });
+}
+
+}  // namespace
+
+BoxAxes axes_of_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
+  glm::dvec3 area{0, 0, 0};
+  std::size_t largest = polygons.first;
+  for (std::size_t p = polygons.first; p < std::size_t{polygons.first} + polygons.count; ++p) {
+    const glm::dvec3 candidate = doubled_area(soup, p);
+    if (glm::dot(candidate, candidate) <= glm::dot(area, area)) continue;
+    area = candidate;
+    largest = p;
+  }
+  const glm::dvec3 edge = longest_edge(soup, largest);
+  const double length = glm::length(area) * glm::length(edge);
+  // Not so where squares overflow or nothing has an area; the comparison is false of NaN.
+  if (!(length > 0 && length < std::numeric_limits<double>::infinity())) return kCoordinateAxes;
+  const glm::dvec3 normal = area / glm::length(area), across = glm::cross(normal, edge / glm::length(edge));
+  return {glm::cross(across, normal), across, normal};
+}
+
+Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Fit fit{axes, glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
+  for_each_vertex(soup, polygons, [&](const glm::dvec3& v) {
+    const glm::dvec3 along{glm::dot(axes[0], v), glm::dot(axes[1], v), glm::dot(axes[2], v)};
+    fit.low = glm::min(fit.low, along);
+    fit.high = glm::max(fit.high, along);
+  });
+  const glm::dvec3 extent = fit.high - fit.low;
+  fit.half_area = extent.x * extent.y + extent.y * extent.z + extent.z * extent.x;
+  return fit;
+}
+
+std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup, const PolygonRange& polygons) {
+  const glm::dvec3 middle = fit.low / 2.0 + fit.high / 2.0, half = fit.high / 2.0 - fit.low / 2.0;
+  kernel::Obb box{to_kernel(middle.x * fit.axes[0] + middle.y * fit.axes[1] + middle.z * fit.axes[2]), {}};
+  // Heights along the axes, and the centre made from them, are off by a few roundings of the largest coordinate, axes that
+  // are not quite orthogonal tilt the faces by a few of the extent: 2^-50 of both together is about that. A flat box stays
+  // thick enough to have a volume, and its numbers legal.
+  const double size = std::max({std::fabs(fit.low.x), std::fabs(fit.low.y), std::fabs(fit.low.z), std::fabs(fit.high.x),
+                                std::fabs(fit.high.y), std::fabs(fit.high.z)});
+  constexpr int kMostTries = 6;  // to 2^-40, a millionth of what single precision shows
+  double slack = std::max(0x1p-50 * size, 4 * kernel::kMinMagnitude);
+  for (int i = 0; i < kMostTries; ++i, slack *= 4) {
+    for (int k = 0; k < 3; ++k) box.half_edges[static_cast<std::size_t>(k)] = to_kernel((half[k] + slack) * fit.axes[k]);
+    if (kernel::check(box) != kernel::Refusal::none) return std::nullopt;
+    if (holds_all(box, soup, polygons)) return box;
+  }
+  return std::nullopt;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Fitting an oriented box to polygons (section 3.1's OBBs).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+/// Orthonormal up to rounding.
+using BoxAxes = std::array<glm::dvec3, 3>;
+
+/// Along the longest edge of the largest of the polygons, across it in the polygon, and the polygon's normal: what is built
+/// stands along its walls. The coordinate axes where no polygon has an area.
+[[nodiscard]] BoxAxes axes_of_largest(const PolygonSoup& soup, const PolygonRange& polygons);
+
+/// A box along some axes, and half its surface.
+struct Fit {
+  BoxAxes axes;
+  glm::dvec3 low{0, 0, 0}, high{0, 0, 0};  ///< along the axes
+  double half_area = 0;
+};
+
+/// The smallest box along these axes, up to rounding.
+[[nodiscard]] Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons);
+
+/// The oriented box of the fit, widened until it holds every vertex of the polygons exactly; none where that takes too much,
+/// or numbers beyond the kernel's legal range.
+[[nodiscard]] std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup,
+                                                       const PolygonRange& polygons);
+
+}  // namespace occlude::culler
