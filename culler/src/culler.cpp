@@ -41,38 +41,39 @@ kernel::Decision decide(const Occluder& occluder, const Box& box, const CullOpti
   return kernel::decide(occluder.frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
 }
 
+}  // namespace
+
 /// One frame, the shadow tests done by `shadow_test(occluder, box)`.
 template <class ShadowTest>
-CullResult cull_frame(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera, const CullOptions& options,
-                      ShadowTest&& shadow_test) {
+CullResult Culler::cull_frame(const Camera& camera, const CullOptions& options, ShadowTest&& shadow_test) const {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
   CullResult result;
-  result.view = view_frustum(camera, depth(hierarchy.nodes()[0].box, camera.eye));
-  result.occluders = choose_occluders(hierarchy, grid, camera, result.view, options, result.stats);
+  result.view = view_frustum(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
+  result.occluders = choose_occluders(hierarchy_.soup(), occluders_, grid_, camera, result.view, options, result.stats);
 
   std::vector<kernel::HalfSpace> planes;
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
   auto test_view = [&](std::uint32_t i, std::uint32_t node) {
-    return hierarchy.ask(node, [&](const auto& box) { return kernel::relation(planes[i], box, options.arithmetic); });
+    return hierarchy_.ask(node, [&](const auto& box) { return kernel::relation(planes[i], box, options.arithmetic); });
   };
   auto test_shadow = [&](std::uint32_t i, std::uint32_t node) {
     const kernel::Decision decision =
-        hierarchy.ask(node, [&](const auto& box) { return shadow_test(result.occluders[i], box); });
+        hierarchy_.ask(node, [&](const auto& box) { return shadow_test(result.occluders[i], box); });
     if (decision.stage == kernel::Stage::exact) ++result.stats.exact_shadow_tests;
     return decision.relation;
   };
-  Traversal(hierarchy, test_view, test_shadow, result).run();
+  Traversal(hierarchy_, test_view, test_shadow, result).run();
   return result;
 }
 
-}  // namespace
-
 Culler::Culler(const PolygonSoup& soup, const Config& config)
-    : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)), grid_(OccluderGrid::build(hierarchy_, config.grid)) {}
+    : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)),
+      occluders_(ConvexRegions::find(hierarchy_.soup())),
+      grid_(OccluderGrid::build(hierarchy_.soup(), occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   const auto test = [&](const Occluder& occluder, const auto& box) { return decide(occluder, box, options); };
-  return cull_frame(hierarchy_, grid_, camera, options, test);
+  return cull_frame(camera, options, test);
 }
 
 void Culler::visit_shadow_tests(const Camera& camera, const CullOptions& options,
@@ -81,7 +82,7 @@ void Culler::visit_shadow_tests(const Camera& camera, const CullOptions& options
     visit(occluder, box);
     return decide(occluder, box, options);
   };
-  static_cast<void>(cull_frame(hierarchy_, grid_, camera, options, visit_and_test));
+  static_cast<void>(cull_frame(camera, options, visit_and_test));
 }
 
 }  // namespace occlude::culler

@@ -135,7 +135,6 @@ Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config) {
   Builder builder{boxes, hierarchy.order_, hierarchy.nodes_, std::max(1U, config.leaf_size)};
   builder.build(0, static_cast<std::uint32_t>(soup.size()));
   hierarchy.soup_ = reordered(soup, hierarchy.order_);
-  for (const std::uint32_t polygon : hierarchy.order_) hierarchy.boxes_.push_back(boxes[polygon]);
   if (config.bounds == Bounds::obb) hierarchy.fit_oriented_boxes();
   return hierarchy;
 }

@@ -12,11 +12,11 @@ namespace {
 
 struct Candidate {
   double score;
-  std::uint32_t polygon;
+  std::uint32_t region;
 
-  /// Best first; equals in the order of the soup, so that the choice never depends on the sorting algorithm.
+  /// Best first; equals by their number, so that the choice never depends on the sorting algorithm.
   friend bool operator<(const Candidate& a, const Candidate& b) {
-    return a.score != b.score ? a.score > b.score : a.polygon < b.polygon;
+    return a.score != b.score ? a.score > b.score : a.region < b.region;
   }
 };
 
@@ -35,15 +35,14 @@ double score(const PotentialOccluder& occluder, const Camera& camera, const glm:
   return std::fabs(glm::dot(occluder.area_normal, forward)) / (camera.height * camera.height * camera.aspect);
 }
 
-std::vector<Candidate> candidates(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera,
-                                  std::span<const HalfSpace> view, CullStats& stats) {
+std::vector<Candidate> candidates(const OccluderGrid& grid, const Camera& camera, std::span<const HalfSpace> view,
+                                  CullStats& stats) {
   const auto list = grid.list(camera.eye);
   const glm::dvec3 forward = camera.axes().forward;
   std::vector<Candidate> result;
-  for (const std::uint32_t polygon : list) {
-    if (!out_of_view(hierarchy.box(polygon), view)) {
-      result.push_back({score(grid.occluder(polygon), camera, forward), polygon});
-    }
+  for (const std::uint32_t region : list) {
+    const PotentialOccluder& occluder = grid.occluder(region);
+    if (!out_of_view(occluder.box, view)) result.push_back({score(occluder, camera, forward), region});
   }
   stats.potential_occluders = list.size();
   stats.occluders_in_view = result.size();
@@ -68,26 +67,27 @@ bool in_shadow_of(const std::vector<Occluder>& chosen, const kernel::Aabb& box) 
 
 }  // namespace
 
-std::vector<Occluder> choose_occluders(const Hierarchy& hierarchy, const OccluderGrid& grid, const Camera& camera,
-                                       std::span<const HalfSpace> view, const CullOptions& options, CullStats& stats) {
+std::vector<Occluder> choose_occluders(const PolygonSoup& soup, const ConvexRegions& regions, const OccluderGrid& grid,
+                                       const Camera& camera, std::span<const HalfSpace> view, const CullOptions& options,
+                                       CullStats& stats) {
   std::vector<Occluder> chosen;
   if (options.occluders == 0) return chosen;
   const glm::dvec3 forward = camera.axes().forward;
   const auto viewpoint = camera.projection == Projection::perspective ? kernel::Viewpoint::eye(to_kernel(camera.eye))
                                                                       : kernel::Viewpoint::direction(to_kernel(forward));
-  std::vector<Candidate> heap = candidates(hierarchy, grid, camera, view, stats);
+  std::vector<Candidate> heap = candidates(grid, camera, view, stats);
   const auto worse = [](const Candidate& a, const Candidate& b) { return b < a; };
   std::make_heap(heap.begin(), heap.end(), worse);
   std::vector<kernel::Vec3> loop;
   while (!heap.empty() && chosen.size() < options.occluders) {
     std::pop_heap(heap.begin(), heap.end(), worse);
-    const std::uint32_t polygon = heap.back().polygon;
+    const std::uint32_t region = heap.back().region;
     heap.pop_back();
     loop.clear();
-    for (const std::uint32_t i : hierarchy.soup().loop(polygon)) loop.push_back(to_kernel(hierarchy.soup().vertices[i]));
-    if (clipped_by_near_plane(loop, camera, forward) || in_shadow_of(chosen, hierarchy.box(polygon))) continue;
+    for (const std::uint32_t i : regions.loop(region)) loop.push_back(to_kernel(soup.vertices[i]));
+    if (clipped_by_near_plane(loop, camera, forward) || in_shadow_of(chosen, grid.occluder(region).box)) continue;
     auto [frustum, refusal] = kernel::ShadowFrustum::make(viewpoint, loop, options.near);
-    if (frustum) chosen.push_back({polygon, std::move(*frustum)});
+    if (frustum) chosen.push_back({region, std::move(*frustum)});
   }
   return chosen;
 }

@@ -9,11 +9,12 @@
 
 namespace occlude::culler {
 
-/// The occluders of a frame, best first. Left out are polygons that the kernel refuses as occluders from this viewpoint,
-/// polygons that reach before the renderer's near plane (what is clipped away must not occlude), and polygons that lie in
+/// The occluders of a frame, best first. Left out are regions that the kernel refuses as occluders from this viewpoint,
+/// regions that reach before the renderer's near plane (what is clipped away must not occlude), and regions that lie in
 /// the shadow of a better one: their shadow is part of its shadow.
-[[nodiscard]] std::vector<Occluder> choose_occluders(const Hierarchy& hierarchy, const OccluderGrid& grid,
-                                                     const Camera& camera, std::span<const HalfSpace> view,
-                                                     const CullOptions& options, CullStats& stats);
+[[nodiscard]] std::vector<Occluder> choose_occluders(const PolygonSoup& soup, const ConvexRegions& regions,
+                                                     const OccluderGrid& grid, const Camera& camera,
+                                                     std::span<const HalfSpace> view, const CullOptions& options,
+                                                     CullStats& stats);
 
 }  // namespace occlude::culler

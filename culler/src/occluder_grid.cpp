@@ -11,16 +11,17 @@
 namespace occlude::culler {
 namespace {
 
-PotentialOccluder potential_occluder(const PolygonSoup& soup, std::size_t polygon) {
-  const auto loop = soup.loop(polygon);
+PotentialOccluder potential_occluder(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
   const glm::dvec3 base = soup.vertices[loop[0]];
   glm::dvec3 sum{0, 0, 0}, doubled_area{0, 0, 0};
+  kernel::Aabb box = empty_box();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     sum += soup.vertices[loop[i]] - base;
+    grow(box, to_kernel(soup.vertices[loop[i]]));
     const glm::dvec3& next = soup.vertices[loop[(i + 1) % loop.size()]];
     doubled_area += glm::cross(soup.vertices[loop[i]] - base, next - base);
   }
-  return {base + sum / static_cast<double>(loop.size()), doubled_area / 2.0};
+  return {base + sum / static_cast<double>(loop.size()), doubled_area / 2.0, box};
 }
 
 }  // namespace
@@ -56,9 +57,9 @@ void OccluderGrid::for_each_region(const PotentialOccluder& occluder, double thr
   }
 }
 
-OccluderGrid OccluderGrid::build(const Hierarchy& hierarchy, const Config& config) {
+OccluderGrid OccluderGrid::build(const PolygonSoup& soup, const ConvexRegions& occluders, const kernel::Aabb& box,
+                                 const Config& config) {
   OccluderGrid grid;
-  const kernel::Aabb& box = hierarchy.nodes()[0].box;
   grid.origin_ = {box.min.x, box.min.y, box.min.z};
   const glm::dvec3 extent{box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z};
   // Cubes of one edge e with about `regions` of them in the box; a flat box counts as at least 1/1000 thick so that e stays
@@ -70,9 +71,10 @@ OccluderGrid OccluderGrid::build(const Hierarchy& hierarchy, const Config& confi
     grid.size_[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(extent[axis] / grid.edge_) + 1;
   }
 
-  const PolygonSoup& soup = hierarchy.soup();
-  grid.occluders_.reserve(soup.size());
-  for (std::size_t p = 0; p < soup.size(); ++p) grid.occluders_.push_back(potential_occluder(soup, p));
+  grid.occluders_.reserve(occluders.size());
+  for (std::size_t i = 0; i < occluders.size(); ++i) {
+    grid.occluders_.push_back(potential_occluder(soup, occluders.loop(i)));
+  }
 
   std::vector<std::size_t>& first = grid.first_;
   first.assign(grid.size_[0] * grid.size_[1] * grid.size_[2] + 1, 0);
@@ -80,11 +82,11 @@ OccluderGrid OccluderGrid::build(const Hierarchy& hierarchy, const Config& confi
     grid.for_each_region(o, config.threshold, [&](std::size_t region) { ++first[region + 1]; });
   }
   for (std::size_t r = 1; r < first.size(); ++r) first[r] += first[r - 1];
-  grid.polygons_.resize(first.back());
+  grid.lists_.resize(first.back());
   std::vector<std::size_t> end(first.begin(), first.end() - 1);
-  for (std::size_t p = 0; p < soup.size(); ++p) {
-    grid.for_each_region(grid.occluders_[p], config.threshold,
-                         [&](std::size_t region) { grid.polygons_[end[region]++] = static_cast<std::uint32_t>(p); });
+  for (std::size_t i = 0; i < occluders.size(); ++i) {
+    grid.for_each_region(grid.occluders_[i], config.threshold,
+                         [&](std::size_t region) { grid.lists_[end[region]++] = static_cast<std::uint32_t>(i); });
   }
   return grid;
 }
@@ -102,7 +104,7 @@ std::array<std::size_t, 3> OccluderGrid::region_of(const glm::dvec3& point) cons
 std::span<const std::uint32_t> OccluderGrid::list(const glm::dvec3& point) const {
   const auto [x, y, z] = region_of(point);
   const std::size_t region = index(x, y, z);
-  return std::span(polygons_).subspan(first_[region], first_[region + 1] - first_[region]);
+  return std::span(lists_).subspan(first_[region], first_[region + 1] - first_[region]);
 }
 
 }  // namespace occlude::culler

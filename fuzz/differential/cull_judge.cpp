@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "border.h"
 #include "to_oracle.h"
 
 namespace occlude::fuzz {
@@ -46,6 +47,7 @@ class CullJudge {
  public:
   CullJudge(const culler::Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& result)
       : hierarchy_(culler.hierarchy()),
+        occluders_(culler.occluders()),
         camera_(camera),
         options_(options),
         result_(result),
@@ -136,30 +138,43 @@ class CullJudge {
 
   std::string fault_of_shadow_cull(const Culled& culled) {
     const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
-    const std::uint32_t index = culled.index, polygon = result_.occluders[index].polygon;
-    if (polygon >= hierarchy_.soup().size()) return "an occluder is no polygon of the model";
-    if (polygon >= node.first && polygon - node.first < node.count) return "an occluder culls itself";
-    if (is_clipped(polygon)) return "the near plane clips an occluder";
+    const std::uint32_t index = culled.index, region = result_.occluders[index].region;
+    if (region >= occluders_.size()) return "there is no such occluder";
+    for (const std::uint32_t part : occluders_.parts(region)) {
+      if (part >= node.first && part - node.first < node.count) return "an occluder culls itself";
+    }
+    if (!is_drawn_as_its_parts(region)) return "an occluder is not what is drawn of it";
+    if (is_clipped(region)) return "the near plane clips an occluder";
     if (!shadows_[index]) shadows_[index] = shadow(result_.occluders[index]);
     const std::string refuted = shadows_[index]->refute_cull(to_oracle(hierarchy_.volume(culled.node)));
     return refuted.empty() ? "" : "culled by shadow: " + refuted;
   }
 
-  bool is_clipped(std::uint32_t polygon) const {
+  Polygon polygon(std::span<const std::uint32_t> loop) const {
+    Polygon result;
+    for (const std::uint32_t index : loop) result.push_back(to_kernel(hierarchy_.soup().vertices[index]));
+    return result;
+  }
+
+  bool is_drawn_as_its_parts(std::uint32_t region) const {
+    std::vector<Polygon> parts;
+    for (const std::uint32_t part : occluders_.parts(region)) parts.push_back(polygon(hierarchy_.soup().loop(part)));
+    return have_border(parts, polygon(occluders_.loop(region)));
+  }
+
+  bool is_clipped(std::uint32_t region) const {
     const dvec3 forward = camera_.axes().forward;
-    return std::ranges::any_of(hierarchy_.soup().loop(polygon), [&](std::uint32_t index) {
+    return std::ranges::any_of(occluders_.loop(region), [&](std::uint32_t index) {
       return glm::dot(hierarchy_.soup().vertices[index] - camera_.eye, forward) < camera_.near;
     });
   }
 
   oracle::Shadow shadow(const culler::Occluder& occluder) const {
-    oracle::Loop loop;
-    for (const std::uint32_t index : hierarchy_.soup().loop(occluder.polygon)) {
-      loop.push_back(to_oracle(to_kernel(hierarchy_.soup().vertices[index])));
-    }
     const bool perspective = camera_.projection == culler::Projection::perspective;
     const kernel::Vec3 viewpoint = to_kernel(perspective ? camera_.eye : camera_.axes().forward);
-    return {{to_oracle(viewpoint), !perspective}, loop, to_oracle(options_.near, {occluder.frustum})};
+    return {{to_oracle(viewpoint), !perspective},
+            to_oracle(polygon(occluders_.loop(occluder.region))),
+            to_oracle(options_.near, {occluder.frustum})};
   }
 
   /// How far from the eye the model reaches.
@@ -170,6 +185,7 @@ class CullJudge {
   }
 
   const Hierarchy& hierarchy_;
+  const culler::ConvexRegions& occluders_;
   const Camera& camera_;
   const CullOptions& options_;
   const CullResult& result_;

@@ -38,14 +38,18 @@ void add_loop(PolygonSoup& soup, const std::vector<dvec3>& loop) {
   soup.add_polygon(indices);
 }
 
-/// A rectangle along two axes, its sides up to `size`.
+/// A rectangle along two axes, its sides up to `size`; or its two halves, flat or bent so little that they pass for it.
 void add_wall(Random& random, PolygonSoup& soup, int reach, int size) {
   const int axis = random.integer(0, 2);
   dvec3 along{}, across{};
   along[(axis + 1) % 3] = random.integer(1, size);
   across[(axis + 2) % 3] = random.integer(1, size);
-  const dvec3 corner = lattice_point(random, reach);
-  add_loop(soup, {corner, corner + along, corner + along + across, corner + across});
+  const dvec3 corner = lattice_point(random, reach), opposite = corner + along + across;
+  if (random.chance(0.5)) return add_loop(soup, {corner, corner + along, opposite, corner + across});
+  dvec3 last = corner + across;
+  if (random.chance(0.5)) last[axis] += random.integer(-2, 2) * 0x1p-13;
+  add_loop(soup, {corner, corner + along, opposite});
+  add_loop(soup, {corner, opposite, last});
 }
 
 void add_triangle(Random& random, PolygonSoup& soup, int reach) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "proof.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,6 +10,7 @@
 #include <limits>
 #include <mutex>
 
+#include "differential/border.h"
 #include "differential/to_oracle.h"
 #include "json_input.h"
 
@@ -73,10 +76,10 @@ oracle::Near near_of(const Json& near) {
           to_oracle(vec3(member(near, "point"), "point"))};
 }
 
-Occluder occluder_of(const Json& object) {
+const Json& occluder_of(const Json& object) {
   const Json& occluders = member(object, "occluders");
   if (!occluders.is_array() || occluders.size() != 1) throw LineError("\"occluders\": expected one occluder");
-  return occluder(occluders[0]);
+  return occluders[0];
 }
 
 /// The polygons that are drawn of the occluder.
@@ -102,11 +105,10 @@ std::array<double, 4> plane_of(const Json& object) {
   return coefficients;
 }
 
-std::array<std::size_t, 2> triangles_of(const Json& object) {
-  const Json& triangles = member(object, "triangles");
+std::array<std::size_t, 2> run_of(const Json& triangles, const char* name) {
   if (!triangles.is_array() || triangles.size() != 2 || !triangles[0].is_number_unsigned() ||
       !triangles[1].is_number_unsigned()) {
-    throw LineError("\"triangles\": expected [first, count]");
+    throw LineError(fmt::format("\"{}\": expected [first, count]", name));
   }
   return {triangles[0].get<std::size_t>(), triangles[1].get<std::size_t>()};
 }
@@ -133,7 +135,7 @@ std::string Prover::prove(std::string_view line) const {
   if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return "no such frame";
   const culler::Camera camera = path_.camera(frame.get<std::size_t>(), aspect_);
 
-  const auto [first, count] = triangles_of(object);
+  const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return "no such triangles";
   const Box box = cli::box(object);
@@ -155,9 +157,13 @@ std::string Prover::prove(std::string_view line) const {
   if (view.is_eye() != perspective || view.value != kernel::Vec3{expected.x, expected.y, expected.z}) {
     return "the viewpoint is not the frame's";
   }
-  const Occluder occluder = occluder_of(object);
+  const Json& described = occluder_of(object);
+  const Occluder occluder = cli::occluder(described);
+  const bool is_joined = described.contains("parts");
   for (const Polygon& polygon : polygons_of(occluder)) {
-    if (!is_model_polygon_outside(polygon, first, count)) return "the occluder is not of the model outside the subtree";
+    if (!(is_joined ? is_joined_outside(polygon, described["parts"], first, count)
+                    : is_model_polygon_outside(polygon, first, count)))
+      return "the occluder is not of the model outside the subtree";
     if (is_clipped(polygon, camera)) return "the renderer clips the occluder";
   }
   return oracle::refute_shadow_cull(to_oracle(view), to_oracle(occluder), near_of(member(object, "near")), to_oracle(box));
@@ -231,6 +237,30 @@ bool Prover::is_model_polygon_outside(const Polygon& loop, std::size_t first, st
     if (outside && is_polygon(p)) return true;
   }
   return false;
+}
+
+Polygon Prover::polygon(std::size_t p) const {
+  Polygon loop;
+  for (const std::uint32_t index : hierarchy_.soup().loop(p)) {
+    const glm::dvec3& v = hierarchy_.soup().vertices[index];
+    loop.push_back({v.x, v.y, v.z});
+  }
+  return loop;
+}
+
+bool Prover::is_joined_outside(const Polygon& loop, const Json& parts, std::size_t first, std::size_t count) const {
+  if (!parts.is_array()) throw LineError("\"parts\": expected a list of [first, count]");
+  std::vector<Polygon> polygons;
+  for (const Json& part : parts) {
+    const auto [from, length] = run_of(part, "parts");
+    const auto at = std::lower_bound(first_triangle_.begin(), first_triangle_.end(), from);
+    // A polygon, all of it.
+    if (at == first_triangle_.end() || *at != from || std::next(at) == first_triangle_.end()) return false;
+    if (*std::next(at) - from != length) return false;
+    if (from < first + count && first < from + length) return false;
+    polygons.push_back(polygon(static_cast<std::size_t>(at - first_triangle_.begin())));
+  }
+  return fuzz::have_border(polygons, loop);
 }
 
 }  // namespace occlude::cli

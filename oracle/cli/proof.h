@@ -28,8 +28,8 @@ class Prover {
   /// - the triangles named exist and lie in the box named;
   /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
-  ///   planes, the occluder is a polygon of the model that is not among the triangles, or a polytope all of whose faces are
-  ///   such polygons, and the renderer clips none of it.
+  ///   planes, the occluder is a polygon of the model that is not among the triangles, or the loop about such polygons
+  ///   ("parts"), or a polytope all of whose faces are such polygons, and the renderer clips none of it.
   [[nodiscard]] std::string prove(std::string_view line) const;
 
  private:
@@ -39,6 +39,10 @@ class Prover {
   [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
+  /// Whether the loop is the border of the polygons whose triangles `parts` lists, none of them among those triangles.
+  [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
+                                       std::size_t count) const;
+  [[nodiscard]] Polygon polygon(std::size_t p) const;
 
   const culler::Hierarchy& hierarchy_;
   const render::CameraPath& path_;

@@ -110,7 +110,9 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
       if (culled.by != Culled::By::shadow) continue;
       const Hierarchy::Node& node = culler.hierarchy().nodes()[culled.node];
       const Occluder& occluder = frame.occluders[culled.index];
-      ASSERT_FALSE(occluder.polygon >= node.first && occluder.polygon < node.first + node.count) << "hides itself";
+      for (const std::uint32_t part : culler.occluders().parts(occluder.region)) {
+        ASSERT_FALSE(part >= node.first && part < node.first + node.count) << "hides itself";
+      }
       for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
         for (const std::uint32_t index : soup.loop(p)) {
           const glm::dvec3& v = soup.vertices[index];
@@ -121,6 +123,13 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
       }
     }
   }
+}
+
+/// The polygon of the input that is the occluder.
+std::uint32_t original(const Culler& culler, const Occluder& occluder) {
+  const auto parts = culler.occluders().parts(occluder.region);
+  EXPECT_EQ(parts.size(), 1U);
+  return culler.hierarchy().original(parts[0]);
 }
 
 bool is_drawn(const Culler& culler, const CullResult& frame, std::uint32_t original) {
@@ -157,7 +166,7 @@ TEST(Culler, HidesWhatIsBehindAWallAndNothingElse) {
   only_the_wall.occluders = 1;
   const CullResult frame = look(culler, only_the_wall);
   ASSERT_EQ(frame.occluders.size(), 1U);
-  ASSERT_EQ(culler.hierarchy().original(frame.occluders[0].polygon), 0U);
+  ASSERT_EQ(original(culler, frame.occluders[0]), 0U);
   EXPECT_TRUE(is_drawn(culler, frame, 0));
   EXPECT_FALSE(is_drawn(culler, frame, 1));
   EXPECT_TRUE(is_drawn(culler, frame, 2));
@@ -207,7 +216,7 @@ TEST(Culler, WhatTheNearPlaneClipsAwayDoesNotHide) {
   const Culler culler = one_polygon_leaves(soup);
   const CullResult frame = look(culler);
   EXPECT_TRUE(is_drawn(culler, frame, 2));
-  for (const Occluder& o : frame.occluders) EXPECT_EQ(culler.hierarchy().original(o.polygon), 2U);
+  for (const Occluder& o : frame.occluders) EXPECT_EQ(original(culler, o), 2U);
 }
 
 TEST(Culler, EyeWithinAnOccluderPlaneOrBoxIsHarmless) {
@@ -246,8 +255,8 @@ TEST(Culler, AnOccluderInAnothersShadowIsNotChosen) {
   const Culler culler = one_polygon_leaves(soup);
   const CullResult frame = look(culler);
   ASSERT_EQ(frame.occluders.size(), 2U);
-  EXPECT_EQ(culler.hierarchy().original(frame.occluders[0].polygon), 0U);
-  EXPECT_EQ(culler.hierarchy().original(frame.occluders[1].polygon), 2U);
+  EXPECT_EQ(original(culler, frame.occluders[0]), 0U);
+  EXPECT_EQ(original(culler, frame.occluders[1]), 2U);
 }
 
 TEST(Culler, ZeroOccludersIsViewFrustumCulling) {

@@ -13,8 +13,13 @@ namespace {
 
 using namespace occlude::culler;
 
+OccluderGrid grid_over(const Hierarchy& hierarchy, const OccluderGrid::Config& config) {
+  const PolygonSoup& soup = hierarchy.soup();
+  return OccluderGrid::build(soup, ConvexRegions::find(soup), hierarchy.nodes()[0].box, config);
+}
+
 TEST(AreaAngle, IsAreaTimesCosineOverSquaredDistance) {
-  const PotentialOccluder wall{{10, 0, 0}, {4, 0, 0}};
+  const PotentialOccluder wall{{10, 0, 0}, {4, 0, 0}, {}};
   EXPECT_DOUBLE_EQ(wall.area_angle({0, 0, 0}), 0.04);
   EXPECT_DOUBLE_EQ(wall.area_angle({20, 0, 0}), 0.04);  // hides from both sides
   EXPECT_DOUBLE_EQ(wall.area_angle({10, 5, 0}), 0);     // edge-on
@@ -22,11 +27,11 @@ TEST(AreaAngle, IsAreaTimesCosineOverSquaredDistance) {
   EXPECT_EQ(wall.area_angle({10, 0, 0}), 0);
 }
 
-TEST(OccluderGrid, ListsEveryPolygonAboveTheThreshold) {
+TEST(OccluderGrid, ListsEveryOccluderAboveTheThreshold) {
   const PolygonSoup soup = random_town(11, 2000);
   const Hierarchy hierarchy = Hierarchy::build(soup, {});
   const OccluderGrid::Config config{.threshold = 0.05, .regions = 4096};
-  const OccluderGrid grid = OccluderGrid::build(hierarchy, config);
+  const OccluderGrid grid = grid_over(hierarchy, config);
   std::mt19937 random(5);
   std::size_t above = 0, listed = 0;
   for (int i = 0; i < 300; ++i) {
@@ -45,17 +50,17 @@ TEST(OccluderGrid, ListsEveryPolygonAboveTheThreshold) {
 
 TEST(OccluderGrid, PointsOutsideTheModelGoToTheNearestRegion) {
   const PolygonSoup soup = random_town(3, 500);
-  const OccluderGrid grid = OccluderGrid::build(Hierarchy::build(soup, {}), {});
+  const OccluderGrid grid = grid_over(Hierarchy::build(soup, {}), {});
   EXPECT_EQ(grid.list({1e9, -1e9, 1e9}).data(), grid.list({1e12, -1e12, 1e12}).data());
 }
 
 TEST(OccluderGrid, FlatAndDegenerateModels) {
   PolygonSoup flat;
   add_wall(flat, 1, 0, 1, 0, 1);
-  EXPECT_EQ(OccluderGrid::build(Hierarchy::build(flat, {}), {}).list({1, 0.5, 0.5}).size(), 1U);
+  EXPECT_EQ(grid_over(Hierarchy::build(flat, {}), {}).list({1, 0.5, 0.5}).size(), 1U);
   PolygonSoup point;
   add(point, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
-  EXPECT_EQ(OccluderGrid::build(Hierarchy::build(point, {}), {}).entries(), 0U);
+  EXPECT_EQ(grid_over(Hierarchy::build(point, {}), {}).entries(), 0U);
 }
 
 }  // namespace

@@ -33,19 +33,22 @@ std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const cull
   return ranges;
 }
 
-std::vector<PolygonRange> occluder_ranges(const culler::CullResult& result) {
+std::vector<PolygonRange> occluder_ranges(const culler::Culler& culler, const culler::CullResult& result) {
   std::vector<PolygonRange> ranges;
-  for (const culler::Occluder& occluder : result.occluders) ranges.push_back({occluder.polygon, 1});
+  for (const culler::Occluder& occluder : result.occluders) {
+    for (const std::uint32_t polygon : culler.occluders().parts(occluder.region)) ranges.push_back({polygon, 1});
+  }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return ranges;
 }
 
 /// How far what matters to the frame reaches: two fifths of what it draws are nearer. Most of the rest is far and small.
 double depth_of_scene(const culler::Culler& culler, const culler::Camera& camera, const std::vector<PolygonRange>& drawn) {
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
   std::vector<double> distances;
   for (const PolygonRange& range : drawn) {
     for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
-      distances.push_back(glm::distance(culler.grid().occluder(p).centre, camera.eye));
+      distances.push_back(glm::distance(soup.vertices[soup.loop(p)[0]], camera.eye));
     }
   }
   if (distances.empty()) return 1;
@@ -134,7 +137,7 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
     std::vector<Line> lines;
     add_frustum(lines, camera, depth);
     add_shadows(lines, result, camera, depth);
-    const auto occluders = occluder_ranges(result);
+    const auto occluders = occluder_ranges(culler, result);
     const auto shadowed = culled_ranges(culler, result, culler::Culled::By::shadow);
     const auto out_of_view = culled_ranges(culler, result, culler::Culled::By::view);
     // Occluders first: they are part of what is drawn, and where two surfaces coincide the first one stays.

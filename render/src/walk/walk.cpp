@@ -120,7 +120,7 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
         box);
     if (!options.on_shadow_test) return;
     ShadowTest test{frame, occluder.frustum.viewpoint(), {}, options.cull.near, box};
-    for (const std::uint32_t index : soup.loop(occluder.polygon)) {
+    for (const std::uint32_t index : culler.occluders().loop(occluder.region)) {
       const glm::dvec3& v = soup.vertices[index];
       test.polygon.push_back({v.x, v.y, v.z});
     }

@@ -28,16 +28,29 @@ std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near)
   return near == kernel::Near::farthest ? R"("farthest")" : R"("surface")";
 }
 
+/// What is drawn of an occluder that is not one polygon of the model: the triangles of its parts.
+std::string parts_member(const culler::Hierarchy& hierarchy, std::span<const std::uint32_t> parts) {
+  if (parts.size() == 1) return "";
+  std::string runs;
+  for (const std::uint32_t part : parts) {
+    const std::size_t first = hierarchy.first_triangle(part);
+    runs += fmt::format("{}[{},{}]", runs.empty() ? "" : ",", first, hierarchy.first_triangle(part + 1) - first);
+  }
+  return fmt::format(R"(,"parts":[{}])", runs);
+}
+
 /// `"by":"shadow",...` for each occluder of the frame.
 std::vector<std::string> shadow_members(const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
-  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  const culler::Hierarchy& hierarchy = culler.hierarchy();
+  const culler::PolygonSoup& soup = hierarchy.soup();
   std::vector<std::string> members;
   for (const culler::Occluder& occluder : result.occluders) {
     std::string polygon;
-    for (const std::uint32_t index : soup.loop(occluder.polygon)) {
+    for (const std::uint32_t index : culler.occluders().loop(occluder.region)) {
       polygon += (polygon.empty() ? "" : ",") + triple(soup.vertices[index]);
     }
-    members.push_back(fmt::format(R"("by":"shadow","occluders":[{{"polygon":[{}]}}],"near":{})", polygon,
+    members.push_back(fmt::format(R"("by":"shadow","occluders":[{{"polygon":[{}]{}}}],"near":{})", polygon,
+                                  parts_member(hierarchy, culler.occluders().parts(occluder.region)),
                                   near_member(occluder.frustum, near)));
   }
   return members;

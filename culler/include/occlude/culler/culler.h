@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "occlude/culler/camera.h"
+#include "occlude/culler/convex_regions.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_grid.h"
 #include "occlude/kernel/shadow_frustum.h"
@@ -22,9 +23,9 @@ struct CullOptions {
   kernel::Test test = kernel::Test::conservative;
 };
 
-/// An occluder in use: a polygon of Culler::hierarchy().soup() and its shadow.
+/// An occluder in use: a region of Culler::occluders() and its shadow.
 struct Occluder {
-  std::uint32_t polygon = 0;
+  std::uint32_t region = 0;
   kernel::ShadowFrustum frustum;
 };
 
@@ -74,10 +75,16 @@ class Culler {
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
+  /// What may be an occluder, of the polygons of hierarchy().soup().
+  [[nodiscard]] const ConvexRegions& occluders() const { return occluders_; }
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
 
  private:
+  template <class ShadowTest>
+  CullResult cull_frame(const Camera& camera, const CullOptions& options, ShadowTest&& shadow_test) const;
+
   Hierarchy hierarchy_;
+  ConvexRegions occluders_;
   OccluderGrid grid_;
 };
 

@@ -62,7 +62,6 @@ class Hierarchy {
   }
   /// Number of nodes whose volume is an OBB.
   [[nodiscard]] std::size_t oriented() const { return oriented_boxes_.size(); }
-  [[nodiscard]] const kernel::Aabb& box(std::size_t polygon) const { return boxes_[polygon]; }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -71,7 +70,6 @@ class Hierarchy {
 
   PolygonSoup soup_;
   std::vector<std::uint32_t> order_;
-  std::vector<kernel::Aabb> boxes_;
   std::vector<Node> nodes_;
   std::vector<kernel::Obb> oriented_boxes_;
   std::vector<std::uint32_t> oriented_;  ///< of each node, the index in oriented_boxes_ or kNone; empty with Bounds::aabb

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "border.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+
+namespace occlude::fuzz {
+namespace {
+
+using Corner = std::array<double, 3>;
+
+Corner corner(const kernel::Vec3& v) { return {v.x + 0, v.y + 0, v.z + 0}; }  // -0 is 0
+
+/// How often an edge is run through from the lesser end to the greater, less the times it is the other way.
+class Edges {
+ public:
+  void add(const Polygon& loop, int times) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Corner a = corner(loop[i]), b = corner(loop[(i + 1) % loop.size()]);
+      if (a < b) count_[{a, b}] += times;
+      if (b < a) count_[{b, a}] -= times;
+    }
+  }
+  [[nodiscard]] bool cancel() const {
+    return std::ranges::all_of(count_, [](const auto& edge) { return edge.second == 0; });
+  }
+
+ private:
+  std::map<std::array<Corner, 2>, int> count_;
+};
+
+}  // namespace
+
+bool have_border(std::span<const Polygon> parts, const Polygon& loop) {
+  Edges edges;
+  edges.add(loop, -1);
+  for (const Polygon& part : parts) {
+    edges.add(part, 1);
+    for (const kernel::Vec3& v : part) {
+      if (std::ranges::find(loop, v) == loop.end()) return false;
+    }
+  }
+  return edges.cancel();
+}
+
+}  // namespace occlude::fuzz
