@@ -88,7 +88,7 @@ std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup
   // thick enough to have a volume, and its numbers legal.
   const double size = std::max({std::fabs(fit.low.x), std::fabs(fit.low.y), std::fabs(fit.low.z), std::fabs(fit.high.x),
                                 std::fabs(fit.high.y), std::fabs(fit.high.z)});
-  constexpr int kMostTries = 6;  // to 2^-40, a millionth of what single precision shows
+  constexpr int kMostTries = 6;  // to 2^-40, far below what single precision shows (2^-24)
   double slack = std::max(0x1p-50 * size, 4 * kernel::kMinMagnitude);
   for (int i = 0; i < kMostTries; ++i, slack *= 4) {
     for (int k = 0; k < 3; ++k) box.half_edges[static_cast<std::size_t>(k)] = to_kernel((half[k] + slack) * fit.axes[k]);
