@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace occlude::culler {
 namespace {
 
-/// How far two polygons may be bent along their edge and count as flat, about a milliradian: the near plane of the
+/// The least cosine between the mean normals of what is joined, about a milliradian at every join: the near plane of the
 /// region's shadow lies beyond all of it, and a bend moves that back.
 constexpr double kFlat = 1 - 0x1p-21;
-/// The least sine of the turn at the ends of an edge across which polygons are joined. A corner that rounding may turn
-/// the other way would make the region useless from half of all viewpoints.
+/// The least sine of the turn at the ends of an edge across which polygons are joined, unless the way goes straight on. A
+/// corner that rounding may turn the other way would make the region useless from half of all viewpoints.
 constexpr double kTurn = 0x1p-20;
 /// Planes of a shadow cost time at every test; few walls have more sides.
 constexpr std::uint32_t kMostSides = 32;
@@ -148,10 +147,13 @@ class Merging {
     return area;
   }
 
-  /// Whether the way from a side to another, which begins where it ends, turns with the area by more than this sine.
+  /// Whether the way from a side to another, which begins where it ends, turns with the area by more than this sine, or goes
+  /// straight on.
   [[nodiscard]] bool turns(std::uint32_t side, std::uint32_t other, const glm::dvec3& area, double least) const {
     const glm::dvec3 u = sides_.to(side) - sides_.from(side), v = sides_.to(other) - sides_.from(other);
-    return glm::dot(glm::cross(u, v), area) >= least * glm::length(u) * glm::length(v) * glm::length(area);
+    const double turn = glm::dot(glm::cross(u, v), area);
+    if (turn == 0) return glm::dot(u, v) >= 0;
+    return turn >= least * glm::length(u) * glm::length(v) * glm::length(area);
   }
 
   void try_to_join(std::uint32_t side, std::uint32_t twin) {
@@ -175,25 +177,31 @@ class Merging {
 }  // namespace
 
 ConvexRegions ConvexRegions::find(const PolygonSoup& soup) {
-  Merging merging(soup);
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> number(soup.size(), kNone);  // of the set's region
+  const auto count = static_cast<std::uint32_t>(soup.size());
   ConvexRegions result;
-  // Regions are numbered by their first parts, and their parts counted.
-  for (std::uint32_t p = 0; p < soup.size(); ++p) {
-    const std::uint32_t set = merging.set_of(p);
-    if (number[set] == kNone) {
-      number[set] = static_cast<std::uint32_t>(result.size());
-      merging.append_loop(set, result.vertices_);
-      result.first_vertex_.push_back(static_cast<std::uint32_t>(result.vertices_.size()));
-      result.first_polygon_.push_back(0);
+  result.vertices_ = soup.indices;
+  result.first_vertex_ = soup.first;
+  result.polygons_.resize(count);
+  result.first_polygon_.resize(count + 1);
+  std::iota(result.polygons_.begin(), result.polygons_.end(), 0U);
+  std::iota(result.first_polygon_.begin(), result.first_polygon_.end(), 0U);
+  result.whole_ = result.polygons_;
+
+  Merging merging(soup);
+  std::vector<std::uint32_t> by_set = result.polygons_;
+  std::ranges::stable_sort(by_set, {}, [&](std::uint32_t p) { return merging.set_of(p); });
+  for (std::size_t first = 0, end = 0; first < count; first = end) {
+    const std::uint32_t set = merging.set_of(by_set[first]);
+    while (end < count && merging.set_of(by_set[end]) == set) ++end;
+    if (end - first == 1) continue;
+    for (std::size_t i = first; i < end; ++i) {
+      result.whole_[by_set[i]] = static_cast<std::uint32_t>(result.size());
+      result.polygons_.push_back(by_set[i]);
     }
-    ++result.first_polygon_[number[set] + 1];
+    merging.append_loop(set, result.vertices_);
+    result.first_vertex_.push_back(static_cast<std::uint32_t>(result.vertices_.size()));
+    result.first_polygon_.push_back(static_cast<std::uint32_t>(result.polygons_.size()));
   }
-  std::partial_sum(result.first_polygon_.begin(), result.first_polygon_.end(), result.first_polygon_.begin());
-  std::vector<std::uint32_t> end(result.first_polygon_.begin(), result.first_polygon_.end() - 1);
-  result.polygons_.resize(soup.size());
-  for (std::uint32_t p = 0; p < soup.size(); ++p) result.polygons_[end[number[merging.set_of(p)]]++] = p;
   return result;
 }
 

@@ -143,14 +143,14 @@ Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config) {
 /// crossed so much less often that it pays.
 constexpr double kWorthwhile = 0.8;
 
-/// Bottom-up: a leaf tries the axes of its largest polygon, an inner node those of both its children.
+/// Bottom-up: a leaf tries the edges of its largest polygon, an inner node the axes of both its children.
 void Hierarchy::fit_oriented_boxes() {
   std::vector<BoxAxes> axes(nodes_.size());
   oriented_.assign(nodes_.size(), kNone);
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     const Node& node = nodes_[i];
     const PolygonRange polygons{node.first, node.count};
-    Fit best = fit_along(node.is_leaf() ? axes_of_largest(soup_, polygons) : axes[i + 1], soup_, polygons);
+    Fit best = node.is_leaf() ? fit_along_largest(soup_, polygons) : fit_along(axes[i + 1], soup_, polygons);
     if (!node.is_leaf()) {
       const Fit other = fit_along(axes[node.right], soup_, polygons);
       if (other.half_area < best.half_area) best = other;

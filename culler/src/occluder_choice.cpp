@@ -29,7 +29,7 @@ bool out_of_view(const kernel::Aabb& box, std::span<const HalfSpace> view) {
   });
 }
 
-/// The camera's view of a polygon in steradians, or for parallel rays its area as projected over the picture's.
+/// The camera's view of a region in steradians, or for parallel rays its area as projected over the picture's.
 double score(const PotentialOccluder& occluder, const Camera& camera, const glm::dvec3& forward) {
   if (camera.projection == Projection::perspective) return occluder.area_angle(camera.eye);
   return std::fabs(glm::dot(occluder.area_normal, forward)) / (camera.height * camera.height * camera.aspect);
@@ -59,6 +59,14 @@ bool clipped_by_near_plane(std::span<const kernel::Vec3> loop, const Camera& cam
   });
 }
 
+/// A polygon whose whole is an occluder already adds nothing. It looks smaller than its whole and comes later; where that
+/// was refused or clipped, the polygon may still do.
+bool is_part_of_chosen(const std::vector<Occluder>& chosen, const ConvexRegions& regions, std::uint32_t region) {
+  if (regions.parts(region).size() > 1) return false;
+  const std::uint32_t whole = regions.whole(regions.parts(region)[0]);
+  return whole != region && std::ranges::find(chosen, whole, &Occluder::region) != chosen.end();
+}
+
 bool in_shadow_of(const std::vector<Occluder>& chosen, const kernel::Aabb& box) {
   return std::any_of(chosen.begin(), chosen.end(), [&](const Occluder& o) {
     return kernel::conservative_certified(o.frustum, box, kernel::NearBoundary::open).relation == kernel::Relation::inside;
@@ -85,7 +93,10 @@ std::vector<Occluder> choose_occluders(const PolygonSoup& soup, const ConvexRegi
     heap.pop_back();
     loop.clear();
     for (const std::uint32_t i : regions.loop(region)) loop.push_back(to_kernel(soup.vertices[i]));
-    if (clipped_by_near_plane(loop, camera, forward) || in_shadow_of(chosen, grid.occluder(region).box)) continue;
+    if (is_part_of_chosen(chosen, regions, region) || clipped_by_near_plane(loop, camera, forward) ||
+        in_shadow_of(chosen, grid.occluder(region).box)) {
+      continue;
+    }
     auto [frustum, refusal] = kernel::ShadowFrustum::make(viewpoint, loop, options.near);
     if (frustum) chosen.push_back({region, std::move(*frustum)});
   }

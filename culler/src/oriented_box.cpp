@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -26,14 +27,37 @@ glm::dvec3 doubled_area(const PolygonSoup& soup, std::size_t polygon) {
   return sum;
 }
 
-glm::dvec3 longest_edge(const PolygonSoup& soup, std::size_t polygon) {
-  const auto loop = soup.loop(polygon);
-  glm::dvec3 longest{0, 0, 0};
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const glm::dvec3 edge = soup.vertices[loop[(i + 1) % loop.size()]] - soup.vertices[loop[i]];
-    if (glm::dot(edge, edge) > glm::dot(longest, longest)) longest = edge;
+/// Components below this are dropped: with the smallest half edges they would leave the kernel's legal range, and the box
+/// is widened by more than they tilt it.
+constexpr double kNegligible = 0x1p-52;
+
+/// Along the edge from `from` to `to` as far as it lies in the plane with this normal, across it, and the normal; the
+/// coordinate axes where there is no such edge or plane.
+BoxAxes axes_along(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& normal) {
+  const double length = glm::length(normal);
+  if (!(length > 0)) return kCoordinateAxes;
+  const glm::dvec3 n = normal / length, edge = to - from, along = edge - glm::dot(edge, n) * n;
+  // An edge more across the plane than in it says nothing about the plane.
+  if (!(2 * glm::dot(along, along) > glm::dot(edge, edge))) return kCoordinateAxes;
+  BoxAxes axes{glm::normalize(along), glm::normalize(glm::cross(n, along)), n};
+  for (glm::dvec3& axis : axes) {
+    for (int k = 0; k < 3; ++k) {
+      if (std::fabs(axis[k]) < kNegligible) axis[k] = 0;
+    }
   }
-  return longest;
+  return axes;
+}
+
+std::size_t largest_polygon(const PolygonSoup& soup, const PolygonRange& polygons) {
+  std::size_t largest = polygons.first;
+  double square = 0;
+  for (std::size_t p = polygons.first; p < std::size_t{polygons.first} + polygons.count; ++p) {
+    const glm::dvec3 area = doubled_area(soup, p);
+    if (glm::dot(area, area) <= square) continue;
+    square = glm::dot(area, area);
+    largest = p;
+  }
+  return largest;
 }
 
 template <class Take>
@@ -50,23 +74,6 @@ bool holds_all(const kernel::Obb& box, const PolygonSoup& soup, const PolygonRan
 
 }  // namespace
 
-BoxAxes axes_of_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
-  glm::dvec3 area{0, 0, 0};
-  std::size_t largest = polygons.first;
-  for (std::size_t p = polygons.first; p < std::size_t{polygons.first} + polygons.count; ++p) {
-    const glm::dvec3 candidate = doubled_area(soup, p);
-    if (glm::dot(candidate, candidate) <= glm::dot(area, area)) continue;
-    area = candidate;
-    largest = p;
-  }
-  const glm::dvec3 edge = longest_edge(soup, largest);
-  const double length = glm::length(area) * glm::length(edge);
-  // Not so where squares overflow or nothing has an area; the comparison is false of NaN.
-  if (!(length > 0 && length < std::numeric_limits<double>::infinity())) return kCoordinateAxes;
-  const glm::dvec3 normal = area / glm::length(area), across = glm::cross(normal, edge / glm::length(edge));
-  return {glm::cross(across, normal), across, normal};
-}
-
 Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Fit fit{axes, glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
@@ -78,6 +85,21 @@ Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& 
   const glm::dvec3 extent = fit.high - fit.low;
   fit.half_area = extent.x * extent.y + extent.y * extent.z + extent.z * extent.x;
   return fit;
+}
+
+Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
+  // A triangle's edges are the diagonal of a wall and its two sides; further edges of many repeat the first.
+  constexpr std::size_t kMostEdges = 8;
+  const std::size_t largest = largest_polygon(soup, polygons);
+  const auto loop = soup.loop(largest);
+  const glm::dvec3 normal = doubled_area(soup, largest);
+  Fit best = fit_along(kCoordinateAxes, soup, polygons);
+  for (std::size_t i = 0; i < std::min(loop.size(), kMostEdges); ++i) {
+    const glm::dvec3 &from = soup.vertices[loop[i]], &to = soup.vertices[loop[(i + 1) % loop.size()]];
+    const Fit fit = fit_along(axes_along(from, to, normal), soup, polygons);
+    if (fit.half_area < best.half_area) best = fit;
+  }
+  return best;
 }
 
 std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup, const PolygonRange& polygons) {

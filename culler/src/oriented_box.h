@@ -3,10 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <span>
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
@@ -15,10 +14,6 @@ namespace occlude::culler {
 
 /// Orthonormal up to rounding.
 using BoxAxes = std::array<glm::dvec3, 3>;
-
-/// Along the longest edge of the largest of the polygons, across it in the polygon, and the polygon's normal: what is built
-/// stands along its walls. The coordinate axes where no polygon has an area.
-[[nodiscard]] BoxAxes axes_of_largest(const PolygonSoup& soup, const PolygonRange& polygons);
 
 /// A box along some axes, and half its surface.
 struct Fit {
@@ -29,6 +24,10 @@ struct Fit {
 
 /// The smallest box along these axes, up to rounding.
 [[nodiscard]] Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons);
+
+/// The smallest of the boxes along an edge of the largest of the polygons and along its normal: what is built stands along
+/// its walls.
+[[nodiscard]] Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons);
 
 /// The oriented box of the fit, widened until it holds every vertex of the polygons exactly; none where that takes too much,
 /// or numbers beyond the kernel's legal range.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The traversal of section 5: one descent of the hierarchy culls by the view frustum, culls by the shadow frusta and draws.
 //
-// It knows no frusta and no boxes: two callables classify a node against half-space or shadow i. A half-space that a box is inside
-// of, and a shadow that it is outside of, are dropped below that node; any number of either can be active.
+// It knows no frusta and no boxes: two callables classify a node against half-space or shadow i. A half-space that a node
+// is inside of, and a shadow that it is outside of, are dropped below it; any number of either can be active.
 #pragma once
 
 #include <cstddef>

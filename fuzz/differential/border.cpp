@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <set>
 
 namespace occlude::fuzz {
 namespace {
@@ -36,11 +37,11 @@ class Edges {
 bool have_border(std::span<const Polygon> parts, const Polygon& loop) {
   Edges edges;
   edges.add(loop, -1);
+  std::set<Corner> corners;
+  for (const kernel::Vec3& v : loop) corners.insert(corner(v));
   for (const Polygon& part : parts) {
     edges.add(part, 1);
-    for (const kernel::Vec3& v : part) {
-      if (std::ranges::find(loop, v) == loop.end()) return false;
-    }
+    if (!std::ranges::all_of(part, [&](const kernel::Vec3& v) { return corners.contains(corner(v)); })) return false;
   }
   return edges.cancel();
 }

@@ -12,7 +12,7 @@
 namespace occlude::harness {
 namespace {
 
-/// A wall, and behind it a row of triangles.
+/// A wall in one piece and one in two, and behind them a row of triangles.
 culler::PolygonSoup small_model() {
   culler::PolygonSoup soup;
   const auto add = [&](std::initializer_list<glm::dvec3> polygon) {
@@ -21,6 +21,8 @@ culler::PolygonSoup small_model() {
     soup.add_polygon(loop);
   };
   add({{2, -2, -2}, {2, 2, -2}, {2, 2, 2}, {2, -2, 2}});
+  add({{3, -2, -2}, {3, 2, -2}, {3, 2, 2}});
+  add({{3, -2, -2}, {3, 2, 2}, {3, -2, 2}});
   for (int i = -4; i <= 4; ++i) add({{4, i, 0}, {5, i, 0}, {4, i, 1}});
   return soup;
 }

@@ -160,10 +160,11 @@ std::string Prover::prove(std::string_view line) const {
   const Json& described = occluder_of(object);
   const Occluder occluder = cli::occluder(described);
   const bool is_joined = described.contains("parts");
+  if (is_joined && !std::holds_alternative<Polygon>(occluder)) throw LineError("\"parts\": only a polygon has them");
   for (const Polygon& polygon : polygons_of(occluder)) {
-    if (!(is_joined ? is_joined_outside(polygon, described["parts"], first, count)
-                    : is_model_polygon_outside(polygon, first, count)))
-      return "the occluder is not of the model outside the subtree";
+    const bool is_drawn = is_joined ? is_joined_outside(polygon, described["parts"], first, count)
+                                    : is_model_polygon_outside(polygon, first, count);
+    if (!is_drawn) return "the occluder is not of the model outside the subtree";
     if (is_clipped(polygon, camera)) return "the renderer clips the occluder";
   }
   return oracle::refute_shadow_cull(to_oracle(view), to_oracle(occluder), near_of(member(object, "near")), to_oracle(box));

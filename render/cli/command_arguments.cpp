@@ -64,7 +64,7 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
           ->capture_default_str()
           ->check(CLI::Range(std::size_t{0}, kMostOccluders)),
       choice("--near", near_, {"surface", "farthest"},
-             "where a shadow begins: at the polygon, or at its farthest vertex (the paper's)"),
+             "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
       choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
       choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
       choice("--bounds", bounds_, {"aabb", "obb"},

@@ -38,6 +38,7 @@ for i in $(seq 0 63); do
   faces+="4 $((4 * i)) $((4 * i + 1)) $((4 * i + 2)) $((4 * i + 3))\n"
 done
 ply good.ply 256 64 "$vertices$faces"
+split_vertices=$vertices split_faces=${faces#*\\n}
 path='{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}'
 echo "$path" >path.json
 
@@ -109,6 +110,25 @@ grep -q '"box":{"center":' oriented.jsonl || fail "walk --bounds obb: no oriente
 grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not in the summary"
 "$occlude" validate slanting.ply --path path.json --witness oriented.jsonl >stdout 2>&1 || fail "oriented: $(cat stdout)"
 "$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
+grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in the report"
+
+# A wall of two triangles is one occluder; its witnesses list both.
+ply split.ply 256 65 "${split_vertices}3 0 1 2\\n3 0 2 3\\n$split_faces"
+"$occlude" walk split.ply --path path.json --out split --no-render --occluders 1 --witness split.jsonl >/dev/null || fail "walk split.ply"
+"$occlude" validate split.ply --path path.json --witness split.jsonl >stdout 2>&1 || fail "split: $(cat stdout)"
+grep '"parts":\[\[[0-9]*,1\],\[[0-9]*,1\]\]' split.jsonl | head -1 >true.jsonl
+[ -s true.jsonl ] || fail "the two halves of a wall are no occluder together"
+for lie in 's/"parts":\[\[[0-9]*,1\],/"parts":[/' 's/"parts":[^}]*/"parts":[]/' 's/"parts":\[\[\([0-9]*\),1\]/"parts":[[\1,2]/' \
+  's/\("triangles":\)\[[0-9]*,[0-9]*\]/\1[0,130]/' 's/,"parts":[^}]*//' 's/"parts":\[\[[0-9]*,1\]/"parts":[[999999,1]/'; do
+  sed "$lie" true.jsonl >lie.jsonl
+  cmp -s true.jsonl lie.jsonl && fail "no lie: $lie"
+  "$occlude" validate split.ply --path path.json --witness lie.jsonl >/dev/null 2>stderr
+  [ $? -eq 1 ] || fail "validate believed $lie: $(cat stderr)"
+done
+for nonsense in 'null' '[[0]]' '{}' '[["a","b"]]'; do
+  sed "s/\"parts\":[^}]*/\"parts\":$nonsense/" true.jsonl >lie.jsonl
+  expect_error 'lie.jsonl:1: "parts"' "$occlude" validate split.ply --path path.json --witness lie.jsonl
+done
 
 # Parallel projection, without a far plane.
 echo '{"frames":5,"projection":"orthographic","height":3,"keyframes":[{"eye":[0,0.1,0.2],"target":[3,1,0.5]},{"eye":[0.5,0,0],"target":[7,-0.4,0.1]}]}' >parallel.json

@@ -105,6 +105,30 @@ TEST(Hierarchy, OrientedBoxesWhereTheyAreSmaller) {
   }
 }
 
+/// Triangles have a diagonal, and corners may lie out of their plane.
+TEST(Hierarchy, OrientedBoxesAlongWallsOfTrianglesAndBentOnes) {
+  for (const double bend : {0.0, 1e-9, 1e-6, 1e-3}) {
+    PolygonSoup soup;
+    for (int i = 0; i < 16; ++i) {
+      const glm::dvec3 p{i, 0, 0}, q{i + 5, 5, 0}, up{0, 0, 7}, out{bend, -bend, 0};
+      add(soup, {p, q, q + up});
+      add(soup, {p, q + up, p + up + out});
+      add(soup, {p, q, q + up, p + up + out});
+    }
+    const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1, .bounds = Bounds::obb});
+    check(soup, hierarchy, 1);
+    for (std::uint32_t n = 0; n < hierarchy.nodes().size(); ++n) {
+      if (!hierarchy.nodes()[n].is_leaf()) continue;
+      const Box volume = hierarchy.volume(n);
+      const auto* const box = std::get_if<occlude::kernel::Obb>(&volume);
+      ASSERT_NE(box, nullptr) << "bend " << bend;
+      double smallest = 1e9;
+      for (const auto& [x, y, z] : box->half_edges) smallest = std::min(smallest, glm::length(glm::dvec3{x, y, z}));
+      EXPECT_LE(smallest, bend + 1e-12);
+    }
+  }
+}
+
 TEST(Hierarchy, CoincidingPolygonsAreSplitAllTheSame) {
   PolygonSoup soup;
   for (int i = 0; i < 5000; ++i) add_wall(soup, 1, 0, 1, 0, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What can hide: the convex regions of the soup (section 4). A wall comes as two triangles, a roof as ten; merged they are
-// one occluder that hides more than all its parts one by one. Only occluders are merged, never what is drawn. Reading
-// order: 4.
+// What can hide: the convex regions of the soup (section 4). A wall comes as two triangles, a roof as ten; joined they are
+// one occluder, which hides what each of them does and what only some of them do together. Joined for hiding, never for
+// drawing. Reading order: 4.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,21 @@
 
 namespace occlude::culler {
 
-/// Region r is a polygon, or polygons joined edge to edge, flat and convex up to rounding: whoever takes its loop for an
-/// occluder has the kernel decide exactly whether it is one. The parts fill the loop without a vertex inside it, so that
-/// they hide from any viewpoint from which the loop is convex what any other polygons within the same loop do.
+/// Region r below the number of polygons is polygon r; those after them are joined of several, edge to edge. A joined region
+/// is convex and nearly flat up to rounding: whether its loop is an occluder for a viewpoint the kernel decides exactly.
+///
+/// Two things hold exactly of the parts of a region: every edge but those of the loop is run through as often one way as the
+/// other, and all their corners are corners of the loop. So a loop that is convex from a viewpoint hides no more than its
+/// parts do: seen from there, the triangles drawn of them cover all that the loop, their border, winds around; and what is
+/// on one side of a plane with all corners of the loop is so with all of the triangles.
 class ConvexRegions {
  public:
-  /// Every polygon of the soup is part of exactly one region. REQUIRES: a soup that is not empty.
+  /// REQUIRES: a soup that is not empty, of finite coordinates.
   [[nodiscard]] static ConvexRegions find(const PolygonSoup& soup);
 
   [[nodiscard]] std::size_t size() const { return first_vertex_.size() - 1; }
+  /// The largest region that the polygon is part of: a joined one, or itself.
+  [[nodiscard]] std::uint32_t whole(std::uint32_t polygon) const { return whole_[polygon]; }
   /// The corners, as vertices of the soup, in order.
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t r) const {
     return std::span(vertices_).subspan(first_vertex_[r], first_vertex_[r + 1] - first_vertex_[r]);
@@ -34,6 +40,7 @@ class ConvexRegions {
  private:
   std::vector<std::uint32_t> vertices_, first_vertex_ = {0};
   std::vector<std::uint32_t> polygons_, first_polygon_ = {0};
+  std::vector<std::uint32_t> whole_;
 };
 
 }  // namespace occlude::culler

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The preprocess of section 4.1: a uniform grid over the model, each region with its list of potential occluders.
+// The preprocess of section 4.1: a uniform grid over the model, each cell (the paper's region) with its list of potential
+// occluders.
 // Reading order: 5.
 #pragma once
 
