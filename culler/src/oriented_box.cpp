@@ -113,7 +113,10 @@ std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup
   constexpr int kMostTries = 6;  // to 2^-40, far below what single precision shows (2^-24)
   double slack = std::max(0x1p-50 * size, 4 * kernel::kMinMagnitude);
   for (int i = 0; i < kMostTries; ++i, slack *= 4) {
-    for (int k = 0; k < 3; ++k) box.half_edges[static_cast<std::size_t>(k)] = to_kernel((half[k] + slack) * fit.axes[k]);
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      box.half_edges[axis] = to_kernel((half[k] + slack) * fit.axes[axis]);
+    }
     if (kernel::check(box) != kernel::Refusal::none) return std::nullopt;
     if (holds_all(box, soup, polygons)) return box;
   }
