@@ -21,7 +21,7 @@ Loop corners(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t 
   Loop loop;
   for (const std::uint32_t i : regions.loop(r)) loop.push_back(soup.vertices[i]);
   const auto key = [](const glm::dvec3& v) { return std::array{v.x, v.y, v.z}; };
-  std::ranges::rotate(loop, std::ranges::min_element(loop, {}, key));
+  std::rotate(loop.begin(), std::ranges::min_element(loop, {}, key), loop.end());  // clang 14 has no ranges::rotate
   return loop;
 }
 
