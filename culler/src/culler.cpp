@@ -43,26 +43,30 @@ kernel::Decision decide(const Occluder& occluder, const Box& box, const CullOpti
 
 }  // namespace
 
-/// One frame, the shadow tests done by `shadow_test(occluder, box)`.
+/// The descent of a frame whose half-spaces and occluders are known, the shadow tests done by `shadow_test(occluder, box)`.
 template <class ShadowTest>
-CullResult Culler::cull_frame(const Camera& camera, const CullOptions& options, ShadowTest&& shadow_test) const {
-  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
-  CullResult result;
-  result.view = view_frustum(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
-  result.occluders = choose_occluders(hierarchy_.soup(), occluders_, grid_, camera, result.view, options, result.stats);
-
+void Culler::traverse(CullResult& frame, const CullOptions& options, ShadowTest&& shadow_test) const {
   std::vector<kernel::HalfSpace> planes;
-  for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
+  for (const HalfSpace& h : frame.view) planes.push_back({to_kernel(h.normal), h.offset});
   auto test_view = [&](std::uint32_t i, std::uint32_t node) {
     return hierarchy_.ask(node, [&](const auto& box) { return kernel::relation(planes[i], box, options.arithmetic); });
   };
   auto test_shadow = [&](std::uint32_t i, std::uint32_t node) {
     const kernel::Decision decision =
-        hierarchy_.ask(node, [&](const auto& box) { return shadow_test(result.occluders[i], box); });
-    if (decision.stage == kernel::Stage::exact) ++result.stats.exact_shadow_tests;
+        hierarchy_.ask(node, [&](const auto& box) { return shadow_test(frame.occluders[i], box); });
+    if (decision.stage == kernel::Stage::exact) ++frame.stats.exact_shadow_tests;
     return decision.relation;
   };
-  Traversal(hierarchy_, test_view, test_shadow, result).run();
+  Traversal(hierarchy_, test_view, test_shadow, frame).run();
+}
+
+CullResult Culler::cull_frame(const Camera& camera, const CullOptions& options, const OccluderHistory& history) const {
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
+  CullResult result;
+  result.view = view_frustum(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
+  result.occluders =
+      choose_occluders(hierarchy_.soup(), occluders_, grid_, history, camera, result.view, options, result.stats);
+  traverse(result, options, [&](const Occluder& occluder, const auto& box) { return decide(occluder, box, options); });
   return result;
 }
 
@@ -72,17 +76,24 @@ Culler::Culler(const PolygonSoup& soup, const Config& config)
       grid_(OccluderGrid::build(hierarchy_.soup(), occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
-  const auto test = [&](const Occluder& occluder, const auto& box) { return decide(occluder, box, options); };
-  return cull_frame(camera, options, test);
+  return cull_frame(camera, options, OccluderHistory());
 }
 
-void Culler::visit_shadow_tests(const Camera& camera, const CullOptions& options,
+CullResult Culler::cull(const Camera& camera, const CullOptions& options, OccluderHistory& history) const {
+  CullResult result = cull_frame(camera, options, history);
+  history.record(occluders_.size(), result.occluders);
+  return result;
+}
+
+void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                                 const std::function<void(const Occluder& occluder, const Box& box)>& visit) const {
-  const auto visit_and_test = [&](const Occluder& occluder, const auto& box) {
+  CullResult again;
+  again.view = frame.view;
+  again.occluders = frame.occluders;
+  traverse(again, options, [&](const Occluder& occluder, const auto& box) {
     visit(occluder, box);
     return decide(occluder, box, options);
-  };
-  static_cast<void>(cull_frame(camera, options, visit_and_test));
+  });
 }
 
 }  // namespace occlude::culler

@@ -73,34 +73,79 @@ bool in_shadow_of(const std::vector<Occluder>& chosen, const kernel::Aabb& box) 
   });
 }
 
+/// Takes candidates as long as there is room.
+class Choice {
+ public:
+  Choice(const PolygonSoup& soup, const ConvexRegions& regions, const OccluderGrid& grid, const Camera& camera,
+         const CullOptions& options)
+      : soup_(soup), regions_(regions), grid_(grid), camera_(camera), options_(options), forward_(camera.axes().forward) {}
+
+  /// The best `most` of them that can be occluders, and no more than there is room for.
+  void take(std::vector<Candidate>& candidates, std::size_t most) {
+    const auto worse = [](const Candidate& a, const Candidate& b) { return b < a; };
+    std::make_heap(candidates.begin(), candidates.end(), worse);
+    while (!candidates.empty() && most > 0 && chosen_.size() < options_.occluders) {
+      std::pop_heap(candidates.begin(), candidates.end(), worse);
+      if (take(candidates.back().region)) --most;
+      candidates.pop_back();
+    }
+  }
+
+  [[nodiscard]] std::vector<Occluder> chosen() && { return std::move(chosen_); }
+
+ private:
+  bool take(std::uint32_t region) {
+    loop_.clear();
+    for (const std::uint32_t i : regions_.loop(region)) loop_.push_back(to_kernel(soup_.vertices[i]));
+    if (is_part_of_chosen(chosen_, regions_, region) || clipped_by_near_plane(loop_, camera_, forward_) ||
+        in_shadow_of(chosen_, grid_.occluder(region).box)) {
+      return false;
+    }
+    const bool perspective = camera_.projection == Projection::perspective;
+    const auto viewpoint =
+        perspective ? kernel::Viewpoint::eye(to_kernel(camera_.eye)) : kernel::Viewpoint::direction(to_kernel(forward_));
+    auto [frustum, refusal] = kernel::ShadowFrustum::make(viewpoint, loop_, options_.near);
+    if (frustum) chosen_.push_back({region, std::move(*frustum)});
+    return frustum.has_value();
+  }
+
+  const PolygonSoup& soup_;
+  const ConvexRegions& regions_;
+  const OccluderGrid& grid_;
+  const Camera& camera_;
+  const CullOptions& options_;
+  glm::dvec3 forward_;
+  std::vector<kernel::Vec3> loop_;
+  std::vector<Occluder> chosen_;
+};
+
+/// Of eight occluders three are tried, whatever the others hid: with fewer the good ones are found too late, with more they
+/// have no room.
+std::size_t proven_share(std::size_t occluders) { return occluders - occluders * 3 / 8; }
+
 }  // namespace
 
 std::vector<Occluder> choose_occluders(const PolygonSoup& soup, const ConvexRegions& regions, const OccluderGrid& grid,
-                                       const Camera& camera, std::span<const HalfSpace> view, const CullOptions& options,
-                                       CullStats& stats) {
-  std::vector<Occluder> chosen;
-  if (options.occluders == 0) return chosen;
-  const glm::dvec3 forward = camera.axes().forward;
-  const auto viewpoint = camera.projection == Projection::perspective ? kernel::Viewpoint::eye(to_kernel(camera.eye))
-                                                                      : kernel::Viewpoint::direction(to_kernel(forward));
-  std::vector<Candidate> heap = candidates(grid, camera, view, stats);
-  const auto worse = [](const Candidate& a, const Candidate& b) { return b < a; };
-  std::make_heap(heap.begin(), heap.end(), worse);
-  std::vector<kernel::Vec3> loop;
-  while (!heap.empty() && chosen.size() < options.occluders) {
-    std::pop_heap(heap.begin(), heap.end(), worse);
-    const std::uint32_t region = heap.back().region;
-    heap.pop_back();
-    loop.clear();
-    for (const std::uint32_t i : regions.loop(region)) loop.push_back(to_kernel(soup.vertices[i]));
-    if (is_part_of_chosen(chosen, regions, region) || clipped_by_near_plane(loop, camera, forward) ||
-        in_shadow_of(chosen, grid.occluder(region).box)) {
-      continue;
+                                       const OccluderHistory& history, const Camera& camera, std::span<const HalfSpace> view,
+                                       const CullOptions& options, CullStats& stats) {
+  if (options.occluders == 0) return {};
+  std::vector<Candidate> proven, untried, idle;
+  for (const Candidate& candidate : candidates(grid, camera, view, stats)) {
+    const auto hidden = history.hidden(candidate.region);
+    if (!hidden) {
+      untried.push_back(candidate);
+    } else if (*hidden != 0) {
+      proven.push_back({static_cast<double>(*hidden), candidate.region});
+    } else {
+      idle.push_back(candidate);
     }
-    auto [frustum, refusal] = kernel::ShadowFrustum::make(viewpoint, loop, options.near);
-    if (frustum) chosen.push_back({region, std::move(*frustum)});
   }
-  return chosen;
+  Choice choice(soup, regions, grid, camera, options);
+  choice.take(proven, proven_share(options.occluders));
+  choice.take(untried, options.occluders);
+  choice.take(proven, options.occluders);
+  choice.take(idle, options.occluders);
+  return std::move(choice).chosen();
 }
 
 }  // namespace occlude::culler

@@ -74,6 +74,7 @@ class Traversal {
   bool cull(std::uint32_t index, const Hierarchy::Node& node, Culled::By by, std::uint32_t reason) {
     result_.culled.push_back({index, by, reason});
     (by == Culled::By::view ? result_.stats.view_culled_polygons : result_.stats.shadow_culled_polygons) += node.count;
+    if (by == Culled::By::shadow) result_.occluders[reason].hidden += node.count;
     return true;
   }
 

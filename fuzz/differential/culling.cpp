@@ -197,7 +197,9 @@ void run_culling(std::uint64_t seed, Report& report) {
     return fault(drawn).empty() ? std::optional(drawn) : std::nullopt;
   });
   const CullOptions options = some_options(random);
-  const CullResult result = culler.cull(camera, options);
+  culler::OccluderHistory history;
+  if (random.chance(0.5)) static_cast<void>(culler.cull(camera, options, history));
+  const CullResult result = culler.cull(camera, options, history);
   const culler::CullStats& stats = result.stats;
   report.tally.cases += soup.size();
   report.tally.relations[0] += stats.shadow_culled_polygons;

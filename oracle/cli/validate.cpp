@@ -109,11 +109,13 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
   Outcome outcome;
   std::vector<std::string> lines;
   std::vector<Place> places;
+  culler::OccluderHistory history;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     render::check_interrupt();
     const culler::Camera camera = path.camera(frames[i], render::aspect(options));
     lines.clear();
-    render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull), options.cull.near);
+    render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull, history),
+                             options.cull.near);
     for (std::string& line : lines) places.push_back({std::move(line), fmt::format("frame {}", frames[i])});
     if (places.size() >= kBatch || i + 1 == frames.size()) {
       prove_all(prover, places, outcome);

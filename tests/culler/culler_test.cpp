@@ -336,12 +336,51 @@ TEST(Culler, VisitsEveryShadowTest) {
   const CullResult frame = culler.cull(camera, {});
   const CullOptions options;
   kernel::Operations operations;
-  culler.visit_shadow_tests(camera, options, [&](const Occluder& occluder, const Box& box) {
+  culler.visit_shadow_tests(frame, options, [&](const Occluder& occluder, const Box& box) {
     operations += kernel::count_operations(occluder.frustum, std::get<kernel::Aabb>(box), options.arithmetic, options.test);
   });
   EXPECT_EQ(operations.tests, frame.stats.shadow_tests);
   EXPECT_GE(operations.dot, 2 * operations.tests);
   EXPECT_EQ(operations.cross, 0U);
+}
+
+/// A pavement that looks large and hides nothing, and a wall that looks small and hides a hundred polygons.
+TEST(Culler, HistoryFindsWhatHides) {
+  PolygonSoup soup;
+  for (int i = 0; i < 4; ++i) add(soup, {{i, -9, -1}, {i + 1, -9, -1}, {i + 1, 9, -1}, {i, 9, -1}});
+  add_wall(soup, 8, -1, 1, -0.5, 1);
+  for (int i = 0; i < 100; ++i) add_wall(soup, 10 + i, -0.5, 0.5, -0.2, 0.5);
+  const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+  Camera camera;
+  camera.target = {1, 0, 0};
+  camera.fov_y_deg = 120;
+  const CullOptions options{.occluders = 3};
+  EXPECT_EQ(culler.cull(camera, options).stats.shadow_culled_polygons, 0U) << "the pavement looks larger";
+  OccluderHistory history;
+  std::size_t culled = 0;
+  for (int frame = 0; frame < 3; ++frame) culled = culler.cull(camera, options, history).stats.shadow_culled_polygons;
+  EXPECT_EQ(culled, 100U);
+  // And it stays found.
+  for (int frame = 0; frame < 50; ++frame) {
+    const CullResult result = culler.cull(camera, options, history);
+    ASSERT_EQ(result.stats.shadow_culled_polygons, 100U) << "frame " << frame;
+    ASSERT_EQ(original(culler, result.occluders[0]), 4U);
+    ASSERT_EQ(result.occluders[0].hidden, 100U);
+  }
+}
+
+TEST(OccluderHistory, RemembersForAWhile) {
+  OccluderHistory history;
+  EXPECT_EQ(history.hidden(7), std::nullopt);
+  const std::vector<Occluder> used{{.region = 7, .frustum = {}, .hidden = 42}};
+  history.record(10, used);
+  EXPECT_EQ(history.hidden(7), 42U);
+  EXPECT_EQ(history.hidden(6), std::nullopt);
+  for (int frame = 0; frame < 16; ++frame) {
+    EXPECT_EQ(history.hidden(7), 42U);
+    history.record(10, {});
+  }
+  EXPECT_EQ(history.hidden(7), std::nullopt);
 }
 
 }  // namespace

@@ -124,9 +124,13 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
                                     const std::vector<FrameRecord>& frames, const culler::CullOptions& options) {
   SceneRenderer renderer(culler.hierarchy().soup(), kWidth, kHeight);
   std::vector<DrawnPlate> plates;
-  for (const std::size_t frame : moments(frames)) {
+  const std::vector<std::size_t> chosen = moments(frames);
+  culler::OccluderHistory history;
+  for (const FrameRecord& record : frames) {
+    const std::size_t frame = record.frame;
     const culler::Camera camera = path.camera(frame, static_cast<double>(kWidth) / kHeight);
-    const culler::CullResult result = culler.cull(camera, options);
+    const culler::CullResult result = culler.cull(camera, options, history);
+    if (std::find(chosen.begin(), chosen.end(), frame) == chosen.end()) continue;
     const std::string name = fmt::format("frame_{:06}", frame);
 
     const Layer drawn{result.drawn, std::nullopt};

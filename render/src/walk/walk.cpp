@@ -47,17 +47,21 @@ class Walker {
     view_only_.arithmetic = options.cull.arithmetic;
   }
 
-  /// Culls, draws and compares one frame; `culled` receives what occlusion culling did.
-  FrameRecord frame(std::size_t frame, bool reference, culler::CullResult& culled) const {
+  /// Culls, draws and compares one frame; `culled` receives what occlusion culling did, `history` is that of the frames
+  /// before.
+  FrameRecord frame(std::size_t frame, bool reference, culler::OccluderHistory& history, culler::CullResult& culled) const {
     FrameRecord record;
     record.frame = frame;
     const culler::Camera camera = path_.camera(frame, aspect(options_));
     culler::CullResult viewed;
     Picture full, picture;
     const auto with_view_frustum = [&] {
-      viewed = timed(camera, view_only_, record.view_frustum_cull_ms, record.view_frustum_frame_ms, full);
+      culler::OccluderHistory none;
+      viewed = timed(camera, view_only_, none, record.view_frustum_cull_ms, record.view_frustum_frame_ms, full);
     };
-    const auto with_occlusion = [&] { culled = timed(camera, options_.cull, record.cull_ms, record.frame_ms, picture); };
+    const auto with_occlusion = [&] {
+      culled = timed(camera, options_.cull, history, record.cull_ms, record.frame_ms, picture);
+    };
     // The order alternates so that neither method always finds the caches as the other left them.
     if (frame % 2 == 0) {
       with_view_frustum();
@@ -80,10 +84,10 @@ class Walker {
   }
 
  private:
-  culler::CullResult timed(const culler::Camera& camera, const culler::CullOptions& options, double& cull_ms,
-                           double& frame_ms, Picture& picture) const {
+  culler::CullResult timed(const culler::Camera& camera, const culler::CullOptions& options,
+                           culler::OccluderHistory& history, double& cull_ms, double& frame_ms, Picture& picture) const {
     const Clock::time_point start = Clock::now();
-    culler::CullResult result = culler_.cull(camera, options);
+    culler::CullResult result = culler_.cull(camera, options, history);
     cull_ms = milliseconds_since(start);
     if (renderer_) {
       const Layer layer{result.drawn, std::nullopt};
@@ -108,11 +112,11 @@ class Walker {
 };
 
 /// Counts the operations of the frame's shadow tests and shows these tests to whoever asked for them.
-kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::Camera& camera,
+kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::CullResult& culled,
                                       const WalkOptions& options) {
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
   kernel::Operations total;
-  culler.visit_shadow_tests(camera, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
+  culler.visit_shadow_tests(culled, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
     total += std::visit(
         [&](const auto& kind) {
           return kernel::count_operations(occluder.frustum, kind, options.cull.arithmetic, options.cull.test);
@@ -199,8 +203,12 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   }
   const Walker walker(culler, path, options, stage.renderer.get());
   const std::size_t reference_step = std::max<std::size_t>(1, frames.size() / kReferenceFrames);
-  culler::CullResult warm_up;  // the first picture pays for what the renderer prepares once
-  static_cast<void>(walker.frame(frames.front(), false, warm_up));
+  {
+    culler::OccluderHistory history;  // the first picture pays for what the renderer prepares once
+    culler::CullResult warm_up;
+    static_cast<void>(walker.frame(frames.front(), false, history, warm_up));
+  }
+  culler::OccluderHistory history;
   std::vector<std::string> lines;
   {
     Progress progress("frame", frames.size());
@@ -208,9 +216,9 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
       check_interrupt();
       const bool reference = i % reference_step == 0;
       culler::CullResult culled;
-      result.frames.push_back(walker.frame(frames[i], reference, culled));
+      result.frames.push_back(walker.frame(frames[i], reference, history, culled));
       const culler::Camera camera = path.camera(frames[i], aspect(options));
-      if (reference) result.operations += visit_shadow_tests(culler, frames[i], camera, options);
+      if (reference) result.operations += visit_shadow_tests(culler, frames[i], culled, options);
       if (reference && options.render) ++result.reference_frames;
       if (witness) {
         lines.clear();

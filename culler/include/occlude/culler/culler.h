@@ -11,6 +11,7 @@
 #include "occlude/culler/convex_regions.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_grid.h"
+#include "occlude/culler/occluder_history.h"
 #include "occlude/kernel/shadow_frustum.h"
 
 namespace occlude::culler {
@@ -27,6 +28,7 @@ struct CullOptions {
 struct Occluder {
   std::uint32_t region = 0;
   kernel::ShadowFrustum frustum;
+  std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took
 };
 
 /// A subtree that was not drawn, and why.
@@ -70,8 +72,13 @@ class Culler {
   /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().
   [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
-  /// Calls `visit` for every test of a box against a shadow that such a frame makes, in the order of the traversal.
-  void visit_shadow_tests(const Camera& camera, const CullOptions& options,
+  /// The same for the next frame of a camera that moves: occluders are chosen by what they hid in the frames before, which
+  /// culls far more. The history is read, and takes this frame down.
+  [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options, OccluderHistory& history) const;
+
+  /// Calls `visit` for every test of a box against a shadow that `frame` took, in the order of the traversal. `options` are
+  /// those of the frame.
+  void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
@@ -80,8 +87,10 @@ class Culler {
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
 
  private:
+  [[nodiscard]] CullResult cull_frame(const Camera& camera, const CullOptions& options,
+                                      const OccluderHistory& history) const;
   template <class ShadowTest>
-  CullResult cull_frame(const Camera& camera, const CullOptions& options, ShadowTest&& shadow_test) const;
+  void traverse(CullResult& frame, const CullOptions& options, ShadowTest&& shadow_test) const;
 
   Hierarchy hierarchy_;
   ConvexRegions occluders_;
