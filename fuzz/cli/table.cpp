@@ -49,8 +49,8 @@ constexpr std::string_view kLegend = R"(
 A case asks whether a box is inside a shadow, partly in it or out of it (occludees: a polytope; view_frustum: in half-spaces; culler:
 a polygon is culled by shadow, drawn, or culled by the view). Shares are of the cases that are legal; blank: nobody was asked.
 by exact    what the floating-point filter of `certified` left to its exact stage; of culler, polygons of such frames
-OURS wrong  cases (of culler, frames) in which we say what the oracle refutes, our two oracles differ, or a case file expects something else: 0, or it
-            is a defect
+OURS wrong  cases (of culler, frames) in which we say what the oracle refutes, our two oracles differ, or a case file expects
+            something else: 0, or it is a defect
 cons. left  of the boxes out, those that the conservative test leaves partial, as it may: it asks planes alone
 others      no part of the product: plain, the paper's double arithmetic; float32, the same in single precision; FMA, with fused
             multiply-adds. A wrong cull says inside of what is not: something visible would disappear. Any other wrong answer, a
