@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Small box arithmetic of the culler, and the border between GLM and the kernel.
+// Small arithmetic of boxes and loops, and the border between GLM and the kernel.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
@@ -38,6 +42,16 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
   kernel::Aabb box = empty_box();
   for (const std::uint32_t index : soup.loop(polygon)) grow(box, to_kernel(soup.vertices[index]));
   return box;
+}
+
+/// Twice the area of a loop of vertices, along its mean normal, up to rounding.
+[[nodiscard]] inline glm::dvec3 doubled_area(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+  const glm::dvec3& base = soup.vertices[loop[0]];
+  glm::dvec3 sum{0, 0, 0};
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    sum += glm::cross(soup.vertices[loop[i]] - base, soup.vertices[loop[i + 1]] - base);
+  }
+  return sum;
 }
 
 }  // namespace occlude::culler

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "bounds.h"
+
 namespace occlude::culler {
 namespace {
 
@@ -137,10 +139,7 @@ class Merging {
   /// Zero unless the polygon is convex.
   [[nodiscard]] glm::dvec3 area_of(std::uint32_t p) const {
     const std::uint32_t first = soup_.first[p], end = soup_.first[p + 1];
-    glm::dvec3 area{0, 0, 0};
-    for (std::uint32_t s = first; s < end; ++s) {
-      area += glm::cross(sides_.from(s) - sides_.from(first), sides_.to(s) - sides_.from(first));
-    }
+    const glm::dvec3 area = doubled_area(soup_, soup_.loop(p));
     for (std::uint32_t s = first; s < end; ++s) {
       if (!turns(sides_.previous(s), s, area, 0)) return {0, 0, 0};
     }

@@ -13,15 +13,13 @@ namespace {
 
 PotentialOccluder potential_occluder(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
   const glm::dvec3 base = soup.vertices[loop[0]];
-  glm::dvec3 sum{0, 0, 0}, doubled_area{0, 0, 0};
+  glm::dvec3 sum{0, 0, 0};
   kernel::Aabb box = empty_box();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    sum += soup.vertices[loop[i]] - base;
-    grow(box, to_kernel(soup.vertices[loop[i]]));
-    const glm::dvec3& next = soup.vertices[loop[(i + 1) % loop.size()]];
-    doubled_area += glm::cross(soup.vertices[loop[i]] - base, next - base);
+  for (const std::uint32_t i : loop) {
+    sum += soup.vertices[i] - base;
+    grow(box, to_kernel(soup.vertices[i]));
   }
-  return {base + sum / static_cast<double>(loop.size()), doubled_area / 2.0, box};
+  return {base + sum / static_cast<double>(loop.size()), doubled_area(soup, loop) / 2.0, box};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 
 #include "bounds.h"
 #include "occlude/kernel/containment.h"
@@ -15,17 +16,6 @@ namespace occlude::culler {
 namespace {
 
 constexpr BoxAxes kCoordinateAxes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
-
-/// Twice its area along its normal.
-glm::dvec3 doubled_area(const PolygonSoup& soup, std::size_t polygon) {
-  const auto loop = soup.loop(polygon);
-  const glm::dvec3& base = soup.vertices[loop[0]];
-  glm::dvec3 sum{0, 0, 0};
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    sum += glm::cross(soup.vertices[loop[i]] - base, soup.vertices[loop[i + 1]] - base);
-  }
-  return sum;
-}
 
 /// Components below this are dropped: with the smallest half edges they would leave the kernel's legal range, and the box
 /// is widened by more than they tilt it.
@@ -52,7 +42,7 @@ std::size_t largest_polygon(const PolygonSoup& soup, const PolygonRange& polygon
   std::size_t largest = polygons.first;
   double square = 0;
   for (std::size_t p = polygons.first; p < std::size_t{polygons.first} + polygons.count; ++p) {
-    const glm::dvec3 area = doubled_area(soup, p);
+    const glm::dvec3 area = doubled_area(soup, soup.loop(p));
     if (glm::dot(area, area) <= square) continue;
     square = glm::dot(area, area);
     largest = p;
@@ -60,16 +50,15 @@ std::size_t largest_polygon(const PolygonSoup& soup, const PolygonRange& polygon
   return largest;
 }
 
-template <class Take>
-void for_each_vertex(const PolygonSoup& soup, const PolygonRange& polygons, Take&& take) {
+/// Of all loops, one after another.
+std::span<const std::uint32_t> vertices_of(const PolygonSoup& soup, const PolygonRange& polygons) {
   const std::uint32_t begin = soup.first[polygons.first], end = soup.first[polygons.first + polygons.count];
-  for (std::uint32_t i = begin; i < end; ++i) take(soup.vertices[soup.indices[i]]);
+  return std::span(soup.indices).subspan(begin, end - begin);
 }
 
 bool holds_all(const kernel::Obb& box, const PolygonSoup& soup, const PolygonRange& polygons) {
-  const std::uint32_t begin = soup.first[polygons.first], end = soup.first[polygons.first + polygons.count];
-  return std::all_of(soup.indices.begin() + begin, soup.indices.begin() + end,
-                     [&](std::uint32_t i) { return kernel::contains(box, to_kernel(soup.vertices[i])); });
+  return std::ranges::all_of(vertices_of(soup, polygons),
+                             [&](std::uint32_t i) { return kernel::contains(box, to_kernel(soup.vertices[i])); });
 }
 
 }  // namespace
@@ -77,11 +66,12 @@ bool holds_all(const kernel::Obb& box, const PolygonSoup& soup, const PolygonRan
 Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Fit fit{axes, glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
-  for_each_vertex(soup, polygons, [&](const glm::dvec3& v) {
+  for (const std::uint32_t i : vertices_of(soup, polygons)) {
+    const glm::dvec3& v = soup.vertices[i];
     const glm::dvec3 along{glm::dot(axes[0], v), glm::dot(axes[1], v), glm::dot(axes[2], v)};
     fit.low = glm::min(fit.low, along);
     fit.high = glm::max(fit.high, along);
-  });
+  }
   const glm::dvec3 extent = fit.high - fit.low;
   fit.half_area = extent.x * extent.y + extent.y * extent.z + extent.z * extent.x;
   return fit;
@@ -92,7 +82,7 @@ Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
   constexpr std::size_t kMostEdges = 8;
   const std::size_t largest = largest_polygon(soup, polygons);
   const auto loop = soup.loop(largest);
-  const glm::dvec3 normal = doubled_area(soup, largest);
+  const glm::dvec3 normal = doubled_area(soup, loop);
   Fit best = fit_along(kCoordinateAxes, soup, polygons);
   for (std::size_t i = 0; i < std::min(loop.size(), kMostEdges); ++i) {
     const glm::dvec3 &from = soup.vertices[loop[i]], &to = soup.vertices[loop[(i + 1) % loop.size()]];

@@ -142,7 +142,8 @@ const Vec3& farthest_from_eye(const Case& c) {
 TEST(Families, WideFrustaHaveRaysBehindTheirNearPlane) {
   const auto has_ray_behind = [](const Case& c) {
     const Vec3 normal = minus(farthest_from_eye(c), c.viewpoint.value);
-    return std::ranges::any_of(vertices_of(c.occluder), [&](const Vec3& v) { return dot(minus(v, c.viewpoint.value), normal) <= 0; });
+    return std::ranges::any_of(vertices_of(c.occluder),
+                               [&](const Vec3& v) { return dot(minus(v, c.viewpoint.value), normal) <= 0; });
   };
   EXPECT_GT(count(Family::wide_frustum, has_ray_behind), kCases / 2);
   EXPECT_GT(count(Family::obb_wide_frustum, has_ray_behind), kCases / 2);
