@@ -59,8 +59,8 @@ bool clipped_by_near_plane(std::span<const kernel::Vec3> loop, const Camera& cam
   });
 }
 
-/// A polygon whose whole is an occluder already adds nothing. It looks smaller than its whole and comes later; where that
-/// was refused or clipped, the polygon may still do.
+/// A polygon whose whole is an occluder already adds nothing. Mostly it looks smaller than its whole and comes later; where
+/// that was refused or clipped, the polygon may still do.
 bool is_part_of_chosen(const std::vector<Occluder>& chosen, const ConvexRegions& regions, std::uint32_t region) {
   const std::uint32_t whole = regions.whole(regions.parts(region)[0]);
   return whole != region && std::ranges::find(chosen, whole, &Occluder::region) != chosen.end();

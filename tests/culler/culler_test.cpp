@@ -344,6 +344,31 @@ TEST(Culler, VisitsEveryShadowTest) {
   EXPECT_EQ(operations.cross, 0U);
 }
 
+/// A wall of two triangles beside the line of sight, the first with a corner at x = `nearest`, and a thing behind the
+/// second.
+PolygonSoup wall_of_two(double nearest) {
+  PolygonSoup soup;
+  add(soup, {{nearest, 2, -1}, {6, 2, -4}, {6, 2, 4}});
+  add(soup, {{6, 2, -4}, {8, 2, 0}, {6, 2, 4}});
+  add(soup, {{13, 4, -0.1}, {13.5, 4, -0.1}, {13.5, 4, 0.1}});
+  return soup;
+}
+
+TEST(Culler, PartsHideWhereTheirWholeCannot) {
+  Camera camera;
+  camera.target = {1, 0, 0};
+  camera.fov_y_deg = 120;
+  camera.near = 1;
+  for (const double nearest : {5.0, 0.5}) {
+    const Culler culler(wall_of_two(nearest), {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+    ASSERT_EQ(culler.occluders().size(), 4U);
+    const CullResult frame = culler.cull(camera);
+    EXPECT_FALSE(is_drawn(culler, frame, 2)) << "nearest " << nearest;
+    ASSERT_EQ(frame.occluders.size(), 1U) << "and nothing that adds nothing";
+    EXPECT_EQ(culler.occluders().parts(frame.occluders[0].region).size(), nearest < camera.near ? 1U : 2U);
+  }
+}
+
 /// A pavement that looks large and hides nothing, and a wall that looks small and hides a hundred polygons.
 TEST(Culler, HistoryFindsWhatHides) {
   PolygonSoup soup;
