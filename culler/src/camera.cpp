@@ -66,9 +66,8 @@ Camera::Axes Camera::axes() const {
   return {right, glm::cross(right, forward), forward};
 }
 
-std::vector<HalfSpace> view_frustum(const Camera& camera, double depth) {
+void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes) {
   const auto [right, up, forward] = camera.axes();
-  std::vector<HalfSpace> planes;
   if (camera.projection == Projection::perspective) {
     const double y = std::tan(glm::radians(camera.fov_y_deg) / 2) * (1 + kMargin);
     const double x = y * camera.aspect;
@@ -87,7 +86,6 @@ std::vector<HalfSpace> view_frustum(const Camera& camera, double depth) {
   if (std::isfinite(camera.far)) {
     planes.push_back(half_space(-forward, camera.eye + camera.far * (1 + kMargin) * forward, depth));
   }
-  return planes;
 }
 
 }  // namespace occlude::culler

@@ -5,13 +5,13 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bounds.h"
-#include "occlude/kernel/half_space.h"
-#include "occlude/kernel/overlap.h"
+#include "node_tests.h"
 #include "occlude/kernel/validity.h"
 #include "occluder_choice.h"
-#include "traverse.h"
+#include "view_memory.h"
 
 namespace occlude::culler {
 namespace {
@@ -35,65 +35,46 @@ double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
   return farthest.x + farthest.y + farthest.z;
 }
 
-/// What is coplanar with an occluder is drawn: the near plane is open.
-template <class Box>
-kernel::Decision decide(const Occluder& occluder, const Box& box, const CullOptions& options) {
-  return kernel::decide(occluder.frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
+auto volumes_of(const Hierarchy& hierarchy) {
+  return [&](std::uint32_t node, auto&& question) { return hierarchy.ask(node, question); };
 }
 
 }  // namespace
 
-/// The descent of a frame whose half-spaces and occluders are known, the shadow tests done by `shadow_test(occluder, box)`.
-template <class ShadowTest>
-void Culler::traverse(CullResult& frame, const CullOptions& options, ShadowTest&& shadow_test) const {
-  std::vector<kernel::HalfSpace> planes;
-  for (const HalfSpace& h : frame.view) planes.push_back({to_kernel(h.normal), h.offset});
-  auto test_view = [&](std::uint32_t i, std::uint32_t node) {
-    return hierarchy_.ask(node, [&](const auto& box) { return kernel::relation(planes[i], box, options.arithmetic); });
-  };
-  auto test_shadow = [&](std::uint32_t i, std::uint32_t node) {
-    const kernel::Decision decision =
-        hierarchy_.ask(node, [&](const auto& box) { return shadow_test(frame.occluders[i], box); });
-    if (decision.stage == kernel::Stage::exact) ++frame.stats.exact_shadow_tests;
-    return decision.relation;
-  };
-  Traversal(hierarchy_, test_view, test_shadow, frame).run();
-}
-
-CullResult Culler::cull_frame(const Camera& camera, const CullOptions& options, const OccluderHistory& history) const {
-  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
-  CullResult result;
-  result.view = view_frustum(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
-  result.occluders =
-      choose_occluders(hierarchy_.soup(), occluders_, grid_, history, camera, result.view, options, result.stats);
-  traverse(result, options, [&](const Occluder& occluder, const auto& box) { return decide(occluder, box, options); });
-  return result;
-}
-
 Culler::Culler(const PolygonSoup& soup, const Config& config)
     : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)),
-      occluders_(ConvexRegions::find(hierarchy_.soup())),
-      grid_(OccluderGrid::build(hierarchy_.soup(), occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
+      occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders)),
+      grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
+
+Culler::Culler(const PolygonSoup& soup, const Preprocess& preprocess)
+    : hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout)),
+      occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders)),
+      grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid, preprocess.lists)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
-  return cull_frame(camera, options, OccluderHistory());
+  View view;
+  cull(camera, options, view);
+  return std::move(view.memory().result);
 }
 
-CullResult Culler::cull(const Camera& camera, const CullOptions& options, OccluderHistory& history) const {
-  CullResult result = cull_frame(camera, options, history);
-  history.record(occluders_.size(), result.occluders);
-  return result;
+const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
+  View::Memory& memory = view.memory();
+  memory.begin_frame();
+  append_view_frustum(camera, depth(hierarchy_.nodes()[0].box, camera.eye), memory.result.view);
+  choose_occluders({hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
+  traverse(
+      hierarchy_.nodes(), volumes_of(hierarchy_), [](const Occluder&, const auto&) {}, options, memory);
+  memory.history.record(occluders_.size(), memory.result.occluders, memory.probes);
+  return memory.result;
 }
 
 void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                                 const std::function<void(const Occluder& occluder, const Box& box)>& visit) const {
-  CullResult again;
-  again.view = frame.view;
-  again.occluders = frame.occluders;
-  traverse(again, options, [&](const Occluder& occluder, const auto& box) {
-    visit(occluder, box);
-    return decide(occluder, box, options);
-  });
+  View::Memory memory;
+  memory.result.view = frame.view;
+  memory.result.occluders = frame.occluders;
+  traverse(hierarchy_.nodes(), volumes_of(hierarchy_), visit, options, memory);
 }
 
 }  // namespace occlude::culler

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "bounds.h"
@@ -123,20 +125,79 @@ PolygonSoup reordered(const PolygonSoup& soup, const std::vector<std::uint32_t>&
   return result;
 }
 
+bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t size) {
+  std::vector<bool> is_there(size);
+  for (const std::uint32_t i : order) {
+    if (i >= size || is_there[i]) return false;
+    is_there[i] = true;
+  }
+  return order.size() == size;
+}
+
+/// The nodes of a layout over `count` polygons, without their boxes.
+std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, std::uint32_t count) {
+  std::vector<Hierarchy::Node> nodes(left.size());
+  /// Subtrees that begin at the next node: their polygons, and the node whose right child they are, or kNoParent.
+  struct Pending {
+    std::uint32_t first, count;
+    std::size_t parent;
+  };
+  constexpr std::size_t kNoParent = std::numeric_limits<std::size_t>::max();
+  std::vector<Pending> pending{{0, count, kNoParent}};
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (pending.empty()) throw std::invalid_argument("the tree has more nodes than it holds together");
+    const Pending at = pending.back();
+    pending.pop_back();
+    if (at.parent != kNoParent) nodes[at.parent].right = static_cast<std::uint32_t>(i);
+    nodes[i].first = at.first;
+    nodes[i].count = at.count;
+    if (left[i] == 0) continue;
+    if (left[i] >= at.count) throw std::invalid_argument("a node of the tree has no polygon");
+    pending.push_back({at.first + left[i], at.count - left[i], i});
+    pending.push_back({at.first, left[i], kNoParent});
+  }
+  if (!pending.empty()) throw std::invalid_argument("the tree ends too early");
+  return nodes;
+}
+
 }  // namespace
+
+Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, std::vector<std::uint32_t> order,
+                     std::vector<Node> nodes)
+    : soup_(reordered(soup, order)), order_(std::move(order)), nodes_(std::move(nodes)) {
+  if (config.bounds == Bounds::obb) fit_oriented_boxes();
+}
 
 Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config) {
   std::vector<Aabb> boxes(soup.size());
   for (std::size_t p = 0; p < soup.size(); ++p) boxes[p] = polygon_box(soup, p);
+  std::vector<std::uint32_t> order(soup.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::vector<Node> nodes;
+  Builder{boxes, order, nodes, std::max(1U, config.leaf_size)}.build(0, static_cast<std::uint32_t>(soup.size()));
+  return Hierarchy(soup, config, std::move(order), std::move(nodes));
+}
 
-  Hierarchy hierarchy;
-  hierarchy.order_.resize(soup.size());
-  std::iota(hierarchy.order_.begin(), hierarchy.order_.end(), 0U);
-  Builder builder{boxes, hierarchy.order_, hierarchy.nodes_, std::max(1U, config.leaf_size)};
-  builder.build(0, static_cast<std::uint32_t>(soup.size()));
-  hierarchy.soup_ = reordered(soup, hierarchy.order_);
-  if (config.bounds == Bounds::obb) hierarchy.fit_oriented_boxes();
-  return hierarchy;
+Hierarchy::Layout Hierarchy::layout() const {
+  Layout layout{order_, {}};
+  for (std::size_t i = 0; i < nodes_.size(); ++i) layout.left.push_back(nodes_[i].is_leaf() ? 0 : nodes_[i + 1].count);
+  return layout;
+}
+
+Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, const Layout& layout) {
+  if (!is_permutation(layout.order, soup.size())) throw std::invalid_argument("the order is not one of this model");
+  std::vector<Node> nodes = nodes_of(layout.left, static_cast<std::uint32_t>(soup.size()));
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    Node& node = nodes[i];
+    if (!node.is_leaf()) {
+      node.box = nodes[i + 1].box;
+      grow(node.box, nodes[node.right].box);
+      continue;
+    }
+    node.box = empty_box();
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) grow(node.box, polygon_box(soup, layout.order[p]));
+  }
+  return Hierarchy(soup, config, layout.order, std::move(nodes));
 }
 
 /// An oriented box costs about twice as many operations as an axis-aligned one; below this share of its surface it is

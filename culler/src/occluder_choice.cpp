@@ -2,149 +2,241 @@
 #include "occluder_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "bounds.h"
 #include "occlude/kernel/overlap.h"
+#include "solid_angle.h"
 
 namespace occlude::culler {
 namespace {
 
-struct Candidate {
-  double score;
-  std::uint32_t region;
-
-  /// Best first; equals by their number, so that the choice never depends on the sorting algorithm.
-  friend bool operator<(const Candidate& a, const Candidate& b) {
-    return a.score != b.score ? a.score > b.score : a.region < b.region;
-  }
-};
-
-/// Whether the box is beyond one of the half-spaces. A heuristic question: rounding may answer it either way.
-bool out_of_view(const kernel::Aabb& box, std::span<const HalfSpace> view) {
-  return std::any_of(view.begin(), view.end(), [&](const HalfSpace& h) {
-    const glm::dvec3 farthest{h.normal.x >= 0 ? box.max.x : box.min.x, h.normal.y >= 0 ? box.max.y : box.min.y,
-                              h.normal.z >= 0 ? box.max.z : box.min.z};
-    return glm::dot(h.normal, farthest) + h.offset < 0;
-  });
+/// Whether the ball about an occluder is beyond one of the half-spaces. A heuristic question: rounding may answer it either
+/// way.
+bool out_of_view(const PotentialOccluder& occluder, std::span<const HalfSpace> view) {
+  return std::ranges::any_of(
+      view, [&](const HalfSpace& h) { return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius; });
 }
 
-/// The camera's view of a region in steradians, or for parallel rays its area as projected over the picture's.
-double score(const PotentialOccluder& occluder, const Camera& camera, const glm::dvec3& forward) {
-  if (camera.projection == Projection::perspective) return occluder.area_angle(camera.eye);
-  return std::fabs(glm::dot(occluder.area_normal, forward)) / (camera.height * camera.height * camera.aspect);
-}
-
-std::vector<Candidate> candidates(const OccluderGrid& grid, const Camera& camera, std::span<const HalfSpace> view,
-                                  CullStats& stats) {
-  const auto list = grid.list(camera.eye);
-  const glm::dvec3 forward = camera.axes().forward;
-  std::vector<Candidate> result;
-  for (const std::uint32_t region : list) {
-    const PotentialOccluder& occluder = grid.occluder(region);
-    if (!out_of_view(occluder.box, view)) result.push_back({score(occluder, camera, forward), region});
-  }
-  stats.potential_occluders = list.size();
-  stats.occluders_in_view = result.size();
-  return result;
+double weighted(double criterion, double weight) {
+  return weight == 0 ? 1 : weight == 1 ? criterion : std::pow(criterion, weight);
 }
 
 /// The least depth of a vertex at which the renderer is sure not to clip it: the near plane and a margin far above the
 /// rounding of its single precision, 2^-23 of the distances involved.
 constexpr double kNearMargin = 1 + 0x1p-10;
 
-bool clipped_by_near_plane(std::span<const kernel::Vec3> loop, const Camera& camera, const glm::dvec3& forward) {
-  return std::any_of(loop.begin(), loop.end(), [&](const kernel::Vec3& v) {
-    return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera.eye, forward) < camera.near * kNearMargin;
-  });
-}
+/// Probes are chosen of so many that were not tried lately.
+constexpr std::size_t kPool = 64;
+/// Cosine of the angle within which occluders are near each other, and how much the best of all occluders raises the score
+/// of what is near it. Of 0, 3 and 10, and of the cosines 0.95 and 0.8, these two cull most on the paths through the city,
+/// Utrecht, the castle and Sponza together.
+constexpr double kNear = 0.8, kNeighbour = 10;
 
-/// A polygon whose whole is an occluder already adds nothing. Mostly it looks smaller than its whole and comes later; where
-/// that was refused or clipped, the polygon may still do.
-bool is_part_of_chosen(const std::vector<Occluder>& chosen, const ConvexRegions& regions, std::uint32_t region) {
-  const std::uint32_t whole = regions.whole(regions.parts(region)[0]);
-  return whole != region && std::ranges::find(chosen, whole, &Occluder::region) != chosen.end();
-}
-
-bool in_shadow_of(const std::vector<Occluder>& chosen, const kernel::Aabb& box) {
-  return std::any_of(chosen.begin(), chosen.end(), [&](const Occluder& o) {
-    return kernel::conservative_certified(o.frustum, box, kernel::NearBoundary::open).relation == kernel::Relation::inside;
-  });
-}
-
-/// Takes candidates as long as there is room.
 class Choice {
  public:
-  Choice(const PolygonSoup& soup, const ConvexRegions& regions, const OccluderGrid& grid, const Camera& camera,
-         const CullOptions& options)
-      : soup_(soup), regions_(regions), grid_(grid), camera_(camera), options_(options), forward_(camera.axes().forward) {}
+  Choice(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory)
+      : source_(source),
+        camera_(camera),
+        options_(options),
+        memory_(memory),
+        forward_(camera.axes().forward),
+        viewpoint_(camera.projection == Projection::perspective ? kernel::Viewpoint::eye(to_kernel(camera.eye))
+                                                                : kernel::Viewpoint::direction(to_kernel(forward_))) {}
 
-  /// The best `most` of them that can be occluders, and no more than there is room for.
-  void take(std::vector<Candidate>& candidates, std::size_t most) {
-    const auto worse = [](const Candidate& a, const Candidate& b) { return b < a; };
-    std::make_heap(candidates.begin(), candidates.end(), worse);
-    while (!candidates.empty() && most > 0 && chosen_.size() < options_.occluders) {
-      std::pop_heap(candidates.begin(), candidates.end(), worse);
-      if (take(candidates.back().region)) --most;
-      candidates.pop_back();
-    }
+  void run() {
+    sort_candidates();
+    memory_.tried.clear();
+    const bool is_coherent = options_.objective.coherence != 0;
+    if (is_coherent) take_proven();
+    take_best([&](std::uint32_t i) { return !is_coherent || !memory_.history.hidden(i); });
+    take_best([](std::uint32_t) { return true; });
+    if (is_coherent) take_probes();
   }
-
-  [[nodiscard]] std::vector<Occluder> chosen() && { return std::move(chosen_); }
 
  private:
-  bool take(std::uint32_t region) {
-    loop_.clear();
-    for (const std::uint32_t i : regions_.loop(region)) loop_.push_back(to_kernel(soup_.vertices[i]));
-    if (is_part_of_chosen(chosen_, regions_, region) || clipped_by_near_plane(loop_, camera_, forward_) ||
-        in_shadow_of(chosen_, grid_.occluder(region).box)) {
-      return false;
+  /// The region's list, narrowed to the view frustum, by the criteria that do not depend on earlier frames.
+  void sort_candidates() {
+    const auto [listed, hidden] = source_.grid.list(camera_.eye);
+    const Objective& objective = options_.objective;
+    std::vector<Candidate>& candidates = memory_.candidates;
+    candidates.clear();
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+      if (out_of_view(source_.occluders[listed[i]], memory_.result.view)) continue;
+      double score = weighted(size_of(listed[i]), objective.solid_angle);
+      if (!hidden.empty()) score *= weighted(1 + double{hidden[i]}, objective.depth_complexity);
+      candidates.push_back({score, listed[i]});
     }
-    const bool perspective = camera_.projection == Projection::perspective;
-    const auto viewpoint =
-        perspective ? kernel::Viewpoint::eye(to_kernel(camera_.eye)) : kernel::Viewpoint::direction(to_kernel(forward_));
-    auto [frustum, refusal] = kernel::ShadowFrustum::make(viewpoint, loop_, options_.near);
-    if (frustum) chosen_.push_back({region, std::move(*frustum)});
-    return frustum.has_value();
+    memory_.order.update(candidates, source_.occluders.size());
+    CullStats& stats = memory_.result.stats;
+    stats.potential_occluders = listed.size();
+    stats.occluders_in_view = candidates.size();
+    stats.sort_kept = memory_.order.kept();
+    stats.sort_moves = memory_.order.moves();
   }
 
-  const PolygonSoup& soup_;
-  const ConvexRegions& regions_;
-  const OccluderGrid& grid_;
+  double size_of(std::uint32_t i) const {
+    return seen_size(source_.soup, source_.occluders, i, camera_, forward_, options_.objective.angle);
+  }
+
+  /// What hid something lately and is in view, whatever the region lists.
+  void take_proven() {
+    const Objective& objective = options_.objective;
+    std::vector<Candidate>& proven = memory_.candidates;
+    proven.clear();
+    for (const auto& [occluder, frame, hidden] : memory_.history.recent()) {
+      if (hidden == 0 || out_of_view(source_.occluders[occluder], memory_.result.view)) continue;
+      proven.push_back(
+          {weighted(size_of(occluder), objective.solid_angle) * weighted(hidden, objective.coherence), occluder});
+    }
+    std::sort(proven.begin(), proven.end());
+    for (const Candidate& c : proven) {
+      if (is_full()) return;
+      static_cast<void>(take(c.occluder));
+    }
+  }
+
+  /// Candidates that pass, best first, while there is room.
+  template <class Passes>
+  void take_best(Passes&& passes) {
+    for (const Candidate& c : memory_.order.best_first()) {
+      if (is_full()) return;
+      if (passes(c.occluder)) static_cast<void>(take(c.occluder));
+    }
+  }
+
+  /// The best of what was not tried lately; those near a good occluder in the picture come first.
+  void take_probes() {
+    std::vector<Candidate>& pool = memory_.candidates;
+    pool.clear();
+    for (const Candidate& c : memory_.order.best_first()) {
+      if (pool.size() == kPool) break;
+      if (memory_.history.hidden(c.occluder)) continue;
+      const double good = 1 + kNeighbour * goodness_near(c.occluder);
+      pool.push_back({c.score * weighted(good, options_.objective.coherence), c.occluder});
+    }
+    std::sort(pool.begin(), pool.end());
+    are_probes_ = true;
+    for (const Candidate& c : pool) {
+      if (memory_.probes.size() >= options_.probes) return;
+      static_cast<void>(take(c.occluder));
+    }
+  }
+
+  /// The most that an occluder of this frame near this one in the picture hid lately, as a share of what any of them did.
+  double goodness_near(std::uint32_t i) const {
+    const glm::dvec3 direction = direction_of(i);
+    double near = 0, most = 1;
+    for (const Occluder& o : memory_.result.occluders) {
+      const double hidden = memory_.history.hidden(o.index).value_or(0);
+      most = std::max(most, hidden);
+      if (glm::dot(direction, direction_of(o.index)) > kNear) near = std::max(near, hidden);
+    }
+    return near / most;
+  }
+
+  /// From the eye to the middle of an occluder.
+  glm::dvec3 direction_of(std::uint32_t i) const {
+    const glm::dvec3 v = source_.occluders[i].centre - camera_.eye;
+    const double length = glm::length(v);
+    return length > 0 ? v / length : forward_;
+  }
+
+  std::vector<Occluder>& chosen() { return memory_.result.occluders; }
+  bool is_full() { return chosen().size() >= options_.occluders; }
+
+  /// Whether the occluder, or a larger one that it is a part of, is chosen from now on. Parts are for where their whole
+  /// cannot be used.
+  bool take(std::uint32_t i) {
+    const std::uint32_t container = source_.occluders.container(i);
+    if (container != i && take(container)) return true;
+    if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) {
+      return std::ranges::find(chosen(), i, &Occluder::index) != chosen().end();
+    }
+    memory_.tried.push_back(i);
+    set_loop(i);
+    if (is_clipped() || is_in_shadow()) return false;
+    return add(i);
+  }
+
+  void set_loop(std::uint32_t i) {
+    std::vector<kernel::Vec3>& loop = memory_.loop;
+    loop.clear();
+    if (source_.occluders.is_shell(i)) {
+      const auto vertices = source_.occluders.polytope(i).vertices();
+      loop.assign(vertices.begin(), vertices.end());
+    } else {
+      for (const std::uint32_t index : source_.occluders.loop(i)) loop.push_back(to_kernel(source_.soup.vertices[index]));
+    }
+  }
+
+  bool is_clipped() const {
+    return std::ranges::any_of(memory_.loop, [&](const kernel::Vec3& v) {
+      return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera_.eye, forward_) < camera_.near * kNearMargin;
+    });
+  }
+
+  bool is_in_shadow() {
+    kernel::Aabb box = empty_box();
+    for (const kernel::Vec3& v : memory_.loop) grow(box, v);
+    return std::ranges::any_of(chosen(), [&](const Occluder& o) {
+      return kernel::conservative_certified(o.frustum, box, kernel::NearBoundary::open).relation == kernel::Relation::inside;
+    });
+  }
+
+  bool add(std::uint32_t i) {
+    std::vector<kernel::ShadowFrustum>& spare = memory_.spare;
+    if (spare.empty()) spare.emplace_back();
+    const bool is_shell = source_.occluders.is_shell(i);
+    const kernel::Refusal refusal =
+        is_shell ? add_shell(i, spare.back()) : spare.back().assign(viewpoint_, memory_.loop, options_.near);
+    if (refusal != kernel::Refusal::none) return false;
+    (are_probes_ ? memory_.probes : chosen()).push_back({i, std::move(spare.back()), 0});
+    spare.pop_back();
+    return true;
+  }
+
+  kernel::Refusal add_shell(std::uint32_t i, kernel::ShadowFrustum& frustum) {
+    const kernel::ConvexPolytope& polytope = source_.occluders.polytope(i);
+    kernel::PolytopeSilhouette& seen = memory_.silhouettes[i];
+    const kernel::Refusal refusal = frustum.assign(viewpoint_, polytope, options_.near, seen);
+    memory_.result.stats.silhouette_faces += polytope.faces().size();
+    memory_.result.stats.silhouette_faces_asked += seen.faces_asked();
+    return refusal;
+  }
+
+  const OccluderSource& source_;
   const Camera& camera_;
   const CullOptions& options_;
+  View::Memory& memory_;
   glm::dvec3 forward_;
-  std::vector<kernel::Vec3> loop_;
-  std::vector<Occluder> chosen_;
+  kernel::Viewpoint viewpoint_;
+  bool are_probes_ = false;  ///< whether what is taken only probes
 };
 
-/// Of eight occluders three are tried, whatever the others hid: with fewer the good ones are found too late, with more they
-/// have no room.
-std::size_t proven_share(std::size_t occluders) { return occluders - occluders * 3 / 8; }
+/// Whether the silhouettes meet in two corners: between occluders that share an edge nothing shows.
+bool share_an_edge(const kernel::ShadowFrustum& a, const kernel::ShadowFrustum& b) {
+  return std::ranges::count_if(a.silhouette(), [&](const kernel::Vec3& v) {
+           return std::ranges::find(b.silhouette(), v) != b.silhouette().end();
+         }) >= 2;
+}
+
+void pair_neighbours(std::span<const Occluder> occluders, std::vector<ShadowPair>& pairs) {
+  for (std::uint32_t i = 0; i < occluders.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < occluders.size(); ++j) {
+      if (share_an_edge(occluders[i].frustum, occluders[j].frustum)) pairs.push_back({i, j});
+    }
+  }
+}
 
 }  // namespace
 
-std::vector<Occluder> choose_occluders(const PolygonSoup& soup, const ConvexRegions& regions, const OccluderGrid& grid,
-                                       const OccluderHistory& history, const Camera& camera, std::span<const HalfSpace> view,
-                                       const CullOptions& options, CullStats& stats) {
-  if (options.occluders == 0) return {};
-  std::vector<Candidate> proven, untried, idle;
-  for (const Candidate& candidate : candidates(grid, camera, view, stats)) {
-    const auto hidden = history.hidden(candidate.region);
-    if (!hidden) {
-      untried.push_back(candidate);
-    } else if (*hidden != 0) {
-      proven.push_back({static_cast<double>(*hidden), candidate.region});
-    } else {
-      idle.push_back(candidate);
-    }
-  }
-  Choice choice(soup, regions, grid, camera, options);
-  choice.take(proven, proven_share(options.occluders));
-  choice.take(untried, options.occluders);
-  choice.take(proven, options.occluders);
-  choice.take(idle, options.occluders);
-  return std::move(choice).chosen();
+void choose_occluders(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory) {
+  if (options.occluders == 0) return;
+  Choice(source, camera, options, memory).run();
+  if (options.unions) pair_neighbours(memory.result.occluders, memory.pairs);
 }
 
 }  // namespace occlude::culler

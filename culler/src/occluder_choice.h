@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The choice of section 4.2: the cell's list, narrowed to the view frustum, sorted by what was hidden lately and by
-// area-angle, the best n_occ.
+// The choice of section 4.2: the list of the eye's region, narrowed to the view frustum, sorted by the objective, the best
+// n_occ.
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "occlude/culler/culler.h"
-#include "occlude/culler/occluder_history.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/occluder_grid.h"
+#include "occlude/culler/potential_occluders.h"
+#include "view_memory.h"
 
 namespace occlude::culler {
 
-/// The occluders of a frame, best first: five in eight of them those that hid most in the frames before, then those that
-/// were not tried lately, by area-angle, and where these run out those that hid little or nothing. Left out are regions that
-/// the kernel refuses as occluders from this viewpoint, regions that reach before the renderer's near plane (what is clipped
-/// away must not occlude), and regions that lie in the shadow of a better one: their shadow is part of its shadow.
-[[nodiscard]] std::vector<Occluder> choose_occluders(const PolygonSoup& soup, const ConvexRegions& regions,
-                                                     const OccluderGrid& grid, const OccluderHistory& history,
-                                                     const Camera& camera, std::span<const HalfSpace> view,
-                                                     const CullOptions& options, CullStats& stats);
+/// The model's side of the choice.
+struct OccluderSource {
+  const PolygonSoup& soup;
+  const PotentialOccluders& occluders;
+  const OccluderGrid& grid;
+};
+
+/// Fills memory.result.occluders and memory.pairs for a frame whose view is known, best first: those that hid something in
+/// the frames before, then those that were not tried lately, and where these run out the rest; and memory.probes. Left out
+/// are occluders that the kernel refuses from this viewpoint, those that reach before the renderer's near plane (what is
+/// clipped away must not occlude), and those that lie in the shadow of a better one: their shadow is part of its shadow.
+void choose_occluders(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory);
 
 }  // namespace occlude::culler

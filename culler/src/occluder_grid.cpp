@@ -4,41 +4,35 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <stdexcept>
+#include <utility>
 
-#include "bounds.h"
+#include "occlude/culler/parallel.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {
 namespace {
 
-PotentialOccluder potential_occluder(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
-  const glm::dvec3 base = soup.vertices[loop[0]];
-  glm::dvec3 sum{0, 0, 0};
-  kernel::Aabb box = empty_box();
-  for (const std::uint32_t i : loop) {
-    sum += soup.vertices[i] - base;
-    grow(box, to_kernel(soup.vertices[i]));
-  }
-  return {base + sum / static_cast<double>(loop.size()), doubled_area(soup, loop) / 2.0, box};
-}
+/// A share of the occluders and how many of them each region lists.
+struct Share {
+  std::size_t first, end;
+  std::vector<std::uint64_t> counts;
+};
+
+/// So many that all processors have work to the end, so few that their counts fit in a cache.
+constexpr std::size_t kShares = 16;
 
 }  // namespace
-
-double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
-  const glm::dvec3 v = centre - eye;
-  const double squared = glm::dot(v, v);
-  return squared == 0 ? 0 : std::fabs(glm::dot(area_normal, v)) / (squared * std::sqrt(squared));
-}
 
 /// The set of viewpoints with area-angle above the threshold lies within distance sqrt(a / threshold) of the centre. Within
 /// a region |N . V| is at most its value at the region's middle plus what half the diagonal adds along N, and |V| at least
 /// the distance to the region.
 template <class Visit>
 void OccluderGrid::for_each_region(const PotentialOccluder& occluder, double threshold, Visit&& visit) const {
-  const double area = glm::length(occluder.area_normal);
+  const double area = occluder.area();
   const double reach = std::sqrt(area / threshold);
   if (!(reach > 0) || !std::isfinite(reach)) return;
-  const auto low = region_of(occluder.centre - reach), high = region_of(occluder.centre + reach);
+  const auto low = cell_of(occluder.centre - reach), high = cell_of(occluder.centre + reach);
   const glm::dvec3 n = glm::abs(occluder.area_normal);
   const double slack = (n.x + n.y + n.z) * edge_ / 2;
   for (std::size_t z = low[2]; z <= high[2]; ++z) {
@@ -49,60 +43,97 @@ void OccluderGrid::for_each_region(const PotentialOccluder& occluder, double thr
         const glm::dvec3 gap = glm::max(glm::abs(to_middle) - edge_ / 2, 0.0);
         const double nearest = glm::length(gap);
         const double projected = std::fabs(glm::dot(occluder.area_normal, to_middle)) + slack;
-        if (nearest <= reach && projected >= threshold * nearest * nearest * nearest) visit(index(x, y, z));
+        const double round = occluder.round_area * (nearest + std::sqrt(3.0) * edge_);
+        if (nearest <= reach && projected + round >= threshold * nearest * nearest * nearest) visit(index(x, y, z));
       }
     }
   }
 }
 
-OccluderGrid OccluderGrid::build(const PolygonSoup& soup, const ConvexRegions& occluders, const kernel::Aabb& box,
-                                 const Config& config) {
-  OccluderGrid grid;
-  grid.origin_ = {box.min.x, box.min.y, box.min.z};
+OccluderGrid::OccluderGrid(const kernel::Aabb& box, const Config& config) : origin_{box.min.x, box.min.y, box.min.z} {
   const glm::dvec3 extent{box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z};
   // Cubes of one edge e with about `regions` of them in the box; a flat box counts as at least 1/1000 thick so that e stays
   // in proportion to the model.
   const double largest = std::max({extent.x, extent.y, extent.z, kernel::kMinMagnitude});
   const glm::dvec3 solid = glm::max(extent, largest / 1000);
-  grid.edge_ = largest * std::cbrt(solid.x / largest * (solid.y / largest) * (solid.z / largest) / config.regions);
+  edge_ = largest * std::cbrt(solid.x / largest * (solid.y / largest) * (solid.z / largest) / config.regions);
   for (int axis = 0; axis < 3; ++axis) {
-    grid.size_[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(extent[axis] / grid.edge_) + 1;
+    size_[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(extent[axis] / edge_) + 1;
   }
+}
 
-  grid.occluders_.reserve(occluders.size());
-  for (std::size_t i = 0; i < occluders.size(); ++i) {
-    grid.occluders_.push_back(potential_occluder(soup, occluders.loop(i)));
+OccluderGrid OccluderGrid::build(const PotentialOccluders& occluders, const kernel::Aabb& model, const Config& config) {
+  OccluderGrid grid(model, config);
+  std::vector<Share> shares;
+  for (std::size_t i = 0; i < kShares; ++i) {
+    shares.push_back({occluders.size() * i / kShares, occluders.size() * (i + 1) / kShares, {}});
   }
-
-  std::vector<std::size_t>& first = grid.first_;
-  first.assign(grid.size_[0] * grid.size_[1] * grid.size_[2] + 1, 0);
-  for (const PotentialOccluder& o : grid.occluders_) {
-    grid.for_each_region(o, config.threshold, [&](std::size_t region) { ++first[region + 1]; });
+  const auto for_each_entry = [&](const Share& share, auto&& visit) {
+    for (std::size_t i = share.first; i < share.end; ++i) {
+      grid.for_each_region(occluders[i], config.threshold, [&](std::size_t region) { visit(region, i); });
+    }
+  };
+  parallel_for(kShares, [&](std::size_t s) {
+    shares[s].counts.assign(grid.regions(), 0);
+    for_each_entry(shares[s], [&](std::size_t region, std::size_t) { ++shares[s].counts[region]; });
+  });
+  // From counts to places: within a region the shares follow one another, so that lists ascend.
+  std::vector<std::uint64_t>& first = grid.lists_.first;
+  first.assign(grid.regions() + 1, 0);
+  std::uint64_t total = 0;
+  for (std::size_t region = 0; region < grid.regions(); ++region) {
+    for (Share& share : shares) total += std::exchange(share.counts[region], total);
+    first[region + 1] = total;
   }
-  for (std::size_t r = 1; r < first.size(); ++r) first[r] += first[r - 1];
-  grid.lists_.resize(first.back());
-  std::vector<std::size_t> end(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < occluders.size(); ++i) {
-    grid.for_each_region(grid.occluders_[i], config.threshold,
-                         [&](std::size_t region) { grid.lists_[end[region]++] = static_cast<std::uint32_t>(i); });
-  }
+  grid.lists_.occluders.resize(total);
+  parallel_for(kShares, [&](std::size_t s) {
+    for_each_entry(shares[s], [&](std::size_t region, std::size_t i) {
+      grid.lists_.occluders[shares[s].counts[region]++] = static_cast<std::uint32_t>(i);
+    });
+  });
   return grid;
 }
 
-std::array<std::size_t, 3> OccluderGrid::region_of(const glm::dvec3& point) const {
-  std::array<std::size_t, 3> region{};
+OccluderGrid OccluderGrid::restore(const PotentialOccluders& occluders, const kernel::Aabb& model, const Config& config,
+                                   Lists lists) {
+  OccluderGrid grid(model, config);
+  const auto is_sound = [&] {
+    const auto& [first, listed, hidden] = lists;
+    return first.size() == grid.regions() + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
+           first.back() == listed.size() && (hidden.empty() || hidden.size() == listed.size()) &&
+           std::ranges::all_of(listed, [&](std::uint32_t i) { return i < occluders.size(); }) &&
+           std::ranges::all_of(hidden, [](float h) { return h >= 0 && std::isfinite(h); });
+  };
+  if (!is_sound()) throw std::invalid_argument("the lists of occluders are not of this model");
+  grid.lists_ = std::move(lists);
+  return grid;
+}
+
+std::array<std::size_t, 3> OccluderGrid::cell_of(const glm::dvec3& point) const {
+  std::array<std::size_t, 3> cell{};
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const double position = (point[axis] - origin_[axis]) / edge_;
-    region[a] = static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(size_[a] - 1)));
+    cell[a] = static_cast<std::size_t>(std::clamp(position, 0.0, static_cast<double>(size_[a] - 1)));
   }
-  return region;
+  return cell;
 }
 
-std::span<const std::uint32_t> OccluderGrid::list(const glm::dvec3& point) const {
-  const auto [x, y, z] = region_of(point);
-  const std::size_t region = index(x, y, z);
-  return std::span(lists_).subspan(first_[region], first_[region + 1] - first_[region]);
+std::size_t OccluderGrid::region_at(const glm::dvec3& point) const {
+  const auto [x, y, z] = cell_of(point);
+  return index(x, y, z);
+}
+
+glm::dvec3 OccluderGrid::corner(std::size_t region) const {
+  const std::size_t x = region % size_[0], y = region / size_[0] % size_[1], z = region / size_[0] / size_[1];
+  return origin_ + edge_ * glm::dvec3(x, y, z);
+}
+
+OccluderGrid::List OccluderGrid::list(std::size_t region) const {
+  const std::size_t first = lists_.first[region], count = lists_.first[region + 1] - first;
+  List list{std::span(lists_.occluders).subspan(first, count), {}};
+  if (!lists_.hidden.empty()) list.hidden = std::span(lists_.hidden).subspan(first, count);
+  return list;
 }
 
 }  // namespace occlude::culler

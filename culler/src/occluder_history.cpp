@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/occluder_history.h"
 
-#include "occlude/culler/culler.h"
+#include "occlude/culler/cull_result.h"
 
 namespace occlude::culler {
 namespace {
@@ -12,17 +12,32 @@ constexpr std::uint32_t kMemory = 16;
 
 }  // namespace
 
-std::optional<std::uint32_t> OccluderHistory::hidden(std::uint32_t region) const {
-  if (region >= entries_.size()) return std::nullopt;
-  const Entry& entry = entries_[region];
-  if (entry.frame == 0 || frames_ - entry.frame >= kMemory) return std::nullopt;
-  return entry.hidden;
+std::optional<std::uint32_t> OccluderHistory::hidden(std::uint32_t occluder) const {
+  if (occluder >= place_.size() || place_[occluder] == 0) return std::nullopt;
+  return recent_[place_[occluder] - 1].hidden;
 }
 
-void OccluderHistory::record(std::size_t regions, std::span<const Occluder> occluders) {
-  entries_.resize(regions);
+void OccluderHistory::take_down(const Occluder& occluder) {
+  std::uint32_t& place = place_[occluder.index];
+  if (place == 0) {
+    recent_.push_back({});
+    place = static_cast<std::uint32_t>(recent_.size());
+  }
+  recent_[place - 1] = {occluder.index, frames_, occluder.hidden};
+}
+
+void OccluderHistory::record(std::size_t potential, std::span<const Occluder> occluders, std::span<const Occluder> probes) {
+  place_.resize(potential);
   ++frames_;
-  for (const Occluder& occluder : occluders) entries_[occluder.region] = {frames_, occluder.hidden};
+  for (const Occluder& occluder : occluders) take_down(occluder);
+  for (const Occluder& probe : probes) take_down(probe);
+  std::size_t kept = 0;
+  for (const Entry& entry : recent_) {
+    const bool is_recent = frames_ - entry.frame < kMemory;
+    if (is_recent) recent_[kept++] = entry;
+    place_[entry.occluder] = is_recent ? static_cast<std::uint32_t>(kept) : 0;
+  }
+  recent_.resize(kept);
 }
 
 }  // namespace occlude::culler

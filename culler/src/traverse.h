@@ -1,84 +1,136 @@
 // SPDX-License-Identifier: MIT
 // The traversal of section 5: one descent of the hierarchy culls by the view frustum, culls by the shadow frusta and draws.
 //
-// It knows no frusta and no boxes: two callables classify a node against half-space or shadow i. A half-space that a node
-// is inside of, and a shadow that it is outside of, are dropped below it; any number of either can be active.
+// It knows no frusta and no boxes: `tests` classifies a node against half-space or shadow i, or against two shadows
+// together. A half-space that a node is inside of, and a shadow that it is outside of, are dropped below it; any number of
+// either can be active.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "occlude/culler/culler.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
 
-template <class ViewTest, class ShadowTest>
+/// Two occluders of a frame that are also asked together, as one union.
+struct ShadowPair {
+  std::uint32_t first, second;
+};
+
+/// Probes are not followed into subtrees of fewer polygons: what they hide there is little.
+inline constexpr std::uint32_t kProbed = 64;
+
+template <class Tests>
 class Traversal {
  public:
-  Traversal(const Hierarchy& hierarchy, ViewTest& view_test, ShadowTest& shadow_test, CullResult& result)
-      : hierarchy_(hierarchy), view_test_(view_test), shadow_test_(shadow_test), result_(result) {}
+  /// `tests` has view(plane, node), shadow(occluder, node) and pair(first, second, node), each giving a kernel::Relation.
+  /// What lies before the root in `result.drawn` and on the stack stays.
+  Traversal(std::span<const HierarchyNode> nodes, Tests& tests, std::span<const ShadowPair> pairs,
+            std::span<Occluder> probes, CullResult& result, std::vector<std::uint32_t>& stack,
+            std::vector<std::uint32_t>& holding)
+      : nodes_(nodes), tests_(tests), pairs_(pairs), probes_(probes), result_(result), active_(stack), holding_(holding) {}
 
   void run() {
+    active_.clear();
+    holding_.clear();
     for (std::uint32_t i = 0; i < result_.view.size(); ++i) active_.push_back(i);
     const std::size_t middle = active_.size();
     for (std::uint32_t i = 0; i < result_.occluders.size(); ++i) active_.push_back(i);
-    visit(0, {0, middle, active_.size()});
+    const std::size_t end = active_.size();
+    for (std::uint32_t i = 0; i < probes_.size(); ++i) active_.push_back(i);
+    visit(0, {0, middle, end, active_.size()});
   }
 
  private:
-  /// What is active at a node: half-spaces active_[begin, middle), shadows active_[middle, end).
+  /// What is active at a node: half-spaces active_[begin, middle), shadows active_[middle, end), probes
+  /// active_[end, probes_end).
   struct Active {
-    std::size_t begin, middle, end;
+    std::size_t begin, middle, end, probes_end;
   };
 
   void visit(std::uint32_t index, const Active& above) {
-    const Hierarchy::Node& node = hierarchy_.nodes()[index];
+    const HierarchyNode& node = nodes_[index];
     ++result_.stats.nodes_visited;
     const std::size_t begin = active_.size();
     if (!is_culled(index, node, above)) {
-      const Active here{begin, begin + still_viewed_, active_.size()};
-      const bool undecided = here.begin != here.end;
+      const std::size_t middle = begin + still_viewed_, end = active_.size(), holding = holding_.size();
+      probe(index, above);
+      const Active here{begin, middle, end, active_.size()};
+      const bool undecided = here.begin != here.end || (here.end != here.probes_end && node.count > kProbed);
       if (undecided && !node.is_leaf()) {
         visit(index + 1, here);
         visit(node.right, here);
       } else {
         draw(node);
       }
+      holding_.resize(holding);
     }
     active_.resize(begin);
   }
 
   /// Tests the node against all that is active above it and appends what stays active below it.
-  bool is_culled(std::uint32_t index, const Hierarchy::Node& node, const Active& above) {
+  bool is_culled(std::uint32_t index, const HierarchyNode& node, const Active& above) {
     using kernel::Relation;
     const std::size_t begin = active_.size();
     for (std::size_t i = above.begin; i < above.middle; ++i) {
       const std::uint32_t plane = active_[i];
       ++result_.stats.view_tests;
-      const Relation relation = view_test_(plane, index);
-      if (relation == Relation::outside) return cull(index, node, Culled::By::view, plane);
+      const Relation relation = tests_.view(plane, index);
+      if (relation == Relation::outside) return cull(node, {index, Culled::By::view, plane});
       if (relation == Relation::partial) active_.push_back(plane);
     }
     still_viewed_ = active_.size() - begin;
     for (std::size_t i = above.middle; i < above.end; ++i) {
       const std::uint32_t occluder = active_[i];
       ++result_.stats.shadow_tests;
-      const Relation relation = shadow_test_(occluder, index);
-      if (relation == Relation::inside) return cull(index, node, Culled::By::shadow, occluder);
+      const Relation relation = tests_.shadow(occluder, index);
+      if (relation == Relation::inside) return cull(node, {index, Culled::By::shadow, occluder});
       if (relation == Relation::partial) active_.push_back(occluder);
+    }
+    const auto is_active = [&](std::uint32_t occluder) {
+      const auto first = active_.begin() + static_cast<std::ptrdiff_t>(begin + still_viewed_);
+      return std::find(first, active_.end(), occluder) != active_.end();
+    };
+    for (const auto& [first, second] : pairs_) {
+      if (!is_active(first) || !is_active(second)) continue;
+      ++result_.stats.union_tests;
+      if (tests_.pair(first, second, index) == Relation::inside) {
+        return cull(node, {index, Culled::By::shadow, first, second});
+      }
     }
     return false;
   }
 
-  bool cull(std::uint32_t index, const Hierarchy::Node& node, Culled::By by, std::uint32_t reason) {
-    result_.culled.push_back({index, by, reason});
-    (by == Culled::By::view ? result_.stats.view_culled_polygons : result_.stats.shadow_culled_polygons) += node.count;
-    if (by == Culled::By::shadow) result_.occluders[reason].hidden += node.count;
+  /// Asks the probes that are active above the node: those that hold it are told what is drawn below, those that it is
+  /// across stay active.
+  void probe(std::uint32_t index, const Active& above) {
+    using kernel::Relation;
+    for (std::size_t i = above.end; i < above.probes_end; ++i) {
+      const std::uint32_t p = active_[i];
+      ++result_.stats.probe_tests;
+      const Relation relation = tests_.probe(p, index);
+      if (relation == Relation::inside) holding_.push_back(p);
+      if (relation == Relation::partial) active_.push_back(p);
+    }
+  }
+
+  bool cull(const HierarchyNode& node, const Culled& culled) {
+    result_.culled.push_back(culled);
+    if (culled.by == Culled::By::view) {
+      result_.stats.view_culled_polygons += node.count;
+    } else {
+      result_.stats.shadow_culled_polygons += node.count;
+      result_.occluders[culled.index].hidden += node.count;
+    }
     return true;
   }
 
-  void draw(const Hierarchy::Node& node) {
+  void draw(const HierarchyNode& node) {
     auto& drawn = result_.drawn;
     if (!drawn.empty() && drawn.back().first + drawn.back().count == node.first) {
       drawn.back().count += node.count;
@@ -86,14 +138,17 @@ class Traversal {
       drawn.push_back({node.first, node.count});
     }
     result_.stats.drawn_polygons += node.count;
+    for (const std::uint32_t p : holding_) probes_[p].hidden += node.count;
   }
 
-  const Hierarchy& hierarchy_;
-  ViewTest& view_test_;
-  ShadowTest& shadow_test_;
+  std::span<const HierarchyNode> nodes_;
+  Tests& tests_;
+  std::span<const ShadowPair> pairs_;
+  std::span<Occluder> probes_;
   CullResult& result_;
-  std::vector<std::uint32_t> active_;  ///< a stack: each level of the descent appends its own
-  std::size_t still_viewed_ = 0;       ///< half-spaces appended by the last is_culled()
+  std::vector<std::uint32_t>& active_;   ///< a stack: each level of the descent appends its own
+  std::vector<std::uint32_t>& holding_;  ///< a stack: probes that hold the node or one above it
+  std::size_t still_viewed_ = 0;         ///< half-spaces appended by the last is_culled()
 };
 
 }  // namespace occlude::culler

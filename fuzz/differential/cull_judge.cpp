@@ -138,13 +138,13 @@ class CullJudge {
 
   std::string fault_of_shadow_cull(const Culled& culled) {
     const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
-    const std::uint32_t index = culled.index, region = result_.occluders[index].region;
-    if (region >= occluders_.size()) return "there is no such occluder";
-    for (const std::uint32_t part : occluders_.parts(region)) {
+    const std::uint32_t index = culled.index, occluder = result_.occluders[index].index;
+    if (occluder >= occluders_.size()) return "there is no such occluder";
+    for (const std::uint32_t part : occluders_.parts(occluder)) {
       if (part >= node.first && part - node.first < node.count) return "an occluder culls itself";
     }
-    if (!is_drawn_as_its_parts(region)) return "an occluder is not what is drawn of it";
-    if (is_clipped(region)) return "the near plane clips an occluder";
+    if (!is_drawn_as_its_parts(occluder)) return "an occluder is not what is drawn of it";
+    if (is_clipped(occluder)) return "the near plane clips an occluder";
     if (!shadows_[index]) shadows_[index] = shadow(result_.occluders[index]);
     const std::string refuted = shadows_[index]->refute_cull(to_oracle(hierarchy_.volume(culled.node)));
     return refuted.empty() ? "" : "culled by shadow: " + refuted;
@@ -156,16 +156,28 @@ class CullJudge {
     return result;
   }
 
-  bool is_drawn_as_its_parts(std::uint32_t region) const {
+  /// The faces of a shell are its parts, and the oracle finds out whether they enclose a solid.
+  bool is_drawn_as_its_parts(std::uint32_t occluder) const {
+    if (occluders_.is_shell(occluder)) return true;
+    const culler::PolygonSoup& soup = hierarchy_.soup();
+    const auto piece = occluders_.regions().piece(occluder);
     std::vector<Polygon> parts;
-    for (const std::uint32_t part : occluders_.parts(region)) parts.push_back(polygon(hierarchy_.soup().loop(part)));
-    return have_border(parts, polygon(occluders_.loop(region)));
+    for (const std::uint32_t part : occluders_.parts(occluder)) {
+      const auto loop = soup.loop(part);
+      if (piece && (piece->count == 0 || piece->first + piece->count > loop.size() - 2)) return false;
+      parts.push_back(polygon(piece ? culler::piece_of(loop, *piece) : std::vector(loop.begin(), loop.end())));
+    }
+    return have_border(parts, polygon(occluders_.loop(occluder)));
   }
 
-  bool is_clipped(std::uint32_t region) const {
+  bool is_clipped(std::uint32_t occluder) const {
     const dvec3 forward = camera_.axes().forward;
-    return std::ranges::any_of(occluders_.loop(region), [&](std::uint32_t index) {
-      return glm::dot(hierarchy_.soup().vertices[index] - camera_.eye, forward) < camera_.near;
+    const culler::PolygonSoup& soup = hierarchy_.soup();
+    return std::ranges::any_of(occluders_.parts(occluder), [&](std::uint32_t part) {
+      const auto piece = occluders_.regions().size() > occluder ? occluders_.regions().piece(occluder) : std::nullopt;
+      const auto loop = piece ? occluders_.loop(occluder) : soup.loop(part);
+      return std::ranges::any_of(
+          loop, [&](std::uint32_t index) { return glm::dot(soup.vertices[index] - camera_.eye, forward) < camera_.near; });
     });
   }
 
@@ -173,7 +185,7 @@ class CullJudge {
     const bool perspective = camera_.projection == culler::Projection::perspective;
     const kernel::Vec3 viewpoint = to_kernel(perspective ? camera_.eye : camera_.axes().forward);
     return {{to_oracle(viewpoint), !perspective},
-            to_oracle(polygon(occluders_.loop(occluder.region))),
+            to_oracle(occluders_.geometry(hierarchy_.soup(), occluder.index)),
             to_oracle(options_.near, {occluder.frustum})};
   }
 
@@ -185,7 +197,7 @@ class CullJudge {
   }
 
   const Hierarchy& hierarchy_;
-  const culler::ConvexRegions& occluders_;
+  const culler::PotentialOccluders& occluders_;
   const Camera& camera_;
   const CullOptions& options_;
   const CullResult& result_;

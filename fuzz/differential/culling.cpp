@@ -197,9 +197,9 @@ void run_culling(std::uint64_t seed, Report& report) {
     return fault(drawn).empty() ? std::optional(drawn) : std::nullopt;
   });
   const CullOptions options = some_options(random);
-  culler::OccluderHistory history;
-  if (random.chance(0.5)) static_cast<void>(culler.cull(camera, options, history));
-  const CullResult result = culler.cull(camera, options, history);
+  culler::View view;
+  if (random.chance(0.5)) culler.cull(camera, options, view);
+  const CullResult& result = culler.cull(camera, options, view);
   const culler::CullStats& stats = result.stats;
   report.tally.cases += soup.size();
   report.tally.relations[0] += stats.shadow_culled_polygons;

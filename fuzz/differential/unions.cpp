@@ -55,7 +55,7 @@ std::array<Case, 2> halves_of(Random& random, const Case& whole) {
 
 struct Pair {
   std::array<Case, 2> halves;
-  kernel::ShadowUnion shadows;
+  std::array<kernel::ShadowFrustum, 2> shadows;
   Box box;
 };
 
@@ -76,10 +76,11 @@ oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustum& frustum) {
 void run_unions(std::uint64_t seed, Report& report) {
   Random random(seed);
   const auto [halves, shadows, touching] = first_legal([&] { return some_pair(random); });
-  oracle::Shadow first = shadow_of(halves[0], shadows.first), second = shadow_of(halves[1], shadows.second);
+  oracle::Shadow first = shadow_of(halves[0], shadows[0]), second = shadow_of(halves[1], shadows[1]);
+  const kernel::ShadowUnion both{shadows[0], shadows[1]};
   for (std::uint64_t i = 0; i < kGroup; ++i) {
     const Box box = i == 0 ? touching : legal_neighbour(random, touching);
-    const auto ask = [&, &pair = shadows](const auto& kind) { return kernel::overlap_certified(pair, kind); };
+    const auto ask = [&](const auto& kind) { return kernel::overlap_certified(both, kind); };
     const kernel::Decision decision = std::visit(ask, box);
     judge(report, "union", seed, "box " + std::to_string(i), decision.relation, decision.stage,
           first.relation_to_union(second, to_oracle(box)));

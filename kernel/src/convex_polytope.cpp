@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "plane_coefficients.h"
+#include "scratch.h"
 #include "silhouette.h"
 
 namespace occlude::kernel {
@@ -72,9 +73,10 @@ Vec3 crossing_axis(std::span<const Vec3> v, const Side& side) {
 }
 
 bool is_convex(std::span<const Vec3> v, const Side& side) {
-  std::vector<Vec3> loop;
+  Scratch scratch;
+  std::pmr::vector<Vec3> loop(&scratch.memory());
   for (const Index i : side.loop) loop.push_back(v[i]);
-  return silhouette(Viewpoint::direction(crossing_axis(v, side)), loop).refusal == Refusal::none;
+  return silhouette(Viewpoint::direction(crossing_axis(v, side)), loop, scratch.memory()).refusal == Refusal::none;
 }
 
 /// Turns the face so that all vertices lie on the inner side of its plane. False when they do not, or all lie on it, or when

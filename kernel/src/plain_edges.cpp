@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "plane_coefficients.h"
+#include "scratch.h"
 
 namespace occlude::kernel {
 namespace {
@@ -38,7 +39,8 @@ CutRay cut_ray(const ShadowFrustum& frustum, std::size_t corner) {
 /// Between a ray that reaches the near plane and one that does not, the near side runs to infinity, parallel to the near
 /// plane.
 void add_cut_edges(const ShadowFrustum& frustum, std::vector<PlainEdge>& edges) {
-  std::vector<CutRay> rays;
+  Scratch scratch;
+  std::pmr::vector<CutRay> rays(&scratch.memory());
   for (std::size_t i = 0; i < frustum.silhouette().size(); ++i) rays.push_back(cut_ray(frustum, i));
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const CutRay &a = rays[i], &b = rays[(i + 1) % rays.size()];
@@ -55,14 +57,12 @@ void add_cut_edges(const ShadowFrustum& frustum, std::vector<PlainEdge>& edges) 
 
 }  // namespace
 
-std::vector<PlainEdge> plain_edges(const ShadowFrustum& frustum) {
-  std::vector<PlainEdge> edges;
+void append_plain_edges(const ShadowFrustum& frustum, std::vector<PlainEdge>& edges) {
   if (frustum.is_cut()) {
     add_cut_edges(frustum, edges);
   } else {
     add_cap_edges(frustum, edges);
   }
-  return edges;
 }
 
 }  // namespace occlude::kernel

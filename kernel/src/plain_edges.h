@@ -10,6 +10,6 @@ namespace occlude::kernel {
 
 /// The rays in which neighbouring side planes meet, from the near side outwards, and the edges of the near side; relative to
 /// the origin of the frustum.
-[[nodiscard]] std::vector<PlainEdge> plain_edges(const ShadowFrustum& frustum);
+void append_plain_edges(const ShadowFrustum& frustum, std::vector<PlainEdge>& edges);
 
 }  // namespace occlude::kernel

@@ -11,7 +11,7 @@
 
 #include "occlude/kernel/view_cone.h"
 #include "plane_coefficients.h"
-#include "polytope_silhouette.h"
+#include "polytope_cap.h"
 #include "segment_clip.h"
 
 namespace occlude::kernel {

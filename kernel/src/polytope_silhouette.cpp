@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "polytope_silhouette.h"
+#include "occlude/kernel/polytope_silhouette.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "plane_coefficients.h"
+#include "polytope_cap.h"
 
 namespace occlude::kernel {
 namespace {
@@ -16,80 +16,61 @@ bool is_turned(const Viewpoint& viewpoint, const ExactPlane& inner) {
          }) > 0;
 }
 
-/// An edge of the silhouette in the direction of the loop, which leaves the turned face on its right seen from outside.
-struct LoopEdge {
-  std::uint32_t from, to, face;
-};
-
-std::vector<LoopEdge> loop_edges(const ConvexPolytope& polytope, const std::vector<bool>& turned) {
-  std::vector<LoopEdge> edges;
-  for (const auto& [from, to, left, right] : polytope.edges()) {
-    if (turned[left] == turned[right]) continue;
-    edges.push_back(turned[left] ? LoopEdge{to, from, left} : LoopEdge{from, to, right});
-  }
-  return edges;
-}
-
 }  // namespace
 
-ExactPlane inner_plane(const ConvexPolytope& polytope, std::uint32_t face) {
-  const auto [a, b, c] = polytope.faces()[face].corners;
-  const auto v = polytope.vertices();
-  return {.direct = false, .a_to = v[c], .a_from = v[a], .b_to = v[b], .b_from = v[a], .origin = v[a]};
+void PolytopeSilhouette::ask(const Viewpoint& viewpoint, const ConvexPolytope& polytope, std::uint32_t face) {
+  if (is_asked_[face] != 0) return;
+  is_asked_[face] = 1;
+  ++faces_asked_;
+  turned_[face] = is_turned(viewpoint, inner_plane(polytope, face)) ? 1 : 0;
 }
 
-PolytopeSilhouette silhouette(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
-  PolytopeSilhouette seen;
-  std::vector<bool> turned(polytope.faces().size());
-  for (std::uint32_t face = 0; face < turned.size(); ++face) {
-    turned[face] = is_turned(viewpoint, inner_plane(polytope, face));
-    if (turned[face]) seen.turned_faces.push_back(face);
+/// The turned faces are connected, and so are the others: each is a part of a sphere within one closed curve. So every set
+/// of neighbours that have all turned since lies along the border of before, unless nothing is left of one of the two parts;
+/// then no border is found and all faces have to be asked.
+void PolytopeSilhouette::ask_along_border(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
+  for (std::size_t asked_before = polytope.faces().size(); faces_asked_ != asked_before;) {
+    asked_before = faces_asked_;
+    for (const auto& edge : polytope.edges()) {
+      if (turned_[edge.left] == turned_[edge.right]) continue;
+      ask(viewpoint, polytope, edge.left);
+      ask(viewpoint, polytope, edge.right);
+    }
   }
-  std::vector<LoopEdge> edges = loop_edges(polytope, turned);
-  std::sort(edges.begin(), edges.end(), [](const LoopEdge& a, const LoopEdge& b) { return a.from < b.from; });
-  const auto edge_from = [&](std::uint32_t vertex) {
-    return std::partition_point(edges.begin(), edges.end(), [&](const LoopEdge& e) { return e.from < vertex; });
-  };
-  for (auto edge = edges.begin(); seen.loop.size() < edges.size(); edge = edge_from(edge->to)) {
-    seen.loop.push_back({edge->from, edge->face});
-  }
-  return seen;
 }
 
-std::vector<Vec3> loop_of(const ConvexPolytope& polytope, const PolytopeSilhouette& seen) {
-  std::vector<Vec3> loop;
-  for (const auto& step : seen.loop) loop.push_back(polytope.vertices()[step.vertex]);
-  return loop;
-}
-
-std::vector<ShadowFrustum::CapEdge> cap_edges(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
-                                              std::span<const Vec3> corners) {
-  const auto v = polytope.vertices();
-  const auto near = [&](std::uint32_t face) {  // the number of its plane, or one too many
-    return static_cast<std::uint32_t>(std::lower_bound(seen.turned_faces.begin(), seen.turned_faces.end(), face) -
-                                      seen.turned_faces.begin());
-  };
-  const auto is_near = [&](std::uint32_t face) {
-    return std::binary_search(seen.turned_faces.begin(), seen.turned_faces.end(), face);
-  };
-  std::vector<ShadowFrustum::CapEdge> edges;
+/// The loop leaves the turned faces on its right seen from outside.
+void PolytopeSilhouette::link(const ConvexPolytope& polytope) {
+  edges_.clear();
   for (const auto& [from, to, left, right] : polytope.edges()) {
-    if (is_near(left) && is_near(right)) edges.push_back({v[from], v[to], near(left), near(right)});
+    if (turned_[left] == turned_[right]) continue;
+    edges_.push_back(turned_[left] != 0 ? LoopEdge{to, from, left} : LoopEdge{from, to, right});
   }
-  // Corners are the vertices of the loop at which it turns: a side may have several edges of the loop.
-  const auto first = static_cast<std::uint32_t>(seen.turned_faces.size());
-  const auto count = static_cast<std::uint32_t>(corners.size());
-  const std::size_t n = seen.loop.size();
-  std::size_t start = 0;
-  while (v[seen.loop[start].vertex] != corners[0]) ++start;
-  std::uint32_t side = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto& [vertex, face] = seen.loop[(start + i) % n];
-    const Vec3& next = v[seen.loop[(start + i + 1) % n].vertex];
-    edges.push_back({v[vertex], next, first + side, near(face)});
-    if (next == corners[(side + 1) % count]) side = (side + 1) % count;
+  std::sort(edges_.begin(), edges_.end(), [](const LoopEdge& a, const LoopEdge& b) { return a.from < b.from; });
+  const auto edge_from = [&](std::uint32_t vertex) {
+    return std::partition_point(edges_.begin(), edges_.end(), [&](const LoopEdge& e) { return e.from < vertex; });
+  };
+  loop_.clear();
+  for (auto edge = edges_.begin(); loop_.size() < edges_.size(); edge = edge_from(edge->to)) {
+    loop_.push_back({edge->from, edge->face});
   }
-  return edges;
+}
+
+void PolytopeSilhouette::update(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
+  const auto count = static_cast<std::uint32_t>(polytope.faces().size());
+  turned_.resize(count);
+  is_asked_.assign(count, 0);
+  faces_asked_ = 0;
+  ask_along_border(viewpoint, polytope);
+  link(polytope);
+  if (loop_.empty()) {
+    for (std::uint32_t face = 0; face < count; ++face) ask(viewpoint, polytope, face);
+    link(polytope);
+  }
+  turned_faces_.clear();
+  for (std::uint32_t face = 0; face < count; ++face) {
+    if (turned_[face] != 0) turned_faces_.push_back(face);
+  }
 }
 
 }  // namespace occlude::kernel

@@ -6,20 +6,22 @@
 
 #include "near_plane.h"
 #include "plain_edges.h"
-#include "polytope_silhouette.h"
+#include "polytope_cap.h"
 #include "profile.h"
 #include "rounded_plane.h"
+#include "scratch.h"
 #include "silhouette.h"
 
 namespace occlude::kernel {
 namespace {
 
 /// Where equally far vertices of a silhouette are told apart by their index.
-std::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen) {
-  std::vector<std::uint32_t> indices;
-  for (const auto& step : seen.loop) indices.push_back(step.vertex);
+std::pmr::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
+                                         std::pmr::memory_resource& memory) {
+  std::pmr::vector<std::uint32_t> indices(&memory);
+  for (const auto& step : seen.loop()) indices.push_back(step.vertex);
   std::sort(indices.begin(), indices.end());
-  std::vector<Vec3> vertices;
+  std::pmr::vector<Vec3> vertices(&memory);
   for (const std::uint32_t i : indices) vertices.push_back(polytope.vertices()[i]);
   return vertices;
 }
@@ -55,56 +57,84 @@ void ShadowFrustum::finish() {
     filter_planes_.push_back(filter);
     refined_planes_.push_back(refined);
   }
-  plain_edges_ = kernel::plain_edges(*this);
+  append_plain_edges(*this, plain_edges_);
+}
+
+void ShadowFrustum::begin(const Viewpoint& viewpoint, std::span<const Vec3> corners) {
+  viewpoint_ = viewpoint;
+  silhouette_.assign(corners.begin(), corners.end());
+  recipes_.clear();
+  filter_planes_.clear();
+  refined_planes_.clear();
+  filter_bound_ = profile_bound_ = {};
+  cap_edges_.clear();
+  cap_vertices_.clear();
+  plain_edges_.clear();
+  support_plane_.reset();
+}
+
+Refusal ShadowFrustum::assign(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
+  if (const Refusal refusal = check(loop); refusal != Refusal::none) return refusal;
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refusal;
+  Scratch scratch;
+  const Silhouette outline = kernel::silhouette(viewpoint, loop, scratch.memory());
+  if (outline.refusal != Refusal::none) return outline.refusal;
+
+  begin(viewpoint, outline.corners);
+  if (near == Near::farthest) {
+    recipes_.push_back(farthest_plane(viewpoint, loop));
+  } else if (const auto own = polygon_plane(silhouette_, loop)) {
+    recipes_.push_back(*own);
+    cap_vertices_ = silhouette_;
+    for (std::size_t i = 0; i < silhouette_.size(); ++i) {
+      cap_edges_.push_back(
+          {silhouette_[i], silhouette_[(i + 1) % silhouette_.size()], static_cast<std::uint32_t>(i + 1), 0});
+    }
+  } else {
+    support_plane_ = kernel::support_plane(viewpoint, silhouette_, loop);
+    recipes_.push_back(exact_plane(*support_plane_));
+  }
+  add_sides();
+  finish();
+  return Refusal::none;
+}
+
+Refusal ShadowFrustum::assign(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
+                              PolytopeSilhouette& seen) {
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refusal;
+  seen.update(viewpoint, polytope);
+  if (seen.loop().empty()) return Refusal::eye_in_polytope;
+  Scratch scratch;
+  const auto loop = loop_of(polytope, seen, scratch.memory());
+  const Silhouette outline = kernel::silhouette(viewpoint, loop, scratch.memory());
+  if (outline.refusal != Refusal::none) return outline.refusal;
+
+  begin(viewpoint, outline.corners);
+  if (near == Near::farthest) {
+    recipes_.push_back(farthest_plane(viewpoint, in_order_of_input(polytope, seen, scratch.memory())));
+    add_sides();
+  } else {
+    for (const std::uint32_t face : seen.turned_faces()) recipes_.push_back(inner_plane(polytope, face));
+    add_sides();
+    cap_vertices_.assign(polytope.vertices().begin(), polytope.vertices().end());
+    append_cap_edges(polytope, seen, silhouette_, cap_edges_);
+  }
+  finish();
+  return Refusal::none;
 }
 
 ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
-  if (const Refusal refusal = check(loop); refusal != Refusal::none) return {std::nullopt, refusal};
-  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
-  Silhouette outline = kernel::silhouette(viewpoint, loop);
-  if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
-
   ShadowFrustum frustum;
-  frustum.viewpoint_ = viewpoint;
-  frustum.silhouette_ = std::move(outline.corners);
-  const std::vector<Vec3>& corners = frustum.silhouette_;
-  if (near == Near::farthest) {
-    frustum.recipes_.push_back(farthest_plane(viewpoint, loop));
-  } else if (const auto own = polygon_plane(corners, loop)) {
-    frustum.recipes_.push_back(*own);
-    frustum.cap_vertices_ = corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      frustum.cap_edges_.push_back({corners[i], corners[(i + 1) % corners.size()], static_cast<std::uint32_t>(i + 1), 0});
-    }
-  } else {
-    frustum.support_plane_ = kernel::support_plane(viewpoint, corners, loop);
-    frustum.recipes_.push_back(exact_plane(*frustum.support_plane_));
-  }
-  frustum.add_sides();
-  frustum.finish();
+  const Refusal refusal = frustum.assign(viewpoint, loop, near);
+  if (refusal != Refusal::none) return {std::nullopt, refusal};
   return {std::move(frustum), Refusal::none};
 }
 
 ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near) {
-  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
-  const PolytopeSilhouette seen = kernel::silhouette(viewpoint, polytope);
-  if (seen.loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
-  Silhouette outline = kernel::silhouette(viewpoint, loop_of(polytope, seen));
-  if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
-
   ShadowFrustum frustum;
-  frustum.viewpoint_ = viewpoint;
-  frustum.silhouette_ = std::move(outline.corners);
-  if (near == Near::farthest) {
-    frustum.recipes_.push_back(farthest_plane(viewpoint, in_order_of_input(polytope, seen)));
-    frustum.add_sides();
-  } else {
-    for (const std::uint32_t face : seen.turned_faces) frustum.recipes_.push_back(inner_plane(polytope, face));
-    frustum.add_sides();
-    frustum.cap_vertices_.assign(polytope.vertices().begin(), polytope.vertices().end());
-    frustum.cap_edges_ = kernel::cap_edges(polytope, seen, frustum.silhouette_);
-  }
-  frustum.finish();
+  PolytopeSilhouette seen;
+  const Refusal refusal = frustum.assign(viewpoint, polytope, near, seen);
+  if (refusal != Refusal::none) return {std::nullopt, refusal};
   return {std::move(frustum), Refusal::none};
 }
 

@@ -18,7 +18,7 @@ ExactPlane side_plane(const Viewpoint& viewpoint, const Vec3& from, const Vec3& 
 
 namespace {
 
-using Loop = std::vector<Vec3>;
+using Loop = std::pmr::vector<Vec3>;
 
 /// Sign of the dot product of the normals of two planes.
 int normals_agree(const ExactPlane& p, const ExactPlane& q) {
@@ -37,9 +37,9 @@ Turn turn(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, const Vec3& 
   return agreement > 0 ? Turn::straight : agreement < 0 ? Turn::back : Turn::none;
 }
 
-std::size_t count_distinct(Loop loop) {
-  std::sort(loop.begin(), loop.end(), precedes);
-  return static_cast<std::size_t>(std::unique(loop.begin(), loop.end()) - loop.begin());
+bool has_three_distinct(std::span<const Vec3> loop) {
+  const auto other = std::find_if(loop.begin(), loop.end(), [&](const Vec3& v) { return v != loop[0]; });
+  return std::any_of(other, loop.end(), [&](const Vec3& v) { return v != loop[0] && v != *other; });
 }
 
 /// Drops vertices at which the loop does not turn until it turns at each; counts what the remaining turns are.
@@ -48,8 +48,8 @@ struct Turning {
   std::size_t left = 0, right = 0, back = 0;
 };
 
-Turning drop_straight(const Viewpoint& viewpoint, const Loop& loop) {
-  Turning result{.corners = loop};
+Turning drop_straight(const Viewpoint& viewpoint, std::span<const Vec3> loop, std::pmr::memory_resource& memory) {
+  Turning result{.corners = Loop(loop.begin(), loop.end(), &memory)};
   Loop& corners = result.corners;
   for (bool changed = true; changed && corners.size() >= 3;) {
     changed = false;
@@ -71,7 +71,7 @@ Turning drop_straight(const Viewpoint& viewpoint, const Loop& loop) {
 
 /// Whether every vertex of the loop is on the inner side of every side plane, and no corner but its own two on the border:
 /// then the loop is the border of a convex cone and runs round it once.
-bool is_convex(const Viewpoint& viewpoint, const Loop& corners, const Loop& loop) {
+bool is_convex(const Viewpoint& viewpoint, const Loop& corners, std::span<const Vec3> loop) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
     const ExactPlane side = side_plane(viewpoint, corners[i], corners[(i + 1) % n]);
@@ -87,13 +87,12 @@ bool is_convex(const Viewpoint& viewpoint, const Loop& corners, const Loop& loop
 
 }  // namespace
 
-Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> vertices) {
-  const Loop loop(vertices.begin(), vertices.end());
-  if (count_distinct(loop) < 3) return {.corners = {}, .refusal = Refusal::too_few_vertices};
+Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> loop, std::pmr::memory_resource& memory) {
+  if (!has_three_distinct(loop)) return {.corners = {}, .refusal = Refusal::too_few_vertices};
   if (viewpoint.is_eye() && std::find(loop.begin(), loop.end(), viewpoint.value) != loop.end()) {
     return {.corners = {}, .refusal = Refusal::eye_in_plane};
   }
-  auto [corners, left, right, back] = drop_straight(viewpoint, loop);
+  auto [corners, left, right, back] = drop_straight(viewpoint, loop, memory);
   if (left + right == 0) return {.corners = {}, .refusal = Refusal::eye_in_plane};
   if (corners.size() < 3 || back != 0 || (left != 0 && right != 0)) {
     return {.corners = {}, .refusal = Refusal::not_convex};

@@ -2,6 +2,7 @@
 // The silhouette of a polygon from a viewpoint: its loop, turned one way and freed of what does not matter.
 #pragma once
 
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -14,11 +15,12 @@ namespace occlude::kernel {
 [[nodiscard]] ExactPlane side_plane(const Viewpoint& viewpoint, const Vec3& from, const Vec3& to);
 
 struct Silhouette {
-  std::vector<Vec3> corners;  ///< strictly convex, each on the inner side of every side plane
+  std::pmr::vector<Vec3> corners;  ///< strictly convex, each on the inner side of every side plane
   Refusal refusal = Refusal::none;
 };
 
 /// REQUIRES: all numbers in the legal range.
-[[nodiscard]] Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> loop);
+[[nodiscard]] Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> loop,
+                                    std::pmr::memory_resource& memory);
 
 }  // namespace occlude::kernel

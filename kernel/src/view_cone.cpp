@@ -5,7 +5,8 @@
 
 #include "cone_sweep.h"
 #include "plane_coefficients.h"
-#include "polytope_silhouette.h"
+#include "polytope_cap.h"
+#include "scratch.h"
 #include "silhouette.h"
 
 namespace occlude::kernel {
@@ -16,16 +17,19 @@ ViewCone::ViewCone(const ShadowFrustum& frustum)
 ViewConeResult ViewCone::make(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
   if (const Refusal refusal = check(loop); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
-  Silhouette outline = silhouette(viewpoint, loop);
-  if (outline.refusal != Refusal::none) return {std::nullopt, outline.refusal};
-  return {ViewCone(viewpoint, std::move(outline.corners)), Refusal::none};
+  Scratch scratch;
+  const auto [corners, refusal] = silhouette(viewpoint, loop, scratch.memory());
+  if (refusal != Refusal::none) return {std::nullopt, refusal};
+  return {ViewCone(viewpoint, {corners.begin(), corners.end()}), Refusal::none};
 }
 
 ViewConeResult ViewCone::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
-  const std::vector<Vec3> loop = loop_of(polytope, silhouette(viewpoint, polytope));
-  if (loop.empty()) return {std::nullopt, Refusal::eye_in_polytope};
-  return make(viewpoint, loop);
+  PolytopeSilhouette seen;
+  seen.update(viewpoint, polytope);
+  if (seen.loop().empty()) return {std::nullopt, Refusal::eye_in_polytope};
+  Scratch scratch;
+  return make(viewpoint, loop_of(polytope, seen, scratch.memory()));
 }
 
 ConeOverlap overlap_certified(const ViewCone& occluder, const ViewCone& occludee) {

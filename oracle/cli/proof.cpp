@@ -240,12 +240,15 @@ bool Prover::is_model_polygon_outside(const Polygon& loop, std::size_t first, st
   return false;
 }
 
-Polygon Prover::polygon(std::size_t p) const {
+Polygon Prover::polygon(std::size_t p, std::size_t first, std::size_t count) const {
+  const auto indices = hierarchy_.soup().loop(p);
   Polygon loop;
-  for (const std::uint32_t index : hierarchy_.soup().loop(p)) {
+  const auto add = [&](std::uint32_t index) {
     const glm::dvec3& v = hierarchy_.soup().vertices[index];
     loop.push_back({v.x, v.y, v.z});
-  }
+  };
+  add(indices[0]);
+  for (std::size_t i = first + 1; i <= first + count + 1; ++i) add(indices[i]);
   return loop;
 }
 
@@ -254,12 +257,11 @@ bool Prover::is_joined_outside(const Polygon& loop, const Json& parts, std::size
   std::vector<Polygon> polygons;
   for (const Json& part : parts) {
     const auto [from, length] = run_of(part, "parts");
-    const auto at = std::lower_bound(first_triangle_.begin(), first_triangle_.end(), from);
-    // A polygon, all of it.
-    if (at == first_triangle_.end() || *at != from || std::next(at) == first_triangle_.end()) return false;
-    if (*std::next(at) - from != length) return false;
     if (from < first + count && first < from + length) return false;
-    polygons.push_back(polygon(static_cast<std::size_t>(at - first_triangle_.begin())));
+    const auto end = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), from);
+    if (end == first_triangle_.end() || length == 0 || length > *end - from) return false;  // beyond the polygon's fan
+    const auto p = static_cast<std::size_t>(end - first_triangle_.begin()) - 1;
+    polygons.push_back(polygon(p, from - first_triangle_[p], length));
   }
   return fuzz::have_border(polygons, loop);
 }

@@ -39,10 +39,12 @@ class Prover {
   [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
-  /// Whether the loop is the border of the polygons whose triangles `parts` lists, none of them among those triangles.
+  /// Whether the loop is the border of what `parts` lists, runs of triangles each of one polygon, none of them among those
+  /// triangles.
   [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
                                        std::size_t count) const;
-  [[nodiscard]] Polygon polygon(std::size_t p) const;
+  /// The loop about triangles [first, first + count) of the fan of polygon p.
+  [[nodiscard]] Polygon polygon(std::size_t p, std::size_t first, std::size_t count) const;
 
   const culler::Hierarchy& hierarchy_;
   const render::CameraPath& path_;

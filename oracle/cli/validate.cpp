@@ -3,17 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/line_reader.h"
@@ -41,18 +40,6 @@ struct Outcome {
   std::string first_failure;  ///< of the lowest line
 };
 
-/// Calls work(i) for every i below `count`, on all processors. REQUIRES: work does not throw.
-template <class Work>
-void on_all_processors(std::size_t count, Work&& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto share = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> others;
-  for (unsigned t = 1; t < std::thread::hardware_concurrency(); ++t) others.emplace_back(share);
-  share();
-}
-
 /// Proves witnesses and adds them to the outcome, which is the same for any number of threads. Throws InputError for a line
 /// that is no witness.
 void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& outcome) {
@@ -60,7 +47,7 @@ void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& 
     std::string failure, unreadable;
   };
   std::vector<Verdict> verdicts(places.size());
-  on_all_processors(places.size(), [&](std::size_t i) {
+  culler::parallel_for(places.size(), [&](std::size_t i) {
     try {
       verdicts[i].failure = prover.prove(places[i].line);
     } catch (const std::exception& error) {
@@ -109,13 +96,12 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
   Outcome outcome;
   std::vector<std::string> lines;
   std::vector<Place> places;
-  culler::OccluderHistory history;
+  culler::View view;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     render::check_interrupt();
     const culler::Camera camera = path.camera(frames[i], render::aspect(options));
     lines.clear();
-    render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull, history),
-                             options.cull.near);
+    render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull, view), options.cull.near);
     for (std::string& line : lines) places.push_back({std::move(line), fmt::format("frame {}", frames[i])});
     if (places.size() >= kBatch || i + 1 == frames.size()) {
       prove_all(prover, places, outcome);

@@ -29,7 +29,7 @@ struct Arguments {
 void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file) {
   options.on_shadow_test = [&file, number = std::size_t{0}](const render::ShadowTest& test) mutable {
     const std::string id = fmt::format("frame {} test {}", test.frame, number++);
-    file.stream() << write_case(id, {test.viewpoint, test.polygon, test.near, test.box}, "") << '\n';
+    file.stream() << write_case(id, {test.viewpoint, test.occluder, test.near, test.box}, "") << '\n';
   };
 }
 

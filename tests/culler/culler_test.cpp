@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "occlude/culler/occluder_history.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "scenes.h"
@@ -110,7 +111,7 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
       if (culled.by != Culled::By::shadow) continue;
       const Hierarchy::Node& node = culler.hierarchy().nodes()[culled.node];
       const Occluder& occluder = frame.occluders[culled.index];
-      for (const std::uint32_t part : culler.occluders().parts(occluder.region)) {
+      for (const std::uint32_t part : culler.occluders().parts(occluder.index)) {
         ASSERT_FALSE(part >= node.first && part < node.first + node.count) << "hides itself";
       }
       for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
@@ -127,7 +128,7 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
 
 /// The polygon of the input that is the occluder.
 std::uint32_t original(const Culler& culler, const Occluder& occluder) {
-  const auto parts = culler.occluders().parts(occluder.region);
+  const auto parts = culler.occluders().parts(occluder.index);
   EXPECT_EQ(parts.size(), 1U);
   return culler.hierarchy().original(parts[0]);
 }
@@ -268,6 +269,12 @@ TEST(Culler, ZeroOccludersIsViewFrustumCulling) {
   EXPECT_GT(frame.stats.view_culled_polygons, 0U);
 }
 
+std::vector<HalfSpace> view_frustum(const Camera& camera) {
+  std::vector<HalfSpace> planes;
+  append_view_frustum(camera, 1e6, planes);
+  return planes;
+}
+
 TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
   std::mt19937 random(6);
   for (int i = 0; i < 200; ++i) {
@@ -280,11 +287,11 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
       for (const double x : {-1.0, 1.0}) {
         for (const double y : {-1.0, 1.0}) {
           const glm::dvec3 corner = camera.eye + depth * forward + half * (x * camera.aspect * right + y * up);
-          for (const HalfSpace& h : view_frustum(camera, 1e6)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
+          for (const HalfSpace& h : view_frustum(camera)) EXPECT_GE(glm::dot(h.normal, corner) + h.offset, 0);
         }
       }
     }
-    for (const HalfSpace& h : view_frustum(camera, 1e6)) {
+    for (const HalfSpace& h : view_frustum(camera)) {
       EXPECT_LT(glm::dot(h.normal, camera.eye - 1e5 * (right + up + forward)) + h.offset, 0) << "closed on no side";
       break;
     }
@@ -365,7 +372,7 @@ TEST(Culler, PartsHideWhereTheirWholeCannot) {
     const CullResult frame = culler.cull(camera);
     EXPECT_FALSE(is_drawn(culler, frame, 2)) << "nearest " << nearest;
     ASSERT_EQ(frame.occluders.size(), 1U) << "and nothing that adds nothing";
-    EXPECT_EQ(culler.occluders().parts(frame.occluders[0].region).size(), nearest < camera.near ? 1U : 2U);
+    EXPECT_EQ(culler.occluders().parts(frame.occluders[0].index).size(), nearest < camera.near ? 1U : 2U);
   }
 }
 
@@ -381,13 +388,13 @@ TEST(Culler, HistoryFindsWhatHides) {
   camera.fov_y_deg = 120;
   const CullOptions options{.occluders = 3};
   EXPECT_EQ(culler.cull(camera, options).stats.shadow_culled_polygons, 0U) << "the pavement looks larger";
-  OccluderHistory history;
+  View view;
   std::size_t culled = 0;
-  for (int frame = 0; frame < 3; ++frame) culled = culler.cull(camera, options, history).stats.shadow_culled_polygons;
+  for (int frame = 0; frame < 3; ++frame) culled = culler.cull(camera, options, view).stats.shadow_culled_polygons;
   EXPECT_EQ(culled, 100U);
   // And it stays found.
   for (int frame = 0; frame < 50; ++frame) {
-    const CullResult result = culler.cull(camera, options, history);
+    const CullResult& result = culler.cull(camera, options, view);
     ASSERT_EQ(result.stats.shadow_culled_polygons, 100U) << "frame " << frame;
     ASSERT_EQ(original(culler, result.occluders[0]), 4U);
     ASSERT_EQ(result.occluders[0].hidden, 100U);
@@ -397,13 +404,13 @@ TEST(Culler, HistoryFindsWhatHides) {
 TEST(OccluderHistory, RemembersForAWhile) {
   OccluderHistory history;
   EXPECT_EQ(history.hidden(7), std::nullopt);
-  const std::vector<Occluder> used{{.region = 7, .frustum = {}, .hidden = 42}};
-  history.record(10, used);
+  const std::vector<Occluder> used{{.index = 7, .frustum = {}, .hidden = 42}};
+  history.record(10, used, {});
   EXPECT_EQ(history.hidden(7), 42U);
   EXPECT_EQ(history.hidden(6), std::nullopt);
   for (int frame = 0; frame < 16; ++frame) {
     EXPECT_EQ(history.hidden(7), 42U);
-    history.record(10, {});
+    history.record(10, {}, {});
   }
   EXPECT_EQ(history.hidden(7), std::nullopt);
 }

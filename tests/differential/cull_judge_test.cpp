@@ -150,12 +150,12 @@ TEST_F(CullJudgeTest, NamesUnprovedCullsByView) {
 
 TEST_F(CullJudgeTest, NamesUnprovedCullsByShadow) {
   const auto with_region = [](std::uint32_t region) {
-    return [region](CullResult& result) { result.occluders[first(result, Culled::By::shadow).index].region = region; };
+    return [region](CullResult& result) { result.occluders[first(result, Culled::By::shadow).index].index = region; };
   };
   EXPECT_EQ(fault_after(with_region(1000)), "there is no such occluder");
   EXPECT_EQ(fault_after([&](CullResult& result) {
               const Culled& culled = first(result, Culled::By::shadow);
-              result.occluders[culled.index].region = region_of(culler_.hierarchy().nodes()[culled.node].first);
+              result.occluders[culled.index].index = region_of(culler_.hierarchy().nodes()[culled.node].first);
             }),
             "an occluder culls itself");
   std::size_t wrong = 0;

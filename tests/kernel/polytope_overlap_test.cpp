@@ -18,7 +18,7 @@
 #include "lattice_geometry.h"
 #include "occlude/fuzz/cases.h"
 #include "plane_coefficients.h"
-#include "polytope_silhouette.h"
+#include "polytope_cap.h"
 
 namespace {
 

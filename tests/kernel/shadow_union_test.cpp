@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, UnionRows, testing::ValuesIn(kRows), [](const aut
 });
 
 TEST(ShadowUnion, OrientedBoxAcrossTheCommonEdge) {
-  const ShadowUnion both{shadow(wall(-1, 0)), shadow(wall(0, 1))};
+  const ShadowFrustum left = shadow(wall(-1, 0)), right = shadow(wall(0, 1));
+  const ShadowUnion both{left, right};
   const Obb diamond{{6, 0, 0}, {Vec3{0, 1.5, 1.5}, Vec3{0, -1.5, 1.5}, Vec3{1, 0, 0}}};  // reaches 3 at x = 5: too far
   EXPECT_EQ(overlap_certified(both, diamond).relation, Relation::partial);
   const Obb touching{{6, 0, 0}, {Vec3{0, 1.25, 1.25}, Vec3{0, -1.25, 1.25}, Vec3{1, 0, 0}}};  // 2.5 at x = 5
@@ -67,7 +68,8 @@ TEST(ShadowUnion, OrientedBoxAcrossTheCommonEdge) {
 }
 
 TEST(ShadowUnion, OpenNearBoundaryDrawsWhatIsCoplanar) {
-  const ShadowUnion both{shadow(wall(-1, 0)), shadow(wall(0, 1))};
+  const ShadowFrustum left = shadow(wall(-1, 0)), right = shadow(wall(0, 1));
+  const ShadowUnion both{left, right};
   EXPECT_EQ(overlap_certified(both, Aabb{{2, -0.5, 0}, {3, 0.5, 0}}, NearBoundary::open).relation, Relation::partial);
   EXPECT_EQ(overlap_certified(both, Aabb{{std::nextafter(2.0, 3), -0.5, 0}, {3, 0.5, 0}}, NearBoundary::open).relation,
             Relation::inside);
@@ -84,9 +86,10 @@ TEST(ShadowUnion, AgreesWithPoints) {
   int counts[3] = {}, unproved = 0;
   for (int i = 0; i < 4000; ++i) {
     const double a = whole(-2, 0), b = whole(-1, 1);
-    const ShadowUnion both{
-        shadow({{2, a - 2, -1}, {2, b, -2}, {2, b, 2}, {2, a - 2, 1}}, i % 2 ? Near::surface : Near::farthest),
-        shadow({{2, a, -2}, {2, b + 2, -1}, {2, b + 2, 1}, {2, a, 2}})};
+    const ShadowFrustum first =
+        shadow({{2, a - 2, -1}, {2, b, -2}, {2, b, 2}, {2, a - 2, 1}}, i % 2 ? Near::surface : Near::farthest);
+    const ShadowFrustum second = shadow({{2, a, -2}, {2, b + 2, -1}, {2, b + 2, 1}, {2, a, 2}});
+    const ShadowUnion both{first, second};
     const Vec3 min{whole(1, 5), whole(-8, 4), whole(-6, 3)};
     const Aabb box{min, {min.x + whole(0, 3), min.y + whole(0, 6), min.z + whole(0, 6)}};
     const Relation relation = overlap_certified(both, box).relation;

@@ -36,7 +36,7 @@ std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const cull
 std::vector<PolygonRange> occluder_ranges(const culler::Culler& culler, const culler::CullResult& result) {
   std::vector<PolygonRange> ranges;
   for (const culler::Occluder& occluder : result.occluders) {
-    for (const std::uint32_t polygon : culler.occluders().parts(occluder.region)) ranges.push_back({polygon, 1});
+    for (const std::uint32_t polygon : culler.occluders().parts(occluder.index)) ranges.push_back({polygon, 1});
   }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return ranges;
@@ -125,11 +125,11 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
   SceneRenderer renderer(culler.hierarchy().soup(), kWidth, kHeight);
   std::vector<DrawnPlate> plates;
   const std::vector<std::size_t> chosen = moments(frames);
-  culler::OccluderHistory history;
+  culler::View view;
   for (const FrameRecord& record : frames) {
     const std::size_t frame = record.frame;
     const culler::Camera camera = path.camera(frame, static_cast<double>(kWidth) / kHeight);
-    const culler::CullResult result = culler.cull(camera, options, history);
+    const culler::CullResult& result = culler.cull(camera, options, view);
     if (std::find(chosen.begin(), chosen.end(), frame) == chosen.end()) continue;
     const std::string name = fmt::format("frame_{:06}", frame);
 

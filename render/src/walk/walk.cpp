@@ -47,21 +47,16 @@ class Walker {
     view_only_.arithmetic = options.cull.arithmetic;
   }
 
-  /// Culls, draws and compares one frame; `culled` receives what occlusion culling did, `history` is that of the frames
-  /// before.
-  FrameRecord frame(std::size_t frame, bool reference, culler::OccluderHistory& history, culler::CullResult& culled) const {
+  /// Culls, draws and compares one frame; `view` is that of the frames before.
+  FrameRecord frame(std::size_t frame, bool reference, culler::View& view) {
     FrameRecord record;
     record.frame = frame;
     const culler::Camera camera = path_.camera(frame, aspect(options_));
-    culler::CullResult viewed;
     Picture full, picture;
     const auto with_view_frustum = [&] {
-      culler::OccluderHistory none;
-      viewed = timed(camera, view_only_, none, record.view_frustum_cull_ms, record.view_frustum_frame_ms, full);
+      timed(camera, view_only_, view_without_, record.view_frustum_cull_ms, record.view_frustum_frame_ms, full);
     };
-    const auto with_occlusion = [&] {
-      culled = timed(camera, options_.cull, history, record.cull_ms, record.frame_ms, picture);
-    };
+    const auto with_occlusion = [&] { timed(camera, options_.cull, view, record.cull_ms, record.frame_ms, picture); };
     // The order alternates so that neither method always finds the caches as the other left them.
     if (frame % 2 == 0) {
       with_view_frustum();
@@ -70,7 +65,8 @@ class Walker {
       with_occlusion();
       with_view_frustum();
     }
-    record.view_frustum_polygons = viewed.stats.drawn_polygons;
+    const culler::CullResult& culled = view.result();
+    record.view_frustum_polygons = view_without_.result().stats.drawn_polygons;
     record.rendered_polygons = culled.stats.drawn_polygons;
     record.occluders = culled.occluders.size();
     record.stats = culled.stats;
@@ -84,10 +80,10 @@ class Walker {
   }
 
  private:
-  culler::CullResult timed(const culler::Camera& camera, const culler::CullOptions& options,
-                           culler::OccluderHistory& history, double& cull_ms, double& frame_ms, Picture& picture) const {
+  void timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, double& cull_ms,
+             double& frame_ms, Picture& picture) const {
     const Clock::time_point start = Clock::now();
-    culler::CullResult result = culler_.cull(camera, options, history);
+    const culler::CullResult& result = culler_.cull(camera, options, view);
     cull_ms = milliseconds_since(start);
     if (renderer_) {
       const Layer layer{result.drawn, std::nullopt};
@@ -95,7 +91,6 @@ class Walker {
       frame_ms = milliseconds_since(start);
       picture = {renderer_->image(), renderer_->item_buffer()};
     }
-    return result;
   }
 
   Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {
@@ -109,6 +104,7 @@ class Walker {
   const WalkOptions& options_;
   SceneRenderer* renderer_;
   culler::CullOptions view_only_;
+  culler::View view_without_;  ///< with view-frustum culling alone
 };
 
 /// Counts the operations of the frame's shadow tests and shows these tests to whoever asked for them.
@@ -123,12 +119,8 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
         },
         box);
     if (!options.on_shadow_test) return;
-    ShadowTest test{frame, occluder.frustum.viewpoint(), {}, options.cull.near, box};
-    for (const std::uint32_t index : culler.occluders().loop(occluder.region)) {
-      const glm::dvec3& v = soup.vertices[index];
-      test.polygon.push_back({v.x, v.y, v.z});
-    }
-    options.on_shadow_test(test);
+    options.on_shadow_test(
+        {frame, occluder.frustum.viewpoint(), culler.occluders().geometry(soup, occluder.index), options.cull.near, box});
   });
   return total;
 }
@@ -201,22 +193,21 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     stage.renderer = std::make_unique<SceneRenderer>(culler.hierarchy().soup(), options.width, options.height);
     result.renderer = stage.context->description();
   }
-  const Walker walker(culler, path, options, stage.renderer.get());
+  Walker walker(culler, path, options, stage.renderer.get());
   const std::size_t reference_step = std::max<std::size_t>(1, frames.size() / kReferenceFrames);
   {
-    culler::OccluderHistory history;  // the first picture pays for what the renderer prepares once
-    culler::CullResult warm_up;
-    static_cast<void>(walker.frame(frames.front(), false, history, warm_up));
+    culler::View warm_up;  // the first picture pays for what the renderer prepares once
+    static_cast<void>(walker.frame(frames.front(), false, warm_up));
   }
-  culler::OccluderHistory history;
+  culler::View view;
   std::vector<std::string> lines;
   {
     Progress progress("frame", frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
       check_interrupt();
       const bool reference = i % reference_step == 0;
-      culler::CullResult culled;
-      result.frames.push_back(walker.frame(frames[i], reference, history, culled));
+      result.frames.push_back(walker.frame(frames[i], reference, view));
+      const culler::CullResult& culled = view.result();
       const culler::Camera camera = path.camera(frames[i], aspect(options));
       if (reference) result.operations += visit_shadow_tests(culler, frames[i], culled, options);
       if (reference && options.render) ++result.reference_frames;

@@ -28,29 +28,43 @@ std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near)
   return near == kernel::Near::farthest ? R"("farthest")" : R"("surface")";
 }
 
+/// [a,b,...] of the items' texts.
+template <class Items, class Text>
+std::string list(const Items& items, Text&& text) {
+  std::string result;
+  for (const auto& item : items) result += (result.empty() ? "" : ",") + text(item);
+  return "[" + result + "]";
+}
+
 /// What is drawn of an occluder that is not one polygon of the model: the triangles of its parts.
-std::string parts_member(const culler::Hierarchy& hierarchy, std::span<const std::uint32_t> parts) {
-  if (parts.size() == 1) return "";
-  std::string runs;
-  for (const std::uint32_t part : parts) {
-    const std::size_t first = hierarchy.first_triangle(part);
-    runs += fmt::format("{}[{},{}]", runs.empty() ? "" : ",", first, hierarchy.first_triangle(part + 1) - first);
+std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
+  const auto parts = culler.occluders().parts(occluder);
+  const auto piece = culler.occluders().regions().piece(occluder);
+  if (parts.size() == 1 && !piece) return "";
+  return R"(,"parts":)" + list(parts, [&](std::uint32_t part) {
+           const std::size_t first = culler.hierarchy().first_triangle(part);
+           return piece ? fmt::format("[{},{}]", first + piece->first, piece->count)
+                        : fmt::format("[{},{}]", first, culler.hierarchy().first_triangle(part + 1) - first);
+         });
+}
+
+std::string occluder_member(const culler::Culler& culler, std::uint32_t occluder) {
+  const auto geometry = culler.occluders().geometry(culler.hierarchy().soup(), occluder);
+  if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry)) {
+    return fmt::format(R"({{"polygon":{}{}}})", list(*polygon, triple<kernel::Vec3>), parts_member(culler, occluder));
   }
-  return fmt::format(R"(,"parts":[{}])", runs);
+  const auto& [vertices, faces] = std::get<kernel::Polytope>(geometry);
+  const auto face = [](const std::vector<std::uint32_t>& loop) {
+    return list(loop, [](std::uint32_t i) { return std::to_string(i); });
+  };
+  return fmt::format(R"({{"vertices":{},"faces":{}}})", list(vertices, triple<kernel::Vec3>), list(faces, face));
 }
 
 /// `"by":"shadow",...` for each occluder of the frame.
 std::vector<std::string> shadow_members(const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
-  const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const culler::PolygonSoup& soup = hierarchy.soup();
   std::vector<std::string> members;
   for (const culler::Occluder& occluder : result.occluders) {
-    std::string polygon;
-    for (const std::uint32_t index : culler.occluders().loop(occluder.region)) {
-      polygon += (polygon.empty() ? "" : ",") + triple(soup.vertices[index]);
-    }
-    members.push_back(fmt::format(R"("by":"shadow","occluders":[{{"polygon":[{}]{}}}],"near":{})", polygon,
-                                  parts_member(hierarchy, culler.occluders().parts(occluder.region)),
+    members.push_back(fmt::format(R"("by":"shadow","occluders":[{}],"near":{})", occluder_member(culler, occluder.index),
                                   near_member(occluder.frustum, near)));
   }
   return members;

@@ -21,6 +21,15 @@ enum class Bounds { aabb, obb };
 
 using Box = std::variant<kernel::Aabb, kernel::Obb>;
 
+/// Holds items [first, first + count) of the order of the leaves, all of them within `box`. Nodes lie in depth-first order:
+/// the left child follows its parent, the right child has the index `right`; a leaf has right = 0.
+struct HierarchyNode {
+  kernel::Aabb box;
+  std::uint32_t first = 0, count = 0, right = 0;
+
+  [[nodiscard]] bool is_leaf() const { return right == 0; }
+};
+
 class Hierarchy {
  public:
   struct Config {
@@ -29,18 +38,21 @@ class Hierarchy {
     Bounds bounds = Bounds::aabb;
   };
 
-  /// Holds polygons [first, first + count) of soup(), all of them within `box`. Nodes lie in depth-first order: the left
-  /// child follows its parent, the right child has the index `right`; a leaf has right = 0.
-  struct Node {
-    kernel::Aabb box;
-    std::uint32_t first = 0, count = 0, right = 0;
+  using Node = HierarchyNode;
 
-    [[nodiscard]] bool is_leaf() const { return right == 0; }
+  /// What takes time to find: the order of the polygons and the shape of the tree. The boxes follow from them.
+  struct Layout {
+    std::vector<std::uint32_t> order;  ///< of the input's polygons, in the order of the leaves
+    std::vector<std::uint32_t> left;   ///< of each node, depth-first, how many polygons its left child has; a leaf has 0
   };
 
   /// Builds top-down, splitting where the surface area heuristic (Goldsmith and Salmon 1987) estimates the least cost.
   /// REQUIRES: soup is not empty and its coordinates are in the kernel's legal range.
   [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config);
+
+  /// The same tree from its layout. Throws std::invalid_argument when it cannot be a layout of this soup.
+  [[nodiscard]] static Hierarchy restore(const PolygonSoup& soup, const Config& config, const Layout& layout);
+  [[nodiscard]] Layout layout() const;
 
   /// The polygons in the order of the leaves.
   [[nodiscard]] const PolygonSoup& soup() const { return soup_; }
@@ -65,6 +77,8 @@ class Hierarchy {
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  Hierarchy(const PolygonSoup& soup, const Config& config, std::vector<std::uint32_t> order, std::vector<Node> nodes);
 
   void fit_oriented_boxes();
 

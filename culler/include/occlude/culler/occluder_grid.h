@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The preprocess of section 4.1: a uniform grid over the model, each cell (the paper's region) with its list of potential
 // occluders.
-// Reading order: 5.
+// Reading order: 7.
 #pragma once
 
 #include <array>
@@ -11,21 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/convex_regions.h"
-#include "occlude/culler/hierarchy.h"
+#include "occlude/culler/potential_occluders.h"
+#include "occlude/kernel/types.h"
 
 namespace occlude::culler {
-
-/// What the choice of occluders knows about a convex region.
-struct PotentialOccluder {
-  glm::dvec3 centre{0, 0, 0};
-  glm::dvec3 area_normal{0, 0, 0};  ///< unit normal times area
-  kernel::Aabb box;
-
-  /// The area-angle a |N . V| / |V|^2 seen from `eye`, an approximation of the solid angle in steradians (Coorg and Teller
-  /// 1996): a the area, N the unit normal, V the unit and |V| the full distance to the centre.
-  [[nodiscard]] double area_angle(const glm::dvec3& eye) const;
-};
 
 class OccluderGrid {
  public:
@@ -36,21 +25,46 @@ class OccluderGrid {
     double regions = 32768;
   };
 
-  /// A grid over `model`, which lists the convex regions of the soup; degenerate ones are left out. The lists are
-  /// conservative: the area-angle is bounded from above over each region of the grid.
-  [[nodiscard]] static OccluderGrid build(const PolygonSoup& soup, const ConvexRegions& occluders, const kernel::Aabb& model,
+  /// The lists of all regions, one after another, ascending within each: what a preprocess stores.
+  struct Lists {
+    std::vector<std::uint64_t> first = {0};  ///< region r has the entries [first[r], first[r + 1])
+    std::vector<std::uint32_t> occluders;
+    /// Of each entry, what the occluder hides as seen from the region, polygons; empty where that was not sampled.
+    std::vector<float> hidden;
+  };
+
+  /// What a region lists.
+  struct List {
+    std::span<const std::uint32_t> occluders;
+    std::span<const float> hidden;  ///< of each, or empty
+  };
+
+  /// A grid over `model`, which lists the occluders; degenerate ones are left out. The lists are conservative: the
+  /// area-angle is bounded from above over each region of the grid.
+  [[nodiscard]] static OccluderGrid build(const PotentialOccluders& occluders, const kernel::Aabb& model,
                                           const Config& config);
 
-  /// Potential occluders of the region that holds the point; points outside the model go to the nearest region.
-  [[nodiscard]] std::span<const std::uint32_t> list(const glm::dvec3& point) const;
-  [[nodiscard]] const PotentialOccluder& occluder(std::uint32_t i) const { return occluders_[i]; }
+  /// The grid that has these lists. Throws std::invalid_argument when they cannot be lists of these occluders and regions.
+  [[nodiscard]] static OccluderGrid restore(const PotentialOccluders& occluders, const kernel::Aabb& model,
+                                            const Config& config, Lists lists);
+
+  [[nodiscard]] const Lists& lists() const { return lists_; }
+  /// Of the region that holds the point; points outside the model go to the nearest region.
+  [[nodiscard]] List list(const glm::dvec3& point) const { return list(region_at(point)); }
+  [[nodiscard]] List list(std::size_t region) const;
+  [[nodiscard]] std::size_t region_at(const glm::dvec3& point) const;
 
   [[nodiscard]] const std::array<std::size_t, 3>& size() const { return size_; }
-  /// Length of all lists together.
-  [[nodiscard]] std::size_t entries() const { return lists_.size(); }
+  [[nodiscard]] std::size_t regions() const { return size_[0] * size_[1] * size_[2]; }
+  /// Length of the edges of all regions, which are cubes.
+  [[nodiscard]] double edge() const { return edge_; }
+  /// The corner of a region at its lowest coordinates.
+  [[nodiscard]] glm::dvec3 corner(std::size_t region) const;
 
  private:
-  [[nodiscard]] std::array<std::size_t, 3> region_of(const glm::dvec3& point) const;
+  OccluderGrid(const kernel::Aabb& model, const Config& config);
+
+  [[nodiscard]] std::array<std::size_t, 3> cell_of(const glm::dvec3& point) const;
   [[nodiscard]] std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * size_[1] + y) * size_[0] + x;
   }
@@ -60,9 +74,7 @@ class OccluderGrid {
   glm::dvec3 origin_{0, 0, 0};
   double edge_ = 1;  ///< of a region, model units
   std::array<std::size_t, 3> size_{1, 1, 1};
-  std::vector<std::size_t> first_;  ///< region r lists lists_[first_[r], first_[r + 1])
-  std::vector<std::uint32_t> lists_;
-  std::vector<PotentialOccluder> occluders_;
+  Lists lists_;
 };
 
 }  // namespace occlude::culler

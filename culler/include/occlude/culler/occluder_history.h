@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Coherence (section 4, criterion 3): what hid much in a frame does so in the next, and what hid nothing does not. Reading
-// order: 6.
+// order: 8.
 #pragma once
 
 #include <cstddef>
@@ -13,24 +13,31 @@ namespace occlude::culler {
 
 struct Occluder;
 
-/// What occluders hid in the last frames of one camera, which follow one another as they are shown. It costs nothing to
-/// know: the traversal says which occluder took which subtree. A history belongs to one camera and one culler.
+/// What occluders hid in the last frames of one view, which follow one another as they are shown. It costs nothing to know:
+/// the traversal says which occluder took which subtree.
 class OccluderHistory {
  public:
-  /// Polygons that the shadow of the region took in the last frame in which it was an occluder: none where that is too long
-  /// ago to tell.
-  [[nodiscard]] std::optional<std::uint32_t> hidden(std::uint32_t region) const;
+  /// An occluder used lately.
+  struct Entry {
+    std::uint32_t occluder = 0;
+    std::uint32_t frame = 0;   ///< the last in which it was one, counted from 1
+    std::uint32_t hidden = 0;  ///< polygons that its shadow took then
+  };
 
-  /// Takes down a frame of a culler with so many regions.
-  void record(std::size_t regions, std::span<const Occluder> occluders);
+  /// The occluders of the last frames, in the order in which they came to be used.
+  [[nodiscard]] std::span<const Entry> recent() const { return recent_; }
+  /// What the occluder hid in the last frame in which it was one: none where that is too long ago to tell.
+  [[nodiscard]] std::optional<std::uint32_t> hidden(std::uint32_t occluder) const;
+
+  /// Takes down a frame that chose from so many potential occluders. What probes would have hidden counts as hidden.
+  void record(std::size_t potential, std::span<const Occluder> occluders, std::span<const Occluder> probes);
 
  private:
-  struct Entry {
-    std::uint32_t frame = 0;  ///< from 1; 0: never
-    std::uint32_t hidden = 0;
-  };
+  void take_down(const Occluder& occluder);
+
   std::uint32_t frames_ = 0;
-  std::vector<Entry> entries_;  ///< by region
+  std::vector<Entry> recent_;
+  std::vector<std::uint32_t> place_;  ///< of each occluder, one more than its place in recent_, or 0
 };
 
 }  // namespace occlude::culler

@@ -11,6 +11,7 @@
 
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/planes.h"
+#include "occlude/kernel/polytope_silhouette.h"
 #include "occlude/kernel/types.h"
 #include "occlude/kernel/validity.h"
 
@@ -50,6 +51,12 @@ class ShadowFrustum {
   /// a zero direction.
   [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near);
 
+  /// The same into a frustum that is there, whose memory is used again: from frame to frame nothing is allocated. Returns
+  /// why there is no such frustum; then this one is what it was. `seen`, of this polytope, is moved on to the viewpoint.
+  [[nodiscard]] Refusal assign(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near);
+  [[nodiscard]] Refusal assign(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
+                               PolytopeSilhouette& seen);
+
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
   /// What the planes in doubles are relative to: the eye, or a corner of the silhouette for directions.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
@@ -78,6 +85,7 @@ class ShadowFrustum {
   [[nodiscard]] const std::optional<SupportPlane>& support_plane() const { return support_plane_; }
 
  private:
+  void begin(const Viewpoint& viewpoint, std::span<const Vec3> corners);
   void add_sides();
   void finish();
 

@@ -11,7 +11,7 @@ namespace occlude::kernel {
 
 /// What is hidden by either of two convex objects seen from one viewpoint. The union of their shadows need not be convex.
 struct ShadowUnion {
-  ShadowFrustum first, second;
+  const ShadowFrustum &first, &second;  ///< must outlive this
 };
 
 /// Relation of `box` to the union, exact: `inside` also when each frustum hides a part of the box and both together all of

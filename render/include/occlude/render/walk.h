@@ -20,7 +20,7 @@ namespace occlude::render {
 struct ShadowTest {
   std::size_t frame = 0;
   kernel::Viewpoint viewpoint;
-  std::vector<kernel::Vec3> polygon;  ///< the occluder
+  culler::OccluderGeometry occluder;
   kernel::Near near = kernel::Near::surface;
   culler::Box box;
 };

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What a frame draws, what it does not draw and why, and how it is asked for. Reading order: 9.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "occlude/culler/camera.h"
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/kernel/overlap.h"
+#include "occlude/kernel/shadow_frustum.h"
+
+namespace occlude::culler {
+
+/// The objective of section 4.2, by which occluders are chosen: the product of its criteria, each to the power of its
+/// weight. A weight of 0 switches a criterion off.
+struct Objective {
+  enum class Angle {
+    area,   ///< the area-angle of Coorg and Teller
+    exact,  ///< the solid angle itself
+  };
+  Angle angle = Angle::area;
+  double solid_angle = 1;
+  /// Of what an occluder hides as sampled by a preprocess; without one all are alike.
+  double depth_complexity = 1;
+  /// Of what it hid in the last frames of the view; where it was not tried then, of what good occluders are near it in the
+  /// picture. Without it no frame depends on another, and nothing is probed.
+  double coherence = 1;
+};
+
+struct CullOptions {
+  /// n_occ, how many occluders a frame uses; 0 is view-frustum culling alone. The paper finds 5 to 10 worth their cost.
+  std::size_t occluders = 8;
+  /// Candidates a frame that hide nothing yet: what they would hide of what is drawn is counted, and the best of them are
+  /// occluders in the next frame of the view. Each costs less than an occluder.
+  std::size_t probes = 8;
+  Objective objective = {};
+  kernel::Near near = kernel::Near::surface;
+  kernel::Arithmetic arithmetic = kernel::Arithmetic::certified;
+  kernel::Test test = kernel::Test::conservative;
+  /// Whether pairs of the occluders that share an edge hide together what neither hides alone. Certified, always exact.
+  bool unions = false;
+};
+
+/// An occluder in use: one of the potential occluders, and its shadow.
+struct Occluder {
+  std::uint32_t index = 0;  ///< in PotentialOccluders
+  kernel::ShadowFrustum frustum;
+  std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took
+};
+
+/// A subtree that was not drawn, and why.
+struct Culled {
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  enum class By { view, shadow };
+  std::uint32_t node = 0;
+  By by = By::view;
+  std::uint32_t index = 0;       ///< of the half-space in CullResult::view, or of the occluder
+  std::uint32_t second = kNone;  ///< by shadow: of the occluder that hides it together with the first, if any
+};
+
+struct CullStats {
+  std::size_t nodes_visited = 0;
+  std::size_t view_tests = 0;          ///< box against half-space
+  std::size_t shadow_tests = 0;        ///< box against shadow frustum
+  std::size_t union_tests = 0;         ///< box against two of them together
+  std::size_t probe_tests = 0;         ///< box against the shadow of a probe
+  std::size_t exact_shadow_tests = 0;  ///< of these, decided by the kernel's exact stage
+  std::size_t potential_occluders = 0, occluders_in_view = 0;
+  std::size_t sort_kept = 0;   ///< candidates that the frame before had as well
+  std::size_t sort_moves = 0;  ///< by how many places the insertion sort moved them, all together
+  std::size_t silhouette_faces = 0, silhouette_faces_asked = 0;  ///< of polytopes: all, and those asked for their side
+  std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;
+};
+
+struct CullResult {
+  std::vector<PolygonRange> drawn;  ///< in the order of the leaves, neighbours merged
+  std::vector<Culled> culled;
+  std::vector<HalfSpace> view;
+  std::vector<Occluder> occluders;
+  CullStats stats;
+};
+
+}  // namespace occlude::culler

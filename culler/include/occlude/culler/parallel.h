@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The same work on all processors.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace occlude::culler {
+
+/// Calls work(i) once for every i below `count`, on all processors; returns when all are done. An exception stops what has
+/// not begun and is thrown on to the caller.
+template <class Work>
+void parallel_for(std::size_t count, Work&& work) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto share = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) work(i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    const std::size_t threads = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count);
+    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(share);
+    share();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace occlude::culler

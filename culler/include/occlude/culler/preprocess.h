@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What can be found out about a model once and used again (section 4.1): the order of its tree, the lists of its regions and
+// what occluders hide as seen from there. Heuristics and order alone: nothing of it can make an answer wrong. Reading
+// order: 10.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "occlude/culler/hierarchy.h"
+#include "occlude/culler/occluder_grid.h"
+#include "occlude/culler/potential_occluders.h"
+
+namespace occlude::culler {
+
+/// How a model is prepared.
+struct BuildConfig {
+  Hierarchy::Config hierarchy = {};
+  PotentialOccluders::Config occluders = {};
+  OccluderGrid::Config grid = {};
+};
+
+/// How depth complexity is sampled (section 4, criterion 2).
+struct SampleConfig {
+  enum class Pattern {
+    even,    ///< a sequence of low discrepancy (Roberts 2018), shifted from region to region
+    random,  ///< independent points
+  };
+  Pattern pattern = Pattern::even;
+  std::size_t viewpoints = 1;  ///< in each region
+  std::uint64_t seed = 1;
+};
+
+struct Preprocess {
+  BuildConfig config;
+  Hierarchy::Layout layout;
+  OccluderGrid::Lists lists;
+};
+
+/// Prepares the model and samples what its occluders hide, on all processors; the same for any number of them. Calls
+/// progress(done, all), if given, now and then from any thread, one call at a time; what it throws stops the work and comes
+/// out. Throws std::invalid_argument as Culler does.
+[[nodiscard]] Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
+                                    const std::function<void(std::size_t done, std::size_t all)>& progress = {});
+
+}  // namespace occlude::culler

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "candidate_order.h"
+
+#include <algorithm>
+
+namespace occlude::culler {
+namespace {
+
+/// Moves a candidate up to which insertion is cheaper than sorting anew, which takes about two comparisons for each doubling
+/// of their number: a camera that jumps must not cost a square.
+constexpr std::size_t kMostMoves = 16;
+
+}  // namespace
+
+/// Moves the last of the sorted up to its place.
+void CandidateOrder::insert_last() {
+  std::size_t i = sorted_.size() - 1;
+  const Candidate last = sorted_[i];
+  for (; i > 0 && last < sorted_[i - 1]; --i) {
+    sorted_[i] = sorted_[i - 1];
+    ++moves_;
+  }
+  sorted_[i] = last;
+}
+
+/// Those of the last frame that are candidates again, with their new scores; takes them from place_.
+void CandidateOrder::keep(std::span<const Candidate> candidates) {
+  merged_.clear();
+  for (const Candidate& last : sorted_) {
+    std::uint32_t& place = place_[last.occluder];
+    if (place == 0) continue;
+    merged_.push_back(candidates[place - 1]);
+    place = 0;
+  }
+  kept_ = merged_.size();
+  moves_ = 0;
+  sorted_.clear();
+  std::size_t next = 0;
+  for (; next < kept_ && moves_ <= kMostMoves * kept_; ++next) {
+    sorted_.push_back(merged_[next]);
+    insert_last();
+  }
+  if (next == kept_) return;
+  sorted_.insert(sorted_.end(), merged_.begin() + static_cast<std::ptrdiff_t>(next), merged_.end());
+  std::sort(sorted_.begin(), sorted_.end());
+}
+
+void CandidateOrder::update(std::span<const Candidate> candidates, std::size_t occluders) {
+  place_.resize(occluders);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    place_[candidates[i].occluder] = static_cast<std::uint32_t>(i + 1);
+  }
+  keep(candidates);
+  arrivals_.clear();
+  for (const Candidate& candidate : candidates) {
+    std::uint32_t& place = place_[candidate.occluder];
+    if (place != 0) arrivals_.push_back(candidate);
+    place = 0;
+  }
+  std::sort(arrivals_.begin(), arrivals_.end());
+  merged_.resize(sorted_.size() + arrivals_.size());
+  std::merge(sorted_.begin(), sorted_.end(), arrivals_.begin(), arrivals_.end(), merged_.begin());
+  sorted_.swap(merged_);
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/convex_shells.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "bounds.h"
+#include "disjoint_sets.h"
+
+namespace occlude::culler {
+namespace {
+
+/// Every face turned to the eye is a plane of the shadow and costs time at every test; the check that a solid is convex
+/// takes faces times vertices.
+constexpr std::size_t kMostFaces = 64;
+/// A tetrahedron.
+constexpr std::size_t kLeastFaces = 4;
+
+/// What holds together edge to edge, the polygons of each part in ascending order, one part after another.
+class Parts {
+ public:
+  Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency)
+      : sets_(soup.size()), order_(soup.size()), paired_(soup.size()) {
+    std::vector<std::uint32_t> polygon_of(soup.indices.size());
+    for (std::uint32_t p = 0; p < soup.size(); ++p) {
+      std::fill_n(polygon_of.begin() + soup.first[p], soup.loop(p).size(), p);
+    }
+    for (const auto& [length, side, twin] : adjacency) {
+      const std::uint32_t p = polygon_of[side], q = polygon_of[twin];
+      ++paired_[p];
+      ++paired_[q];
+      if (const std::uint32_t a = sets_.find(p), b = sets_.find(q); a != b) sets_.join(a, b);
+    }
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, {}, [&](std::uint32_t p) { return sets_.find(p); });
+  }
+
+  /// Calls visit(polygons) for every part.
+  template <class Visit>
+  void for_each(Visit&& visit) {
+    for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
+      const std::uint32_t set = sets_.find(order_[first]);
+      while (end < order_.size() && sets_.find(order_[end]) == set) ++end;
+      visit(std::span(order_).subspan(first, end - first));
+    }
+  }
+
+  /// How many sides of the polygon run along a side of another in the opposite direction.
+  [[nodiscard]] std::size_t paired(std::uint32_t polygon) const { return paired_[polygon]; }
+
+ private:
+  DisjointSets sets_;
+  std::vector<std::uint32_t> order_, paired_;
+};
+
+}  // namespace
+
+kernel::Polytope polytope_of(const PolygonSoup& soup, std::span<const std::uint32_t> polygons) {
+  kernel::Polytope solid;
+  std::vector<std::uint32_t> vertices;  // of the soup
+  for (const std::uint32_t p : polygons) {
+    std::vector<std::uint32_t>& face = solid.faces.emplace_back();
+    for (const std::uint32_t index : soup.loop(p)) {
+      const auto found = std::ranges::find(vertices, index);
+      face.push_back(static_cast<std::uint32_t>(found - vertices.begin()));
+      if (found != vertices.end()) continue;
+      vertices.push_back(index);
+      solid.vertices.push_back(to_kernel(soup.vertices[index]));
+    }
+  }
+  return solid;
+}
+
+ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePair> adjacency) {
+  ConvexShells result;
+  Parts parts(soup, adjacency);
+  parts.for_each([&](std::span<const std::uint32_t> polygons) {
+    if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return;
+    const auto is_closed = [&](std::uint32_t p) { return parts.paired(p) == soup.loop(p).size(); };
+    if (!std::ranges::all_of(polygons, is_closed)) return;
+    auto [polytope, refusal] = kernel::ConvexPolytope::make(polytope_of(soup, polygons));
+    if (!polytope) return;
+    if (result.shell_of_.empty()) result.shell_of_.assign(soup.size(), kNone);
+    for (const std::uint32_t p : polygons) result.shell_of_[p] = static_cast<std::uint32_t>(result.shells_.size());
+    result.shells_.push_back({{polygons.begin(), polygons.end()}, std::move(*polytope)});
+  });
+  return result;
+}
+
+}  // namespace occlude::culler

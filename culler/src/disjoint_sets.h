@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Union-find over 0, ..., n - 1.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace occlude::culler {
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  /// The element that stands for the set of i.
+  [[nodiscard]] std::uint32_t find(std::uint32_t i) {
+    std::uint32_t root = i;
+    while (parent_[root] != root) root = parent_[root];
+    while (parent_[i] != root) i = std::exchange(parent_[i], root);
+    return root;
+  }
+  /// Joins the sets that roots a and b stand for; a stands for both.
+  void join(std::uint32_t a, std::uint32_t b) { parent_[b] = a; }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace occlude::culler

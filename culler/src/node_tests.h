@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The kernel's questions about the nodes of a tree, as the traversal asks them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bounds.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+#include "occlude/kernel/shadow_union.h"
+#include "traverse.h"
+#include "view_memory.h"
+
+namespace occlude::culler {
+
+/// `Ask` calls a question with the bounding volume of a node; on_shadow_test(occluder, box) is told every test of a shadow.
+template <class Ask, class OnShadowTest>
+class NodeTests {
+ public:
+  NodeTests(const Ask& ask, const OnShadowTest& on_shadow_test, const CullOptions& options, View::Memory& memory)
+      : ask_(ask),
+        on_shadow_test_(on_shadow_test),
+        options_(options),
+        planes_(memory.planes),
+        probes_(memory.probes),
+        frame_(memory.result) {
+    memory.planes.clear();
+    for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
+  }
+
+  kernel::Relation view(std::uint32_t plane, std::uint32_t node) const {
+    return ask_(node, [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
+  }
+
+  /// What is coplanar with an occluder is drawn: the near plane is open.
+  kernel::Relation shadow(std::uint32_t occluder, std::uint32_t node) {
+    return counted(ask_(node, [&](const auto& box) {
+      on_shadow_test_(frame_.occluders[occluder], box);
+      return kernel::decide(frame_.occluders[occluder].frustum, box, options_.arithmetic, options_.test,
+                            kernel::NearBoundary::open);
+    }));
+  }
+
+  kernel::Relation probe(std::uint32_t probe, std::uint32_t node) const {
+    return ask_(node, [&](const auto& box) {
+      return kernel::decide(probes_[probe].frustum, box, options_.arithmetic, kernel::Test::conservative,
+                            kernel::NearBoundary::open)
+          .relation;
+    });
+  }
+
+  kernel::Relation pair(std::uint32_t first, std::uint32_t second, std::uint32_t node) {
+    const kernel::ShadowUnion both{frame_.occluders[first].frustum, frame_.occluders[second].frustum};
+    return counted(
+        ask_(node, [&](const auto& box) { return kernel::overlap_certified(both, box, kernel::NearBoundary::open); }));
+  }
+
+ private:
+  kernel::Relation counted(const kernel::Decision& decision) {
+    if (decision.stage == kernel::Stage::exact) ++frame_.stats.exact_shadow_tests;
+    return decision.relation;
+  }
+
+  const Ask& ask_;
+  const OnShadowTest& on_shadow_test_;
+  const CullOptions& options_;
+  const std::vector<kernel::HalfSpace>& planes_;
+  const std::vector<Occluder>& probes_;
+  CullResult& frame_;
+};
+
+/// The descent of a frame whose half-spaces and occluders are known.
+template <class Ask, class OnShadowTest>
+void traverse(std::span<const HierarchyNode> nodes, const Ask& ask, const OnShadowTest& on_shadow_test,
+              const CullOptions& options, View::Memory& memory) {
+  NodeTests tests(ask, on_shadow_test, options, memory);
+  Traversal(nodes, tests, memory.pairs, memory.probes, memory.result, memory.active, memory.holding).run();
+}
+
+}  // namespace occlude::culler

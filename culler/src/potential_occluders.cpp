@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/potential_occluders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "bounds.h"
+
+namespace occlude::culler {
+namespace {
+
+/// Centre and radius about some vertices.
+PotentialOccluder ball(const PolygonSoup& soup, std::span<const std::uint32_t> vertices) {
+  const glm::dvec3 base = soup.vertices[vertices[0]];
+  glm::dvec3 sum{0, 0, 0};
+  for (const std::uint32_t i : vertices) sum += soup.vertices[i] - base;
+  PotentialOccluder result{.centre = base + sum / static_cast<double>(vertices.size())};
+  for (const std::uint32_t i : vertices) {
+    result.radius = std::max(result.radius, glm::distance(soup.vertices[i], result.centre));
+  }
+  return result;
+}
+
+PotentialOccluder region(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+  PotentialOccluder result = ball(soup, loop);
+  result.area_normal = doubled_area(soup, loop) / 2.0;
+  return result;
+}
+
+PotentialOccluder shell(const PolygonSoup& soup, std::span<const std::uint32_t> polygons) {
+  std::vector<std::uint32_t> vertices;
+  double surface = 0;
+  for (const std::uint32_t p : polygons) {
+    const auto loop = soup.loop(p);
+    vertices.insert(vertices.end(), loop.begin(), loop.end());
+    surface += glm::length(doubled_area(soup, loop)) / 2;
+  }
+  PotentialOccluder result = ball(soup, vertices);
+  result.round_area = surface / 4;
+  return result;
+}
+
+}  // namespace
+
+double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
+  const glm::dvec3 v = centre - eye;
+  const double squared = glm::dot(v, v), distance = std::sqrt(squared);
+  return squared == 0 ? 0 : (std::fabs(glm::dot(area_normal, v)) + round_area * distance) / (squared * distance);
+}
+
+double PotentialOccluder::area() const { return glm::length(area_normal) + round_area; }
+
+PotentialOccluders PotentialOccluders::find(const PolygonSoup& soup, const Config& config) {
+  const std::vector<SidePair> adjacency = find_adjacency(soup);
+  PotentialOccluders result;
+  result.regions_ = ConvexRegions::find(soup, adjacency);
+  if (config.shells) result.shells_ = ConvexShells::find(soup, adjacency);
+  result.known_.reserve(result.regions_.size() + result.shells_.size());
+  for (std::size_t i = 0; i < result.regions_.size(); ++i) result.known_.push_back(region(soup, result.regions_.loop(i)));
+  for (std::size_t i = 0; i < result.shells_.size(); ++i) result.known_.push_back(shell(soup, result.shells_.parts(i)));
+  return result;
+}
+
+OccluderGeometry PotentialOccluders::geometry(const PolygonSoup& soup, std::size_t i) const {
+  if (is_shell(i)) return polytope_of(soup, parts(i));
+  std::vector<kernel::Vec3> polygon;
+  for (const std::uint32_t index : loop(i)) polygon.push_back(to_kernel(soup.vertices[index]));
+  return polygon;
+}
+
+std::uint32_t PotentialOccluders::container(std::uint32_t i) const {
+  if (is_shell(i)) return i;
+  const std::uint32_t polygon = regions_.parts(i)[0];
+  if (i == polygon && regions_.whole(polygon) != polygon) return regions_.whole(polygon);
+  const std::uint32_t shell = shells_.shell_of(polygon);
+  return shell == ConvexShells::kNone ? i : static_cast<std::uint32_t>(regions_.size()) + shell;
+}
+
+}  // namespace occlude::culler

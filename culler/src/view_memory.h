@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What is kept of a view from frame to frame, and memory that its frames use again.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "candidate_order.h"
+#include "occlude/culler/occluder_history.h"
+#include "occlude/culler/view.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/polytope_silhouette.h"
+#include "traverse.h"
+
+namespace occlude::culler {
+
+struct View::Memory {
+  CullResult result;
+  OccluderHistory history;
+  CandidateOrder order;
+  std::unordered_map<std::uint32_t, kernel::PolytopeSilhouette> silhouettes;  ///< of shells, by occluder
+
+  std::vector<Candidate> candidates;
+  std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
+  std::vector<kernel::Vec3> loop;
+  std::vector<std::uint32_t> tried;  ///< occluders that this frame has tried to take
+  std::vector<kernel::HalfSpace> planes;
+  std::vector<ShadowPair> pairs;       ///< of the result's occluders, those asked together
+  std::vector<Occluder> probes;        ///< of the frame, which hide nothing
+  std::vector<std::uint32_t> holding;  ///< the traversal's stacks
+  std::vector<std::uint32_t> active;
+
+  /// Empties the result for the next frame; its frusta become spare.
+  void begin_frame();
+};
+
+}  // namespace occlude::culler

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Silhouettes followed from viewpoint to viewpoint, and frusta built where others were.
+#include "occlude/kernel/polytope_silhouette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "occlude/kernel/shadow_frustum.h"
+
+namespace {
+
+using namespace occlude::kernel;
+
+/// Two pyramids over the polygon of the points (k, k^2), |k| <= `reach`: 4 reach + 2 faces, no two of them coplanar.
+ConvexPolytope bipyramid(int reach) {
+  Polytope solid;
+  for (int k = -reach; k <= reach; ++k) solid.vertices.push_back({static_cast<double>(k), static_cast<double>(k * k), 0});
+  const auto corners = static_cast<std::uint32_t>(solid.vertices.size());
+  const double middle = reach * reach / 2.0;
+  solid.vertices.push_back({0, middle, 30});
+  solid.vertices.push_back({0, middle, -30});
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    for (const std::uint32_t apex : {corners, corners + 1}) solid.faces.push_back({i, (i + 1) % corners, apex});
+  }
+  return *ConvexPolytope::make(solid).polytope;
+}
+
+std::vector<std::uint32_t> vertices_of(const PolytopeSilhouette& seen) {
+  std::vector<std::uint32_t> vertices;
+  for (const auto& step : seen.loop()) vertices.push_back(step.vertex);
+  return vertices;
+}
+
+void expect_same(const PolytopeSilhouette& followed, const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
+  PolytopeSilhouette fresh;
+  fresh.update(viewpoint, polytope);
+  EXPECT_TRUE(std::ranges::equal(followed.turned_faces(), fresh.turned_faces()));
+  EXPECT_EQ(vertices_of(followed), vertices_of(fresh));
+  EXPECT_EQ(fresh.faces_asked(), polytope.faces().size());
+}
+
+TEST(PolytopeSilhouette, FollowedIsWhatAFreshOneIs) {
+  constexpr std::uint32_t kSeed = 5;
+  std::mt19937 random(kSeed);
+  const ConvexPolytope polytope = bipyramid(8);
+  const auto coordinate = [&](int reach) {
+    return static_cast<double>(static_cast<int>(random() % (2U * reach + 1)) - reach);
+  };
+  PolytopeSilhouette followed;
+  std::size_t seen_from_outside = 0, from_inside = 0;
+  // Jumps to anywhere on a lattice: into the polytope, onto planes of faces, to the other side.
+  for (int i = 0; i < 3000; ++i) {
+    const int reach = i % 3 == 0 ? 9 : 120;
+    const Vec3 at{coordinate(reach), coordinate(reach), coordinate(reach)};
+    const bool is_direction = i % 5 == 0 && at != Vec3{};
+    const Viewpoint viewpoint = is_direction ? Viewpoint::direction(at) : Viewpoint::eye(at);
+    followed.update(viewpoint, polytope);
+    expect_same(followed, viewpoint, polytope);
+    ++(followed.loop().empty() ? from_inside : seen_from_outside);
+    ASSERT_FALSE(HasFailure()) << "seed " << kSeed << " viewpoint " << i;
+  }
+  EXPECT_GT(seen_from_outside, 1000U);
+  EXPECT_GT(from_inside, 5U);
+}
+
+TEST(PolytopeSilhouette, ASmallStepAsksTheFacesAlongItAlone) {
+  const ConvexPolytope polytope = bipyramid(50);
+  PolytopeSilhouette followed;
+  followed.update(Viewpoint::eye({-200, 1000, 7}), polytope);
+  EXPECT_EQ(followed.faces_asked(), polytope.faces().size());
+  std::size_t asked = 0;
+  for (int i = 1; i <= 100; ++i) {
+    const Viewpoint viewpoint = Viewpoint::eye({-200.0 + i, 1000, 7});
+    followed.update(viewpoint, polytope);
+    asked += followed.faces_asked();
+    expect_same(followed, viewpoint, polytope);
+  }
+  EXPECT_LT(asked, 100 * polytope.faces().size() / 10);
+}
+
+/// A frustum built where another was leaves nothing of it.
+TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
+  const ConvexPolytope polytope = bipyramid(3);
+  const std::vector<Vec3> flat{{4, -1, -1}, {4, 1, -1}, {4, 1, 1}, {4, -1, 1}},
+      bent{{4, -1, -1}, {4, 1, -1}, {4.5, 1, 1}, {4, -1, 1}};
+  const Viewpoint eye = Viewpoint::eye({-20, 3, 1});
+  PolytopeSilhouette seen;
+  ShadowFrustum frustum;
+  const auto expect_same_as = [&](const ShadowFrustumResult& made) {
+    const auto same = [](auto a, auto b) { return a.size() == b.size(); };
+    EXPECT_TRUE(std::ranges::equal(frustum.silhouette(), made.frustum->silhouette()));
+    EXPECT_TRUE(same(frustum.recipes(), made.frustum->recipes()));
+    EXPECT_TRUE(same(frustum.filter_planes(), made.frustum->filter_planes()));
+    EXPECT_TRUE(same(frustum.refined_planes(), made.frustum->refined_planes()));
+    EXPECT_TRUE(same(frustum.cap_edges(), made.frustum->cap_edges()));
+    EXPECT_TRUE(same(frustum.cap_vertices(), made.frustum->cap_vertices()));
+    EXPECT_TRUE(same(frustum.plain_edges(), made.frustum->plain_edges()));
+    EXPECT_EQ(frustum.filter_bound().slope, made.frustum->filter_bound().slope);
+    EXPECT_EQ(frustum.profile_bound().base, made.frustum->profile_bound().base);
+    EXPECT_EQ(frustum.support_plane().has_value(), made.frustum->support_plane().has_value());
+    EXPECT_EQ(frustum.plane_count(), made.frustum->plane_count());
+    EXPECT_EQ(frustum.near_count(), made.frustum->near_count());
+  };
+  for (const Near near : {Near::surface, Near::farthest}) {
+    for (int round = 0; round < 2; ++round) {
+      EXPECT_EQ(frustum.assign(eye, polytope, near, seen), Refusal::none);
+      expect_same_as(ShadowFrustum::make(eye, polytope, near));
+      EXPECT_EQ(frustum.assign(eye, bent, near), Refusal::none);
+      expect_same_as(ShadowFrustum::make(eye, bent, near));
+      EXPECT_EQ(frustum.assign(eye, flat, near), Refusal::none);
+      EXPECT_EQ(frustum.assign(Viewpoint::eye({4, 5, 5}), flat, near), Refusal::eye_in_plane);
+      expect_same_as(ShadowFrustum::make(eye, flat, near));
+    }
+  }
+}
+
+}  // namespace
