@@ -1,0 +1,29 @@
+# What `cmake --install` puts under a prefix: the kernel and the culler, which are what other programs link, described for
+# CMake and for pkg-config; and the command where it is built. No file says where it was built or where it lies: the prefix
+# may be moved. Included once, from the top.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/occlude)
+foreach(name IN ITEMS kernel culler)
+  set_target_properties(occlude_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS occlude_${name} EXPORT occlude INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(DIRECTORY ${OCCLUDE_SOURCES}/${name}/include/ TYPE INCLUDE)
+endforeach()
+install(EXPORT occlude NAMESPACE occlude:: FILE occlude-targets.cmake DESTINATION ${package_folder})
+
+# Before 1.0 a new minor version may change the interface.
+set(version_file ${PROJECT_BINARY_DIR}/package/occlude-config-version.cmake)
+write_basic_package_version_file(${version_file} COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/occlude-config.cmake ${version_file} DESTINATION ${package_folder})
+
+set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(pc_to_prefix /prefix)
+cmake_path(RELATIVE_PATH pc_to_prefix BASE_DIRECTORY /prefix/${pc_folder})
+configure_file(${PROJECT_SOURCE_DIR}/cmake/occlude.pc.in ${PROJECT_BINARY_DIR}/package/occlude.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/occlude.pc DESTINATION ${pc_folder})
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
+if(TARGET occlude)
+  install(TARGETS occlude)
+endif()
