@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The libraries as other programs meet them: installed, the installed folder moved, and one small program that links them
+# through CMake, through pkg-config, and with the sources inside its own project, whatever that compiles with.
+# Usage: consumers_test.sh BUILD_FOLDER COMPILER
+set -uo pipefail
+build=$(realpath "$1") compiler=$2
+tests=$(realpath "$(dirname "$0")")
+source=${tests%/tests/package}
+here=$(mktemp -d)
+trap 'rm -rf "$here"' EXIT
+cd "$here"
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# run_consumer HOW: the program's answer.
+run_consumer() {
+  "$1/consumer" >stdout 2>&1 || fail "$1: exit code $?: $(cat stdout)"
+}
+
+launcher=$(command -v ccache || true)
+# cmake_consumer HOW OPTIONS...: builds and runs the program. None of the flags that the project gives itself may reach it.
+cmake_consumer() {
+  {
+    cmake -S "$tests/consumer" -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON \
+      -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" "${@:2}" &&
+      cmake --build "$1" --parallel 2
+  } >log 2>&1 || { fail "$1: does not build: $(cat log)"; return; }
+  grep '"command".*/consumer/main\.cpp' "$1/compile_commands.json" >command || fail "$1: no command compiles it"
+  grep -E -- '-fno-fast-math|-ffp-contract|-Wconversion' command && fail "$1: compiled with our flags"
+  run_consumer "$1"
+}
+
+cmake --install "$build" --prefix "$here/first" >log 2>&1 || { fail "install: $(cat log)"; exit 1; }
+mkdir elsewhere && mv first elsewhere/second
+prefix=$here/elsewhere/second
+
+# What is there.
+headers() { (cd "$1" && find occlude -name '*.h'); }
+diff <({ headers "$source/kernel/include"; headers "$source/culler/include"; } | sort) <(headers "$prefix/include" | sort) ||
+  fail "not the public headers"
+[ -s "$prefix/share/doc/occlude/LICENSE" ] || fail "no licence"
+if [ -e "$build/occlude" ]; then
+  "$prefix/bin/occlude" --version >log 2>&1 || fail "the command: $(cat log)"
+fi
+# Assertions and debug information name the sources. A release has neither; of other builds only the text files are searched.
+binaries=without-match
+grep -q '^CMAKE_BUILD_TYPE:.*=Release$' "$build/CMakeCache.txt" && binaries=text
+grep -rlF --binary-files=$binaries -e "$source/" -e "$build" -e "$here" "$prefix" &&
+  fail "these files know where they were made"
+
+cmake_consumer find_package -DOCCLUDE_BY=find_package -DCMAKE_PREFIX_PATH="$prefix"
+package=$(dirname "$(find "$prefix" -name occlude-config.cmake)")
+echo 'find_package(occlude ${wanted} REQUIRED CONFIG)' >find.cmake
+for version in 0.0 0.2 1.0; do
+  cmake -Docclude_DIR="$package" -Dwanted=$version -P find.cmake >log 2>&1 && fail "taken for version $version"
+  grep -qF "compatible with requested version \"$version\"" log || fail "version $version: $(cat log)"
+done
+
+export PKG_CONFIG_PATH
+PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name occlude.pc)")
+mkdir pkg-config
+# Every header is compiled, and the program linked.
+headers "$prefix/include" | sed 's/.*/#include <&>/' >all.h
+if flags=$(pkg-config --cflags --libs occlude 2>&1) &&
+  "$compiler" -std=c++20 -Wall -Wextra -Werror -include all.h "$tests/consumer/main.cpp" $flags -o pkg-config/consumer \
+    >log 2>&1; then
+  run_consumer pkg-config
+else
+  fail "pkg-config: does not build: $flags $(cat log)"
+fi
+
+for how in add_subdirectory FetchContent; do
+  cmake_consumer $how -DOCCLUDE_BY=$how -DOCCLUDE_FOLDER="$source"
+done
+cmake_consumer hostile -DOCCLUDE_BY=add_subdirectory -DOCCLUDE_FOLDER="$source" \
+  -DCMAKE_CXX_FLAGS='-ffast-math -Wall -Wextra -Werror'
+
+[ $failures -eq 0 ] && echo "All package tests passed"
+exit $failures
