@@ -24,6 +24,6 @@ configure_file(${PROJECT_SOURCE_DIR}/cmake/occlude.pc.in ${PROJECT_BINARY_DIR}/p
 install(FILES ${PROJECT_BINARY_DIR}/package/occlude.pc DESTINATION ${pc_folder})
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
-if(TARGET occlude)
+if(OCCLUDE_TOOLS)
   install(TARGETS occlude)
 endif()
