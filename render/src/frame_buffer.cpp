@@ -46,21 +46,24 @@ void FrameBuffer::attach(const GlRenderbuffer& buffer, GLenum format, GLenum att
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
-void FrameBuffer::begin(const Rgba& sky) {
+void FrameBuffer::begin(GLenum attachment) const {
+  constexpr float kFarthest = 0;
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glViewport(0, 0, width_, height_);
-  write_items(true);
-  const std::array<float, 4> colour = {unit(sky.r), unit(sky.g), unit(sky.b), 1};
-  constexpr std::array<GLuint, 4> kNoItem = {kNothing, 0, 0, 0};
-  constexpr float kFarthest = 0;
-  glClearBufferfv(GL_COLOR, 0, colour.data());
-  glClearBufferuiv(GL_COLOR, 1, kNoItem.data());
+  glDrawBuffers(1, &attachment);
   glClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
-void FrameBuffer::write_items(bool on) {
-  constexpr std::array<GLenum, 2> kTargets = {kColour, kItems};
-  glDrawBuffers(on ? 2 : 1, kTargets.data());
+void FrameBuffer::begin_picture(const Rgba& sky) {
+  const std::array<float, 4> colour = {unit(sky.r), unit(sky.g), unit(sky.b), 1};
+  begin(kColour);
+  glClearBufferfv(GL_COLOR, 0, colour.data());
+}
+
+void FrameBuffer::begin_items() {
+  constexpr std::array<GLuint, 4> kNoItem = {kNothing, 0, 0, 0};
+  begin(kItems);
+  glClearBufferuiv(GL_COLOR, 0, kNoItem.data());
 }
 
 template <class Pixel>

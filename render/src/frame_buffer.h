@@ -14,16 +14,16 @@ class FrameBuffer {
   /// Throws std::runtime_error if OpenGL offers no buffers of this size.
   FrameBuffer(int width, int height);
 
-  /// Makes it the target of drawing and reading, with `sky` everywhere, nothing in the item buffer and depth 0, the
-  /// farthest.
-  void begin(const Rgba& sky);
-  /// Whether drawing from here on writes the item buffer besides the picture.
-  void write_items(bool on);
+  /// Makes the picture the target of drawing, with `sky` everywhere and depth 0, the farthest.
+  void begin_picture(const Rgba& sky);
+  /// Makes the item buffer the target of drawing, with nothing in it and depth 0. The picture stays as it is.
+  void begin_items();
 
   [[nodiscard]] Image image() const;
   [[nodiscard]] ItemBuffer item_buffer() const;
 
  private:
+  void begin(GLenum attachment) const;
   void attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment);
   template <class Pixel>
   [[nodiscard]] Raster<Pixel> read(GLenum attachment, GLenum format, GLenum type) const;

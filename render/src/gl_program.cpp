@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gl_program.h"
 
+#include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,20 @@ void GlProgram::attach(GLenum stage, const char* text) const {
   glCompileShader(shader);
   glAttachShader(name_, shader);
   glDeleteShader(shader);  // it lives on as long as the program
+}
+
+void GlProgram::set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }
+
+void GlProgram::set(const char* uniform, const glm::vec3& value) const {
+  glUniform3fv(location(uniform), 1, glm::value_ptr(value));
+}
+
+void GlProgram::set(const char* uniform, const glm::vec4& value) const {
+  glUniform4fv(location(uniform), 1, glm::value_ptr(value));
+}
+
+void GlProgram::set(const char* uniform, const glm::mat4& value) const {
+  glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
 }  // namespace occlude::render

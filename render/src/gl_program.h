@@ -2,6 +2,10 @@
 // A pair of shaders, compiled and linked.
 #pragma once
 
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
 #include "gl.h"
 
 namespace occlude::render {
@@ -15,9 +19,14 @@ class GlProgram {
   GlProgram& operator=(const GlProgram&) = delete;
 
   void use() const { glUseProgram(name_); }
-  [[nodiscard]] GLint uniform(const char* name) const { return glGetUniformLocation(name_, name); }
+  /// Sets a uniform; one that the shaders have no use for is left out. REQUIRES: the program is in use.
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, const glm::vec3& value) const;
+  void set(const char* uniform, const glm::vec4& value) const;
+  void set(const char* uniform, const glm::mat4& value) const;
 
  private:
+  [[nodiscard]] GLint location(const char* uniform) const { return glGetUniformLocation(name_, uniform); }
   void attach(GLenum stage, const char* text) const;
 
   GLuint name_;

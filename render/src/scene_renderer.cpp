@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec4.hpp>
 #include <stdexcept>
 
@@ -31,6 +30,7 @@ constexpr double kHazeHalvings = 2;  // over the whole diagonal
 
 enum Attribute : GLuint { kPosition, kColour, kPolygon };
 
+// Of pictures and item buffers alike: the same text and invariance give both the same geometry.
 constexpr const char* kVertexShader = R"(#version 450 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
@@ -38,6 +38,7 @@ layout(location = 2) in uint polygon;
 uniform vec3 eye_high, eye_low;  // their sum is the eye: what float cannot hold of it is not lost
 uniform mat4 clip_from_eye_relative;
 uniform float lift;
+invariant gl_Position;
 flat out vec4 surface;
 flat out uint item_of_polygon;
 void main() {
@@ -49,21 +50,24 @@ void main() {
 }
 )";
 
-constexpr const char* kFragmentShader = R"(#version 450 core
+constexpr const char* kPictureShader = R"(#version 450 core
 flat in vec4 surface;
-flat in uint item_of_polygon;
 uniform vec4 tint;  // alpha: its share
 uniform vec3 sky;
 uniform float haze;  // halvings of the surface's share per unit of distance
 uniform float opacity;
-layout(location = 0) out vec4 colour;
-layout(location = 1) out uint item;
+out vec4 colour;
 void main() {
   float distance = 1 / gl_FragCoord.w;
   vec3 tinted = mix(surface.rgb, tint.rgb, tint.a);
   colour = vec4(mix(sky, tinted, exp2(-haze * distance)), opacity * surface.a);
-  item = item_of_polygon;
 }
+)";
+
+constexpr const char* kItemShader = R"(#version 450 core
+flat in uint item_of_polygon;
+out uint item;
+void main() { item = item_of_polygon; }
 )";
 
 glm::vec4 to_float(const Rgba& colour) { return glm::vec4(colour.r, colour.g, colour.b, colour.a) / 255.0F; }
@@ -113,6 +117,12 @@ class CornerBuffer {
   GlBuffer buffer_;
 };
 
+void set_eye(const GlProgram& program, const glm::dvec3& eye_from_centre) {
+  const glm::vec3 high(eye_from_centre);
+  program.set("eye_high", high);
+  program.set("eye_low", glm::vec3(eye_from_centre - glm::dvec3(high)));
+}
+
 /// glClipControl is newer than what every OpenGL library exports.
 void use_reversed_depth() {
   const auto clip_control = reinterpret_cast<PFNGLCLIPCONTROLPROC>(gl_function("glClipControl"));
@@ -126,7 +136,8 @@ void use_reversed_depth() {
 struct SceneRenderer::Impl {
   Impl(const TriangleList& list, int width, int height)
       : target(width, height),
-        program(kVertexShader, kFragmentShader),
+        picture(kVertexShader, kPictureShader),
+        items(kVertexShader, kItemShader),
         extent(list.extent),
         centre(list.centre),
         first_corner(list.first) {
@@ -137,45 +148,42 @@ struct SceneRenderer::Impl {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   }
 
-  void set_camera(const culler::Camera& camera) const;
-  void set_eye(const glm::dvec3& eye_from_centre) const;
-  void draw_layer(const Layer& layer) const;
+  void begin_polygons(const GlProgram& program, const culler::Camera& camera) const;
+  void draw_polygons(std::span<const PolygonRange> ranges) const;
+  void set_shading(const culler::Camera& camera) const;
   void draw_lines(const glm::dvec3& eye, std::span<const Line> lines);
-  void set(const char* name, float value) const { glUniform1f(program.uniform(name), value); }
-  void set(const char* name, const glm::vec3& value) const { glUniform3fv(program.uniform(name), 1, glm::value_ptr(value)); }
-  void set(const char* name, const glm::vec4& value) const { glUniform4fv(program.uniform(name), 1, glm::value_ptr(value)); }
 
   FrameBuffer target;
-  GlProgram program;
+  GlProgram picture, items;
   CornerBuffer corners, line_ends;
   Extent extent;
   glm::dvec3 centre;
   std::vector<std::uint32_t> first_corner;  ///< of each polygon, and the end
 };
 
-void SceneRenderer::Impl::set_camera(const culler::Camera& camera) const {
-  const glm::mat4 matrix = clip_from_eye_relative(camera, extent);
-  glUniformMatrix4fv(program.uniform("clip_from_eye_relative"), 1, GL_FALSE, glm::value_ptr(matrix));
+/// What pictures and item buffers must have alike.
+void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler::Camera& camera) const {
+  program.use();
+  program.set("clip_from_eye_relative", clip_from_eye_relative(camera, extent));
+  program.set("lift", 1.0F);
+  set_eye(program, camera.eye - centre);
+  corners.bind();
+  glDepthFunc(GL_GREATER);
+}
+
+void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges) const {
+  DrawRanges runs;
+  for (const PolygonRange& range : ranges) runs.add(first_corner[range.first], first_corner[range.first + range.count]);
+  glMultiDrawArrays(GL_TRIANGLES, runs.first.data(), runs.count.data(), static_cast<GLsizei>(runs.first.size()));
+}
+
+void SceneRenderer::Impl::set_shading(const culler::Camera& camera) const {
   const double diagonal = glm::length(extent.max - extent.min);
   // Parallel light rays have no distance to fade over.
   const bool hazy = camera.projection == culler::Projection::perspective && diagonal > 0;
-  set("haze", hazy ? static_cast<float>(kHazeHalvings / diagonal) : 0.0F);
-  set("sky", glm::vec3(to_float(kSky)));
-  set_eye(camera.eye - centre);
-}
-
-void SceneRenderer::Impl::set_eye(const glm::dvec3& eye_from_centre) const {
-  const glm::vec3 high(eye_from_centre);
-  set("eye_high", high);
-  set("eye_low", glm::vec3(eye_from_centre - glm::dvec3(high)));
-}
-
-void SceneRenderer::Impl::draw_layer(const Layer& layer) const {
-  DrawRanges ranges;
-  for (const PolygonRange& range : layer.ranges)
-    ranges.add(first_corner[range.first], first_corner[range.first + range.count]);
-  set("tint", layer.tint ? to_float(*layer.tint) : glm::vec4(0));
-  glMultiDrawArrays(GL_TRIANGLES, ranges.first.data(), ranges.count.data(), static_cast<GLsizei>(ranges.first.size()));
+  picture.set("haze", hazy ? static_cast<float>(kHazeHalvings / diagonal) : 0.0F);
+  picture.set("sky", glm::vec3(to_float(kSky)));
+  picture.set("opacity", 1.0F);
 }
 
 /// Draws what is hidden of the lines faintly, then what is seen.
@@ -188,16 +196,15 @@ void SceneRenderer::Impl::draw_lines(const glm::dvec3& eye, std::span<const Line
     }
   }
   line_ends.upload(ends, GL_STREAM_DRAW);
-  set_eye({0, 0, 0});
-  set("haze", 0.0F);
-  set("tint", glm::vec4(0));
-  set("lift", kLineLift);
-  target.write_items(false);
+  set_eye(picture, {0, 0, 0});
+  picture.set("haze", 0.0F);
+  picture.set("tint", glm::vec4(0));
+  picture.set("lift", kLineLift);
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
   for (const auto& [depth_test, opacity] : {std::pair{GL_LEQUAL, kHiddenLineOpacity}, std::pair{GL_GREATER, 1.0F}}) {
     glDepthFunc(static_cast<GLenum>(depth_test));
-    set("opacity", opacity);
+    picture.set("opacity", opacity);
     glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(ends.size()));
   }
   glDepthMask(GL_TRUE);
@@ -210,20 +217,24 @@ SceneRenderer::SceneRenderer(const culler::PolygonSoup& soup, int width, int hei
 SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines) {
-  impl_->target.begin(kSky);
-  impl_->program.use();
-  impl_->set_camera(camera);
-  impl_->set("lift", 1.0F);
-  impl_->set("opacity", 1.0F);
-  impl_->corners.bind();
-  glDepthFunc(GL_GREATER);
-  for (const Layer& layer : layers) impl_->draw_layer(layer);
+  impl_->target.begin_picture(kSky);
+  impl_->begin_polygons(impl_->picture, camera);
+  impl_->set_shading(camera);
+  for (const Layer& layer : layers) {
+    impl_->picture.set("tint", layer.tint ? to_float(*layer.tint) : glm::vec4(0));
+    impl_->draw_polygons(layer.ranges);
+  }
   if (!lines.empty()) impl_->draw_lines(camera.eye, lines);
   glFinish();
 }
 
 Image SceneRenderer::image() const { return impl_->target.image(); }
 
-ItemBuffer SceneRenderer::item_buffer() const { return impl_->target.item_buffer(); }
+ItemBuffer SceneRenderer::item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges) {
+  impl_->target.begin_items();
+  impl_->begin_polygons(impl_->items, camera);
+  impl_->draw_polygons(ranges);
+  return impl_->target.item_buffer();
+}
 
 }  // namespace occlude::render

@@ -45,9 +45,8 @@ class SceneRendererTest : public testing::Test {
     renderer.draw(camera, layers);
   }
   [[nodiscard]] static ItemBuffer items_of(const PolygonSoup& soup, const Camera& camera) {
-    SceneRenderer renderer(soup, kWidth, kHeight);
-    draw(renderer, camera, {{0, count(soup)}});
-    return renderer.item_buffer();
+    const PolygonRange all{0, count(soup)};
+    return SceneRenderer(soup, kWidth, kHeight).item_buffer(camera, std::span(&all, 1));
   }
   /// Crossing walls before the camera, many of them hidden.
   [[nodiscard]] static PolygonSoup clutter(std::size_t polygons) {
@@ -77,7 +76,7 @@ TEST_F(SceneRendererTest, AWallCoversItsPixels) {
   add_wall(soup, 10, 0, 20 * left, 0, 20 * top);
   SceneRenderer renderer(soup, kWidth, kHeight);
   draw(renderer, camera_at({0, 0, 0}), {{0, 1}});
-  const ItemBuffer items = renderer.item_buffer();
+  const ItemBuffer items = items_of(soup, camera_at({0, 0, 0}));
   const Image image = renderer.image();
   const Rgba sky = image.at(kWidth - 1, kHeight - 1);
   ASSERT_EQ(items.width, kWidth);
@@ -134,8 +133,8 @@ TEST_F(SceneRendererTest, OnlyTheRangesGivenAreDrawn) {
   PolygonSoup soup;
   for (int i = 0; i < 6; ++i) add_wall(soup, 10, -6.0 + 2 * i, -4.0 + 2 * i, -4, 4);
   SceneRenderer renderer(soup, kWidth, kHeight);
-  draw(renderer, camera_at({0, 0, 0}), {{0, 1}, {1, 1}, {3, 0}, {4, 2}});
-  const ItemBuffer items = renderer.item_buffer();
+  const std::vector<PolygonRange> ranges = {{0, 1}, {1, 1}, {3, 0}, {4, 2}};
+  const ItemBuffer items = renderer.item_buffer(camera_at({0, 0, 0}), ranges);
   for (const std::uint32_t drawn : {0U, 1U, 4U, 5U}) EXPECT_GT(pixels(items, drawn), 20U) << drawn;
   for (const std::uint32_t left_out : {2U, 3U}) EXPECT_EQ(pixels(items, left_out), 0U) << left_out;
 }
@@ -175,7 +174,7 @@ TEST_F(SceneRendererTest, HiddenPolygonsLeaveNoTrace) {
   const PolygonSoup soup = clutter(3000);
   SceneRenderer renderer(soup, kWidth, kHeight);
   draw(renderer, camera_at({0, 0, 0}), {{0, count(soup)}});
-  const ItemBuffer all = renderer.item_buffer();
+  const ItemBuffer all = items_of(soup, camera_at({0, 0, 0}));
   const Image picture = renderer.image();
   std::vector<bool> seen(soup.size());
   for (const std::uint32_t item : all.pixels) {
@@ -187,7 +186,7 @@ TEST_F(SceneRendererTest, HiddenPolygonsLeaveNoTrace) {
   }
   ASSERT_LT(visible.size(), soup.size() / 2);
   draw(renderer, camera_at({0, 0, 0}), visible);
-  EXPECT_EQ(renderer.item_buffer().pixels, all.pixels);
+  EXPECT_EQ(renderer.item_buffer(camera_at({0, 0, 0}), visible).pixels, all.pixels);
   EXPECT_EQ(renderer.image().pixels, picture.pixels);
 }
 
@@ -230,6 +229,46 @@ TEST_F(SceneRendererTest, OrthographicSizesDoNotShrinkWithDistance) {
   EXPECT_EQ(pixels(items_of(soup, camera), 0), 0U);
 }
 
+/// Reads the polygon at each pixel out of pictures in which it is red where a bit of its index is set and blue where not.
+TEST_F(SceneRendererTest, PictureAndItemBufferShowTheSamePolygons) {
+  constexpr Rgba kRed{255, 0, 0, 255}, kBlue{0, 0, 255, 255};
+  constexpr std::uint32_t kBits = 12;
+  const PolygonSoup soup = clutter(3000);
+  ASSERT_LT(soup.size(), std::size_t{1} << kBits);
+  const Camera camera = camera_at({1.0 / 3, 1.0 / 7, 1.0 / 9});
+  SceneRenderer renderer(soup, 320, 180);
+  const PolygonRange all{0, count(soup)};
+  const ItemBuffer items = renderer.item_buffer(camera, std::span(&all, 1));
+  renderer.draw(camera, {});
+  const Rgba sky = renderer.image().at(0, 0);
+  for (std::uint32_t bit = 0; bit < kBits; ++bit) {
+    std::vector<PolygonRange> set, clear;
+    for (std::uint32_t p = 0; p < count(soup); ++p) ((p >> bit & 1) != 0 ? set : clear).push_back({p, 1});
+    const std::array<Layer, 2> layers = {Layer{set, kRed}, Layer{clear, kBlue}};
+    renderer.draw(camera, layers);
+    const Image picture = renderer.image();
+    for (std::size_t i = 0; i < items.pixels.size(); ++i) {
+      const Rgba& pixel = picture.pixels[i];
+      const bool nothing = items.pixels[i] == kNothing;
+      ASSERT_EQ(pixel == sky, nothing) << i;
+      if (nothing) continue;
+      ASSERT_EQ(pixel.r > pixel.b, (items.pixels[i] >> bit & 1) != 0) << i;
+    }
+  }
+}
+
+TEST_F(SceneRendererTest, TheItemBufferLeavesThePictureAsItWas) {
+  const PolygonSoup soup = clutter(100);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  const std::vector<PolygonRange> all = {{0, count(soup)}};
+  draw(renderer, camera_at({0, 0, 0}), all);
+  const Image before = renderer.image();
+  EXPECT_GT(pixels(renderer.item_buffer(camera_at({0, 3, 0}), all), kNothing), 0U);
+  EXPECT_EQ(renderer.image().pixels, before.pixels);
+  draw(renderer, camera_at({0, 0, 0}), all);
+  EXPECT_EQ(renderer.image().pixels, before.pixels);
+}
+
 TEST_F(SceneRendererTest, TintsAndLinesChangeThePictureAndNotTheItems) {
   PolygonSoup soup;
   add_wall(soup, 10, -100, 100, -100, 100);
@@ -255,7 +294,7 @@ TEST_F(SceneRendererTest, TintsAndLinesChangeThePictureAndNotTheItems) {
   }
   EXPECT_GE(strong, 1);
   EXPECT_GE(faint, 1);
-  EXPECT_EQ(pixels(renderer.item_buffer(), 0), std::size_t{kWidth * kHeight});
+  EXPECT_EQ(pixels(renderer.item_buffer(camera, all), 0), std::size_t{kWidth * kHeight});
 }
 
 TEST_F(SceneRendererTest, ImpossibleSizesAreRefused) {

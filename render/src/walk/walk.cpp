@@ -89,14 +89,14 @@ class Walker {
       const Layer layer{result.drawn, std::nullopt};
       renderer_->draw(camera, std::span(&layer, 1));
       frame_ms = milliseconds_since(start);
-      picture = {renderer_->image(), renderer_->item_buffer()};
+      picture = {renderer_->image(), renderer_->item_buffer(camera, result.drawn)};
     }
   }
 
   Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {
     const Layer layer{ranges, std::nullopt};
     renderer_->draw(camera, std::span(&layer, 1));
-    return {renderer_->image(), renderer_->item_buffer()};
+    return {renderer_->image(), renderer_->item_buffer(camera, ranges)};
   }
 
   const culler::Culler& culler_;

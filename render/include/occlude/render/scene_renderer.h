@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws ranges of a polygon soup off screen: shaded picture and item buffer in one pass.
+// Draws ranges of a polygon soup off screen: shaded pictures and item buffers.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct Line {
 
 class SceneRenderer {
  public:
-  /// Uploads the polygons in their order; pixels of the item buffer hold their index. Coordinates are recentred before they
+  /// Uploads the polygons in their order; pixels of an item buffer hold their index. Coordinates are recentred before they
   /// are narrowed to float. Throws std::runtime_error for a picture or model larger than OpenGL allows.
   /// REQUIRES: an OffscreenContext current on this thread, for the lifetime of the object.
   SceneRenderer(const culler::PolygonSoup& soup, int width, int height);
@@ -39,13 +39,15 @@ class SceneRenderer {
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
   /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed. Of polygons at the
-  /// same depth the one drawn first is seen, so leaving out hidden polygons changes no pixel. Lines leave the item buffer
-  /// alone.
+  /// same depth the one drawn first is seen, so leaving out hidden polygons changes no pixel.
   void draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines = {});
 
   /// What the last draw left.
   [[nodiscard]] Image image() const;
-  [[nodiscard]] ItemBuffer item_buffer() const;
+
+  /// The polygon that draw() shows at each pixel, by the same vertices and the same rasterisation, in a pass of its own: a
+  /// picture costs nothing for it, and the last one stays.
+  [[nodiscard]] ItemBuffer item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges);
 
  private:
   struct Impl;
