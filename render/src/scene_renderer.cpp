@@ -38,6 +38,8 @@ layout(location = 2) in uint polygon;
 uniform vec3 eye_high, eye_low;  // their sum is the eye: what float cannot hold of it is not lost
 uniform mat4 clip_from_eye_relative;
 uniform float lift;
+uniform vec4 tint;  // alpha: its share
+uniform float opacity;
 invariant gl_Position;
 flat out vec4 surface;
 flat out uint item_of_polygon;
@@ -45,22 +47,19 @@ void main() {
   precise vec3 relative = (position - eye_high) - eye_low;
   gl_Position = clip_from_eye_relative * vec4(relative, 1);
   gl_Position.z *= lift;
-  surface = colour;
+  surface = vec4(mix(colour.rgb, tint.rgb, tint.a), opacity * colour.a);
   item_of_polygon = polygon;
 }
 )";
 
 constexpr const char* kPictureShader = R"(#version 450 core
 flat in vec4 surface;
-uniform vec4 tint;  // alpha: its share
 uniform vec3 sky;
 uniform float haze;  // halvings of the surface's share per unit of distance
-uniform float opacity;
 out vec4 colour;
 void main() {
   float distance = 1 / gl_FragCoord.w;
-  vec3 tinted = mix(surface.rgb, tint.rgb, tint.a);
-  colour = vec4(mix(sky, tinted, exp2(-haze * distance)), opacity * surface.a);
+  colour = vec4(mix(sky, surface.rgb, exp2(-haze * distance)), surface.a);
 }
 )";
 
