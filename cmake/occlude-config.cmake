@@ -1,5 +1,6 @@
 # The installed package: occlude::kernel and occlude::culler.
 include(CMakeFindDependencyMacro)
 find_dependency(glm)
+find_dependency(Threads)
 find_dependency(hwy)  # the libraries are static: who links them links what they call
 include(${CMAKE_CURRENT_LIST_DIR}/occlude-targets.cmake)
