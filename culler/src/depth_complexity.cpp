@@ -20,7 +20,7 @@ constexpr std::size_t kPool = 64;
 /// Occluders told apart by what they hide: more than any frame uses of one region.
 constexpr std::size_t kMostTaken = 32;
 /// The least angle, radians, under which a subtree is looked into.
-constexpr double kLeastAngle = 0.02;
+constexpr double kLeastAngle = 0.05;
 
 using Mask = std::uint64_t;
 

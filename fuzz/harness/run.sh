@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- overlap construction traversal model_reader path_reader case_reader witness_reader
+[ $# -gt 0 ] || set -- overlap construction traversal model_reader path_reader case_reader preprocess_reader witness_reader
 
 cmake --preset fuzzers >/dev/null
 cmake --build --preset fuzzers --target harnesses >/dev/null

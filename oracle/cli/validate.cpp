@@ -17,6 +17,7 @@
 #include "occlude/render/errors.h"
 #include "occlude/render/line_reader.h"
 #include "occlude/render/model_io.h"
+#include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/witness.h"
 #include "proof.h"
@@ -115,7 +116,7 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
 int validate(Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
   const render::CameraPath path = render::read_camera_path(arguments.path);
-  const culler::Culler culler(render::read_model(arguments.model), options.build);
+  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
   const Prover prover(culler.hierarchy(), path, render::aspect(options));
   const Outcome outcome =
       arguments.witness.empty() ? prove_walk(prover, culler, path, options) : prove_file(prover, arguments.witness);

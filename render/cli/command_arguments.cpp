@@ -47,39 +47,78 @@ void parse_size(const std::string& text, render::WalkOptions& options) {
   options.height = static_cast<int>(values[1]);
 }
 
+CLI::Option* choice(CLI::App& command, const char* name, std::string& value, const std::vector<std::string>& choices,
+                    const char* text) {
+  return command.add_option(name, value, text)->capture_default_str()->check(CLI::IsMember(choices));
+}
+
 }  // namespace
 
 void WalkArguments::add_size_to(CLI::App& command) {
   command.add_option("--size", size_, "WxH, size of the pictures in pixels")->capture_default_str();
 }
 
+std::vector<CLI::Option*> BuildArguments::add_to(CLI::App& command) {
+  return {choice(command, "--bounds", bounds_, {"aabb", "obb"},
+                 "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
+          choice(command, "--shapes", shapes_, {"polytope", "polygon"},
+                 "what can be an occluder: closed convex shells as well, or what is flat alone")};
+}
+
+culler::BuildConfig BuildArguments::config() const {
+  culler::BuildConfig config;
+  config.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
+  config.occluders.shells = shapes_ == "polytope";
+  return config;
+}
+
 std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs a test at every node that it does not decide
   const auto choice = [&](const char* name, std::string& value, const std::vector<std::string>& choices, const char* text) {
-    return command.add_option(name, value, text)->capture_default_str()->check(CLI::IsMember(choices));
+    return cli::choice(command, name, value, choices, text);
   };
-  return {
-      command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B (default: all)"),
-      command.add_option("--occluders", occluders_, "occluders a frame; 0: view-frustum culling alone")
-          ->capture_default_str()
-          ->check(CLI::Range(std::size_t{0}, kMostOccluders)),
-      choice("--near", near_, {"surface", "farthest"},
-             "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
-      choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
-      choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
-      choice("--bounds", bounds_, {"aabb", "obb"},
-             "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
+  const auto number = [&](const char* name, std::size_t& value, const char* text) {
+    return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(std::size_t{0}, kMostOccluders));
   };
+  constexpr double kLargestWeight = 16;  // powers of what differs a thousandfold stay within the doubles
+  const auto weight = [&](const char* name, double& value, const char* text) {
+    return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(0.0, kLargestWeight));
+  };
+  culler::Objective& objective = cull_.objective;
+  std::vector<CLI::Option*> options = build_.add_to(command);
+  CLI::Option* preprocess =
+      command.add_option("--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
+  for (CLI::Option* option : options) preprocess->excludes(option);
+  options.insert(
+      options.end(),
+      {
+          preprocess,
+          command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B (default: all)"),
+          number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
+          number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
+          choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),
+          weight("--weight-solid-angle", objective.solid_angle,
+                 "power of this criterion in the choice of occluders; 0: off"),
+          weight("--weight-depth-complexity", objective.depth_complexity, "the same of what was sampled by a preprocess"),
+          weight("--weight-coherence", objective.coherence, "the same of what was hidden in the frames before"),
+          choice("--near", near_, {"surface", "farthest"},
+                 "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
+          choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
+          choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
+      });
+  return options;
 }
 
 render::WalkOptions WalkArguments::options() const {
   render::WalkOptions options;
   if (!frames_.empty()) parse_frames(frames_, options);
   parse_size(size_, options);
-  options.cull.occluders = occluders_;
+  options.cull = cull_;
+  options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
+  options.preprocess = preprocess_;
   options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
   options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
-  options.build.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
+  options.build = build_.config();
   options.cull.test = test_ == "overlap" ? kernel::Test::overlap : kernel::Test::conservative;
   return options;
 }

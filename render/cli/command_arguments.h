@@ -10,6 +10,18 @@
 
 namespace occlude::cli {
 
+/// How a model is prepared.
+class BuildArguments {
+ public:
+  /// Returns the options.
+  std::vector<CLI::Option*> add_to(CLI::App& command);
+
+  [[nodiscard]] culler::BuildConfig config() const;
+
+ private:
+  std::string bounds_ = "aabb", shapes_ = "polytope";
+};
+
 /// Which frames, seen how and culled how.
 class WalkArguments {
  public:
@@ -22,8 +34,9 @@ class WalkArguments {
 
  private:
   std::string frames_, size_ = "640x360", near_ = "surface", arithmetic_ = "certified", test_ = "conservative",
-                       bounds_ = "aabb";
-  std::size_t occluders_ = culler::CullOptions{}.occluders;
+                       angle_ = "area", preprocess_;
+  BuildArguments build_;
+  culler::CullOptions cull_;
 };
 
 /// The whole number in `text`; throws CLI::ValidationError, naming the option, for anything else.

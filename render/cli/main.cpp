@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
       "report");
   app.set_version_flag("--version", OCCLUDE_VERSION);
   occlude::cli::add_generate(app, exit_code);
+  occlude::cli::add_preprocess(app, exit_code);
   occlude::cli::add_walk(app, exit_code);
   occlude::cli::add_classify(app, exit_code);
   occlude::cli::add_validate(app, exit_code);

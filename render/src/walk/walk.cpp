@@ -13,6 +13,7 @@
 #include "occlude/render/errors.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/output_file.h"
+#include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
 #include "occlude/render/witness.h"
@@ -184,7 +185,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   result.polygons = soup.size();
   result.triangles = soup.indices.size() - 2 * soup.size();
   const Clock::time_point start = Clock::now();
-  const culler::Culler culler(soup, options.build);
+  const culler::Culler culler = make_culler(soup, options.build, options.preprocess);
   result.preprocess_s = milliseconds_since(start) / 1000;
 
   Stage stage;

@@ -29,7 +29,8 @@ struct WalkOptions {
   int width = 640, height = 360;                    ///< of the picture, pixels
   std::size_t begin = 0, end = SIZE_MAX, step = 1;  ///< frames walked: begin, begin + step, ... below end
   culler::CullOptions cull;
-  culler::Culler::Config build;
+  culler::BuildConfig build;
+  std::filesystem::path preprocess;                       ///< of `occlude preprocess`, used instead of `build`; or empty
   bool render = true;                                     ///< draw and compare; without it only culling is measured
   std::optional<std::filesystem::path> witness;           ///< where to write the proof of every culled subtree (JSON Lines)
   std::function<void(const ShadowTest&)> on_shadow_test;  ///< called for every one of some 48 frames, if given

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// occlude preprocess: what can be found out about a model once and used by every walk.
+#include "occlude/culler/preprocess.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/preprocess_file.h"
+#include "occlude/render/progress.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  std::string model, out, pattern = "even", seed = "1";
+  BuildArguments build;
+  culler::BuildConfig grid;
+  culler::SampleConfig samples;
+  bool json = false;
+};
+
+/// Shown on one line when somebody is watching, and stopped by Ctrl-C.
+class Watch {
+ public:
+  void operator()(std::size_t done, std::size_t all) {
+    render::check_interrupt();
+    if (!progress_) progress_.emplace("region", all);
+    progress_->update(done);
+  }
+
+ private:
+  std::optional<render::Progress> progress_;
+};
+
+void preprocess(Arguments& arguments) {
+  check_distinct({arguments.model, arguments.out});
+  culler::BuildConfig config = arguments.build.config();
+  config.grid = arguments.grid.grid;
+  arguments.samples.seed = whole_number("--seed", arguments.seed);
+  arguments.samples.pattern =
+      arguments.pattern == "random" ? culler::SampleConfig::Pattern::random : culler::SampleConfig::Pattern::even;
+  const culler::PolygonSoup soup = render::read_model(arguments.model);
+  render::OutputFile file(arguments.out);
+  const auto start = std::chrono::steady_clock::now();
+  const culler::Preprocess result = [&] {
+    Watch watch;
+    return culler::preprocess(soup, config, arguments.samples, std::ref(watch));
+  }();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  render::write_preprocess(file, soup, result);
+  file.commit();
+  const culler::OccluderGrid::Lists& lists = result.lists;
+  const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
+  if (arguments.json) {
+    const nlohmann::ordered_json summary{{"polygons", soup.size()},
+                                         {"nodes", result.layout.left.size()},
+                                         {"regions", lists.first.size() - 1},
+                                         {"listed", lists.occluders.size()},
+                                         {"found_to_hide", hide},
+                                         {"bytes", std::filesystem::file_size(arguments.out)},
+                                         {"seconds", seconds}};
+    fmt::print("{}\n", summary.dump(2));
+    return;
+  }
+  fmt::print("{}: {} polygons, {} nodes; {} regions list {} occluders, {} of them found to hide something; {:.1f} s\n",
+             arguments.out, soup.size(), result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), hide,
+             seconds);
+}
+
+}  // namespace
+
+void add_preprocess(CLI::App& app, int&) {
+  CLI::App* command = app.add_subcommand("preprocess", "Find out once about a model what every walk can use");
+  command->footer(
+      "Stores the order of the tree, the occluders that each region of space lists, and what they hide as sampled there, "
+      "for\n"
+      "walk and validate with --preprocess. Nothing in it can make a cull wrong.\n"
+      "Example: occlude preprocess city.ply --out city.pre");
+  const auto a = std::make_shared<Arguments>();
+  command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
+  command->add_option("--out", a->out, "file to write")->required();
+  a->build.add_to(*command);
+  command->add_option("--regions", a->grid.grid.regions, "regions of space aimed at")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 1e7));
+  command->add_option("--threshold", a->grid.grid.threshold, "steradians above which a region lists an occluder")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 10.0));
+  command->add_option("--samples", a->samples.viewpoints, "viewpoints sampled in each region; 0: none, in seconds")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1000}));
+  command->add_option("--pattern", a->pattern, "how viewpoints are spread")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"even", "random"}));
+  command->add_option("--seed", a->seed, "whole number; same seed, same viewpoints, on any machine")->capture_default_str();
+  command->add_flag("--json", a->json, "print the counts as JSON");
+  command->callback([a] { preprocess(*a); });
+}
+
+}  // namespace occlude::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/preprocess_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+
+#include "occlude/render/errors.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::render;
+
+culler::PolygonSoup walls(int count) {
+  culler::PolygonSoup soup;
+  for (int i = 1; i <= count; ++i) {
+    std::array<std::uint32_t, 4> loop{};
+    const std::array<glm::dvec3, 4> corners{{{i, -i, -i}, {i, i, -i}, {i, i, i}, {i, -i, i}}};
+    for (std::size_t k = 0; k < 4; ++k) loop[k] = soup.add_vertex(corners[k]);
+    soup.add_polygon(loop);
+  }
+  return soup;
+}
+
+class PreprocessFileTest : public testing::Test {
+ protected:
+  PreprocessFileTest() : folder_(std::filesystem::temp_directory_path() / ("occlude_pre_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+    OutputFile output(file());
+    write_preprocess(output, soup_, preprocess_);
+    output.commit();
+  }
+  ~PreprocessFileTest() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "walls.pre"; }
+
+  /// What is said when the file has other bytes.
+  std::string refusal(const std::function<void(std::string&)>& change) {
+    std::ifstream in(file(), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    change(bytes);
+    const std::filesystem::path other = folder_ / "other.pre";
+    std::ofstream(other, std::ios::binary) << bytes;
+    try {
+      static_cast<void>(read_preprocess(other, soup_));
+    } catch (const InputError& error) {
+      const std::string said = error.what();
+      EXPECT_TRUE(said.starts_with(other.string() + ": ")) << said;
+      return said.substr(other.string().size() + 2);
+    }
+    return "";
+  }
+
+  culler::PolygonSoup soup_ = walls(40);
+  culler::Preprocess preprocess_ = culler::preprocess(
+      soup_, {.hierarchy = {.leaf_size = 2, .bounds = culler::Bounds::obb}, .grid = {.threshold = 0.1, .regions = 64}}, {});
+  std::filesystem::path folder_;
+};
+
+TEST_F(PreprocessFileTest, IsReadBackAsWritten) {
+  const culler::Preprocess read = read_preprocess(file(), soup_);
+  EXPECT_EQ(read.config.hierarchy.leaf_size, 2U);
+  EXPECT_EQ(read.config.hierarchy.bounds, culler::Bounds::obb);
+  EXPECT_EQ(read.config.grid.threshold, 0.1);
+  EXPECT_EQ(read.config.grid.regions, 64);
+  EXPECT_TRUE(read.config.occluders.shells);
+  EXPECT_EQ(read.layout.order, preprocess_.layout.order);
+  EXPECT_EQ(read.layout.left, preprocess_.layout.left);
+  EXPECT_EQ(read.lists.first, preprocess_.lists.first);
+  EXPECT_EQ(read.lists.occluders, preprocess_.lists.occluders);
+  EXPECT_EQ(read.lists.hidden, preprocess_.lists.hidden);
+  EXPECT_FALSE(read.lists.hidden.empty());
+  EXPECT_EQ(make_culler(soup_, {}, file()).hierarchy().nodes().size(), preprocess_.layout.left.size());
+}
+
+TEST_F(PreprocessFileTest, WhatIsRefused) {
+  EXPECT_EQ(refusal([](std::string&) {}), "");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes.clear(); }), "no file of occlude preprocess");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes = "ply\n" + bytes; }), "no file of occlude preprocess");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes[19] = 7; }),
+            "version 7 of the format; this program reads version 1: preprocess the model again");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes += 'x'; }), "something follows the end of the file's data");
+  for (std::size_t at = 23; at < 4000; at += 61) {
+    EXPECT_NE(refusal([&](std::string& bytes) { bytes.at(at) = static_cast<char>(bytes[at] ^ 4); }), "") << at;
+  }
+  for (std::size_t end = 19; end < 4000; end += 97) {
+    EXPECT_EQ(refusal([&](std::string& bytes) { bytes.resize(end); }),
+              "the file ends at byte " + std::to_string(end) + ", too early");
+  }
+}
+
+TEST_F(PreprocessFileTest, IsOfOneModel) {
+  culler::PolygonSoup other = soup_;
+  other.vertices[5].z += 1e-9;
+  try {
+    static_cast<void>(read_preprocess(file(), other));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), file().string() + ": made of another model: preprocess this one");
+  }
+}
+
+TEST_F(PreprocessFileTest, ArraysThatCannotBeOfTheModel) {
+  culler::Preprocess wrong = preprocess_;
+  wrong.layout.order[3] = wrong.layout.order[4];
+  OutputFile output(file());
+  write_preprocess(output, soup_, wrong);
+  output.commit();
+  try {
+    static_cast<void>(make_culler(soup_, {}, file()));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), file().string() + ": the order is not one of this model");
+  }
+}
+
+}  // namespace
