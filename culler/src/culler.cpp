@@ -41,13 +41,15 @@ auto volumes_of(const Hierarchy& hierarchy) {
 
 }  // namespace
 
-Culler::Culler(const PolygonSoup& soup, const Config& config)
-    : hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)),
+Culler::Culler(const PolygonSoup& soup, const BuildConfig& config)
+    : config_(config),
+      hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders)),
       grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
 
 Culler::Culler(const PolygonSoup& soup, const Preprocess& preprocess)
-    : hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout)),
+    : config_(preprocess.config),
+      hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders)),
       grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid, preprocess.lists)) {}
 

@@ -121,8 +121,8 @@ CullOptions some_options(Random& random) {
   return options;
 }
 
-Culler::Config some_config(Random& random) {
-  Culler::Config config;
+culler::BuildConfig some_config(Random& random) {
+  culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
   if (random.chance(0.5)) config.hierarchy.bounds = culler::Bounds::obb;
   config.grid.regions = std::array{1.0, 8.0, 64.0}[random.index(3)];

@@ -49,9 +49,9 @@ Camera camera_of(Decoder& decoder) {
   return camera;
 }
 
-Culler::Config config_of(Decoder& decoder) {
+culler::BuildConfig config_of(Decoder& decoder) {
   constexpr std::array<double, 4> kRegions = {1, 8, 64, 1000};
-  Culler::Config config;
+  culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(decoder.below(4));
   config.grid = {decoder.flag() ? 0.03 : 1e-6, kRegions[decoder.below(kRegions.size())]};
   return config;
@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   harness::Decoder decoder({data, size});
   const culler::Camera camera = harness::camera_of(decoder);
-  culler::Culler::Config config = harness::config_of(decoder);
+  culler::BuildConfig config = harness::config_of(decoder);
   const culler::CullOptions options = harness::options_of(decoder);
   const culler::PolygonSoup soup = harness::soup_of(decoder, camera);
   // Last, so that what was kept before there were oriented boxes is still the same scene.

@@ -112,6 +112,33 @@ grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not 
 "$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
 grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in the report"
 
+# A preprocess, used and refused.
+"$occlude" preprocess slanting.ply --out slanting.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 >stdout ||
+  fail "preprocess: $(cat stdout)"
+"$occlude" preprocess slanting.ply --out again.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 --json >/dev/null
+"$occlude" preprocess good.ply --out good.pre --regions 64 --json >stdout || fail "preprocess --json"
+grep -q '"found_to_hide": [1-9]' stdout || fail "preprocess sampled nothing: $(cat stdout)"
+cmp -s slanting.pre again.pre || fail "preprocess: two runs differ"
+"$occlude" walk slanting.ply --path path.json --out prepared --no-render --preprocess slanting.pre --witness prepared.jsonl \
+  >/dev/null || fail "walk --preprocess"
+grep -q '"bounds": "obb"' prepared/summary.json || fail "walk --preprocess: the bounds are not those of the file"
+grep -q '"preprocess": "slanting.pre"' prepared/summary.json || fail "walk --preprocess: not in the summary"
+"$occlude" validate slanting.ply --path path.json --witness prepared.jsonl >stdout 2>&1 || fail "prepared: $(cat stdout)"
+"$occlude" validate slanting.ply --path path.json --preprocess slanting.pre >stdout 2>&1 || fail "prepared: $(cat stdout)"
+expect_error "slanting.pre: made of another model" "$occlude" walk good.ply --path path.json --out out --preprocess slanting.pre
+head -c 300 slanting.pre >short.pre
+expect_error "short.pre: the file ends" "$occlude" walk slanting.ply --path path.json --out out --preprocess short.pre
+expect_error "good.ply: no file" "$occlude" walk slanting.ply --path path.json --out out --preprocess good.ply
+expect_error "missing.pre" "$occlude" walk slanting.ply --path path.json --out out --preprocess missing.pre
+expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --bounds aabb
+expect_error "named twice" "$occlude" preprocess good.ply --out good.ply
+expect_error "--weight-coherence" "$occlude" walk good.ply --path path.json --out out --weight-coherence -1
+for options in "--shapes polygon" "--probes 0" "--solid-angle exact --weight-coherence 0" "--weight-solid-angle 0"; do
+  "$occlude" walk good.ply --path path.json --out weighed --no-render $options --witness weighed.jsonl >/dev/null ||
+    fail "walk $options"
+  "$occlude" validate good.ply --path path.json --witness weighed.jsonl >stdout 2>&1 || fail "walk $options: $(cat stdout)"
+done
+
 # A wall of two triangles is one occluder; its witnesses list both.
 ply split.ply 256 65 "${split_vertices}3 0 1 2\\n3 0 2 3\\n$split_faces"
 "$occlude" walk split.ply --path path.json --out split --no-render --occluders 1 --witness split.jsonl >/dev/null || fail "walk split.ply"
@@ -382,7 +409,7 @@ expect_error "--boxes" "$occlude" bench kernel --boxes 0
 expect_error "--repetitions" "$occlude" bench kernel --repetitions many
 expect_error "--seed" "$occlude" bench kernel --seed -1
 
-for command in "" generate "generate city" walk classify validate fuzz bench "bench kernel"; do
+for command in "" generate "generate city" preprocess walk classify validate fuzz bench "bench kernel"; do
   "$occlude" $command --help | grep -q . || fail "no help for '$command'"
 done
 

@@ -150,7 +150,7 @@ CullResult look(const Culler& culler, const CullOptions& options = {}) {
 }
 
 Culler one_polygon_leaves(const PolygonSoup& soup) {
-  Culler::Config config;
+  BuildConfig config;
   config.hierarchy.leaf_size = 1;
   return Culler(soup, config);
 }

@@ -32,7 +32,7 @@ class Judge : public testing::Test {
     add_wall(soup, 4, -1, 1);
     add_wall(soup, 6, -0.5, 0.5);
     add_wall(soup, 6, 2, 3);
-    culler::Culler::Config config;
+    culler::BuildConfig config;
     config.hierarchy.leaf_size = 1;
     return culler::Culler(soup, config);
   }

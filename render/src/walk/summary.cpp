@@ -45,13 +45,22 @@ Json operations(const kernel::Operations& counted) {
           {"cross_per_test", each(counted.cross)}};
 }
 
-Json options_used(const WalkOptions& options) {
+Json options_used(const WalkResult& result, const WalkOptions& options) {
+  const culler::Objective& objective = options.cull.objective;
   return {{"size", {options.width, options.height}},
           {"occluders", options.cull.occluders},
+          {"probes", options.cull.probes},
+          {"solid_angle", objective.angle == culler::Objective::Angle::exact ? "exact" : "area"},
+          {"weights",
+           {{"solid_angle", objective.solid_angle},
+            {"depth_complexity", objective.depth_complexity},
+            {"coherence", objective.coherence}}},
           {"near", options.cull.near == kernel::Near::surface ? "surface" : "farthest"},
           {"arithmetic", options.cull.arithmetic == kernel::Arithmetic::certified ? "certified" : "plain"},
           {"test", options.cull.test == kernel::Test::overlap ? "overlap" : "conservative"},
-          {"bounds", options.build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"}};
+          {"bounds", result.build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
+          {"shapes", result.build.occluders.shells ? "polytope" : "polygon"},
+          {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(options.preprocess.string())}};
 }
 
 /// Table 2 of the paper beside the summary.
@@ -96,12 +105,14 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
   json["polygons"] = result.polygons;
   json["triangles"] = result.triangles;
   json["frames"] = result.frames.size();
-  json["options"] = options_used(options);
+  json["options"] = options_used(result, options);
   json["mean"] = {{"view_frustum_polygons", viewed},
                   {"rendered_polygons", drawn},
                   {"visible_polygons", if_rendered(visible)},
                   {"hidden_polygons", if_rendered(hidden)},
                   {"occluders", mean_of(&FrameRecord::occluders)},
+                  {"candidates", mean(result, [](const FrameRecord& r) { return r.stats.occluders_in_view; })},
+                  {"sort_moves", mean(result, [](const FrameRecord& r) { return r.stats.sort_moves; })},
                   {"cull_ms", mean_of(&FrameRecord::cull_ms)},
                   {"frame_ms", if_rendered(frame_ms)},
                   {"frame_ms_view_frustum_only", if_rendered(viewed_ms)}};
@@ -125,16 +136,18 @@ std::string frames_csv(const WalkResult& result) {
   std::string csv =
       "frame,view_frustum_polygons,rendered_polygons,visible_polygons,view_frustum_cull_ms,view_frustum_frame_ms,cull_ms,"
       "frame_ms,"
-      "occluders,potential_occluders,nodes_visited,view_tests,shadow_tests,exact_shadow_tests,view_culled_polygons,shadow_"
+      "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
+      "exact_shadow_tests,view_culled_polygons,shadow_"
       "culled_polygons,"
       "wrong_pixels,snapped_pixels,false_culls\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{}\n",
-                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
-                   r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
-                   r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.exact_shadow_tests,
-                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
-                   r.false_culls);
+    fmt::format_to(
+        std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
+        r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view,
+        r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests,
+        r.stats.probe_tests, r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons,
+        r.wrong_pixels, r.snapped_pixels, r.false_culls);
   }
   return csv;
 }

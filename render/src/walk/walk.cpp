@@ -187,6 +187,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   const Clock::time_point start = Clock::now();
   const culler::Culler culler = make_culler(soup, options.build, options.preprocess);
   result.preprocess_s = milliseconds_since(start) / 1000;
+  result.build = culler.config();
 
   Stage stage;
   if (options.render) {

@@ -29,7 +29,7 @@ int main() {
   add_square(soup, 4, 0.5);  // the thing
   add_square(soup, 2, 1);    // the wall
 
-  Culler::Config config;
+  BuildConfig config;
   config.hierarchy.leaf_size = 1;
   const Culler culler(soup, config);
   const CullResult frame = culler.cull(Camera{});  // from the origin along x

@@ -16,11 +16,9 @@ namespace occlude::culler {
 /// Const calls may run on several threads at once.
 class Culler {
  public:
-  using Config = BuildConfig;
-
   /// Throws std::invalid_argument, with the vertex and the reason, for a soup that is empty or has a coordinate that is not
   /// finite or out of the kernel's legal range.
-  explicit Culler(const PolygonSoup& soup, const Config& config = {});
+  explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {});
   /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
   Culler(const PolygonSoup& soup, const Preprocess& preprocess);
 
@@ -37,12 +35,15 @@ class Culler {
   void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
+  /// How the model was prepared.
+  [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
   /// What may be an occluder, of the polygons of hierarchy().soup().
   [[nodiscard]] const PotentialOccluders& occluders() const { return occluders_; }
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
 
  private:
+  BuildConfig config_;
   Hierarchy hierarchy_;
   PotentialOccluders occluders_;
   OccluderGrid grid_;

@@ -68,6 +68,7 @@ struct Plate {
 
 struct WalkResult {
   std::size_t polygons = 0, triangles = 0;  ///< of the model
+  culler::BuildConfig build;                ///< how it was prepared, by the options or the preprocess file
   std::vector<FrameRecord> frames;
   std::size_t reference_frames = 0;  ///< frames whose item buffer was drawn from the whole model, without any culling
   std::size_t witnesses = 0;
