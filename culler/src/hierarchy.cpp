@@ -2,119 +2,25 @@
 #include "occlude/culler/hierarchy.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "bounds.h"
+#include "box_tree.h"
 #include "oriented_box.h"
 
 namespace occlude::culler {
 namespace {
 
 using kernel::Aabb;
-using kernel::Vec3;
 
-/// Candidate split positions an axis; 16 is where the gain of more flattens out (Wald 2007).
-constexpr std::size_t kBins = 16;
-
-struct Builder {
-  const std::vector<Aabb>& boxes;     ///< of the polygons, by original index
-  std::vector<std::uint32_t>& order;  ///< the permutation that the build establishes
-  std::vector<Hierarchy::Node>& nodes;
-  std::uint32_t leaf_size;
-
-  double centre(std::uint32_t polygon, int axis) const {
-    return boxes[polygon].min[axis] / 2 + boxes[polygon].max[axis] / 2;
-  }
-
-  /// Appends the subtree over order[first, first + count).
-  void build(std::uint32_t first, std::uint32_t count) {
-    const std::size_t self = nodes.size();
-    nodes.push_back({.box = bounds(first, count), .first = first, .count = count});
-    if (count <= leaf_size) return;
-    const std::uint32_t left = partition(first, count);
-    build(first, left);
-    nodes[self].right = static_cast<std::uint32_t>(nodes.size());
-    build(first + left, count - left);
-  }
-
-  Aabb bounds(std::uint32_t first, std::uint32_t count) const {
-    Aabb box = empty_box();
-    for (std::uint32_t i = first; i < first + count; ++i) grow(box, boxes[order[i]]);
-    return box;
-  }
-
-  struct Split {
-    double cost = std::numeric_limits<double>::infinity();
-    int axis = 0;
-    std::size_t bin = 0;  ///< polygons in bins below it go left
-  };
-
-  struct Binning {
-    double low, scale;
-    std::size_t operator()(double x) const { return std::min(kBins - 1, static_cast<std::size_t>((x - low) * scale)); }
-  };
-
-  /// Maps centres on an axis to bins; scale 0 when all centres coincide.
-  Binning binning(std::uint32_t first, std::uint32_t count, int axis) const {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      low = std::min(low, centre(order[i], axis));
-      high = std::max(high, centre(order[i], axis));
-    }
-    return {low, high > low ? static_cast<double>(kBins) / (high - low) : 0};
-  }
-
-  /// Cheapest split on an axis by the surface area heuristic: polygons times area, left plus right.
-  Split best_split(std::uint32_t first, std::uint32_t count, int axis) const {
-    const Binning bin = binning(first, count, axis);
-    Split best{.axis = axis};
-    if (bin.scale == 0) return best;
-    std::array<Aabb, kBins> box;
-    std::array<std::uint32_t, kBins> size{};
-    box.fill(empty_box());
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      const std::size_t b = bin(centre(order[i], axis));
-      grow(box[b], boxes[order[i]]);
-      ++size[b];
-    }
-    std::array<double, kBins> right_cost{};
-    Aabb accumulated = empty_box();
-    std::uint32_t polygons = 0;
-    for (std::size_t b = kBins; b-- > 1;) {
-      if (size[b] != 0) grow(accumulated, box[b]);
-      polygons += size[b];
-      right_cost[b] = polygons == 0 ? 0 : half_area(accumulated) * polygons;
-    }
-    accumulated = empty_box();
-    polygons = 0;
-    for (std::size_t b = 1; b < kBins; ++b) {
-      if (size[b - 1] != 0) grow(accumulated, box[b - 1]);
-      polygons += size[b - 1];
-      if (polygons == 0 || polygons == count) continue;
-      const double cost = half_area(accumulated) * polygons + right_cost[b];
-      if (cost < best.cost) best = {cost, axis, b};
-    }
-    return best;
-  }
-
-  /// Reorders order[first, first + count) and returns how many polygons go left, at least one and not all.
-  std::uint32_t partition(std::uint32_t first, std::uint32_t count) {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (const Split split = best_split(first, count, axis); split.cost < best.cost) best = split;
-    }
-    if (best.bin == 0) return count / 2;  // all centres coincide, or areas overflow: any halves will do
-    const Binning bin = binning(first, count, best.axis);
-    const auto begin = order.begin() + first;
-    const auto middle = std::stable_partition(
-        begin, begin + count, [&](std::uint32_t polygon) { return bin(centre(polygon, best.axis)) < best.bin; });
-    return static_cast<std::uint32_t>(middle - begin);
-  }
-};
+std::vector<Aabb> polygon_boxes(const PolygonSoup& soup) {
+  std::vector<Aabb> boxes(soup.size());
+  for (std::size_t p = 0; p < soup.size(); ++p) boxes[p] = polygon_box(soup, p);
+  return boxes;
+}
 
 PolygonSoup reordered(const PolygonSoup& soup, const std::vector<std::uint32_t>& order) {
   PolygonSoup result;
@@ -169,20 +75,18 @@ std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, st
 
 }  // namespace
 
-Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, std::vector<std::uint32_t> order,
-                     std::vector<Node> nodes)
-    : soup_(reordered(soup, order)), order_(std::move(order)), nodes_(std::move(nodes)) {
+Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree)
+    : soup_(reordered(soup, tree.order)), order_(std::move(tree.order)), nodes_(std::move(tree.nodes)) {
   if (config.bounds == Bounds::obb) fit_oriented_boxes();
 }
 
 Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config) {
-  std::vector<Aabb> boxes(soup.size());
-  for (std::size_t p = 0; p < soup.size(); ++p) boxes[p] = polygon_box(soup, p);
-  std::vector<std::uint32_t> order(soup.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::vector<Node> nodes;
-  Builder{boxes, order, nodes, std::max(1U, config.leaf_size)}.build(0, static_cast<std::uint32_t>(soup.size()));
-  return Hierarchy(soup, config, std::move(order), std::move(nodes));
+  const std::vector<Aabb> boxes = polygon_boxes(soup);
+  BoxTree tree;
+  tree.order.resize(soup.size());
+  std::iota(tree.order.begin(), tree.order.end(), 0U);
+  tree.append(boxes, 0, static_cast<std::uint32_t>(soup.size()), std::max(1U, config.leaf_size));
+  return Hierarchy(soup, config, std::move(tree));
 }
 
 Hierarchy::Layout Hierarchy::layout() const {
@@ -193,18 +97,9 @@ Hierarchy::Layout Hierarchy::layout() const {
 
 Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, const Layout& layout) {
   if (!is_permutation(layout.order, soup.size())) throw std::invalid_argument("the order is not one of this model");
-  std::vector<Node> nodes = nodes_of(layout.left, static_cast<std::uint32_t>(soup.size()));
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    Node& node = nodes[i];
-    if (!node.is_leaf()) {
-      node.box = nodes[i + 1].box;
-      grow(node.box, nodes[node.right].box);
-      continue;
-    }
-    node.box = empty_box();
-    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) grow(node.box, polygon_box(soup, layout.order[p]));
-  }
-  return Hierarchy(soup, config, layout.order, std::move(nodes));
+  BoxTree tree{layout.order, nodes_of(layout.left, static_cast<std::uint32_t>(soup.size()))};
+  tree.refit(polygon_boxes(soup), 0);
+  return Hierarchy(soup, config, std::move(tree));
 }
 
 /// An oriented box costs about twice as many operations as an axis-aligned one; below this share of its surface it is

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <variant>
 #include <vector>
 
+#include "occlude/culler/box.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
 
@@ -18,8 +18,6 @@ namespace occlude::culler {
 
 /// The bounding volumes of the nodes. `obb`: oriented boxes where they are smaller than axis-aligned ones.
 enum class Bounds { aabb, obb };
-
-using Box = std::variant<kernel::Aabb, kernel::Obb>;
 
 /// Holds items [first, first + count) of the order of the leaves, all of them within `box`. Nodes lie in depth-first order:
 /// the left child follows its parent, the right child has the index `right`; a leaf has right = 0.
@@ -29,6 +27,8 @@ struct HierarchyNode {
 
   [[nodiscard]] bool is_leaf() const { return right == 0; }
 };
+
+struct BoxTree;
 
 class Hierarchy {
  public:
@@ -78,7 +78,7 @@ class Hierarchy {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  Hierarchy(const PolygonSoup& soup, const Config& config, std::vector<std::uint32_t> order, std::vector<Node> nodes);
+  Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree);
 
   void fit_oriented_boxes();
 

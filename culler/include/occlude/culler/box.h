@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The bounding volumes that the culler asks about. Reading order: 3.
+#pragma once
+
+#include <variant>
+
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+using Box = std::variant<kernel::Aabb, kernel::Obb>;
+
+}  // namespace occlude::culler

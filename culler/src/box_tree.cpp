@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "box_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "bounds.h"
+
+namespace occlude::culler {
+namespace {
+
+using kernel::Aabb;
+
+Aabb bounds(std::span<const Aabb> boxes, std::span<const std::uint32_t> items) {
+  Aabb box = empty_box();
+  for (const std::uint32_t item : items) grow(box, boxes[item]);
+  return box;
+}
+
+/// Candidate split positions an axis; 16 is where the gain of more flattens out (Wald 2007).
+constexpr std::size_t kBins = 16;
+
+struct Builder {
+  std::span<const Aabb> boxes;  ///< of the items, by their number
+  std::vector<std::uint32_t>& order;
+  std::vector<HierarchyNode>& nodes;
+  std::vector<std::uint32_t>& spare;
+  std::uint32_t leaf_size;
+
+  double centre(std::uint32_t item, int axis) const { return boxes[item].min[axis] / 2 + boxes[item].max[axis] / 2; }
+
+  /// Appends the subtree over order[first, first + count).
+  void build(std::uint32_t first, std::uint32_t count) {
+    const std::size_t self = nodes.size();
+    nodes.push_back({.box = bounds(boxes, std::span(order).subspan(first, count)), .first = first, .count = count});
+    if (count <= leaf_size) return;
+    const std::uint32_t left = partition(first, count);
+    build(first, left);
+    nodes[self].right = static_cast<std::uint32_t>(nodes.size());
+    build(first + left, count - left);
+  }
+
+  struct Split {
+    double cost = std::numeric_limits<double>::infinity();
+    int axis = 0;
+    std::size_t bin = 0;  ///< items in bins below it go left
+  };
+
+  struct Binning {
+    double low, scale;
+    std::size_t operator()(double x) const { return std::min(kBins - 1, static_cast<std::size_t>((x - low) * scale)); }
+  };
+
+  /// Maps centres on an axis to bins; scale 0 when all centres coincide.
+  Binning binning(std::uint32_t first, std::uint32_t count, int axis) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      low = std::min(low, centre(order[i], axis));
+      high = std::max(high, centre(order[i], axis));
+    }
+    return {low, high > low ? static_cast<double>(kBins) / (high - low) : 0};
+  }
+
+  /// Cheapest split on an axis by the surface area heuristic: items times area, left plus right.
+  Split best_split(std::uint32_t first, std::uint32_t count, int axis) const {
+    const Binning bin = binning(first, count, axis);
+    Split best{.axis = axis};
+    if (bin.scale == 0) return best;
+    std::array<Aabb, kBins> box;
+    std::array<std::uint32_t, kBins> size{};
+    box.fill(empty_box());
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::size_t b = bin(centre(order[i], axis));
+      grow(box[b], boxes[order[i]]);
+      ++size[b];
+    }
+    std::array<double, kBins> right_cost{};
+    Aabb accumulated = empty_box();
+    std::uint32_t items = 0;
+    for (std::size_t b = kBins; b-- > 1;) {
+      if (size[b] != 0) grow(accumulated, box[b]);
+      items += size[b];
+      right_cost[b] = items == 0 ? 0 : half_area(accumulated) * items;
+    }
+    accumulated = empty_box();
+    items = 0;
+    for (std::size_t b = 1; b < kBins; ++b) {
+      if (size[b - 1] != 0) grow(accumulated, box[b - 1]);
+      items += size[b - 1];
+      if (items == 0 || items == count) continue;
+      const double cost = half_area(accumulated) * items + right_cost[b];
+      if (cost < best.cost) best = {cost, axis, b};
+    }
+    return best;
+  }
+
+  /// Reorders order[first, first + count) and returns how many go left, at least one and not all.
+  std::uint32_t partition(std::uint32_t first, std::uint32_t count) {
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (const Split split = best_split(first, count, axis); split.cost < best.cost) best = split;
+    }
+    if (best.bin == 0) return count / 2;  // all centres coincide, or areas overflow: any halves will do
+    const Binning bin = binning(first, count, best.axis);
+    return stable_partition(std::span(order).subspan(first, count),
+                            [&](std::uint32_t item) { return bin(centre(item, best.axis)) < best.bin; });
+  }
+
+  /// Those that go left first, all in the order in which they were; how many go left. As std::stable_partition, which takes
+  /// memory at every call.
+  template <class GoesLeft>
+  std::uint32_t stable_partition(std::span<std::uint32_t> items, GoesLeft&& goes_left) {
+    spare.clear();
+    std::uint32_t left = 0;
+    for (const std::uint32_t item : items) {
+      if (goes_left(item)) {
+        items[left++] = item;
+      } else {
+        spare.push_back(item);
+      }
+    }
+    std::ranges::copy(spare, items.begin() + left);
+    return left;
+  }
+};
+
+}  // namespace
+
+void BoxTree::append(std::span<const Aabb> boxes, std::uint32_t first, std::uint32_t count, std::uint32_t leaf_size) {
+  spare.reserve(order.size());
+  Builder{boxes, order, nodes, spare, leaf_size}.build(first, count);
+}
+
+void BoxTree::refit(std::span<const Aabb> boxes, std::size_t from) {
+  for (std::size_t i = nodes.size(); i-- > from;) {
+    HierarchyNode& node = nodes[i];
+    if (node.is_leaf()) {
+      node.box = bounds(boxes, std::span(order).subspan(node.first, node.count));
+    } else {
+      join_children(i);
+    }
+  }
+}
+
+void BoxTree::join_children(std::size_t node) {
+  nodes[node].box = nodes[node + 1].box;
+  grow(nodes[node].box, nodes[nodes[node].right].box);
+}
+
+double BoxTree::cost(std::size_t from) const {
+  double sum = 0;
+  for (std::size_t i = from; i < nodes.size(); ++i) {
+    if (!nodes[i].is_leaf()) sum += half_area(nodes[i].box);
+  }
+  return sum;
+}
+
+}  // namespace occlude::culler
