@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/culler.h"
 
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
-#include "bounds.h"
+#include "cull_frame.h"
+#include "legal_soup.h"
 #include "node_tests.h"
-#include "occlude/kernel/validity.h"
-#include "occluder_choice.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -18,21 +14,8 @@ namespace {
 
 const PolygonSoup& checked(const PolygonSoup& soup) {
   if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
-  for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
-    if (const auto refusal = kernel::check(to_kernel(soup.vertices[v])); refusal != kernel::Refusal::none) {
-      throw std::invalid_argument("vertex " + std::to_string(v) + ": " + std::string(kernel::to_string(refusal)));
-    }
-  }
+  require_legal(soup);
   return soup;
-}
-
-/// No point of the box is farther from the eye than this.
-double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
-  glm::dvec3 farthest{};
-  for (int axis = 0; axis < 3; ++axis) {
-    farthest[axis] = std::max(std::fabs(box.min[axis] - eye[axis]), std::fabs(box.max[axis] - eye[axis]));
-  }
-  return farthest.x + farthest.y + farthest.z;
 }
 
 auto volumes_of(const Hierarchy& hierarchy) {
@@ -60,14 +43,8 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 }
 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
-  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
   View::Memory& memory = view.memory();
-  memory.begin_frame();
-  append_view_frustum(camera, depth(hierarchy_.nodes()[0].box, camera.eye), memory.result.view);
-  choose_occluders({hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
-  traverse(
-      hierarchy_.nodes(), volumes_of(hierarchy_), [](const Occluder&, const auto&) {}, options, memory);
-  memory.history.record(occluders_.size(), memory.result.occluders, memory.probes);
+  cull_frame(hierarchy_.nodes(), volumes_of(hierarchy_), {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
   return memory.result;
 }
 

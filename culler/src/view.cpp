@@ -1,11 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/view.h"
 
+#include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
+#include <variant>
 
+#include "bounds.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+#include "occlude/kernel/shadow_union.h"
+#include "occlude/kernel/validity.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
+namespace {
+
+using kernel::NearBoundary;
+using kernel::Relation;
+
+template <class AnyBox>
+bool is_out_of_view(const CullResult& frame, const AnyBox& box) {
+  return std::ranges::any_of(frame.view, [&](const HalfSpace& h) {
+    return kernel::relation({to_kernel(h.normal), h.offset}, box, kernel::Arithmetic::certified) == Relation::outside;
+  });
+}
+
+template <class AnyBox>
+bool is_occluded(const CullResult& frame, std::span<const ShadowPair> pairs, const AnyBox& box) {
+  const auto hides = [&](const Occluder& o) {
+    return kernel::conservative_certified(o.frustum, box, NearBoundary::open).relation == Relation::inside;
+  };
+  const auto hide_together = [&](const ShadowPair& pair) {
+    const kernel::ShadowUnion both{frame.occluders[pair.first].frustum, frame.occluders[pair.second].frustum};
+    return kernel::overlap_certified(both, box, NearBoundary::open).relation == Relation::inside;
+  };
+  return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(pairs, hide_together);
+}
+
+}  // namespace
 
 View::View() : memory_(std::make_unique<Memory>()) {}
 View::~View() = default;
@@ -13,6 +47,19 @@ View::View(View&&) noexcept = default;
 View& View::operator=(View&&) noexcept = default;
 
 const CullResult& View::result() const { return memory_->result; }
+
+Visibility View::visibility(const Box& box) const {
+  return std::visit(
+      [&](const auto& b) {
+        if (const kernel::Refusal refusal = kernel::check(b); refusal != kernel::Refusal::none) {
+          throw std::invalid_argument(std::string(kernel::to_string(refusal)));
+        }
+        return is_out_of_view(memory_->result, b)                ? Visibility::out_of_view
+               : is_occluded(memory_->result, memory_->pairs, b) ? Visibility::occluded
+                                                                 : Visibility::visible;
+      },
+      box);
+}
 
 void View::Memory::begin_frame() {
   for (Occluder& occluder : result.occluders) spare.push_back(std::move(occluder.frustum));

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A frame from the camera to what is drawn: half-spaces, occluders, one descent of the tree, what to remember.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "node_tests.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/hierarchy.h"
+#include "occluder_choice.h"
+#include "view_memory.h"
+
+namespace occlude::culler {
+
+/// No point of the box is farther from the eye than this.
+[[nodiscard]] inline double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
+  glm::dvec3 farthest{};
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest[axis] = std::max(std::fabs(box.min[axis] - eye[axis]), std::fabs(box.max[axis] - eye[axis]));
+  }
+  return farthest.x + farthest.y + farthest.z;
+}
+
+/// Fills memory.result. `ask` calls a question with the bounding volume of a node; of no nodes nothing is drawn. Throws
+/// std::invalid_argument for a camera with a fault(), and leaves the last frame as it was.
+template <class Ask>
+void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const OccluderSource& source, const Camera& camera,
+                const CullOptions& options, View::Memory& memory) {
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
+  memory.begin_frame();
+  append_view_frustum(camera, nodes.empty() ? 0 : depth(nodes[0].box, camera.eye), memory.result.view);
+  choose_occluders(source, camera, options, memory);
+  if (!nodes.empty())
+    traverse(
+        nodes, ask, [](const Occluder&, const auto&) {}, options, memory);
+  memory.history.record(source.occluders.size(), memory.result.occluders, memory.probes);
+}
+
+}  // namespace occlude::culler
