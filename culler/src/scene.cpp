@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bounds.h"
+#include "cull_frame.h"
+#include "legal_soup.h"
+#include "object_tree.h"
+#include "outer_box.h"
+#include "view_memory.h"
+
+namespace occlude::culler {
+namespace {
+
+PolygonSoup&& checked(PolygonSoup&& soup) {
+  require_legal(soup);
+  return std::move(soup);
+}
+
+/// Around the static objects and the occluders, which is about where cameras are; the origin where there are none.
+kernel::Aabb extent(std::span<const Box> statics, const PolygonSoup& soup) {
+  if (statics.empty() && soup.empty()) return {};
+  kernel::Aabb box = empty_box();
+  for (const Box& object : statics) grow(box, outer_box(object));
+  for (std::size_t p = 0; p < soup.size(); ++p) grow(box, polygon_box(soup, p));
+  return box;
+}
+
+/// Runs of items to ids.
+void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn, SceneResult& result) {
+  result.statics.clear();
+  result.dynamics.clear();
+  result.static_ranges.clear();
+  const auto statics = static_cast<std::uint32_t>(objects.statics());
+  for (const auto [first, count] : drawn) {
+    const std::uint32_t end = first + count, middle = std::clamp(statics, first, end);
+    if (first < middle) result.static_ranges.push_back({first, middle - first});
+    for (std::uint32_t i = first; i < middle; ++i) result.statics.push_back(objects.order()[i]);
+    for (std::uint32_t i = middle; i < end; ++i) result.dynamics.push_back(objects.order()[i] - statics);
+  }
+}
+
+}  // namespace
+
+Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config)
+    : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics)),
+      soup_(checked(std::move(occluders))),
+      occluders_(PotentialOccluders::find(soup_, config.occluders)),
+      grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid)) {}
+
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options, SceneView& view) const {
+  View::Memory& memory = view.view_.memory();
+  const auto ask = [&](std::uint32_t node, auto&& question) { return objects_->ask(node, question); };
+  cull_frame(objects_->nodes(), ask, {soup_, occluders_, grid_}, camera, options, memory);
+  list_objects(*objects_, memory.result.drawn, view.result_);
+  return view.result_;
+}
+
+void Scene::set_bounds(std::uint32_t dynamic, const Box& box) { objects_->set_bounds(dynamic, box); }
+void Scene::update() { objects_->update(); }
+
+std::size_t Scene::statics() const { return objects_->statics(); }
+std::size_t Scene::dynamics() const { return objects_->dynamics(); }
+std::span<const std::uint32_t> Scene::static_order() const { return objects_->order().first(objects_->statics()); }
+
+}  // namespace occlude::culler

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// A scene that has settled allocates nothing. An executable of its own, for it counts every allocation of the program.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <random>
+#include <vector>
+
+#include "culler/scenes.h"
+#include "occlude/culler/scene.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations = 0;
+
+}  // namespace
+
+// The other forms of new and delete call these.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+/// Objects strewn over the town of random_town(), or, gathered, all on one spot; `turn`, in radians, moves them round its
+/// middle and turns them.
+kernel::Obb box(std::uint32_t i, double turn, bool is_gathered) {
+  const double angle = 2.4 * i + turn, radius = is_gathered ? 0 : 2.0 * std::sqrt(i), c = std::cos(angle),
+               s = std::sin(angle);
+  return {{radius * c, radius * s, 1}, {{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}}};
+}
+
+TEST(SceneAllocation, NoneAlongAPathGoneBefore) {
+  constexpr int kFrames = 200;
+  std::vector<Box> boxes;
+  for (std::uint32_t i = 0; i < 500; ++i) boxes.emplace_back(box(i, 0, false));
+  Scene scene({.statics = boxes, .dynamics = boxes}, random_town(1, 1000));
+  SceneView view;
+  std::size_t hidden = 0, asked = 0;
+  const auto walk = [&] {
+    for (int frame = 0; frame < kFrames; ++frame) {
+      // At different speeds, and now and then all meet and scatter, so that trees are built anew.
+      for (std::uint32_t i = 0; i < boxes.size(); ++i) scene.set_bounds(i, box(i, 0.01 * frame * (i % 7), frame % 50 == 0));
+      scene.update();
+      Camera camera;
+      const double angle = 6.283185307179586 / kFrames * frame;
+      camera.eye = {30 * std::cos(angle), 30 * std::sin(angle), 2};
+      camera.target = {0, 0, 2};
+      scene.cull(camera, {}, view);
+      hidden += view.frame().stats.shadow_culled_polygons;
+      for (const Box& b : boxes) asked += view.visibility(b) == Visibility::occluded;
+    }
+  };
+  // Frusta change places in memory from round to round, until each place has held the largest.
+  for (int round = 0; round < 20; ++round) walk();
+  const std::size_t before = allocations;
+  walk();
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_GT(hidden, 10000U);
+  EXPECT_GT(asked, 10000U);
+}
+
+}  // namespace
