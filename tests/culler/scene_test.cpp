@@ -200,9 +200,12 @@ TEST(Scene, ObjectsMoveInAndOutOfTheShadow) {
   PolygonSoup walls;
   add_wall(walls, 2, -1, 1, -1, 1);
   const auto box_at = [](double y) { return Aabb{{4, y - 0.5, -0.5}, {5, y + 0.5, 0.5}}; };
-  const std::vector<Box> statics{box_at(0)}, dynamics{box_at(0), box_at(3)};
+  const std::vector<Box> statics{box_at(0)}, dynamics{box_at(0), box_at(0)};
   Scene scene({.statics = statics, .dynamics = dynamics}, walls);
   SceneView view;
+  EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{}) << "nothing in view";
+  scene.set_bounds(1, box_at(3));
+  scene.update();
   EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{1});
   scene.set_bounds(0, box_at(1.5));  // its border on that of the shadow, at x = 4: y = 2
   scene.set_bounds(1, box_at(0));
@@ -239,7 +242,7 @@ TEST(Scene, ARefittedTreeCullsAsAFreshOne) {
   }
 }
 
-/// Nodes from the root of what moves on, of a tree of objects that all move.
+/// What a descent of the tree costs, half the surfaces of its inner nodes.
 double cost(const ObjectTree& tree) {
   double sum = 0;
   for (const HierarchyNode& node : tree.nodes()) {
@@ -250,13 +253,23 @@ double cost(const ObjectTree& tree) {
   return sum;
 }
 
+Aabb scaled(const Aabb& box, double factor) {
+  Aabb result = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.min[axis] *= factor;
+    result.max[axis] *= factor;
+  }
+  return result;
+}
+
 TEST(ObjectTree, IsBuiltAnewWhenItHasBecomeLoose) {
   std::mt19937 random(kSeed);
-  // All at one place, as things begin; then anywhere.
-  const std::vector<Box> together(200, Aabb{{0, 0, 0}, {1, 1, 1}});
+  // All at one place, as things begin; then anywhere, and each time over less of it.
+  const std::vector<Box> together(200, Aabb{{0, 0, 0}, {0x1p-20, 0x1p-20, 0x1p-20}});
   ObjectTree tree({}, together);
   for (int i = 0; i < 5; ++i) {
-    const auto scattered = random_boxes(random, together.size());
+    auto scattered = random_boxes(random, together.size());
+    for (Box& box : scattered) box = scaled(outer_box(box), std::pow(0.1, i));
     for (std::size_t id = 0; id < scattered.size(); ++id) tree.set_bounds(id, scattered[id]);
     tree.update();
     EXPECT_LE(cost(tree), 2 * cost(ObjectTree({}, scattered)));
@@ -477,11 +490,13 @@ TEST(Scene, RefusesWhatCannotBeRightAndChangesNothing) {
   SceneView view;
   scene.cull(Camera{}, {.occluders = 0}, view);
   EXPECT_EQ(sorted(view.result().dynamics), (Ids{0, 1})) << "where they were";
+  EXPECT_EQ(view.result().static_ranges, (std::vector<PolygonRange>{{0, 2}})) << "and no dynamic ones";
   EXPECT_EQ(refusal([&] { static_cast<void>(view.visibility(bad)); }), "number is not finite");
   Camera blind;
   blind.target = blind.eye;
   EXPECT_NE(refusal([&] { scene.cull(blind, {}, view); }), "");
   EXPECT_EQ(sorted(view.result().statics), (Ids{0, 1})) << "the last frame";
+  EXPECT_EQ(view.frame().stats.drawn_polygons, 4U);
 }
 
 TEST(Scene, CanBeMoved) {
