@@ -56,12 +56,12 @@ class SceneView {
   SceneResult result_;
 };
 
-/// **What culling promises.** An object is left out only if, in exact arithmetic, its box is beyond a plane of the view that
-/// is no tighter than the renderer's, or in the shadow of one chosen occluder (with CullOptions::unions: of two together)
-/// and strictly beyond its near plane. So nothing visible is left out as long as
+/// **What culling promises.** An object is left out only if, in exact arithmetic (unless CullOptions::arithmetic is plain),
+/// its box is beyond a plane of the view that is no tighter than the renderer's, or in the shadow of one chosen occluder
+/// (with CullOptions::unions: of two together) and strictly beyond its near plane. So nothing visible is left out as long as
 ///  - boxes hold all that is drawn of their objects, and
-///  - every point of an occluder is a point of something opaque, or inside of it, that stands still and is drawn unless its
-///    box is an object that this scene leaves out.
+///  - every point of an occluder is a point of something opaque, or inside of it, that stands still and is drawn unless it
+///    belongs to an object that this scene leaves out.
 /// An object whose box holds its occluder is never hidden by it: its box reaches the near plane.
 ///
 /// **Occluders** are chosen each frame from the polygons of a soup, from flat convex regions that they make up and from
