@@ -58,12 +58,14 @@ bool turns(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& area, dou
   return turn >= least * glm::length(u) * glm::length(v) * glm::length(area);
 }
 
-/// Whether the loop turns with its area everywhere.
+/// Whether the loop turns with its area everywhere, and so does its fan: a star that runs round twice only does the former.
 bool turns_with(const PolygonSoup& soup, std::span<const std::uint32_t> loop, const glm::dvec3& area) {
   const std::size_t n = loop.size();
+  const glm::dvec3& base = soup.vertices[loop[0]];
   for (std::size_t i = 0; i < n; ++i) {
     const glm::dvec3 &a = soup.vertices[loop[i]], &b = soup.vertices[loop[(i + 1) % n]];
     if (!turns(b - a, soup.vertices[loop[(i + 2) % n]] - b, area, 0)) return false;
+    if (glm::dot(glm::cross(a - base, b - base), area) < 0) return false;
   }
   return true;
 }

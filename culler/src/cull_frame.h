@@ -28,18 +28,17 @@ namespace occlude::culler {
   return farthest.x + farthest.y + farthest.z;
 }
 
-/// Fills memory.result. `ask` calls a question with the bounding volume of a node; of no nodes nothing is drawn. Throws
+/// Fills memory.result. `ask` and `holds_part` as in NodeTests; of no nodes nothing is drawn. Throws
 /// std::invalid_argument for a camera with a fault(), and leaves the last frame as it was.
-template <class Ask>
-void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const OccluderSource& source, const Camera& camera,
+template <class Ask, class HoldsPart>
+void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part, const OccluderSource& source, const Camera& camera,
                 const CullOptions& options, View::Memory& memory) {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
   memory.begin_frame();
   append_view_frustum(camera, nodes.empty() ? 0 : depth(nodes[0].box, camera.eye), memory.result.view);
   choose_occluders(source, camera, options, memory);
-  if (!nodes.empty())
-    traverse(
-        nodes, ask, [](const Occluder&, const auto&) {}, options, memory);
+  const auto unwatched = [](const Occluder&, const auto&) {};
+  if (!nodes.empty()) traverse(nodes, ask, holds_part, unwatched, options, memory);
   memory.history.record(source.occluders.size(), memory.result.occluders, memory.probes);
 }
 

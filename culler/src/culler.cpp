@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/culler.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +21,16 @@ const PolygonSoup& checked(const PolygonSoup& soup) {
 
 auto volumes_of(const Hierarchy& hierarchy) {
   return [&](std::uint32_t node, auto&& question) { return hierarchy.ask(node, question); };
+}
+
+/// Whether a polygon of the node is one that the occluder is drawn as.
+auto parts_in(const Hierarchy& hierarchy, const PotentialOccluders& occluders) {
+  return [&](std::uint32_t node, std::uint32_t occluder) {
+    const HierarchyNode& n = hierarchy.nodes()[node];
+    const auto parts = occluders.parts(occluder);
+    const auto part = std::ranges::lower_bound(parts, n.first);
+    return part != parts.end() && *part - n.first < n.count;
+  };
 }
 
 }  // namespace
@@ -44,7 +55,7 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
   View::Memory& memory = view.memory();
-  cull_frame(hierarchy_.nodes(), volumes_of(hierarchy_), {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
+  cull_frame(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
   return memory.result;
 }
 
@@ -53,7 +64,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   View::Memory memory;
   memory.result.view = frame.view;
   memory.result.occluders = frame.occluders;
-  traverse(hierarchy_.nodes(), volumes_of(hierarchy_), visit, options, memory);
+  traverse(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), visit, options, memory);
 }
 
 }  // namespace occlude::culler

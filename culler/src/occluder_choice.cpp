@@ -28,6 +28,10 @@ double weighted(double criterion, double weight) {
 /// rounding of its single precision, 2^-23 of the distances involved.
 constexpr double kNearMargin = 1 + 0x1p-10;
 
+/// Frusta go from one occluder to another, and would grow again and again until each of them has been the largest. Nearly
+/// all have no more planes, those of the profile included.
+constexpr std::size_t kPlanes = 64;
+
 /// Probes are chosen of so many that were not tried lately.
 constexpr std::size_t kPool = 64;
 /// Cosine of the angle within which occluders are near each other, and how much the best of all occluders raises the score
@@ -188,7 +192,7 @@ class Choice {
 
   bool add(std::uint32_t i) {
     std::vector<kernel::ShadowFrustum>& spare = memory_.spare;
-    if (spare.empty()) spare.emplace_back();
+    if (spare.empty()) spare.emplace_back().reserve(kPlanes);
     const bool is_shell = source_.occluders.is_shell(i);
     const kernel::Refusal refusal =
         is_shell ? add_shell(i, spare.back()) : spare.back().assign(viewpoint_, memory_.loop, options_.near);

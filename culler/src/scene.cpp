@@ -57,7 +57,9 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options, SceneView& view) const {
   View::Memory& memory = view.view_.memory();
   const auto ask = [&](std::uint32_t node, auto&& question) { return objects_->ask(node, question); };
-  cull_frame(objects_->nodes(), ask, {soup_, occluders_, grid_}, camera, options, memory);
+  // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
+  const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
+  cull_frame(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
   list_objects(*objects_, memory.result.drawn, view.result_);
   return view.result_;
 }

@@ -156,16 +156,22 @@ class CullJudge {
     return result;
   }
 
-  /// The faces of a shell are its parts, and the oracle finds out whether they enclose a solid.
+  /// The faces of a shell are its parts, and the oracle finds out whether they enclose a solid. Of a piece the triangles
+  /// that the renderer makes of its run.
   bool is_drawn_as_its_parts(std::uint32_t occluder) const {
     if (occluders_.is_shell(occluder)) return true;
-    const culler::PolygonSoup& soup = hierarchy_.soup();
     const auto piece = occluders_.regions().piece(occluder);
     std::vector<Polygon> parts;
     for (const std::uint32_t part : occluders_.parts(occluder)) {
-      const auto loop = soup.loop(part);
-      if (piece && (piece->count == 0 || piece->first + piece->count > loop.size() - 2)) return false;
-      parts.push_back(polygon(piece ? culler::piece_of(loop, *piece) : std::vector(loop.begin(), loop.end())));
+      const Polygon loop = polygon(hierarchy_.soup().loop(part));
+      if (!piece) {
+        parts.push_back(loop);
+        continue;
+      }
+      if (piece->count == 0 || std::size_t{piece->first} + piece->count > loop.size() - 2) return false;
+      for (std::size_t t = piece->first; t < std::size_t{piece->first} + piece->count; ++t) {
+        parts.push_back({loop[0], loop[t + 1], loop[t + 2]});
+      }
     }
     return have_border(parts, polygon(occluders_.loop(occluder)));
   }

@@ -56,6 +56,42 @@ void add_triangle(Random& random, PolygonSoup& soup, int reach) {
   add_loop(soup, {lattice_point(random, reach), lattice_point(random, reach), lattice_point(random, reach)});
 }
 
+/// A box, which is a convex shell: of quadrilaterals or of triangles, at times without its lid.
+void add_box(Random& random, PolygonSoup& soup, int reach, int size) {
+  const dvec3 low = lattice_point(random, reach);
+  dvec3 extent{};
+  for (int axis = 0; axis < 3; ++axis) extent[axis] = random.integer(1, size);
+  std::array<std::uint32_t, 8> corners{};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    corners[i] = soup.add_vertex(low + extent * dvec3(i & 1U, i >> 1U & 1U, i >> 2U));
+  }
+  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  const std::size_t faces = random.chance(0.2) ? 5 : 6;
+  for (std::size_t face = 0; face < faces; ++face) {
+    const auto corner = [&](std::size_t i) { return corners[kFaces[face][i]]; };
+    if (random.chance(0.5)) {
+      soup.add_polygon(std::array{corner(0), corner(1), corner(2), corner(3)});
+    } else {
+      soup.add_polygon(std::array{corner(0), corner(1), corner(2)});
+      soup.add_polygon(std::array{corner(0), corner(2), corner(3)});
+    }
+  }
+}
+
+/// A loop in a plane along two axes that turns as it likes: its fan folds over.
+void add_folded(Random& random, PolygonSoup& soup, int reach, int size) {
+  const int axis = random.integer(0, 2);
+  const dvec3 middle = lattice_point(random, reach);
+  std::vector<dvec3> loop;
+  for (int corners = random.integer(4, 9); corners > 0; --corners) {
+    dvec3 offset = lattice_point(random, size);
+    offset[axis] = 0;
+    loop.push_back(middle + offset);
+  }
+  add_loop(soup, loop);
+}
+
 /// The largest power of two that is not above x.
 double power_below(double x) {
   int exponent = 0;
@@ -81,11 +117,16 @@ void add_occluder_of_case(Random& random, PolygonSoup& soup, int reach) {
 
 constexpr int kReach = 8;
 
-/// Some walls that hide, small things that can be hidden, and a few polygons of any kind.
+/// Some walls and boxes that hide, small things that can be hidden, and a few polygons of any kind.
 PolygonSoup some_soup(Random& random) {
   PolygonSoup soup;
-  for (int walls = random.integer(1, 4); walls > 0; --walls) add_wall(random, soup, kReach / 2, 2 * kReach);
-  for (int things = random.integer(15, 30); things > 0; --things) add_wall(random, soup, 2 * kReach, 2);
+  for (int walls = random.integer(1, 4); walls > 0; --walls) {
+    const auto add_large = random.chance(0.6) ? add_wall : random.chance(0.7) ? add_box : add_folded;
+    add_large(random, soup, kReach / 2, kReach);
+  }
+  for (int things = random.integer(15, 30); things > 0; --things) {
+    (random.chance(0.95) ? add_wall : add_box)(random, soup, 2 * kReach, 2);
+  }
   for (int others = random.integer(0, 4); others > 0; --others) {
     (random.chance(0.5) ? add_triangle : add_occluder_of_case)(random, soup, kReach);
   }
@@ -113,9 +154,21 @@ Camera some_camera(Random& random, const PolygonSoup& soup) {
   return camera;
 }
 
+/// The camera some steps later, or another one.
+Camera moved(Random& random, const PolygonSoup& soup, const Camera& before) {
+  if (random.chance(0.2)) return some_camera(random, soup);
+  Camera camera = before;
+  camera.eye += 0.25 * lattice_point(random, kReach / 2);
+  if (random.chance(0.3)) camera.target += 0.25 * lattice_point(random, kReach / 2);
+  return camera;
+}
+
 CullOptions some_options(Random& random) {
   CullOptions options;
   options.occluders = static_cast<std::size_t>(random.integer(0, 12));
+  if (random.chance(0.3)) options.probes = static_cast<std::size_t>(random.integer(0, 3));
+  if (random.chance(0.2)) options.objective.coherence = 0;
+  if (random.chance(0.2)) options.objective.angle = culler::Objective::Angle::exact;
   if (random.chance(0.3)) options.near = kernel::Near::farthest;
   if (random.chance(0.3)) options.test = kernel::Test::overlap;
   return options;
@@ -125,6 +178,7 @@ culler::BuildConfig some_config(Random& random) {
   culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
   if (random.chance(0.5)) config.hierarchy.bounds = culler::Bounds::obb;
+  config.occluders.shells = random.chance(0.8);
   config.grid.regions = std::array{1.0, 8.0, 64.0}[random.index(3)];
   return config;
 }
@@ -133,15 +187,25 @@ culler::BuildConfig some_config(Random& random) {
 class Twin {
  public:
   Twin(const Culler& culler, const CullOptions& options, const CullResult& result)
-      : hierarchy_(culler.hierarchy()), options_(options), result_(result), drawn_(hierarchy_.soup().size()) {
+      : hierarchy_(culler.hierarchy()),
+        occluders_(culler.occluders()),
+        options_(options),
+        result_(result),
+        drawn_(hierarchy_.soup().size()) {
     visit(0);
   }
 
   [[nodiscard]] const std::vector<bool>& drawn() const { return drawn_; }
 
  private:
+  /// No node is culled by what is drawn as a polygon of it.
+  bool holds_part(const culler::HierarchyNode& node, const culler::Occluder& occluder) const {
+    return std::ranges::any_of(occluders_.parts(occluder.index),
+                               [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
+  }
+
   template <class Volume>
-  bool is_culled(const Volume& box) const {
+  bool is_culled(const culler::HierarchyNode& node, const Volume& box) const {
     for (const culler::HalfSpace& h : result_.view) {
       const kernel::HalfSpace plane{{h.normal.x, h.normal.y, h.normal.z}, h.offset};
       if (kernel::relation(plane, box, options_.arithmetic) == kernel::Relation::outside) return true;
@@ -149,14 +213,14 @@ class Twin {
     for (const culler::Occluder& occluder : result_.occluders) {
       const kernel::Decision decision =
           kernel::decide(occluder.frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
-      if (decision.relation == kernel::Relation::inside) return true;
+      if (decision.relation == kernel::Relation::inside && !holds_part(node, occluder)) return true;
     }
     return false;
   }
 
   void visit(std::uint32_t index) {
     const auto& node = hierarchy_.nodes()[index];
-    if (hierarchy_.ask(index, [&](const auto& box) { return is_culled(box); })) return;
+    if (hierarchy_.ask(index, [&](const auto& box) { return is_culled(node, box); })) return;
     if (node.is_leaf()) {
       for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) drawn_[p] = true;
       return;
@@ -166,6 +230,7 @@ class Twin {
   }
 
   const culler::Hierarchy& hierarchy_;
+  const culler::PotentialOccluders& occluders_;
   const CullOptions& options_;
   const CullResult& result_;
   std::vector<bool> drawn_;
@@ -192,13 +257,19 @@ void run_culling(std::uint64_t seed, Report& report) {
   Random random(seed);
   const PolygonSoup soup = some_soup(random);
   const Culler culler(soup, some_config(random));
-  const Camera camera = first_legal([&]() -> std::optional<Camera> {
-    Camera drawn = some_camera(random, soup);
-    return fault(drawn).empty() ? std::optional(drawn) : std::nullopt;
-  });
+  const auto legal = [](const auto& draw) {
+    return first_legal([&]() -> std::optional<Camera> {
+      Camera drawn = draw();
+      return fault(drawn).empty() ? std::optional(drawn) : std::nullopt;
+    });
+  };
+  Camera camera = legal([&] { return some_camera(random, soup); });
   const CullOptions options = some_options(random);
   culler::View view;
-  if (random.chance(0.5)) culler.cull(camera, options, view);
+  for (int frames = random.integer(0, 3); frames > 0; --frames) {
+    culler.cull(camera, options, view);
+    if (random.chance(0.7)) camera = legal([&] { return moved(random, soup, camera); });
+  }
   const CullResult& result = culler.cull(camera, options, view);
   const culler::CullStats& stats = result.stats;
   report.tally.cases += soup.size();

@@ -60,6 +60,16 @@ void ShadowFrustum::finish() {
   append_plain_edges(*this, plain_edges_);
 }
 
+void ShadowFrustum::reserve(std::size_t planes) {
+  silhouette_.reserve(planes);
+  recipes_.reserve(planes);
+  filter_planes_.reserve(planes);
+  refined_planes_.reserve(planes);
+  cap_edges_.reserve(planes);
+  cap_vertices_.reserve(planes);
+  plain_edges_.reserve(planes);
+}
+
 void ShadowFrustum::begin(const Viewpoint& viewpoint, std::span<const Vec3> corners) {
   viewpoint_ = viewpoint;
   silhouette_.assign(corners.begin(), corners.end());

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <random>
 #include <set>
 #include <span>
 #include <vector>
 
+#include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"
 
 namespace {
@@ -17,9 +20,9 @@ namespace {
 using namespace occlude::culler;
 using Loop = std::vector<glm::dvec3>;
 
-/// The corners of region r, from the least on.
 ConvexRegions find_regions(const PolygonSoup& soup) { return ConvexRegions::find(soup, find_adjacency(soup)); }
 
+/// The corners of region r, from the least on.
 Loop corners(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t r) {
   Loop loop;
   for (const std::uint32_t i : regions.loop(r)) loop.push_back(soup.vertices[i]);
@@ -139,6 +142,152 @@ TEST(ConvexRegions, PolygonsFirstThenWhatIsJoined) {
     for (const std::uint32_t part : regions.parts(r)) whole[part] = static_cast<std::uint32_t>(r);
   }
   for (std::uint32_t p = 0; p < soup.size(); ++p) EXPECT_EQ(regions.whole(p), whole[p]);
+}
+
+/// The runs of the pieces of the only polygon, with what must be so of all pieces.
+std::vector<FanRun> runs_of(const Loop& polygon) {
+  const PolygonSoup soup = soup_of({polygon});
+  const ConvexRegions regions = find_regions(soup);
+  std::vector<FanRun> runs;
+  std::uint32_t covered = 0;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const auto run = regions.piece(r);
+    EXPECT_EQ(run.has_value(), r > 0);
+    if (!run) continue;
+    EXPECT_EQ(run->first, covered) << "the fan is covered once, without a gap";
+    EXPECT_GT(run->count, 0U);
+    covered += run->count;
+    EXPECT_TRUE(std::ranges::equal(regions.loop(r), piece_of(soup.loop(0), *run)));
+    EXPECT_EQ(parts(regions, r), (std::vector<std::uint32_t>{0}));
+    // The border of the triangles that the renderer makes of the run, all of whose corners it has.
+    PolygonSoup triangles;
+    triangles.vertices = soup.vertices;
+    for (std::uint32_t t = run->first; t < run->first + run->count; ++t) {
+      triangles.add_polygon(std::array{soup.loop(0)[0], soup.loop(0)[t + 1], soup.loop(0)[t + 2]});
+    }
+    std::map<std::array<std::uint32_t, 2>, int> times;
+    const auto add_edges = [&](std::span<const std::uint32_t> loop, int sign) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::uint32_t from = loop[i], to = loop[(i + 1) % loop.size()];
+        times[{std::min(from, to), std::max(from, to)}] += from < to ? sign : -sign;
+      }
+    };
+    for (std::size_t t = 0; t < triangles.size(); ++t) add_edges(triangles.loop(t), 1);
+    add_edges(regions.loop(r), -1);
+    EXPECT_TRUE(std::ranges::all_of(times, [](const auto& edge) { return edge.second == 0; }));
+    EXPECT_EQ(regions.loop(r).size(), run->count + 2);
+    runs.push_back(*run);
+  }
+  EXPECT_EQ(covered, runs.empty() ? 0 : polygon.size() - 2);
+  return runs;
+}
+
+using Runs = std::vector<FanRun>;
+
+TEST(ConvexRegions, PiecesOfAnL) {
+  const Loop l{{0, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}, {1, 0, 2}, {0, 0, 2}};
+  EXPECT_EQ(runs_of(l), (Runs{{0, 2}, {2, 2}}));
+  // From the next corner on the fan reaches out of the L, and one triangle is turned over: drawn all the same, they may
+  // hide.
+  Loop turned(l.begin() + 1, l.end());
+  turned.push_back(l[0]);
+  EXPECT_EQ(runs_of(turned), (Runs{{0, 1}, {1, 1}, {2, 2}}));
+}
+
+TEST(ConvexRegions, ConvexPolygonsHaveNoPieces) {
+  EXPECT_EQ(runs_of({a, b, c, d}), Runs{});
+  EXPECT_EQ(runs_of({d, c, b, a}), Runs{});
+  EXPECT_EQ(runs_of({a, {2, 0, 0}, b, c, d}), Runs{}) << "a corner in line with its neighbours";
+  EXPECT_EQ(runs_of({{2, 0, 0}, {3, 0, 0}, b, c, d, a}), Runs{}) << "the first of them in line";
+  EXPECT_EQ(runs_of({a, a, b, c, c, d}), Runs{}) << "corners twice";
+  EXPECT_EQ(runs_of({a, b, d}), Runs{});
+}
+
+/// An L whose first triangle has no area.
+TEST(ConvexRegions, PiecesWhereTheFirstCornersAreInLine) {
+  const Loop l{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}, {1, 0, 2}, {0, 0, 2}};
+  EXPECT_EQ(runs_of(l), (Runs{{0, 3}, {3, 2}}));
+  EXPECT_EQ(runs_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0.5}, {1, 0, 2}}), (Runs{{0, 2}, {2, 1}}));
+}
+
+/// The corners of a star, long and short by turns.
+Loop star(std::size_t rays) {
+  Loop loop;
+  for (std::size_t i = 0; i < 2 * rays; ++i) {
+    const double angle = 3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(rays);
+    const double length = i % 2 == 0 ? 4 : 1;
+    loop.push_back({length * std::cos(angle), 0, length * std::sin(angle)});
+  }
+  return loop;
+}
+
+TEST(ConvexRegions, PiecesOfAStarWhoseFanFoldsOver) {
+  for (const std::size_t rays : {3U, 5U, 8U}) {
+    for (std::size_t first = 0; first < 2; ++first) {
+      Loop loop = star(rays);
+      std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
+      EXPECT_GT(runs_of(loop).size(), 1U) << rays << " rays";
+    }
+  }
+}
+
+/// It turns to one side at every corner, and runs round twice.
+TEST(ConvexRegions, PiecesOfAPentagram) {
+  const Loop rays = star(5);
+  EXPECT_EQ(runs_of({rays[0], rays[4], rays[8], rays[2], rays[6]}), (Runs{{0, 1}, {1, 1}, {2, 1}}));
+}
+
+TEST(ConvexRegions, PiecesHaveNoMoreThanThirtyTwoSides) {
+  Loop comb{{0, 0, -1}};
+  for (int i = 0; i <= 100; ++i) comb.push_back({100.0 - i, 0, i * (100.0 - i)});
+  comb.push_back({0.5, 0, -0.9});  // not convex here
+  const Runs runs = runs_of(comb);
+  EXPECT_GE(runs.size(), 4U);
+  for (const FanRun& run : runs) EXPECT_LE(run.count + 2, 32U);
+}
+
+/// Whether the loop, in a plane across y, has one.
+bool has_area(const std::vector<occlude::kernel::Vec3>& loop) {
+  double doubled = 0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    doubled += (loop[i].x - loop[0].x) * (loop[i + 1].z - loop[0].z) - (loop[i].z - loop[0].z) * (loop[i + 1].x - loop[0].x);
+  }
+  return doubled != 0;
+}
+
+/// Whatever the loop, and the pieces that are large enough to hide are occluders of the kernel from before them.
+TEST(ConvexRegions, PiecesOfAnyLoop) {
+  constexpr std::uint32_t kSeed = 4;
+  std::mt19937 random(kSeed);
+  std::size_t pieces = 0, hide = 0;
+  for (int n = 0; n < 2000; ++n) {
+    Loop loop;
+    for (std::size_t corners = 4 + random() % 9; corners > 0; --corners) {
+      const auto x = static_cast<double>(random() % 7), z = static_cast<double>(random() % 7);
+      const glm::dvec3 corner{x, 5, z};
+      // A corner twice hides from doubles how the loop turns there.
+      if (loop.empty() || (corner != loop.back() && corner != loop.front())) loop.push_back(corner);
+    }
+    if (loop.size() < 4) continue;
+    runs_of(loop);
+    ASSERT_FALSE(HasFailure()) << "seed " << kSeed << ", loop " << n;
+    const PolygonSoup soup = soup_of({loop});
+    const ConvexRegions regions = find_regions(soup);
+    for (std::size_t r = 1; r < regions.size(); ++r) {
+      std::vector<occlude::kernel::Vec3> corners;
+      for (const std::uint32_t i : regions.loop(r)) {
+        const glm::dvec3& v = soup.vertices[i];
+        corners.push_back({v.x, v.y, v.z});
+      }
+      const auto eye = occlude::kernel::Viewpoint::eye({3, 0, 3});
+      const auto made = occlude::kernel::ShadowFrustum::make(eye, corners, occlude::kernel::Near::surface);
+      ++pieces;
+      hide += made.frustum ? 1 : 0;
+      EXPECT_EQ(made.frustum.has_value(), has_area(corners)) << "seed " << kSeed << ", loop " << n;
+    }
+  }
+  EXPECT_GT(pieces, 5000U);
+  EXPECT_GT(hide, pieces / 2);
 }
 
 }  // namespace

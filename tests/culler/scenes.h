@@ -51,4 +51,38 @@ inline PolygonSoup random_town(std::uint32_t seed, std::size_t polygons) {
   return soup;
 }
 
+/// The box from `low` to `high`, every face turned outwards: of quadrilaterals, or each of two triangles along the diagonal
+/// from the lowest or to the highest of its corners.
+inline void add_box(PolygonSoup& soup, const glm::dvec3& low, const glm::dvec3& high, bool triangles = false) {
+  std::array<std::uint32_t, 8> corners{};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    corners[i] = soup.add_vertex({i & 1U ? high.x : low.x, i & 2U ? high.y : low.y, i & 4U ? high.z : low.z});
+  }
+  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  for (const auto& face : kFaces) {
+    const std::array loop{corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]};
+    if (triangles) {
+      soup.add_polygon(std::array{loop[0], loop[1], loop[2]});
+      soup.add_polygon(std::array{loop[0], loop[2], loop[3]});
+    } else {
+      soup.add_polygon(loop);
+    }
+  }
+}
+
+/// random_town() with a house of six quadrilaterals or twelve triangles for every forty polygons.
+inline PolygonSoup random_town_of_houses(std::uint32_t seed, std::size_t polygons) {
+  PolygonSoup soup = random_town(seed, polygons);
+  std::mt19937 random(seed + 1);
+  for (std::size_t i = 0; i < polygons / 40; ++i) {
+    const auto number = [&](double low, double high) { return uniform(random, low, high); };
+    const double x = number(-50, 50), y = number(-50, 50), z = number(0, 1);
+    const glm::dvec3 low{x, y, z};
+    const double width = number(1, 8), depth = number(1, 8), height = number(2, 9);
+    add_box(soup, low, low + glm::dvec3{width, depth, height}, i % 2 == 0);
+  }
+  return soup;
+}
+
 }  // namespace occlude::culler

@@ -2,31 +2,14 @@
 // A scene that has settled allocates nothing. An executable of its own, for it counts every allocation of the program.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <random>
 #include <vector>
 
+#include "allocations.h"
 #include "culler/scenes.h"
 #include "occlude/culler/scene.h"
-
-namespace {
-
-std::atomic<std::size_t> allocations = 0;
-
-}  // namespace
-
-// The other forms of new and delete call these.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -64,9 +47,9 @@ TEST(SceneAllocation, NoneAlongAPathGoneBefore) {
   };
   // Frusta change places in memory from round to round, until each place has held the largest.
   for (int round = 0; round < 20; ++round) walk();
-  const std::size_t before = allocations;
+  const std::size_t before = allocations();
   walk();
-  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_EQ(allocations() - before, 0U);
   EXPECT_GT(hidden, 10000U);
   EXPECT_GT(asked, 10000U);
 }

@@ -57,6 +57,9 @@ class ShadowFrustum {
   [[nodiscard]] Refusal assign(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                                PolytopeSilhouette& seen);
 
+  /// Makes room for so many planes, sides and faces: up to that assign() allocates nothing even the first time.
+  void reserve(std::size_t planes);
+
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
   /// What the planes in doubles are relative to: the eye, or a corner of the silhouette for directions.
   [[nodiscard]] const Vec3& origin() const { return origin_; }

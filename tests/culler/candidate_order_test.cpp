@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "candidate_order.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude::culler;
+
+std::vector<std::uint32_t> occluders_of(std::span<const Candidate> candidates) {
+  std::vector<std::uint32_t> result;
+  for (const Candidate& c : candidates) result.push_back(c.occluder);
+  return result;
+}
+
+void expect_sorted(const CandidateOrder& order, std::vector<Candidate> candidates) {
+  std::sort(candidates.begin(), candidates.end());
+  ASSERT_EQ(occluders_of(order.best_first()), occluders_of(candidates));
+  for (std::size_t i = 0; i < candidates.size(); ++i) ASSERT_EQ(order.best_first()[i].score, candidates[i].score);
+}
+
+/// n candidates, the first of them the best.
+std::vector<Candidate> descending(std::uint32_t n) {
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < n; ++i) candidates.push_back({static_cast<double>(n - i), i});
+  return candidates;
+}
+
+TEST(CandidateOrder, IsWhatSortingGives) {
+  constexpr std::uint32_t kSeed = 3;
+  std::mt19937 random(kSeed);
+  constexpr std::size_t kOccluders = 300;
+  CandidateOrder order;
+  std::vector<double> scores(kOccluders, 0);
+  std::set<std::uint32_t> before;
+  for (int frame = 0; frame < 2000; ++frame) {
+    // From stillness through what a step changes to another place altogether; equal scores are common.
+    const std::size_t changes = frame % 50 == 0 ? kOccluders : random() % 20;
+    for (std::size_t i = 0; i < changes; ++i) scores[random() % kOccluders] = static_cast<double>(random() % 40);
+    const std::size_t in_view = frame % 7 == 0 ? 0 : random() % 100;
+    std::vector<Candidate> candidates;
+    std::set<std::uint32_t> now;
+    for (std::uint32_t i = 0; i < kOccluders; ++i) {
+      if (random() % 100 >= in_view) continue;
+      candidates.push_back({scores[i], i});
+      now.insert(i);
+    }
+    std::shuffle(candidates.begin(), candidates.end(), random);
+    order.update(candidates, kOccluders);
+    expect_sorted(order, candidates);
+    ASSERT_FALSE(HasFatalFailure()) << "seed " << kSeed << ", frame " << frame;
+    const auto kept = std::ranges::count_if(now, [&](std::uint32_t i) { return before.contains(i); });
+    ASSERT_EQ(order.kept(), static_cast<std::size_t>(kept));
+    before = std::move(now);
+  }
+}
+
+TEST(CandidateOrder, NothingMovesWhereNothingChanges) {
+  std::vector<Candidate> candidates = descending(1000);
+  CandidateOrder order;
+  order.update(candidates, 1000);
+  EXPECT_EQ(order.kept(), 0U);
+  EXPECT_EQ(order.moves(), 0U) << "all are new";
+  order.update(candidates, 1000);
+  EXPECT_EQ(order.kept(), 1000U);
+  EXPECT_EQ(order.moves(), 0U);
+  for (Candidate& c : candidates) c.score *= 3;
+  order.update(candidates, 1000);
+  EXPECT_EQ(order.moves(), 0U) << "as seen from nearer";
+}
+
+TEST(CandidateOrder, MovesAreThePlacesPassed) {
+  std::vector<Candidate> candidates = descending(1000);
+  CandidateOrder order;
+  order.update(candidates, 1000);
+  std::swap(candidates[500].score, candidates[501].score);
+  order.update(candidates, 1000);
+  EXPECT_EQ(order.moves(), 1U);
+  candidates[100].score = 2000;  // to the top: past the hundred before it
+  order.update(candidates, 1000);
+  EXPECT_EQ(order.moves(), 100U);
+  expect_sorted(order, candidates);
+  candidates.erase(candidates.begin() + 200, candidates.begin() + 300);
+  order.update(candidates, 1000);
+  EXPECT_EQ(order.kept(), 900U);
+  EXPECT_EQ(order.moves(), 0U) << "what is gone is passed by nobody";
+}
+
+TEST(CandidateOrder, AJumpDoesNotCostASquare) {
+  constexpr std::uint32_t kMany = 4000;
+  std::vector<Candidate> candidates = descending(kMany);
+  CandidateOrder order;
+  order.update(candidates, kMany);
+  for (Candidate& c : candidates) c.score = -c.score;  // insertion alone would pass 4000 * 3999 / 2 places
+  order.update(candidates, kMany);
+  expect_sorted(order, candidates);
+  EXPECT_LE(order.moves(), 17U * kMany);
+  EXPECT_EQ(order.kept(), kMany);
+}
+
+TEST(CandidateOrder, EqualsByTheirNumber) {
+  CandidateOrder order;
+  order.update(std::vector<Candidate>{{1, 5}, {1, 2}, {2, 9}, {1, 3}}, 10);
+  EXPECT_EQ(occluders_of(order.best_first()), (std::vector<std::uint32_t>{9, 2, 3, 5}));
+  order.update(std::vector<Candidate>{{1, 9}, {1, 4}, {1, 2}}, 10);
+  EXPECT_EQ(occluders_of(order.best_first()), (std::vector<std::uint32_t>{2, 4, 9}));
+}
+
+}  // namespace

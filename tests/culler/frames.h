@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Cameras for the culler's tests, and what a frame draws.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <random>
+#include <vector>
+
+#include "occlude/culler/culler.h"
+#include "occlude/kernel/half_space.h"
+#include "scenes.h"
+
+namespace occlude::culler {
+
+inline kernel::HalfSpace to_kernel(const HalfSpace& h) { return {{h.normal.x, h.normal.y, h.normal.z}, h.offset}; }
+
+inline std::vector<bool> drawn_polygons(const Culler& culler, const CullResult& frame) {
+  std::vector<bool> drawn(culler.hierarchy().soup().size(), false);
+  for (const PolygonRange& range : frame.drawn) {
+    for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
+      EXPECT_FALSE(drawn[p]) << "drawn twice";
+      drawn[p] = true;
+    }
+  }
+  return drawn;
+}
+
+/// Whether a polygon of the node is one that the occluder is drawn as: then it must not be culled by it.
+inline bool holds_part(const Culler& culler, const HierarchyNode& node, const Occluder& occluder) {
+  return std::ranges::any_of(culler.occluders().parts(occluder.index),
+                             [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
+}
+
+inline Camera random_camera(std::mt19937& random) {
+  const auto number = [&](double low, double high) { return uniform(random, low, high); };
+  Camera camera;
+  camera.eye = {number(-45, 45), number(-45, 45), number(0.5, 4)};
+  camera.target = camera.eye + glm::dvec3{number(-1, 1), number(-1, 1), number(-0.2, 0.2)};
+  if (random() % 4 == 0) camera.projection = Projection::orthographic;
+  if (random() % 3 == 0) camera.far = 40;
+  camera.height = 20;
+  return camera;
+}
+
+/// The polygon of the input that is the occluder.
+inline std::uint32_t original(const Culler& culler, const Occluder& occluder) {
+  const auto parts = culler.occluders().parts(occluder.index);
+  EXPECT_EQ(parts.size(), 1U);
+  return culler.hierarchy().original(parts[0]);
+}
+
+inline bool is_drawn(const Culler& culler, const CullResult& frame, std::uint32_t original) {
+  const auto drawn = drawn_polygons(culler, frame);
+  for (std::uint32_t p = 0; p < drawn.size(); ++p) {
+    if (culler.hierarchy().original(p) == original) return drawn[p];
+  }
+  return false;
+}
+
+/// Looking along +x from the origin; one polygon a leaf, so that each is decided for itself.
+inline CullResult look(const Culler& culler, const CullOptions& options = {}) {
+  Camera camera;
+  camera.eye = {0, 0, 0};
+  camera.target = {1, 0, 0};
+  return culler.cull(camera, options);
+}
+
+inline Culler one_polygon_leaves(const PolygonSoup& soup) {
+  BuildConfig config;
+  config.hierarchy.leaf_size = 1;
+  return Culler(soup, config);
+}
+
+}  // namespace occlude::culler

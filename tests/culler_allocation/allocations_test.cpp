@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "allocations.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+namespace {
+
+std::atomic<std::size_t> count = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++count;
+  void* const memory = alignment <= alignof(std::max_align_t)
+                           ? std::malloc(size == 0 ? 1 : size)
+                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+std::size_t allocations() { return count; }
+
+// The forms for arrays and those that do not throw are made of these by the library.
+void* operator new(std::size_t size) { return counted(size, 1); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace {
+
+TEST(Allocations, AreCounted) {
+  const std::size_t before = allocations();
+  const std::string longer_than_fits_inside(1000, 'x');
+  EXPECT_EQ(allocations(), before + 1);
+}
+
+}  // namespace
