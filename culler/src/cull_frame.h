@@ -31,8 +31,8 @@ namespace occlude::culler {
 /// Fills memory.result. `ask` and `holds_part` as in NodeTests; of no nodes nothing is drawn. Throws
 /// std::invalid_argument for a camera with a fault(), and leaves the last frame as it was.
 template <class Ask, class HoldsPart>
-void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part, const OccluderSource& source, const Camera& camera,
-                const CullOptions& options, View::Memory& memory) {
+void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
+                const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory) {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
   memory.begin_frame();
   append_view_frustum(camera, nodes.empty() ? 0 : depth(nodes[0].box, camera.eye), memory.result.view);

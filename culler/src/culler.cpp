@@ -55,7 +55,8 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
   View::Memory& memory = view.memory();
-  cull_frame(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
+  cull_frame(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_),
+             {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
   return memory.result;
 }
 
@@ -64,6 +65,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   View::Memory memory;
   memory.result.view = frame.view;
   memory.result.occluders = frame.occluders;
+  memory.result.pairs = frame.pairs;
   traverse(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), visit, options, memory);
 }
 

@@ -2,6 +2,7 @@
 // The kernel's questions about the nodes of a tree, as the traversal asks them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -90,7 +91,7 @@ template <class Ask, class HoldsPart, class OnShadowTest>
 void traverse(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
               const OnShadowTest& on_shadow_test, const CullOptions& options, View::Memory& memory) {
   NodeTests tests(ask, holds_part, on_shadow_test, options, memory);
-  Traversal(nodes, tests, memory.pairs, memory.probes, memory.result, memory.active, memory.holding).run();
+  Traversal(nodes, tests, memory.probes, memory.result, memory.active, memory.holding).run();
 }
 
 }  // namespace occlude::culler

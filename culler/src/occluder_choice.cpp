@@ -240,7 +240,7 @@ void pair_neighbours(std::span<const Occluder> occluders, std::vector<ShadowPair
 void choose_occluders(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory) {
   if (options.occluders == 0) return;
   Choice(source, camera, options, memory).run();
-  if (options.unions) pair_neighbours(memory.result.occluders, memory.pairs);
+  if (options.unions) pair_neighbours(memory.result.occluders, memory.result.pairs);
 }
 
 }  // namespace occlude::culler

@@ -17,11 +17,6 @@
 
 namespace occlude::culler {
 
-/// Two occluders of a frame that are also asked together, as one union.
-struct ShadowPair {
-  std::uint32_t first, second;
-};
-
 /// Probes are not followed into subtrees of fewer polygons: what they hide there is little.
 inline constexpr std::uint32_t kProbed = 64;
 
@@ -30,10 +25,9 @@ class Traversal {
  public:
   /// `tests` has view(plane, node), shadow(occluder, node) and pair(first, second, node), each giving a kernel::Relation.
   /// What lies before the root in `result.drawn` and on the stack stays.
-  Traversal(std::span<const HierarchyNode> nodes, Tests& tests, std::span<const ShadowPair> pairs,
-            std::span<Occluder> probes, CullResult& result, std::vector<std::uint32_t>& stack,
-            std::vector<std::uint32_t>& holding)
-      : nodes_(nodes), tests_(tests), pairs_(pairs), probes_(probes), result_(result), active_(stack), holding_(holding) {}
+  Traversal(std::span<const HierarchyNode> nodes, Tests& tests, std::span<Occluder> probes, CullResult& result,
+            std::vector<std::uint32_t>& stack, std::vector<std::uint32_t>& holding)
+      : nodes_(nodes), tests_(tests), probes_(probes), result_(result), active_(stack), holding_(holding) {}
 
   void run() {
     active_.clear();
@@ -96,7 +90,7 @@ class Traversal {
       const auto first = active_.begin() + static_cast<std::ptrdiff_t>(begin + still_viewed_);
       return std::find(first, active_.end(), occluder) != active_.end();
     };
-    for (const auto& [first, second] : pairs_) {
+    for (const auto& [first, second] : result_.pairs) {
       if (!is_active(first) || !is_active(second)) continue;
       ++result_.stats.union_tests;
       if (tests_.pair(first, second, index) == Relation::inside) {
@@ -126,6 +120,7 @@ class Traversal {
     } else {
       result_.stats.shadow_culled_polygons += node.count;
       result_.occluders[culled.index].hidden += node.count;
+      if (culled.second != Culled::kNone) result_.occluders[culled.second].hidden += node.count;
     }
     return true;
   }
@@ -143,7 +138,6 @@ class Traversal {
 
   std::span<const HierarchyNode> nodes_;
   Tests& tests_;
-  std::span<const ShadowPair> pairs_;
   std::span<Occluder> probes_;
   CullResult& result_;
   std::vector<std::uint32_t>& active_;   ///< a stack: each level of the descent appends its own

@@ -28,7 +28,7 @@ bool is_out_of_view(const CullResult& frame, const AnyBox& box) {
 }
 
 template <class AnyBox>
-bool is_occluded(const CullResult& frame, std::span<const ShadowPair> pairs, const AnyBox& box) {
+bool is_occluded(const CullResult& frame, const AnyBox& box) {
   const auto hides = [&](const Occluder& o) {
     return kernel::conservative_certified(o.frustum, box, NearBoundary::open).relation == Relation::inside;
   };
@@ -36,7 +36,7 @@ bool is_occluded(const CullResult& frame, std::span<const ShadowPair> pairs, con
     const kernel::ShadowUnion both{frame.occluders[pair.first].frustum, frame.occluders[pair.second].frustum};
     return kernel::overlap_certified(both, box, NearBoundary::open).relation == Relation::inside;
   };
-  return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(pairs, hide_together);
+  return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(frame.pairs, hide_together);
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ Visibility View::visibility(const Box& box) const {
         if (const kernel::Refusal refusal = kernel::check(b); refusal != kernel::Refusal::none) {
           throw std::invalid_argument(std::string(kernel::to_string(refusal)));
         }
-        return is_out_of_view(memory_->result, b)                ? Visibility::out_of_view
-               : is_occluded(memory_->result, memory_->pairs, b) ? Visibility::occluded
-                                                                 : Visibility::visible;
+        return is_out_of_view(memory_->result, b) ? Visibility::out_of_view
+               : is_occluded(memory_->result, b)  ? Visibility::occluded
+                                                  : Visibility::visible;
       },
       box);
 }
@@ -69,8 +69,8 @@ void View::Memory::begin_frame() {
   result.culled.clear();
   result.view.clear();
   result.occluders.clear();
+  result.pairs.clear();
   result.stats = {};
-  pairs.clear();
 }
 
 }  // namespace occlude::culler

@@ -11,7 +11,6 @@
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/polytope_silhouette.h"
-#include "traverse.h"
 
 namespace occlude::culler {
 
@@ -26,7 +25,6 @@ struct View::Memory {
   std::vector<kernel::Vec3> loop;
   std::vector<std::uint32_t> tried;  ///< occluders that this frame has tried to take
   std::vector<kernel::HalfSpace> planes;
-  std::vector<ShadowPair> pairs;       ///< of the result's occluders, those asked together
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
   std::vector<std::uint32_t> holding;  ///< the traversal's stacks
   std::vector<std::uint32_t> active;

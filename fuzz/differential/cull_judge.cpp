@@ -105,6 +105,7 @@ class CullJudge {
     for (const Culled& culled : result_.culled) {
       const std::size_t reasons = culled.by == Culled::By::view ? result_.view.size() : result_.occluders.size();
       if (culled.index >= reasons) return "a subtree is culled by what does not exist";
+      if (culled.second != Culled::kNone && culled.second >= reasons) return "a subtree is culled by what does not exist";
       if (!holds_its_polygons(culled.node)) return "a polygon reaches out of the box of its node";
       const std::string fault = culled.by == Culled::By::view ? fault_of_view_cull(culled) : fault_of_shadow_cull(culled);
       if (!fault.empty()) return fault;
@@ -137,17 +138,25 @@ class CullJudge {
   }
 
   std::string fault_of_shadow_cull(const Culled& culled) {
-    const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
-    const std::uint32_t index = culled.index, occluder = result_.occluders[index].index;
+    for (const std::uint32_t index : {culled.index, culled.second}) {
+      if (index == Culled::kNone) continue;
+      if (std::string fault = fault_of_occluder(index, hierarchy_.nodes()[culled.node]); !fault.empty()) return fault;
+    }
+    const oracle::Box box = to_oracle(hierarchy_.volume(culled.node));
+    oracle::Shadow& first = shadow(culled.index);
+    const std::string refuted =
+        culled.second == Culled::kNone ? first.refute_cull(box) : first.refute_union_cull(shadow(culled.second), box);
+    return refuted.empty() ? "" : "culled by shadow: " + refuted;
+  }
+
+  std::string fault_of_occluder(std::uint32_t index, const Hierarchy::Node& node) const {
+    const std::uint32_t occluder = result_.occluders[index].index;
     if (occluder >= occluders_.size()) return "there is no such occluder";
     for (const std::uint32_t part : occluders_.parts(occluder)) {
       if (part >= node.first && part - node.first < node.count) return "an occluder culls itself";
     }
     if (!is_drawn_as_its_parts(occluder)) return "an occluder is not what is drawn of it";
-    if (is_clipped(occluder)) return "the near plane clips an occluder";
-    if (!shadows_[index]) shadows_[index] = shadow(result_.occluders[index]);
-    const std::string refuted = shadows_[index]->refute_cull(to_oracle(hierarchy_.volume(culled.node)));
-    return refuted.empty() ? "" : "culled by shadow: " + refuted;
+    return is_clipped(occluder) ? "the near plane clips an occluder" : "";
   }
 
   Polygon polygon(std::span<const std::uint32_t> loop) const {
@@ -187,12 +196,14 @@ class CullJudge {
     });
   }
 
-  oracle::Shadow shadow(const culler::Occluder& occluder) const {
+  oracle::Shadow& shadow(std::uint32_t index) {
+    if (shadows_[index]) return *shadows_[index];
+    const culler::Occluder& occluder = result_.occluders[index];
     const bool perspective = camera_.projection == culler::Projection::perspective;
     const kernel::Vec3 viewpoint = to_kernel(perspective ? camera_.eye : camera_.axes().forward);
-    return {{to_oracle(viewpoint), !perspective},
-            to_oracle(occluders_.geometry(hierarchy_.soup(), occluder.index)),
-            to_oracle(options_.near, {occluder.frustum})};
+    return shadows_[index].emplace(oracle::Viewpoint{to_oracle(viewpoint), !perspective},
+                                   to_oracle(occluders_.geometry(hierarchy_.soup(), occluder.index)),
+                                   to_oracle(options_.near, {occluder.frustum}));
   }
 
   /// How far from the eye the model reaches.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -80,10 +81,16 @@ void run_unions(std::uint64_t seed, Report& report) {
   const kernel::ShadowUnion both{shadows[0], shadows[1]};
   for (std::uint64_t i = 0; i < kGroup; ++i) {
     const Box box = i == 0 ? touching : legal_neighbour(random, touching);
-    const auto ask = [&](const auto& kind) { return kernel::overlap_certified(both, kind); };
-    const kernel::Decision decision = std::visit(ask, box);
-    judge(report, "union", seed, "box " + std::to_string(i), decision.relation, decision.stage,
-          first.relation_to_union(second, to_oracle(box)));
+    const auto ask = [&](kernel::NearBoundary near) {
+      return std::visit([&](const auto& kind) { return kernel::overlap_certified(both, kind, near); }, box);
+    };
+    const std::string what = "box " + std::to_string(i);
+    const kernel::Decision decision = ask(kernel::NearBoundary::closed);
+    judge(report, "union", seed, what, decision.relation, decision.stage, first.relation_to_union(second, to_oracle(box)));
+    if (ask(kernel::NearBoundary::open).relation != kernel::Relation::inside) continue;
+    const std::string refuted = first.refute_union_cull(second, to_oracle(box));
+    if (!refuted.empty())
+      add_finding(report, "union", seed, "certified, near plane open", what + ": inside, but " + refuted);
   }
 }
 

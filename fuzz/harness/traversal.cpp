@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The culler: a small soup, a camera, options, and every promise of a culled frame.
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,19 @@ PolygonSoup soup_of(Decoder& decoder, const Camera& camera) {
     soup.add_polygon(loop);
   }
   return soup;
+}
+
+/// The faces of a solid, as far as there are such.
+void add_solid(Decoder& decoder, const Camera& camera, PolygonSoup& soup) {
+  const auto eye = kernel::Viewpoint::eye({camera.eye.x, camera.eye.y, camera.eye.z});
+  const kernel::Polytope solid = decoder.polytope(eye);
+  const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+  for (const kernel::Vec3& v : solid.vertices) soup.add_vertex(vector(v));
+  for (std::vector<std::uint32_t> loop : solid.faces) {
+    if (loop.size() < 3 || std::ranges::any_of(loop, [&](std::uint32_t i) { return i >= solid.vertices.size(); })) continue;
+    for (std::uint32_t& i : loop) i += first;
+    soup.add_polygon(loop);
+  }
 }
 
 Camera camera_of(Decoder& decoder) {
@@ -89,10 +103,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   harness::Decoder decoder({data, size});
   const culler::Camera camera = harness::camera_of(decoder);
   culler::BuildConfig config = harness::config_of(decoder);
-  const culler::CullOptions options = harness::options_of(decoder);
-  const culler::PolygonSoup soup = harness::soup_of(decoder, camera);
-  // Last, so that what was kept before there were oriented boxes is still the same scene.
+  culler::CullOptions options = harness::options_of(decoder);
+  culler::PolygonSoup soup = harness::soup_of(decoder, camera);
+  // Last, each after what came before it, so that what was kept before there were such is still the same scene.
   if (decoder.flag()) config.hierarchy.bounds = culler::Bounds::obb;
+  if (decoder.flag()) options.unions = true;
+  if (decoder.flag()) config.occluders.shells = false;
+  if (decoder.flag()) harness::add_solid(decoder, camera, soup);
   try {
     const culler::Culler culler(soup, config);
     if (const std::string fault = harness::fault_of_frame(culler, camera, options); !fault.empty()) harness::finding(fault);

@@ -11,12 +11,16 @@
 namespace occlude::kernel {
 namespace {
 
-/// Corner i is on the upper side of axis k where bit k of i is set. In as few roundings as can be: BoxEdges (edge_frustum.h)
-/// goes along the edges, as the paper counts it.
+/// Corner i is on the upper side of axis k where bit k of i is set.
+Vec3 corner_of(const Aabb& box, std::size_t i) {
+  return {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z};
+}
+
+/// The same from `origin`, in as few roundings as can be: BoxEdges (edge_frustum.h) goes along the edges, as the paper
+/// counts it.
 template <class A>
 Vector3<typename A::Number> corner(const Aabb& box, std::size_t i, const Vec3& origin) {
-  return difference<A>(Vec3{i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z},
-                       origin);
+  return difference<A>(corner_of(box, i), origin);
 }
 template <class A>
 Vector3<typename A::Number> corner(const Obb& box, std::size_t i, const Vec3& origin) {
@@ -85,6 +89,21 @@ bool is_covered(const ShadowUnion& shadows, const Box& box, NearBoundary near, S
   return certified(question, &stage);
 }
 
+/// Whether some corner is in neither shadow, as of most boxes that are in no union: this asks the planes that the frusta
+/// keep, is_covered() makes them anew.
+bool has_corner_outside(const ShadowUnion& shadows, const Aabb& box, NearBoundary near) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vec3 x = corner_of(box, i);
+    const auto is_outside = [&](const ShadowFrustum& frustum) {
+      return conservative_certified(frustum, Aabb{x, x}, near).relation == Relation::outside;
+    };
+    if (is_outside(shadows.first) && is_outside(shadows.second)) return true;
+  }
+  return false;
+}
+/// Corners of oriented boxes are no doubles.
+bool has_corner_outside(const ShadowUnion&, const Obb&, NearBoundary) { return false; }
+
 template <class Box>
 Decision union_overlap(const ShadowUnion& shadows, const Box& box, NearBoundary near) {
   const Decision first = overlap_certified(shadows.first, box, near);
@@ -95,7 +114,7 @@ Decision union_overlap(const ShadowUnion& shadows, const Box& box, NearBoundary 
   if (first.relation == Relation::outside && second.relation == Relation::outside) {
     decision.relation = Relation::outside;
   } else if (first.relation == Relation::partial && second.relation == Relation::partial &&
-             is_covered(shadows, box, near, decision.stage)) {
+             !has_corner_outside(shadows, box, near) && is_covered(shadows, box, near, decision.stage)) {
     decision.relation = Relation::inside;
   }
   return decision;

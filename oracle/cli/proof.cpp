@@ -76,10 +76,17 @@ oracle::Near near_of(const Json& near) {
           to_oracle(vec3(member(near, "point"), "point"))};
 }
 
-const Json& occluder_of(const Json& object) {
+const Json& occluders_of(const Json& object) {
   const Json& occluders = member(object, "occluders");
-  if (!occluders.is_array() || occluders.size() != 1) throw LineError("\"occluders\": expected one occluder");
-  return occluders[0];
+  const bool is_one_or_two = occluders.is_array() && (occluders.size() == 1 || occluders.size() == 2);
+  if (!is_one_or_two) throw LineError("\"occluders\": expected one occluder or two");
+  return occluders;
+}
+
+/// The shadow of one of the line's occluders. Its near side is its own, or else the line's.
+oracle::Shadow shadow_of(const kernel::Viewpoint& view, const Json& described, const Json& line) {
+  const Json& near = member(described.contains("near") ? described : line, "near");
+  return {to_oracle(view), to_oracle(cli::occluder(described)), near_of(near)};
 }
 
 /// The polygons that are drawn of the occluder.
@@ -157,7 +164,17 @@ std::string Prover::prove(std::string_view line) const {
   if (view.is_eye() != perspective || view.value != kernel::Vec3{expected.x, expected.y, expected.z}) {
     return "the viewpoint is not the frame's";
   }
-  const Json& described = occluder_of(object);
+  std::vector<oracle::Shadow> shadows;
+  for (const Json& described : occluders_of(object)) {
+    if (std::string fault = fault_of_occluder(described, camera, first, count); !fault.empty()) return fault;
+    shadows.push_back(shadow_of(view, described, object));
+  }
+  if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box));
+  return shadows[0].refute_union_cull(shadows[1], to_oracle(box));
+}
+
+std::string Prover::fault_of_occluder(const Json& described, const culler::Camera& camera, std::size_t first,
+                                      std::size_t count) const {
   const Occluder occluder = cli::occluder(described);
   const bool is_joined = described.contains("parts");
   if (is_joined && !std::holds_alternative<Polygon>(occluder)) throw LineError("\"parts\": only a polygon has them");
@@ -167,7 +184,7 @@ std::string Prover::prove(std::string_view line) const {
     if (!is_drawn) return "the occluder is not of the model outside the subtree";
     if (is_clipped(polygon, camera)) return "the renderer clips the occluder";
   }
-  return oracle::refute_shadow_cull(to_oracle(view), to_oracle(occluder), near_of(member(object, "near")), to_oracle(box));
+  return "";
 }
 
 bool Prover::lie_in(const Box& box, std::size_t first, std::size_t count) const {

@@ -28,11 +28,15 @@ class Prover {
   /// - the triangles named exist and lie in the box named;
   /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
-  ///   planes, the occluder is a polygon of the model that is not among the triangles, or the loop about such polygons
-  ///   ("parts"), or a polytope all of whose faces are such polygons, and the renderer clips none of it.
+  ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
+  ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
+  ///   are such polygons, and the renderer clips none of it.
   [[nodiscard]] std::string prove(std::string_view line) const;
 
  private:
+  /// Why the renderer does not draw the occluder whole outside of those triangles; empty when it does.
+  [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const culler::Camera& camera,
+                                              std::size_t first, std::size_t count) const;
   /// The polygons, from .first to before .second, that any of the triangles belong to.
   [[nodiscard]] std::pair<std::size_t, std::size_t> polygons_with(std::size_t first, std::size_t count) const;
   /// Whether those polygons lie in the box, exactly.

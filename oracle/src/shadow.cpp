@@ -14,6 +14,14 @@ bool is_strictly_inside(Plane<OrientedPlane>& plane, const Box& box) {
   return std::ranges::all_of(corner_sides(plane, box), [](CGAL::Sign side) { return side == CGAL::POSITIVE; });
 }
 
+/// The frustum without what is on its near planes.
+ConvexSet beyond_near(Frustum& frustum) {
+  ConvexSet set;
+  append(set.closed, frustum.sides);
+  append(set.open, frustum.near);
+  return set;
+}
+
 }  // namespace
 
 Shadow::Shadow(const Viewpoint& view, const Occluder& occluder, const Near& near) {
@@ -49,7 +57,7 @@ Answer Shadow::relation_to_union(Shadow& other, const Box& box) {
   if (own.relation == Relation::outside) return others;
   if (others.relation == Relation::outside) return own;
   const RoundUpward rounding;
-  const bool is_covered = cover(prepared_->planes(), other.prepared_->planes(), box);
+  const bool is_covered = cover({prepared_->planes(), {}}, {other.prepared_->planes(), {}}, box);
   return {"", is_covered ? Relation::inside : Relation::partial};
 }
 
@@ -60,6 +68,15 @@ std::string Shadow::refute_cull(const Box& box) {
   const RoundUpward rounding;
   const auto is_beyond = [&](Plane<OrientedPlane>& plane) { return is_strictly_inside(plane, box); };
   return std::ranges::all_of(prepared_->frustum.near, is_beyond) ? "" : "the box touches the near plane";
+}
+
+std::string Shadow::refute_union_cull(Shadow& other, const Box& box) {
+  const Answer answer = relation_to_union(other, box);
+  if (!answer.refusal.empty()) return answer.refusal;
+  if (answer.relation != Relation::inside) return "the box is not inside the union of the frusta";
+  const RoundUpward rounding;
+  const bool is_beyond = cover(beyond_near(prepared_->frustum), beyond_near(other.prepared_->frustum), box);
+  return is_beyond ? "" : "the box touches a near plane where the other shadow does not hide it";
 }
 
 Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box) {

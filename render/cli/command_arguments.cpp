@@ -101,6 +101,8 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
                  "power of this criterion in the choice of occluders; 0: off"),
           weight("--weight-depth-complexity", objective.depth_complexity, "the same of what was sampled by a preprocess"),
           weight("--weight-coherence", objective.coherence, "the same of what was hidden in the frames before"),
+          command.add_flag("--unions", cull_.unions,
+                           "pairs of occluders that share an edge hide together what neither hides alone"),
           choice("--near", near_, {"surface", "farthest"},
                  "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
           choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),

@@ -215,6 +215,43 @@ lie "what is behind a block" 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128
 sed 's/\[1,2,6,5\]/[1,2,6,8]/' block.jsonl >line.jsonl
 expect_error "line.jsonl:1" "$occlude" validate block.ply --path path.json --witness line.jsonl
 
+# Two walls at a right angle that hide together what neither hides alone; one of them bent, with a near plane in numbers.
+walls='4 -4 -4\n2 0 -4\n2 0 4\n4 -4 4\n2 0 -4\n4 4 -4\n4 4 4\n2 0 4\n'
+vertices=$walls faces='4 0 1 2 3\n4 4 5 6 7\n'
+for i in $(seq 2 63); do
+  vertices+="$((6 + i)) -1 -1\n$((6 + i)) 1 -1\n$((6 + i)) 1 1\n$((6 + i)) -1 1\n"
+  faces+="4 $((4 * i)) $((4 * i + 1)) $((4 * i + 2)) $((4 * i + 3))\n"
+done
+ply corner.ply 256 64 "$vertices$faces"
+ply bent.ply 256 64 "${vertices/2 0 4\\n4 -4 4/2 0 4\\n4 -4.5 4}$faces"
+pairs() { grep -c '},{"polygon"' "$1"; }
+for model in corner bent; do
+  "$occlude" walk $model.ply --path path.json --out alone --no-render --occluders 2 --witness alone.jsonl >/dev/null || fail "walk $model.ply"
+  [ "$(pairs alone.jsonl)" -eq 0 ] || fail "$model: unions that nobody asked for"
+  "$occlude" walk $model.ply --path path.json --out together --no-render --occluders 2 --unions --witness $model.jsonl \
+    >/dev/null || fail "walk $model.ply --unions"
+  [ "$(pairs $model.jsonl)" -eq 4 ] || fail "$model: no cull by a union"
+  "$occlude" validate $model.ply --path path.json --witness $model.jsonl >stdout 2>&1 || fail "$model: $(cat stdout)"
+  total=$(wc -l <$model.jsonl)
+  grep -q "^$total of $total witnesses proved" stdout || fail "$model: validate said: $(cat stdout)"
+  "$occlude" validate $model.ply --path path.json --occluders 2 --unions >again || fail "validate --unions"
+  cmp -s stdout again || fail "$model: culling anew proves something else: $(cat again)"
+done
+grep -q '"unions": true' together/summary.json || fail "walk --unions: not in the summary"
+grep -q 'unions of pairs' together/report.html || fail "walk --unions: not in the report"
+lie "the first of two" 's/"occluders":\[{[^}]*},/"occluders":[/' corner.ply corner.jsonl
+lie "the second of two" 's/},{"polygon":[^}]*}\]/}]/' corner.ply corner.jsonl
+lie "the wall of two that it is" 's/"occluders":\[{\([^}]*\)},{[^}]*}/"occluders":[{\1},{\1}/' corner.ply corner.jsonl
+lie "a wall that is not of the model" 's/\[4,4,4\]/[4,4,5]/' corner.ply corner.jsonl
+lie "what is hidden" 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/' corner.ply corner.jsonl
+lie "the near plane" 's/"point":\[[^]]*\]/"point":[1,0,0]/' bent.ply bent.jsonl
+head -1 corner.jsonl | sed 's/"max":\[69,1,1\]/"max":[69,1,31]/' >edge.jsonl
+"$occlude" validate corner.ply --path path.json --witness edge.jsonl >stdout 2>&1 || fail "edge: $(cat stdout)"
+lie "an ulp beyond both shadows" 's/1,31\]/1,31.000000000000004]/' corner.ply edge.jsonl
+head -1 corner.jsonl | sed 's/"occluders":\[\({[^}]*}\),/"occluders":[\1,\1,/' >line.jsonl
+expect_error 'line.jsonl:1: "occluders"' "$occlude" validate corner.ply --path path.json --witness line.jsonl
+expect_error "--witness" "$occlude" validate corner.ply --path path.json --witness corner.jsonl --unions
+
 # Interrupted, it leaves nothing behind.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 "$occlude" generate city --polygons 20000 --out again.ply --path again.json >/dev/null || fail "generate"

@@ -290,6 +290,36 @@ TEST(Culler, AShellDoesNotHideItself) {
   }
 }
 
+/// Two walls that meet at an angle, and a hundred things each of which it takes both to hide.
+PolygonSoup corner() {
+  PolygonSoup soup;
+  add(soup, {{4, -4, -4}, {2, 0, -4}, {2, 0, 4}, {4, -4, 4}});
+  add(soup, {{2, 0, -4}, {4, 4, -4}, {4, 4, 4}, {2, 0, 4}});
+  for (int i = 0; i < 100; ++i) add_wall(soup, 8 + i, -1, 1, -1, 1);
+  return soup;
+}
+
+TEST(Culler, TwoHideTogetherWhereAsked) {
+  const Culler culler(corner(), {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+  Camera camera;
+  camera.target = {1, 0, 0};
+  camera.fov_y_deg = 120;
+  CullOptions options{.occluders = 2};
+  const CullResult alone = culler.cull(camera, options);
+  EXPECT_EQ(alone.stats.shadow_culled_polygons + alone.stats.union_tests + alone.pairs.size(), 0U);
+  options.unions = true;
+  View view;
+  for (int i = 0; i < 20; ++i) {
+    const CullResult& frame = culler.cull(camera, options, view);
+    ASSERT_EQ(frame.stats.shadow_culled_polygons, 100U) << "frame " << i;
+    ASSERT_EQ(frame.pairs.size(), 1U);
+    for (const Occluder& occluder : frame.occluders) ASSERT_EQ(occluder.hidden, 100U) << "both are remembered";
+    std::size_t visited = 0;
+    culler.visit_shadow_tests(frame, options, [&](const Occluder&, const Box&) { ++visited; });
+    ASSERT_EQ(visited, frame.stats.shadow_tests);
+  }
+}
+
 /// A wall of two triangles beside the line of sight, the first with a corner at x = `nearest`, and a thing behind the
 /// second.
 PolygonSoup wall_of_two(double nearest) {

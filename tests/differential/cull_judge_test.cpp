@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "culler/scenes.h"
@@ -174,6 +176,90 @@ TEST_F(CullJudgeTest, NamesAnOccluderThatTheNearPlaneClips) {
   EXPECT_EQ(result.stats.shadow_culled_polygons, 1U);
   camera_.near = 5.5;
   EXPECT_EQ(fault_of(culler, camera_, options_, result), "the near plane clips an occluder");
+}
+
+/// Two walls that meet at an angle, behind both a thing from y = -2 to 2 that reaches up to this z, and one beside them.
+/// Seen from the origin the shadows are where |y| <= x and |z| <= 2 x - |y|.
+culler::PolygonSoup corner(double high) {
+  culler::PolygonSoup soup;
+  culler::add(soup, {{4, -4, -4}, {2, 0, -4}, {2, 0, 4}, {4, -4, 4}});
+  culler::add(soup, {{2, 0, -4}, {4, 4, -4}, {4, 4, 4}, {2, 0, 4}});
+  culler::add(soup, {{10, -2, 0}, {10, 2, 0}, {10, 2, high}, {10, -2, high}});
+  culler::add(soup, {{3, -1, -9}, {3, 1, -9}, {3, 0, -8}});
+  return soup;
+}
+
+class UnionJudgeTest : public testing::Test {
+ protected:
+  UnionJudgeTest() {
+    camera_.target = {1, 0, 0};
+    camera_.fov_y_deg = 150;
+    options_.unions = true;
+  }
+
+  static Culler culler_of(double high) {
+    return Culler(corner(high), {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+  }
+
+  CullResult cull(const Culler& culler) const { return culler.cull(camera_, options_); }
+
+  static Culled* by_two(CullResult& result) {
+    const auto found = std::ranges::find_if(result.culled, [](const Culled& c) { return c.second != Culled::kNone; });
+    return found == result.culled.end() ? nullptr : &*found;
+  }
+
+  /// What the judge says of the frame after this change of what two occluders culled.
+  std::string fault_after(const std::function<void(CullResult&, Culled&)>& change) const {
+    const Culler culler = culler_of(1);
+    CullResult result = cull(culler);
+    Culled* const culled = by_two(result);
+    if (!culled) return "nothing is culled by two";
+    change(result, *culled);
+    return fault_of(culler, camera_, options_, result);
+  }
+
+  Camera camera_;
+  CullOptions options_;
+};
+
+TEST_F(UnionJudgeTest, FindsNothingWrongWithACullByTwo) {
+  EXPECT_EQ(fault_after([](CullResult&, Culled&) {}), "");
+  EXPECT_EQ(fault_after([](CullResult&, Culled& culled) { std::swap(culled.index, culled.second); }), "");
+}
+
+TEST_F(UnionJudgeTest, NamesWhatOneOfTheTwoDoesNotHide) {
+  const std::string not_in_one = "culled by shadow: the box is not inside the frustum";
+  EXPECT_EQ(fault_after([](CullResult&, Culled& culled) { culled.second = Culled::kNone; }), not_in_one);
+  EXPECT_EQ(fault_after([](CullResult&, Culled& culled) {
+              culled.index = culled.second;
+              culled.second = Culled::kNone;
+            }),
+            not_in_one);
+  EXPECT_EQ(fault_after([](CullResult&, Culled& culled) { culled.second = culled.index; }),
+            "culled by shadow: the box is not inside the union of the frusta");
+}
+
+TEST_F(UnionJudgeTest, NamesASecondOccluderThatIsNone) {
+  EXPECT_EQ(fault_after([](CullResult&, Culled& culled) { culled.second = 1000; }),
+            "a subtree is culled by what does not exist");
+  EXPECT_EQ(fault_after([](CullResult& result, Culled& culled) { result.occluders[culled.second].index = 1000; }),
+            "there is no such occluder");
+  const Culler culler = culler_of(1);
+  CullResult result = cull(culler);
+  Culled* const culled = by_two(result);
+  ASSERT_NE(culled, nullptr);
+  result.occluders[culled->second].index = culler.hierarchy().nodes()[culled->node].first;
+  EXPECT_EQ(fault_of(culler, camera_, options_, result), "an occluder culls itself");
+}
+
+TEST_F(UnionJudgeTest, NamesABoxThatSticksOutByAnUlp) {
+  const Culler inside = culler_of(18), outside = culler_of(std::nextafter(18, 19));
+  CullResult hides = cull(inside), shows = cull(outside);
+  Culled* const culled = by_two(hides);
+  ASSERT_NE(culled, nullptr) << "what reaches the edge of both shadows is hidden";
+  ASSERT_EQ(by_two(shows), nullptr) << "what reaches an ulp beyond it is not";
+  EXPECT_EQ(fault_of(outside, camera_, options_, hides), "culled by shadow: the box is not inside the union of the frusta")
+      << "the one claimed of the other";
 }
 
 }  // namespace

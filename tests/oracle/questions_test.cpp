@@ -212,5 +212,87 @@ TEST(Union, NamesTheFirstFault) {
   EXPECT_EQ(good.relation_to_union(flat, Aabb{{1, 1, 1}, {0, 0, 0}}).refusal, "the box has min > max");
 }
 
+// ------------------------------------------------------------------------------------------------------- culls by unions
+
+const std::string kNotInside = "the box is not inside the union of the frusta";
+const std::string kTouches = "the box touches a near plane where the other shadow does not hide it";
+
+/// Both ways round.
+void expect_refutation(const Loop& a, const Loop& b, const Box& box, const std::string& expected, const char* what) {
+  Shadow first(kOrigin, a, kSurface), second(kOrigin, b, kSurface);
+  EXPECT_EQ(first.refute_union_cull(second, box), expected) << what;
+  EXPECT_EQ(second.refute_union_cull(first, box), expected) << what;
+}
+
+TEST(UnionCull, OfWallsInOnePlane) {
+  const Loop left = wall(-1, 0), right = wall(0, 1);
+  expect_refutation(left, right, Aabb{{-2, -2, 2}, {2, 2, 3}}, "", "all of both");
+  expect_refutation(left, right, Aabb{{-2, -1, 2}, {-1, 1, 3}}, "", "in the first alone");
+  expect_refutation(left, right, Aabb{{-2, -2, 2}, {above(2), 2, 3}}, kNotInside, "out by an ulp");
+  expect_refutation(left, wall(0x1p-60, 1), Aabb{{-1, -1, 2}, {1, 1, 3}}, kNotInside, "a gap of 2^-60");
+  expect_refutation(wall(-1, 0.5), wall(0.5, 1), Aabb{{-1, -1, 2}, {2, 1, 3}}, "", "no gap");
+  expect_refutation(wall(-1, 0.5), wall(above(0.5), 1), Aabb{{-1, -1, 2}, {2, 1, 3}}, kNotInside, "a gap of an ulp");
+  expect_refutation(left, right, Aabb{{-1, -1, 1}, {1, 1, 2}}, kTouches, "on both near planes");
+  expect_refutation(left, right, Aabb{{-1, -1, 1}, {1, 1, 1}}, kTouches, "coplanar");
+  expect_refutation(left, right, Aabb{{0, 0, 1}, {0, 0, 1}}, kTouches, "a point of the common edge");
+  expect_refutation(left, right, Aabb{{-1, -1, above(1)}, {1, 1, 2}}, "", "beyond them by an ulp");
+}
+
+TEST(UnionCull, WhatIsOnANearPlaneMustBeBehindTheOther) {
+  // At z = 2 a wall twice as wide as the one at z = 1, which hides all of it but x > 0.
+  const Loop front = wall(-1, 0), back{{-2, -2, 2}, {2, -2, 2}, {2, 2, 2}, {-2, 2, 2}};
+  expect_refutation(front, back, Aabb{{-2, -1, 2}, {-1, 1, 3}}, "", "on the back wall, behind the front one");
+  expect_refutation(front, back, Aabb{{-2, -1, 2}, {0, 1, 3}}, "", "up to the edge of what is behind the front one");
+  expect_refutation(front, back, Aabb{{-2, -1, 2}, {0x1p-60, 1, 3}}, kTouches, "beyond that edge");
+  expect_refutation(front, back, Aabb{{-2, -1, above(2)}, {1, 1, 3}}, "", "beyond both walls");
+  // It leaves the front wall's shadow just where it goes through the back wall.
+  const Box slanting = Obb{{0, 0, 2}, {{{0.5, 0, 0.25}, {0, 0, 0}, {0, 0, 0}}}};
+  expect_refutation(front, back, slanting, "", "through the back wall at that edge");
+  expect_refutation(front, back, Obb{{0, 0, below(2)}, {{{0.5, 0, 0.25}, {0, 0, 0}, {0, 0, 0}}}}, kNotInside,
+                    "an ulp before it");
+}
+
+TEST(UnionCull, OfACornerOfTwoWalls) {
+  // Two walls at a right angle that meet at x = 0, z = 1, one in x + z = 1 and one in z - x = 1, the corner towards the eye.
+  const Loop left{{-1, -1, 2}, {0, -1, 1}, {0, 1, 1}, {-1, 1, 2}}, right{{0, -1, 1}, {1, -1, 2}, {1, 1, 2}, {0, 1, 1}};
+  expect_refutation(left, right, Aabb{{-1, -0.5, 3}, {1, 0.5, 4}}, "", "behind both");
+  expect_refutation(left, right, Aabb{{-1, -0.5, 2}, {1, 0.5, 4}}, kTouches, "in the corner: touching along both ends");
+  expect_refutation(left, right, Aabb{{-1, -0.5, above(2)}, {1, 0.5, 4}}, "", "in the corner, an ulp from the ends");
+  expect_refutation(left, right, Aabb{{-0.5, -0.5, 1.5}, {0, 0.5, 2}}, kTouches, "an edge on the left wall");
+  expect_refutation(left, right, Aabb{{-0.5, -0.5, below(1.5)}, {0, 0.5, 2}}, kNotInside, "out before the left wall");
+  expect_refutation(left, right, Aabb{{0, 0, 1}, {0, 0, 2}}, kTouches, "a needle from the common edge");
+  expect_refutation(left, right, Aabb{{0, 0, above(1)}, {0, 0, 2}}, "", "a needle behind it");
+  const Loop apart{{0x1p-52, -1, 1}, {1, -1, 2}, {1, 1, 2}, {0x1p-52, 1, 1}};
+  expect_refutation(left, apart, Aabb{{-1, -0.5, 3}, {1, 0.5, 4}}, kNotInside, "a gap of an ulp");
+}
+
+TEST(UnionCull, OfACornerTurnedAway) {
+  // They meet at x = 0, z = 2, the farthest from the eye. A needle goes behind the left one, then behind the right one; in
+  // between it touches both.
+  const Loop left{{-1, -1, 1}, {0, -1, 2}, {0, 1, 2}, {-1, 1, 1}}, right{{0, -1, 2}, {1, -1, 1}, {1, 1, 1}, {0, 1, 2}};
+  const auto needle = [](double z) { return Aabb{{-0.5, 0, z}, {0.5, 0, z}}; };
+  expect_refutation(left, right, needle(2), kTouches, "through the corner");
+  expect_refutation(left, right, needle(above(2)), "", "behind it");
+  expect_refutation(left, right, needle(below(2)), kNotInside, "before it");
+}
+
+TEST(UnionCull, OfABlockAndAWall) {
+  const Polytope block = cuboid({-1, -1, 1}, {0, 1, 3});
+  Shadow first(kOrigin, block, kSurface), second(kOrigin, wall(0, 1), kSurface);
+  EXPECT_EQ(first.refute_union_cull(second, Aabb{{-2, -1, 2}, {1, 1, 3}}), "");
+  EXPECT_EQ(second.refute_union_cull(first, Aabb{{-1, -1, 1}, {0.5, 1, 3}}), kTouches);
+  EXPECT_EQ(second.refute_union_cull(first, Aabb{{-2, -1, 2}, {above(2), 1, 3}}), kNotInside);
+}
+
+TEST(UnionCull, NamesFaults) {
+  const Loop bent{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1.5}, {-1, 1, 1}};
+  const Aabb box{{-1, -1, 2}, {1, 1, 3}};
+  Shadow good(kOrigin, kSquare, kSurface), unsound(kOrigin, bent, {Near::Kind::plane, {0, 0, 1}, {0, 0, 1.25}});
+  EXPECT_NE(unsound.refusal(), "");
+  EXPECT_EQ(good.refute_union_cull(unsound, box), unsound.refusal());
+  EXPECT_EQ(unsound.refute_union_cull(good, box), unsound.refusal());
+  EXPECT_EQ(good.refute_union_cull(good, Aabb{{1, 1, 1}, {0, 0, 0}}), "the box has min > max");
+}
+
 }  // namespace
 }  // namespace occlude::oracle

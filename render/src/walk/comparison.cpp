@@ -88,16 +88,18 @@ class Fate {
   const culler::CullResult& result_;
 };
 
-/// Whether snapping can make this pixel show a polygon that lies in the shadow of an occluder. Two ways it can:
-/// the pixel's centre is on the silhouette of the occluder, give or take the snapping; or it is on a triangle of the hidden
-/// polygon seen so nearly edge-on that snapping is larger than its thickness, and with it its depth at the pixel arbitrary.
-bool is_snapping(const glm::dvec2& centre, const Projector& project, const culler::Occluder& occluder,
-                 const culler::PolygonSoup& soup, std::uint32_t hidden) {
+/// Whether the pixel's centre is on the silhouette of the occluder, give or take the snapping.
+bool is_on_silhouette(const glm::dvec2& centre, const Projector& project, const culler::Occluder& occluder) {
   std::vector<glm::dvec2> silhouette;
   for (const kernel::Vec3& c : occluder.frustum.silhouette()) silhouette.push_back(project({c.x, c.y, c.z}));
-  if (distance_to_outline(centre, silhouette) <= kSnapping) return true;
+  return distance_to_outline(centre, silhouette) <= kSnapping;
+}
 
-  const auto loop = soup.loop(hidden);
+/// Whether it is on a triangle of the polygon that is seen so nearly edge-on that snapping is larger than its thickness, and
+/// with it its depth at the pixel arbitrary.
+bool is_on_sliver(const glm::dvec2& centre, const Projector& project, const culler::PolygonSoup& soup,
+                  std::uint32_t polygon) {
+  const auto loop = soup.loop(polygon);
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     const std::array<glm::dvec3, 3> triangle{soup.vertices[loop[0]], soup.vertices[loop[i]], soup.vertices[loop[i + 1]]};
     if (!std::all_of(triangle.begin(), triangle.end(), [&](const auto& v) { return project.is_before_camera(v); })) continue;
@@ -105,6 +107,14 @@ bool is_snapping(const glm::dvec2& centre, const Projector& project, const culle
     if (thickness(seen) <= kSnapping && distance_to_outline(centre, seen) <= kSnapping) return true;
   }
   return false;
+}
+
+/// Whether snapping can make this pixel show a polygon that a shadow, or two together, took.
+bool is_snapping(const glm::dvec2& centre, const Projector& project, const culler::Culler& culler,
+                 const culler::CullResult& result, const culler::Culled& cull, std::uint32_t polygon) {
+  const auto is_on = [&](std::uint32_t i) { return is_on_silhouette(centre, project, result.occluders[i]); };
+  return is_on(cull.index) || (cull.second != culler::Culled::kNone && is_on(cull.second)) ||
+         is_on_sliver(centre, project, culler.hierarchy().soup(), polygon);
 }
 
 }  // namespace
@@ -125,7 +135,7 @@ void compare(const Picture& full, const Picture& culled, const culler::Culler& c
       ++record.wrong_pixels;
       const culler::Culled* cull = polygon == kNothing ? nullptr : fate.cull_of(polygon);
       if (cull && cull->by == culler::Culled::By::shadow &&
-          is_snapping({x + 0.5, y + 0.5}, project, result.occluders[cull->index], culler.hierarchy().soup(), polygon)) {
+          is_snapping({x + 0.5, y + 0.5}, project, culler, result, *cull, polygon)) {
         ++record.snapped_pixels;
       } else if (cull) {
         falsely_culled.insert(polygon);

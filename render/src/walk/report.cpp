@@ -151,13 +151,14 @@ std::string conditions(const Json& summary) {
   const Json& machine = summary["machine"];
   const std::string renderer = machine["renderer"].is_null() ? "nothing drawn" : machine["renderer"].get<std::string>();
   return fmt::format(
-      "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders, near plane {}, {} arithmetic, {} test, tree "
+      "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders{}, near plane {}, {} arithmetic, {} test, tree "
       "of {}s. "
       "{} frames; on {} of them the item buffer was drawn from the whole model without any culling. Preprocess {:.1f} s. "
       "Every frame was drawn with both methods, one after the other, in alternating order. {}, {} threads; {}; compiled by "
       "{}.</p>",
       options["size"][0].get<int>(), options["size"][1].get<int>(), options["occluders"].get<std::size_t>(),
-      options["near"].get<std::string>(), options["arithmetic"].get<std::string>(), options["test"].get<std::string>(),
+      options["unions"].get<bool>() ? " and unions of pairs of them" : "", options["near"].get<std::string>(),
+      options["arithmetic"].get<std::string>(), options["test"].get<std::string>(),
       options["bounds"] == "obb" ? "OBB" : "AABB", summary["frames"].get<std::size_t>(),
       summary["reference_frames"].get<std::size_t>(), summary["preprocess_s"].get<double>(),
       escaped(machine["processor"].get<std::string>()), machine["threads"].get<unsigned>(), escaped(renderer),

@@ -60,6 +60,7 @@ Json options_used(const WalkResult& result, const WalkOptions& options) {
           {"test", options.cull.test == kernel::Test::overlap ? "overlap" : "conservative"},
           {"bounds", result.build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
           {"shapes", result.build.occluders.shells ? "polytope" : "polygon"},
+          {"unions", options.cull.unions},
           {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(options.preprocess.string())}};
 }
 

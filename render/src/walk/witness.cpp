@@ -21,11 +21,12 @@ std::string box_member(const kernel::Obb& box) {
   return fmt::format(R"({{"center":{},"half_edges":[{},{},{}]}})", triple(box.center), triple(x), triple(y), triple(z));
 }
 
+const char* near_word(kernel::Near near) { return near == kernel::Near::farthest ? R"("farthest")" : R"("surface")"; }
+
 std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near) {
-  if (const auto& plane = frustum.support_plane()) {
-    return fmt::format(R"({{"normal":{},"point":{}}})", triple(plane->normal), triple(plane->point));
-  }
-  return near == kernel::Near::farthest ? R"("farthest")" : R"("surface")";
+  const auto& plane = frustum.support_plane();
+  if (!plane) return near_word(near);
+  return fmt::format(R"({{"normal":{},"point":{}}})", triple(plane->normal), triple(plane->point));
 }
 
 /// [a,b,...] of the items' texts.
@@ -48,42 +49,63 @@ std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
          });
 }
 
-std::string occluder_member(const culler::Culler& culler, std::uint32_t occluder) {
+/// The members of an occluder, without braces.
+std::string geometry_members(const culler::Culler& culler, std::uint32_t occluder) {
   const auto geometry = culler.occluders().geometry(culler.hierarchy().soup(), occluder);
   if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry)) {
-    return fmt::format(R"({{"polygon":{}{}}})", list(*polygon, triple<kernel::Vec3>), parts_member(culler, occluder));
+    return fmt::format(R"("polygon":{}{})", list(*polygon, triple<kernel::Vec3>), parts_member(culler, occluder));
   }
   const auto& [vertices, faces] = std::get<kernel::Polytope>(geometry);
   const auto face = [](const std::vector<std::uint32_t>& loop) {
     return list(loop, [](std::uint32_t i) { return std::to_string(i); });
   };
-  return fmt::format(R"({{"vertices":{},"faces":{}}})", list(vertices, triple<kernel::Vec3>), list(faces, face));
+  return fmt::format(R"("vertices":{},"faces":{})", list(vertices, triple<kernel::Vec3>), list(faces, face));
 }
 
-/// `"by":"shadow",...` for each occluder of the frame.
-std::vector<std::string> shadow_members(const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
-  std::vector<std::string> members;
-  for (const culler::Occluder& occluder : result.occluders) {
-    members.push_back(fmt::format(R"("by":"shadow","occluders":[{}],"near":{})", occluder_member(culler, occluder.index),
-                                  near_member(occluder.frustum, near)));
+/// What culled a subtree, in JSON: written once a frame for each occluder and half-space, for they recur.
+class Reasons {
+ public:
+  Reasons(const culler::Culler& culler, const culler::CullResult& result, kernel::Near near)
+      : common_near_(near_word(near)) {
+    for (const culler::Occluder& occluder : result.occluders) {
+      geometry_.push_back(geometry_members(culler, occluder.index));
+      near_.push_back(near_member(occluder.frustum, near));
+    }
+    for (const culler::HalfSpace& h : result.view) {
+      view_.push_back(fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset));
+    }
   }
-  return members;
-}
 
-std::vector<std::string> view_members(const culler::CullResult& result) {
-  std::vector<std::string> members;
-  for (const culler::HalfSpace& h : result.view) {
-    members.push_back(fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset));
+  std::string of(const culler::Culled& culled) const {
+    if (culled.by == culler::Culled::By::view) return view_[culled.index];
+    if (culled.second == culler::Culled::kNone) return by_one(culled.index);
+    return by_two(culled.index, culled.second);
   }
-  return members;
-}
+
+ private:
+  std::string by_one(std::uint32_t i) const {
+    return fmt::format(R"("by":"shadow","occluders":[{{{}}}],"near":{})", geometry_[i], near_[i]);
+  }
+
+  /// A near plane in numbers is that of its occluder: then each has its own.
+  std::string by_two(std::uint32_t i, std::uint32_t j) const {
+    const bool is_common = near_[i] == common_near_ && near_[j] == common_near_;
+    const auto own_near = [&](std::uint32_t k) { return is_common ? "" : R"(,"near":)" + near_[k]; };
+    return fmt::format(R"("by":"shadow","occluders":[{{{}{}}},{{{}{}}}],"near":{})", geometry_[i], own_near(i), geometry_[j],
+                       own_near(j), common_near_);
+  }
+
+  std::string common_near_;
+  std::vector<std::string> geometry_, near_;  ///< of the occluders
+  std::vector<std::string> view_;             ///< of the half-spaces, in whole
+};
 
 }  // namespace
 
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const auto by_view = view_members(result), by_shadow = shadow_members(culler, result, near);
+  const Reasons reasons(culler, result, near);
   const std::string viewpoint = camera.projection == culler::Projection::perspective
                                     ? fmt::format(R"("eye":{})", triple(camera.eye))
                                     : fmt::format(R"("direction":{})", triple(camera.axes().forward));
@@ -91,10 +113,9 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
     const culler::Hierarchy::Node& node = hierarchy.nodes()[culled.node];
     const std::size_t first = hierarchy.first_triangle(node.first);
     const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
-    const auto& reason = (culled.by == culler::Culled::By::view ? by_view : by_shadow)[culled.index];
     lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint,
                                 hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }), first, count,
-                                reason));
+                                reasons.of(culled)));
   }
 }
 

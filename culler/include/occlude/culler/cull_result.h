@@ -48,7 +48,12 @@ struct CullOptions {
 struct Occluder {
   std::uint32_t index = 0;  ///< in PotentialOccluders
   kernel::ShadowFrustum frustum;
-  std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took
+  std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took, alone or with another
+};
+
+/// Two occluders of a frame that are also asked together, as one union: places in CullResult::occluders.
+struct ShadowPair {
+  std::uint32_t first, second;
 };
 
 /// A subtree that was not drawn, and why.
@@ -81,6 +86,7 @@ struct CullResult {
   std::vector<Culled> culled;
   std::vector<HalfSpace> view;
   std::vector<Occluder> occluders;
+  std::vector<ShadowPair> pairs;  ///< none unless CullOptions::unions
   CullStats stats;
 };
 

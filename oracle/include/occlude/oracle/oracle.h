@@ -88,6 +88,10 @@ class Shadow {
   /// else what failed.
   [[nodiscard]] std::string refute_cull(const Box& box);
 
+  /// Proof that every point of `box` lies in one of the two frusta and strictly beyond the near planes of that one, given
+  /// planes being sound as above. Empty when proved, else what failed. REQUIRES: the shadows are of one viewpoint.
+  [[nodiscard]] std::string refute_union_cull(Shadow& other, const Box& box);
+
  private:
   std::unique_ptr<Prepared> prepared_;
 };
