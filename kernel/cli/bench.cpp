@@ -40,12 +40,9 @@ void bench_kernel(Arguments& arguments) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("bench", "Measure how fast the answers come");
-  command->require_subcommand(1);
-  command->footer("Example: occlude bench kernel");
+void add_bench_kernel(CLI::App& bench, int&) {
   CLI::App* kernel =
-      command->add_subcommand("kernel", "The kernel's tests, certified and plain, beside those of other projects");
+      bench.add_subcommand("kernel", "The kernel's tests, certified and plain, beside those of other projects");
   kernel->footer("Example: occlude bench kernel --boxes 32768 --repetitions 15 --json");
   const auto arguments = std::make_shared<Arguments>();
   kernel->add_option("--boxes", arguments->options.boxes, "boxes in each workload")

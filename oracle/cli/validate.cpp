@@ -146,6 +146,7 @@ void add_validate(CLI::App& app, int& exit_code) {
       "--witness", a->witness, "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   a->walk.add_size_to(*command);
   for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
+  a->walk.add_preprocess_to(*command)->excludes(witness);
   command->add_flag("--json", a->json, "print the counts as JSON");
   command->callback([a, &exit_code] { exit_code = validate(*a); });
 }

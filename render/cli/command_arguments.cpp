@@ -85,15 +85,13 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
     return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(0.0, kLargestWeight));
   };
   culler::Objective& objective = cull_.objective;
-  std::vector<CLI::Option*> options = build_.add_to(command);
-  CLI::Option* preprocess =
-      command.add_option("--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
-  for (CLI::Option* option : options) preprocess->excludes(option);
+  build_options_ = build_.add_to(command);
+  std::vector<CLI::Option*> options = build_options_;
   options.insert(
       options.end(),
       {
-          preprocess,
-          command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B (default: all)"),
+          command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B")
+              ->default_str(frames_.empty() ? "all" : frames_),
           number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
           number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
           choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),
@@ -109,6 +107,13 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
           choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
       });
   return options;
+}
+
+CLI::Option* WalkArguments::add_preprocess_to(CLI::App& command) {
+  CLI::Option* preprocess =
+      command.add_option("--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
+  for (CLI::Option* option : build_options_) preprocess->excludes(option);
+  return preprocess;
 }
 
 render::WalkOptions WalkArguments::options() const {

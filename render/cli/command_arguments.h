@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "occlude/render/walk.h"
@@ -25,17 +26,24 @@ class BuildArguments {
 /// Which frames, seen how and culled how.
 class WalkArguments {
  public:
+  /// `frames` are taken where the user names none; all if empty.
+  explicit WalkArguments(std::string frames = "") : frames_(std::move(frames)) {}
+
   void add_size_to(CLI::App& command);
   /// The options that decide what is culled; returns them.
   std::vector<CLI::Option*> add_culling_to(CLI::App& command);
+  /// The option that takes the place of those about how the model is prepared. After add_culling_to().
+  CLI::Option* add_preprocess_to(CLI::App& command);
 
   /// What the user chose. Throws CLI::ValidationError for text that cannot be read.
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
-  std::string frames_, size_ = "640x360", near_ = "surface", arithmetic_ = "certified", test_ = "conservative",
-                       angle_ = "area", preprocess_;
+  std::string frames_;
+  std::string size_ = "640x360", near_ = "surface", arithmetic_ = "certified", test_ = "conservative", angle_ = "area",
+              preprocess_;
   BuildArguments build_;
+  std::vector<CLI::Option*> build_options_;
   culler::CullOptions cull_;
 };
 

@@ -12,7 +12,10 @@ void add_preprocess(CLI::App& app, int& exit_code);
 void add_walk(CLI::App& app, int& exit_code);
 void add_classify(CLI::App& app, int& exit_code);
 void add_validate(CLI::App& app, int& exit_code);
-void add_bench(CLI::App& app, int& exit_code);
 void add_fuzz(CLI::App& app, int& exit_code);
+
+/// Of the command `bench`.
+void add_bench_kernel(CLI::App& bench, int& exit_code);
+void add_bench_culler(CLI::App& bench, int& exit_code);
 
 }  // namespace occlude::cli

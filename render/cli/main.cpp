@@ -15,6 +15,14 @@ namespace {
 constexpr int kBadInput = 2;
 constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells expect
 
+void add_bench(CLI::App& app, int& exit_code) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure how fast the answers come, and how much is culled");
+  bench->require_subcommand(1);
+  bench->footer("Example: occlude bench kernel");
+  occlude::cli::add_bench_kernel(*bench, exit_code);
+  occlude::cli::add_bench_culler(*bench, exit_code);
+}
+
 int run(int argc, char** argv) {
   int exit_code = 0;
   CLI::App app("Occlusion culling with shadow frusta, certified: nothing visible is ever culled.", "occlude");
@@ -29,7 +37,7 @@ int run(int argc, char** argv) {
   occlude::cli::add_classify(app, exit_code);
   occlude::cli::add_validate(app, exit_code);
   occlude::cli::add_fuzz(app, exit_code);
-  occlude::cli::add_bench(app, exit_code);
+  add_bench(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -73,6 +73,7 @@ void add_walk(CLI::App& app, int& exit_code) {
   command->add_option("--out", a->out, "folder to write to")->required();
   a->walk.add_size_to(*command);
   a->walk.add_culling_to(*command);
+  a->walk.add_preprocess_to(*command);
   command->add_flag("--no-render", a->no_render, "measure culling alone");
   command->add_option("--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
   command->add_option(

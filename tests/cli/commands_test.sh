@@ -446,7 +446,39 @@ expect_error "--boxes" "$occlude" bench kernel --boxes 0
 expect_error "--repetitions" "$occlude" bench kernel --repetitions many
 expect_error "--seed" "$occlude" bench kernel --seed -1
 
-for command in "" generate "generate city" preprocess walk classify validate fuzz bench "bench kernel"; do
+# bench culler: every experiment is there; the files are those that it prints.
+"$occlude" bench culler --polygons 20000 --frames 0:8 --no-render --regions 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
+  fail "bench culler: $(cat stderr)"
+cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"
+for member in model polygons frames options table2 mean culled_share speedup_limit figures_2_and_3 view_frustum_polygons figure4 knee \
+  all_three all_three_over_area_angle_at_8 sweeps entries cull_ratio sort comparisons_anew growth exponents build machine; do
+  grep -q "^ *\"$member\": " bench/culler.json || fail "bench culler: no $member"
+done
+grep -q '"speedup": null' bench/culler.json || fail "bench culler --no-render: a speedup of nothing drawn"
+[ "$(grep -o '<svg' bench/culler.html | wc -l)" -eq 7 ] || fail "bench culler: $(grep -o '<svg' bench/culler.html | wc -l) charts"
+grep -q '<script\|src="http\|href="http\|nan\|inf"' bench/culler.html && fail "bench culler: scripts, addresses or no numbers in the page"
+"$occlude" bench culler good.ply --path path.json --frames 0:4 --size 64x36 --samples 0 --repetitions 1 >stdout || fail "bench culler MODEL"
+for title in 'Table 2' 'Figure 4' 'grid regions' 'Threshold' 'Sort with'; do
+  grep -q "$title" stdout || fail "bench culler MODEL: no $title"
+done
+grep -q 'Growth with the number of polygons' stdout && fail "bench culler MODEL: cities"
+grep -q 'all three' stdout && fail "bench culler --samples 0: curves that need samples"
+"$occlude" bench culler good.ply --path path.json --only sort,sweeps --frames 0:2 --repetitions 1 >stdout || fail "bench culler --only"
+grep -q 'Table 2\|Figure 4' stdout && fail "bench culler --only: more than was chosen"
+expect_error "--only" "$occlude" bench culler --only nonsense
+expect_error "--path" "$occlude" bench culler good.ply
+expect_error "--largest" "$occlude" bench culler --largest 5
+expect_error "--largest" "$occlude" bench culler --largest many
+expect_error "no frame" "$occlude" bench culler good.ply --path path.json --frames 7:9 --out benchmarks
+expect_error "missing.ply" "$occlude" bench culler missing.ply --path path.json --out benchmarks
+expect_error "file" "$occlude" bench culler good.ply --path path.json --out file/out
+"$occlude" bench culler --polygons 20000 --no-render --out benchmarks 2>stderr >stdout &
+sleep 1
+kill -INT $!
+wait $!
+[ $? -eq 130 ] && [ ! -e benchmarks ] || fail "Ctrl-C did not stop bench culler"
+
+for command in "" generate "generate city" preprocess walk classify validate fuzz bench "bench kernel" "bench culler"; do
   "$occlude" $command --help | grep -q . || fail "no help for '$command'"
 done
 

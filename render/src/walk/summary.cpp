@@ -28,13 +28,6 @@ std::size_t total(const WalkResult& result, Member&& member) {
   return sum;
 }
 
-Json machine(const WalkResult& result) {
-  return {{"processor", processor_name()},
-          {"threads", std::thread::hardware_concurrency()},
-          {"renderer", result.renderer.empty() ? Json(nullptr) : Json(result.renderer)},
-          {"compiler", compiler_name()}};
-}
-
 Json operations(const kernel::Operations& counted) {
   const double tests = counted.tests == 0 ? 1 : static_cast<double>(counted.tests);
   const auto each = [&](std::uint64_t count) { return static_cast<double>(count) / tests; };
@@ -45,7 +38,9 @@ Json operations(const kernel::Operations& counted) {
           {"cross_per_test", each(counted.cross)}};
 }
 
-Json options_used(const WalkResult& result, const WalkOptions& options) {
+}  // namespace
+
+Json options_json(const WalkOptions& options, const culler::BuildConfig& build) {
   const culler::Objective& objective = options.cull.objective;
   return {{"size", {options.width, options.height}},
           {"occluders", options.cull.occluders},
@@ -58,14 +53,20 @@ Json options_used(const WalkResult& result, const WalkOptions& options) {
           {"near", options.cull.near == kernel::Near::surface ? "surface" : "farthest"},
           {"arithmetic", options.cull.arithmetic == kernel::Arithmetic::certified ? "certified" : "plain"},
           {"test", options.cull.test == kernel::Test::overlap ? "overlap" : "conservative"},
-          {"bounds", result.build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
-          {"shapes", result.build.occluders.shells ? "polytope" : "polygon"},
+          {"bounds", build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
+          {"shapes", build.occluders.shells ? "polytope" : "polygon"},
           {"unions", options.cull.unions},
           {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(options.preprocess.string())}};
 }
 
-/// Table 2 of the paper beside the summary.
-std::string table2(const Json& summary) {
+Json machine_json(const std::string& renderer) {
+  return {{"processor", processor_name()},
+          {"threads", std::thread::hardware_concurrency()},
+          {"renderer", renderer.empty() ? Json(nullptr) : Json(renderer)},
+          {"compiler", compiler_name()}};
+}
+
+std::string table2_text(const Json& summary) {
   const Json& mean = summary["mean"];
   const auto fps = [](const Json& ms) {
     return ms.is_null() ? std::string("-") : fmt::format("{:.1f}", 1000 / ms.get<double>());
@@ -86,8 +87,6 @@ std::string table2(const Json& summary) {
       percent(summary["speedup"]), percent(summary["speedup_limit"]["polygons"]));
 }
 
-}  // namespace
-
 Json summarise(const WalkResult& result, const WalkOptions& options, const std::string& model) {
   const bool rendered = options.render;
   const auto if_rendered = [&](auto value) { return rendered ? Json(value) : Json(nullptr); };
@@ -106,7 +105,7 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
   json["polygons"] = result.polygons;
   json["triangles"] = result.triangles;
   json["frames"] = result.frames.size();
-  json["options"] = options_used(result, options);
+  json["options"] = options_json(options, result.build);
   json["mean"] = {{"view_frustum_polygons", viewed},
                   {"rendered_polygons", drawn},
                   {"visible_polygons", if_rendered(visible)},
@@ -129,7 +128,7 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
   json["witnesses"] = result.witnesses;
   json["operations"] = operations(result.operations);
   json["preprocess_s"] = result.preprocess_s;
-  json["machine"] = machine(result);
+  json["machine"] = machine_json(result.renderer);
   return json;
 }
 
@@ -159,7 +158,7 @@ std::string summary_json(const WalkResult& result, const WalkOptions& options, c
 
 std::string summary_text(const WalkResult& result, const WalkOptions& options, const std::string& model) {
   const Json summary = summarise(result, options, model);
-  std::string text = table2(summary);
+  std::string text = table2_text(summary);
   if (options.render) {
     text += fmt::format("false culls {}, wrong pixels {} (of them by the renderer's 1/256-pixel rounding: {})\n",
                         summary["false_culls"].get<std::size_t>(), summary["wrong_pixels"].get<std::size_t>(),

@@ -20,7 +20,7 @@ class OccluderGrid {
  public:
   struct Config {
     /// An occluder is listed in every region that holds a viewpoint from which its area-angle exceeds this, steradians.
-    double threshold = 0.03;
+    double threshold = 0.01;
     /// Number of regions aimed at.
     double regions = 32768;
   };

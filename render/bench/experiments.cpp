@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "experiments.h"
+
+#include <algorithm>
+
+#include "occlude/culler/culler.h"
+#include "stopwatch.h"
+#include "walk/walker.h"
+
+namespace occlude::experiments {
+namespace {
+
+/// A walk, of which nothing is written.
+render::WalkResult measure_table2(const Subject& subject, const Options& options) {
+  const render::Stopwatch stopwatch;
+  const culler::Culler culler(subject.soup, options.walk.build);
+  const double preprocess_s = stopwatch.seconds();
+  const render::Stage stage(culler, options.walk);
+  render::WalkResult result = walk_frames(culler, subject.path, options.walk, stage);
+  result.preprocess_s = preprocess_s;
+  return result;
+}
+
+}  // namespace
+
+Result run(const Subject& subject, const Options& options, const std::vector<std::string>& chosen) {
+  const auto is_chosen = [&](const char* name) { return std::ranges::find(chosen, name) != chosen.end(); };
+  const std::vector<std::size_t> frames = frames_of(subject.path, options.walk);
+  Result result;
+  result.model = subject.name;
+  result.polygons = subject.soup.size();
+  result.first_frame = frames.front();
+  result.last_frame = frames.back();
+  result.frames = frames.size();
+  if (is_chosen("table2")) result.table2 = measure_table2(subject, options);
+  if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);
+  if (is_chosen("sweeps")) result.sweeps = measure_sweeps(subject, options);
+  if (is_chosen("sort")) result.sort = measure_sorting(subject, options);
+  if (is_chosen("growth")) result.growth = measure_growth(options);
+  return result;
+}
+
+}  // namespace occlude::experiments

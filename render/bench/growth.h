@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Section 7, measured: how time and memory grow with the number of polygons.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "setting.h"
+
+namespace occlude::experiments {
+
+/// The smallest city that the generator makes.
+inline constexpr std::size_t kSmallestCity = 20'000;
+
+/// A generated city.
+struct GrowthPoint {
+  std::size_t polygons = 0;
+  double in_view = 0, drawn = 0;  ///< polygons a frame
+  double build_s = 0;             ///< tree, occluders and lists, on all processors; median over the rounds
+  double cull_ms = 0;             ///< a frame, on one; median over the rounds of the mean over the frames
+  /// Bytes a polygon beyond the model itself: at the worst moment of the build, and after it. See peak_memory.h.
+  std::optional<double> peak_bytes, held_bytes;
+};
+
+struct Growth {
+  std::vector<GrowthPoint> points;
+  /// With the number of polygons: 1 is linear. None for fewer than two cities.
+  std::optional<double> build_exponent, cull_exponent;
+};
+
+/// In every round each city is generated, built and walked through once.
+[[nodiscard]] Growth measure_growth(const Options& options);
+
+}  // namespace occlude::experiments

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "pass.h"
+
+#include "occlude/render/progress.h"
+#include "thread_time.h"
+
+namespace occlude::experiments {
+
+Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, const render::WalkOptions& walk,
+                const culler::CullOptions& cull, const OnCulled& on_culled) {
+  Pass sum;
+  culler::View view;
+  const auto frames = frames_of(path, walk);
+  for (const std::size_t frame : frames) {
+    render::check_interrupt();
+    const culler::Camera camera = path.camera(frame, aspect(walk));
+    const ThreadTime time;
+    const culler::CullResult& culled = culler.cull(camera, cull, view);
+    sum.cull_ms += time.milliseconds();
+    sum.drawn += static_cast<double>(culled.stats.drawn_polygons);
+    sum.listed += static_cast<double>(culled.stats.potential_occluders);
+    if (on_culled) on_culled(camera, culled);
+  }
+  const auto count = static_cast<double>(frames.size());
+  return {sum.drawn / count, sum.listed / count, sum.cull_ms / count};
+}
+
+double polygons_in_view(const culler::Culler& culler, const render::CameraPath& path, const render::WalkOptions& walk) {
+  culler::CullOptions view_only = walk.cull;
+  view_only.occluders = 0;
+  return pass_along(culler, path, walk, view_only).drawn;
+}
+
+}  // namespace occlude::experiments

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <array>
+
+#include "experiments_report.h"
+#include "tables.h"
+#include "walk/chart.h"
+#include "walk/figures.h"
+#include "walk/page.h"
+#include "walk/summary.h"
+
+namespace occlude::experiments {
+namespace {
+
+using render::line_chart;
+using render::Scale;
+using render::Series;
+
+/// Told apart also by those who do not see colours as most do (Okabe and Ito 2008), and by their lightness.
+constexpr std::array kColours{"#000000", "#e69f00", "#56b4e9", "#009e73", "#d55e00", "#0072b2", "#cc79a7", "#8a94a3"};
+constexpr const char *kMain = "#1565c0", *kOther = "#d9822b";
+
+std::string section(const std::string& title, const std::string& body) {
+  return "<h2>" + render::escaped(title) + "</h2>" + body;
+}
+
+std::string figure(const std::string& chart) { return "<figure>" + chart + "</figure>"; }
+
+std::string table2_section(const Result& result, const Options& options) {
+  const auto summary = summarise(*result.table2, options.walk, result.model);
+  return section("Averages (the paper's table 2)", render::table2_html(summary)) +
+         render::figures_html(*result.table2, options.walk.render);
+}
+
+std::string figure4_section(const Figure4& figure4) {
+  std::vector<double> x(kOccluders.begin(), kOccluders.end());
+  std::vector<Series> curves;
+  for (const Curve& curve : figure4.curves) {
+    curves.push_back({curve.about, kColours[curves.size()], {}});
+    for (const double share : curve.share) curves.back().y.push_back(100 * share);
+  }
+  return section(
+      "Polygons culled against the number of occluders (the paper's figure 4)",
+      figure(line_chart({"occluders", Scale::logarithmic}, {"% of the polygons in view culled"}, x, curves, 400)) +
+          html_of(figure4_table(figure4)));
+}
+
+/// The values of a member of the points.
+template <class Point, class Member>
+std::vector<double> values(const std::vector<Point>& points, Member&& member) {
+  std::vector<double> result;
+  for (const Point& point : points) result.push_back(static_cast<double>(member(point)));
+  return result;
+}
+
+std::string sweep_figures(const std::string& varied, const std::vector<double>& x, const std::vector<SweepPoint>& points) {
+  const auto culled = values(points, [](const SweepPoint& p) { return 100 * p.culled_share; });
+  const auto cull_ms = values(points, [](const SweepPoint& p) { return p.cull_ms; });
+  const auto preprocess_s = values(points, [](const SweepPoint& p) { return p.preprocess_s; });
+  const render::Axis along{varied, Scale::logarithmic};
+  return figure(line_chart(along, {"% of the polygons in view"}, x, {{"culled", kMain, culled}})) +
+         figure(line_chart(along, {"milliseconds; seconds"}, x,
+                           {{"culling a frame, ms", kMain, cull_ms}, {"preprocess, s", kOther, preprocess_s}}));
+}
+
+std::string sweeps_section(const Sweeps& sweeps) {
+  const auto regions = values(sweeps.regions, [](const SweepPoint& p) { return p.grid.regions; });
+  const auto thresholds = values(sweeps.threshold, [](const SweepPoint& p) { return p.grid.threshold; });
+  const Table by_regions = regions_table(sweeps), by_threshold = threshold_table(sweeps);
+  return section(by_regions.title, sweep_figures("regions", regions, sweeps.regions) + html_of(by_regions)) +
+         section(by_threshold.title, sweep_figures("steradians", thresholds, sweeps.threshold) + html_of(by_threshold));
+}
+
+std::string sort_section(const Sorting& sorting) {
+  const Table table = sort_table(sorting);
+  return section(table.title, html_of(table));
+}
+
+std::string growth_section(const Growth& growth) {
+  const auto polygons = values(growth.points, [](const GrowthPoint& p) { return p.polygons; });
+  const auto build_ms = values(growth.points, [](const GrowthPoint& p) { return 1000 * p.build_s; });
+  const auto cull_ms = values(growth.points, [](const GrowthPoint& p) { return p.cull_ms; });
+  const Table table = growth_table(growth);
+  return section(table.title, figure(line_chart({"polygons", Scale::logarithmic}, {"milliseconds", Scale::logarithmic},
+                                                polygons, {{"build", kOther, build_ms}, {"cull a frame", kMain, cull_ms}})) +
+                                  html_of(table));
+}
+
+}  // namespace
+
+std::string report_html(const Result& result, const Options& options) {
+  const std::string model = render::escaped(result.model);
+  std::string body = fmt::format(
+      R"(<h1>The culler on {}</h1><p class="lead">{} polygons, {} frames, {} to {}; after Hudson et al. 1997, section 6.3.</p>)",
+      model, render::grouped(static_cast<double>(result.polygons)), result.frames, result.first_frame, result.last_frame);
+  if (result.table2) body += table2_section(result, options);
+  if (result.figure4) body += figure4_section(*result.figure4);
+  if (result.sweeps) body += sweeps_section(*result.sweeps);
+  if (result.sort) body += sort_section(*result.sort);
+  if (result.growth) body += growth_section(*result.growth);
+  body += section("Conditions", R"(<p class="soft">)" + render::escaped(conditions(options)) + "</p>");
+  return render::page("occlude: the culler on " + model, body);
+}
+
+}  // namespace occlude::experiments

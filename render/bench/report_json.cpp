@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "experiments_report.h"
+#include "walk/summary.h"
+
+namespace occlude::experiments {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json if_known(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json table2_json(const Result& result, const Options& options) {
+  Json json = summarise(*result.table2, options.walk, result.model);
+  // Told once for all experiments; witnesses and operations are for walks.
+  for (const char* member : {"model", "polygons", "frames", "options", "machine", "witnesses", "operations"}) {
+    json.erase(member);
+  }
+  return json;
+}
+
+/// Figures 2 and 3.
+Json frames_json(const render::WalkResult& walk, bool rendered) {
+  const auto each = [&](auto member) {
+    Json values = Json::array();
+    for (const render::FrameRecord& record : walk.frames) values.push_back(record.*member);
+    return values;
+  };
+  const auto if_rendered = [&](auto member) { return rendered ? each(member) : Json(nullptr); };
+  using Record = render::FrameRecord;
+  return {{"frame", each(&Record::frame)},
+          {"view_frustum_polygons", each(&Record::view_frustum_polygons)},
+          {"rendered_polygons", each(&Record::rendered_polygons)},
+          {"visible_polygons", if_rendered(&Record::visible_polygons)},
+          {"cull_ms", each(&Record::cull_ms)},
+          {"frame_ms", if_rendered(&Record::frame_ms)},
+          {"frame_ms_view_frustum_only", if_rendered(&Record::view_frustum_frame_ms)}};
+}
+
+Json figure4_json(const Figure4& figure) {
+  Json shares, knees;
+  for (const Curve& curve : figure.curves) {
+    shares[curve.name] = curve.share;
+    knees[curve.name] = curve.knee;
+  }
+  const auto plain = share_at(figure, "area_angle", 8), all = share_at(figure, "all_three", 8);
+  return {{"regions", figure.regions},
+          {"occluders", kOccluders},
+          {"culled_share", shares},
+          {"knee", knees},
+          {"all_three_over_area_angle_at_8", plain && all ? Json(*all - *plain) : Json(nullptr)},
+          {"sampling_s", if_known(figure.sampling_s)}};
+}
+
+Json sweep_json(const std::vector<SweepPoint>& points) {
+  Json json = Json::array();
+  for (const SweepPoint& p : points) {
+    json.push_back({{"regions", p.grid.regions},
+                    {"threshold", p.grid.threshold},
+                    {"culled_share", p.culled_share},
+                    {"listed", p.listed},
+                    {"entries", p.entries},
+                    {"preprocess_s", p.preprocess_s},
+                    {"cull_ms", p.cull_ms},
+                    {"cull_ratio", p.cull_ratio}});
+  }
+  return json;
+}
+
+Json sort_json(const Sorting& sorting) {
+  Json points = Json::array();
+  for (const SortPoint& p : sorting.points) {
+    points.push_back({{"threshold", p.threshold},
+                      {"candidates", p.candidates},
+                      {"arrivals", p.arrivals},
+                      {"moves", p.moves},
+                      {"comparisons", p.comparisons},
+                      {"comparisons_anew", p.comparisons_anew}});
+  }
+  return {{"points", points},
+          {"exponents",
+           {{"moves", if_known(sorting.moves_exponent)},
+            {"comparisons", if_known(sorting.comparisons_exponent)},
+            {"comparisons_anew", if_known(sorting.anew_exponent)}}}};
+}
+
+Json growth_json(const Growth& growth) {
+  Json points = Json::array();
+  for (const GrowthPoint& p : growth.points) {
+    points.push_back({{"polygons", p.polygons},
+                      {"in_view", p.in_view},
+                      {"drawn", p.drawn},
+                      {"build_s", p.build_s},
+                      {"cull_ms", p.cull_ms},
+                      {"peak_bytes_per_polygon", if_known(p.peak_bytes)},
+                      {"held_bytes_per_polygon", if_known(p.held_bytes)}});
+  }
+  return {{"points", points},
+          {"exponents", {{"build", if_known(growth.build_exponent)}, {"cull", if_known(growth.cull_exponent)}}}};
+}
+
+}  // namespace
+
+std::string report_json(const Result& result, const Options& options) {
+  Json settings = options_json(options.walk, options.walk.build);
+  settings["samples"] = options.samples;
+  settings["repetitions"] = options.repetitions;
+  const bool rendered = options.walk.render;
+  Json json{{"model", result.model},
+            {"polygons", result.polygons},
+            {"frames", {{"first", result.first_frame}, {"last", result.last_frame}, {"count", result.frames}}},
+            {"options", settings}};
+  json["table2"] = result.table2 ? table2_json(result, options) : Json(nullptr);
+  json["figures_2_and_3"] = result.table2 ? frames_json(*result.table2, rendered) : Json(nullptr);
+  json["figure4"] = result.figure4 ? figure4_json(*result.figure4) : Json(nullptr);
+  json["sweeps"] = nullptr;
+  if (result.sweeps) {
+    json["sweeps"] = {{"regions", sweep_json(result.sweeps->regions)}, {"threshold", sweep_json(result.sweeps->threshold)}};
+  }
+  json["sort"] = result.sort ? sort_json(*result.sort) : Json(nullptr);
+  json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
+  json["machine"] = render::machine_json(result.table2 ? result.table2->renderer : "");
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace occlude::experiments

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "experiments_report.h"
+#include "occlude/render/walk_summary.h"
+#include "tables.h"
+
+namespace occlude::experiments {
+
+std::string report_text(const Result& result, const Options& options) {
+  std::string text = fmt::format("{}: {} polygons; {} frames, {} to {}\n", result.model, result.polygons, result.frames,
+                                 result.first_frame, result.last_frame);
+  const auto add = [&](const std::string& part) { text += "\n" + part; };
+  if (result.table2) add(summary_text(*result.table2, options.walk, result.model));
+  if (result.figure4) add(text_of(figure4_table(*result.figure4)));
+  if (result.sweeps) {
+    add(text_of(regions_table(*result.sweeps)));
+    add(text_of(threshold_table(*result.sweeps)));
+  }
+  if (result.sort) add(text_of(sort_table(*result.sort)));
+  if (result.growth) add(text_of(growth_table(*result.growth)));
+  add(conditions(options) + "\n");
+  return text;
+}
+
+}  // namespace occlude::experiments

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "sweeps.h"
+
+#include <array>
+
+#include "bench.h"
+#include "occlude/culler/culler.h"
+#include "occlude/render/progress.h"
+#include "pass.h"
+#include "stopwatch.h"
+
+namespace occlude::experiments {
+namespace {
+
+using Grid = culler::OccluderGrid::Config;
+
+/// Each time half the edge of a region.
+constexpr std::array<double, 4> kRegions{512, 4096, 32768, 262144};
+/// Steps of about half a decade, steradians.
+constexpr std::array<double, 5> kThresholds{0.003, 0.01, 0.03, 0.1, 0.3};
+
+/// A grid, and what was timed of it, one number a round.
+struct Trial {
+  SweepPoint point;
+  std::vector<double> preprocess_s, cull_ms;
+};
+
+void run(Trial& trial, const Subject& subject, const Options& options) {
+  culler::BuildConfig config = options.walk.build;
+  config.grid = trial.point.grid;
+  const render::Stopwatch stopwatch;
+  const culler::Culler culler(subject.soup, config);
+  trial.preprocess_s.push_back(stopwatch.seconds());
+  const Pass pass = pass_along(culler, subject.path, options.walk, options.walk.cull);
+  trial.cull_ms.push_back(pass.cull_ms);
+  trial.point.entries = culler.grid().lists().occluders.size();
+  trial.point.listed = pass.listed;
+  trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
+}
+
+SweepPoint point_of(const Trial& trial, const Trial& standard) {
+  SweepPoint point = trial.point;
+  point.preprocess_s = bench::median(trial.preprocess_s);
+  point.cull_ms = bench::median(trial.cull_ms);
+  std::vector<double> ratios;
+  for (std::size_t round = 0; round < trial.cull_ms.size(); ++round) {
+    ratios.push_back(trial.cull_ms[round] / standard.cull_ms[round]);
+  }
+  point.cull_ratio = bench::median(ratios);
+  return point;
+}
+
+}  // namespace
+
+Sweeps measure_sweeps(const Subject& subject, const Options& options) {
+  const Grid standard = options.walk.build.grid;
+  std::vector<Trial> trials{{{standard}, {}, {}}};
+  for (const double regions : kRegions) trials.push_back({{Grid{standard.threshold, regions}}, {}, {}});
+  for (const double threshold : kThresholds) trials.push_back({{Grid{threshold, standard.regions}}, {}, {}});
+
+  render::Progress progress("sweeps: grids", options.repetitions * trials.size());
+  std::size_t done = 0;
+  for (std::size_t round = 0; round < options.repetitions; ++round) {
+    for (Trial& trial : trials) {
+      render::check_interrupt();
+      run(trial, subject, options);
+      progress.update(++done);
+    }
+  }
+  Sweeps sweeps;
+  for (std::size_t i = 1; i < trials.size(); ++i) {
+    (i <= kRegions.size() ? sweeps.regions : sweeps.threshold).push_back(point_of(trials[i], trials[0]));
+  }
+  return sweeps;
+}
+
+}  // namespace occlude::experiments

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "tables.h"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "occlude/render/machine.h"
+#include "walk/page.h"
+
+namespace occlude::experiments {
+namespace {
+
+using render::grouped;
+
+std::string one(double value) { return fmt::format("{:.1f}", value); }
+std::string two(double value) { return fmt::format("{:.2f}", value); }
+std::string percent(double share) { return one(100 * share); }
+
+template <class Format>
+std::string if_known(const std::optional<double>& value, Format&& format) {
+  return value ? format(*value) : "-";
+}
+
+/// What a mix gains over area-angle alone, the paper's choice, at the paper's number of occluders.
+void note_gain(const Figure4& figure, const char* mix, const char* about, Table& table) {
+  const auto plain = share_at(figure, "area_angle", 8), mixed = share_at(figure, mix, 8);
+  if (!plain || !mixed) return;
+  table.notes.push_back(
+      fmt::format("With 8 occluders {}: {:+.1f} percentage points over area-angle alone.", about, 100 * (*mixed - *plain)));
+}
+
+Table sweep_table(const std::string& title, const std::string& varied, const std::vector<SweepPoint>& points,
+                  std::string (*name)(const SweepPoint&)) {
+  Table table{title,
+              {varied, "culled, %", "listed a frame", "entries", "preprocess, s", "cull, ms", "cull, ratio to the default"},
+              {},
+              {}};
+  for (const SweepPoint& p : points) {
+    table.rows.push_back({name(p), percent(p.culled_share), grouped(p.listed), grouped(static_cast<double>(p.entries)),
+                          two(p.preprocess_s), two(p.cull_ms), two(p.cull_ratio)});
+  }
+  return table;
+}
+
+}  // namespace
+
+Table figure4_table(const Figure4& figure) {
+  Table table{"Figure 4, % of the polygons in view culled, against the number of occluders", {"chosen by"}, {}, {}};
+  for (const std::size_t n : kOccluders) table.head.push_back(std::to_string(n));
+  table.head.emplace_back("knee");
+  for (const Curve& curve : figure.curves) {
+    table.rows.push_back({curve.about});
+    for (const double share : curve.share) table.rows.back().push_back(percent(share));
+    table.rows.back().push_back(std::to_string(curve.knee));
+  }
+  table.notes.emplace_back("Knee: the least number of occluders that culls 90 % of what 64 do. The paper: about 8.");
+  note_gain(figure, "area_angle_coherence", "area-angle and coherence (the default)", table);
+  note_gain(figure, "all_three", "all three criteria", table);
+  std::string grid = fmt::format("A grid of {} regions", grouped(static_cast<double>(figure.regions)));
+  if (figure.sampling_s)
+    grid += fmt::format("; depth complexity was sampled in a preprocess of {:.1f} s", *figure.sampling_s);
+  table.notes.push_back(grid + ".");
+  return table;
+}
+
+Table regions_table(const Sweeps& sweeps) {
+  return sweep_table("Number of grid regions", "regions", sweeps.regions,
+                     [](const SweepPoint& p) { return grouped(p.grid.regions); });
+}
+
+Table threshold_table(const Sweeps& sweeps) {
+  return sweep_table("Threshold of the lists", "steradians", sweeps.threshold,
+                     [](const SweepPoint& p) { return fmt::format("{:g}", p.grid.threshold); });
+}
+
+Table sort_table(const Sorting& sorting) {
+  Table table{
+      "Sort with last frame's order, a frame",
+      {"threshold", "candidates", "arrivals", "moves", "moves/candidate", "comparisons/candidate", "sorted anew/candidate"},
+      {},
+      {}};
+  for (const SortPoint& p : sorting.points) {
+    const auto each = [&](double total) { return p.candidates == 0 ? "-" : two(total / p.candidates); };
+    table.rows.push_back({fmt::format("{:g}", p.threshold), one(p.candidates), one(p.arrivals), one(p.moves), each(p.moves),
+                          each(p.comparisons), each(p.comparisons_anew)});
+  }
+  table.notes.push_back(
+      fmt::format("Growth with the number of candidates, exponents: moves {}, comparisons {}, comparisons of sorting anew "
+                  "{}; 1 is linear.",
+                  if_known(sorting.moves_exponent, two), if_known(sorting.comparisons_exponent, two),
+                  if_known(sorting.anew_exponent, two)));
+  return table;
+}
+
+Table growth_table(const Growth& growth) {
+  Table table{"Growth with the number of polygons, generated cities",
+              {"polygons", "in view", "drawn", "build, s", "cull, ms", "peak bytes/polygon", "held bytes/polygon"},
+              {},
+              {}};
+  for (const GrowthPoint& p : growth.points) {
+    table.rows.push_back({grouped(static_cast<double>(p.polygons)), grouped(p.in_view), grouped(p.drawn), two(p.build_s),
+                          two(p.cull_ms), if_known(p.peak_bytes, grouped), if_known(p.held_bytes, grouped)});
+  }
+  table.notes.push_back(fmt::format("Exponents: build {}, cull {}; 1 is linear.", if_known(growth.build_exponent, two),
+                                    if_known(growth.cull_exponent, two)));
+  table.notes.emplace_back(
+      "Memory: resident, beyond the model itself; peak while building, and held afterwards by the culler.");
+  return table;
+}
+
+std::string conditions(const Options& options) {
+  return fmt::format(
+      "Times are medians of {} rounds in which everything was measured once: builds on all threads by the clock, culling in "
+      "processor time. Those of table 2 are means over the frames by the clock, both methods on every frame in alternating "
+      "order. {}, {} threads, {}.",
+      options.repetitions, render::processor_name(), std::thread::hardware_concurrency(), render::compiler_name());
+}
+
+}  // namespace occlude::experiments

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the experiments found, as tables, and how it was measured.
+#pragma once
+
+#include "figure4.h"
+#include "growth.h"
+#include "sorting.h"
+#include "sweeps.h"
+#include "table.h"
+
+namespace occlude::experiments {
+
+[[nodiscard]] Table figure4_table(const Figure4& figure);
+[[nodiscard]] Table regions_table(const Sweeps& sweeps);
+[[nodiscard]] Table threshold_table(const Sweeps& sweeps);
+[[nodiscard]] Table sort_table(const Sorting& sorting);
+[[nodiscard]] Table growth_table(const Growth& growth);
+
+/// What the times are, and of what machine.
+[[nodiscard]] std::string conditions(const Options& options);
+
+}  // namespace occlude::experiments

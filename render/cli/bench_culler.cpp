@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// occlude bench culler
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "experiments.h"
+#include "experiments_report.h"
+#include "occlude/render/camera_path.h"
+#include "occlude/render/city.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/output_folder.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  std::string model, path, out, seed = "1", largest = "1e6";
+  std::size_t polygons = 500'000;
+  WalkArguments walk{"0:300"};
+  std::vector<std::string> only;
+  experiments::Options options;
+  bool no_render = false, json = false;
+};
+
+/// The files to write, opened before the work so that what cannot be written is known at once.
+struct Files {
+  explicit Files(const std::filesystem::path& out) : folder(out), json(out / "culler.json"), html(out / "culler.html") {}
+
+  render::OutputFolder folder;
+  render::OutputFile json, html;
+};
+
+experiments::Subject subject_of(const Arguments& arguments) {
+  if (arguments.model.empty()) {
+    render::City city = render::generate_city(arguments.polygons, arguments.options.seed);
+    return {fmt::format("generated city, seed {}", arguments.seed), std::move(city.soup), std::move(city.path)};
+  }
+  render::CameraPath path = render::read_camera_path(arguments.path);
+  return {std::filesystem::path(arguments.model).filename().string(), render::read_model(arguments.model), std::move(path)};
+}
+
+/// All of them, but for a model given those that are about it.
+std::vector<std::string> chosen(const Arguments& arguments) {
+  if (!arguments.only.empty()) return arguments.only;
+  std::vector<std::string> all(experiments::kExperiments.begin(), experiments::kExperiments.end());
+  if (!arguments.model.empty()) std::erase(all, "growth");
+  return all;
+}
+
+void bench_culler(Arguments& arguments) {
+  experiments::Options& options = arguments.options;
+  options.walk = arguments.walk.options();
+  options.walk.render = !arguments.no_render;
+  options.seed = whole_number("--seed", arguments.seed);
+  options.largest = whole_number("--largest", arguments.largest);
+  if (options.largest < experiments::kSmallestCity || options.largest > 20'000'000) {
+    throw CLI::ValidationError("--largest", "expected 20000 to 2e7 polygons");
+  }
+  std::optional<Files> files;
+  if (!arguments.out.empty()) {
+    const std::filesystem::path out = arguments.out;
+    std::vector<std::string> names{out / "culler.json", out / "culler.html"};
+    if (!arguments.model.empty()) names.insert(names.end(), {arguments.model, arguments.path});
+    check_distinct(names);
+    files.emplace(out);
+  }
+  const experiments::Result result = run(subject_of(arguments), options, chosen(arguments));
+  if (files) {
+    files->json.write(report_json(result, options));
+    files->html.write(report_html(result, options));
+    files->json.commit();
+    files->html.commit();
+  }
+  fmt::print("{}", arguments.json ? report_json(result, options) : report_text(result, options));
+  if (files && !arguments.json) fmt::print("report: {}\n", (std::filesystem::path(arguments.out) / "culler.html").string());
+}
+
+}  // namespace
+
+void add_bench_culler(CLI::App& bench, int&) {
+  CLI::App* command =
+      bench.add_subcommand("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
+  command->footer(
+      "Without MODEL on a generated city. Coherence needs frames that follow one another: a STEP above 1 hides it.\n"
+      "Example: occlude bench culler --out report\n"
+      "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
+  const auto a = std::make_shared<Arguments>();
+  CLI::Option* model = command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
+  CLI::Option* path = command->add_option("--path", a->path, "camera path (JSON)");
+  model->needs(path);
+  path->needs(model);
+  command->add_option("--polygons", a->polygons, "at least so many polygons in the city")
+      ->capture_default_str()
+      ->check(CLI::Range(experiments::kSmallestCity, std::size_t{20'000'000}))
+      ->excludes(model);
+  command->add_option("--seed", a->seed, "whole number; same seed, same cities")->capture_default_str();
+  command
+      ->add_option("--only", a->only,
+                   "experiments, with commas: table2, figure4, sweeps, sort, growth (default: all; those "
+                   "of a MODEL without growth, which is about cities)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end())));
+  a->walk.add_size_to(*command);
+  a->walk.add_culling_to(*command);
+  command->add_option("--regions", a->options.regions, "grid regions of figure 4; sampling takes time for each")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24U));
+  command->add_option("--samples", a->options.samples, "viewpoints a region for depth complexity; 0 leaves its curves out")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1000}));
+  command->add_option("--repetitions", a->options.repetitions, "rounds in which everything timed is measured once")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
+  command->add_option("--largest", a->largest, "polygons of the largest city of the growth, up to 2e7")
+      ->capture_default_str();
+  command->add_flag("--no-render", a->no_render, "draw nothing: table 2 without frame times");
+  command->add_option("--out", a->out, "folder to write culler.json and culler.html to");
+  command->add_flag("--json", a->json, "print culler.json instead of tables");
+  command->callback([a] { bench_culler(*a); });
+}
+
+}  // namespace occlude::cli
