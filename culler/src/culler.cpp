@@ -49,7 +49,9 @@ Culler::Culler(const PolygonSoup& soup, const Preprocess& preprocess)
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   View view;
-  cull(camera, options, view);
+  CullOptions alone = options;
+  alone.probes = 0;  // there is no next frame
+  cull(camera, alone, view);
   return std::move(view.memory().result);
 }
 

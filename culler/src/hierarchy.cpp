@@ -64,7 +64,7 @@ std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, st
     nodes[i].first = at.first;
     nodes[i].count = at.count;
     if (left[i] == 0) continue;
-    if (at.depth == kDeepest) throw std::invalid_argument("the tree is deeper than any that is built");
+    if (at.depth == kDeepest) throw std::invalid_argument("the tree is too deep");
     if (left[i] >= at.count) throw std::invalid_argument("a node of the tree has no polygon");
     pending.push_back({at.first + left[i], at.count - left[i], at.depth + 1, i});
     pending.push_back({at.first, left[i], at.depth + 1, kNoParent});

@@ -151,14 +151,16 @@ class Choice {
   std::vector<Occluder>& chosen() { return memory_.result.occluders; }
   bool is_full() { return chosen().size() >= options_.occluders; }
 
-  /// Whether the occluder, or a larger one that it is a part of, is chosen from now on. Parts are for where their whole
-  /// cannot be used.
+  static bool is_in(std::span<const Occluder> occluders, std::uint32_t i) {
+    return std::ranges::find(occluders, i, &Occluder::index) != occluders.end();
+  }
+
+  /// Whether the occluder, or a larger one that it is a part of, is chosen from now on, or a probe. Parts are for where
+  /// their whole cannot be used.
   bool take(std::uint32_t i) {
     const std::uint32_t container = source_.occluders.container(i);
     if (container != i && take(container)) return true;
-    if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) {
-      return std::ranges::find(chosen(), i, &Occluder::index) != chosen().end();
-    }
+    if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) return is_in(chosen(), i) || is_in(memory_.probes, i);
     memory_.tried.push_back(i);
     set_loop(i);
     if (is_clipped() || is_in_shadow()) return false;

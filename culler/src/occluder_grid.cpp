@@ -21,6 +21,8 @@ struct Share {
   std::vector<std::uint64_t> counts;
 };
 
+/// Beyond this counting them would take all memory.
+constexpr double kMostRegions = 0x1p30;
 /// So many that all processors have work to the end, so few that their counts fit in a cache.
 constexpr std::size_t kShares = 16;
 
@@ -53,6 +55,10 @@ void OccluderGrid::for_each_region(const PotentialOccluder& occluder, double thr
 }
 
 OccluderGrid::OccluderGrid(const kernel::Aabb& box, const Config& config) : origin_{box.min.x, box.min.y, box.min.z} {
+  if (!(config.threshold > 0)) throw std::invalid_argument("the threshold of the grid must be above 0");
+  if (!(config.regions >= 1 && config.regions <= kMostRegions)) {
+    throw std::invalid_argument("the number of regions must be from 1 to 2^30");
+  }
   const glm::dvec3 extent{box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z};
   // Cubes of one edge e with about `regions` of them in the box; a flat box counts as at least 1/1000 thick so that e stays
   // in proportion to the model.

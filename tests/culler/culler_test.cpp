@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -16,6 +17,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "scenes.h"
+#include "view_memory.h"
 
 namespace {
 
@@ -368,6 +370,29 @@ TEST(Culler, HistoryFindsWhatHides) {
     ASSERT_EQ(original(culler, result.occluders[0]), 4U);
     ASSERT_EQ(result.occluders[0].hidden, 100U);
   }
+}
+
+/// A wall, its two triangles and the house that it is of would be asked the same.
+TEST(Culler, NoProbeIsPartOfAnOccluderInUseOrOfAnotherProbe) {
+  const Culler culler(random_town_of_houses(14, 2000));
+  std::mt19937 random(2);
+  View view;
+  std::size_t probes = 0;
+  for (int i = 0; i < 50; ++i) {
+    culler.cull(random_camera(random), {}, view);
+    std::vector<std::uint32_t> used;
+    for (const Occluder& o : view.result().occluders) used.push_back(o.index);
+    for (const Occluder& o : view.memory().probes) used.push_back(o.index);
+    for (const Occluder& probe : view.memory().probes) {
+      ++probes;
+      for (std::uint32_t p = probe.index; culler.occluders().container(p) != p;) {
+        p = culler.occluders().container(p);
+        EXPECT_EQ(std::ranges::count(used, p), 0) << "occluder " << probe.index << " is part of " << p;
+      }
+    }
+    EXPECT_LE(view.memory().probes.size(), CullOptions{}.probes);
+  }
+  EXPECT_GT(probes, 200U);
 }
 
 TEST(OccluderHistory, RemembersForAWhile) {

@@ -184,6 +184,14 @@ TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
             "a node of the tree has no polygon");
   EXPECT_EQ(refusal([](Preprocess& p) { p.layout.left.back() = 1000000; }), "a node of the tree has no polygon");
 
+  const auto chain = [](Preprocess& p) {  // a stack is not as deep as a file can be long
+    const std::size_t polygons = p.layout.order.size();
+    p.layout.left.clear();
+    for (std::size_t i = 0; i + 1 < polygons; ++i) p.layout.left.insert(p.layout.left.end(), {1, 0});
+    p.layout.left.push_back(0);
+  };
+  EXPECT_EQ(refusal(chain), "") << "some hundred levels are none too many";
+
   const auto many = static_cast<std::uint32_t>(Culler(soup, config).occluders().size());
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   EXPECT_EQ(refusal([&](Preprocess& p) { p.lists.occluders.back() = many - 1; }), "");
@@ -206,6 +214,28 @@ TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
   };
   EXPECT_EQ(refusal([&](Preprocess& p) { std::iter_swap(long_list(p), long_list(p) + 1); }), lists);
   EXPECT_EQ(refusal([&](Preprocess& p) { *(long_list(p) + 1) = *long_list(p); }), lists) << "an occluder twice";
+}
+
+TEST(Preprocess, RefusesTreesDeeperThanAStack) {
+  PolygonSoup soup;
+  for (int i = 0; i < 20000; ++i) add(soup, {{i, 0, 0}, {i, 1, 0}, {i, 0, 1}});
+  Hierarchy::Layout chain;
+  chain.order.resize(soup.size());
+  std::iota(chain.order.begin(), chain.order.end(), 0U);
+  for (std::size_t i = 0; i + 1 < soup.size(); ++i) chain.left.insert(chain.left.end(), {1, 0});
+  chain.left.push_back(0);
+  EXPECT_THROW(static_cast<void>(Hierarchy::restore(soup, {}, chain)), std::invalid_argument);
+}
+
+TEST(OccluderGrid, RefusesGridsThatCannotBe) {
+  const PolygonSoup soup = random_town(9, 20);
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  for (const double regions : {0.0, -8.0, 0.5, 1e30, nan, infinity}) {
+    EXPECT_THROW(Culler(soup, {.grid = {.threshold = 0.03, .regions = regions}}), std::invalid_argument);
+  }
+  for (const double threshold : {0.0, -1.0, nan}) {
+    EXPECT_THROW(Culler(soup, {.grid = {.threshold = threshold}}), std::invalid_argument);
+  }
 }
 
 TEST(Preprocess, RefusesAnotherModel) {

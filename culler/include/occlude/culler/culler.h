@@ -17,7 +17,7 @@ namespace occlude::culler {
 class Culler {
  public:
   /// Throws std::invalid_argument, with the vertex and the reason, for a soup that is empty or has a coordinate that is not
-  /// finite or out of the kernel's legal range.
+  /// finite or out of the kernel's legal range, and for a grid that cannot be.
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {});
   /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
   Culler(const PolygonSoup& soup, const Preprocess& preprocess);

@@ -21,7 +21,7 @@ class OccluderGrid {
   struct Config {
     /// An occluder is listed in every region that holds a viewpoint from which its area-angle exceeds this, steradians.
     double threshold = 0.01;
-    /// Number of regions aimed at.
+    /// Number of regions aimed at, from 1 to 2^30.
     double regions = 32768;
   };
 
@@ -40,7 +40,7 @@ class OccluderGrid {
   };
 
   /// A grid over `model`, which lists the occluders; degenerate ones are left out. The lists are conservative: the
-  /// area-angle is bounded from above over each region of the grid.
+  /// area-angle is bounded from above over each region of the grid. Throws std::invalid_argument for a config out of range.
   [[nodiscard]] static OccluderGrid build(const PotentialOccluders& occluders, const kernel::Aabb& model,
                                           const Config& config);
 
