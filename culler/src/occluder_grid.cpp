@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -105,16 +104,19 @@ OccluderGrid OccluderGrid::build(const PotentialOccluders& occluders, const kern
 OccluderGrid OccluderGrid::restore(const PotentialOccluders& occluders, const kernel::Aabb& model, const Config& config,
                                    Lists lists) {
   OccluderGrid grid(model, config);
-  const auto& [first, listed, hidden] = lists;
-  const auto ascends = [&](std::size_t region) {
-    const auto list = std::span(listed).subspan(first[region], first[region + 1] - first[region]);
-    return std::ranges::adjacent_find(list, std::ranges::greater_equal()) == list.end();
+  const auto ascend = [&] {
+    const auto& [first, listed, hidden] = lists;
+    for (std::size_t region = 0; region < grid.regions(); ++region) {
+      const auto list = std::span(listed).subspan(first[region], first[region + 1] - first[region]);
+      if (std::ranges::adjacent_find(list, std::ranges::greater_equal()) != list.end()) return false;
+    }
+    return true;
   };
   const auto is_sound = [&] {
+    const auto& [first, listed, hidden] = lists;
     return first.size() == grid.regions() + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
            first.back() == listed.size() && (hidden.empty() || hidden.size() == listed.size()) &&
-           std::ranges::all_of(listed, [&](std::uint32_t i) { return i < occluders.size(); }) &&
-           std::ranges::all_of(std::views::iota(std::size_t{0}, grid.regions()), ascends) &&
+           std::ranges::all_of(listed, [&](std::uint32_t i) { return i < occluders.size(); }) && ascend() &&
            std::ranges::all_of(hidden, [](float h) { return h >= 0 && std::isfinite(h); });
   };
   if (!is_sound()) throw std::invalid_argument("the lists of occluders are not of this model");
