@@ -148,10 +148,10 @@ TEST(SolidAngle, OfTriangles) {
   EXPECT_DOUBLE_EQ(solid_angle(y, x, z), -kPi / 2);
   EXPECT_EQ(solid_angle(x, x, z), 0);
   EXPECT_DOUBLE_EQ(std::fabs(solid_angle(x, y, -x - y)), 2 * kPi) << "the eye in the triangle: half of all directions";
-  // Faces of the regular tetrahedron about the eye.
-  EXPECT_DOUBLE_EQ(solid_angle({1, 1, 1}, {1, -1, -1}, {-1, 1, -1}) < 0 ? -solid_angle({1, 1, 1}, {1, -1, -1}, {-1, 1, -1})
-                                                                        : solid_angle({1, 1, 1}, {1, -1, -1}, {-1, 1, -1}),
-                   kPi);
+  // The regular tetrahedron about the eye.
+  const glm::dvec3 a{1, 1, 1}, b{1, -1, -1}, c{-1, 1, -1};
+  EXPECT_DOUBLE_EQ(std::fabs(solid_angle(a, b, c)), kPi);
+  EXPECT_DOUBLE_EQ(std::fabs(solid_angle(2.0 * a, 3.0 * b, 7.0 * c)), kPi);
 }
 
 TEST(SeenSize, OfPolygonsAndShells) {
