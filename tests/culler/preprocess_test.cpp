@@ -43,6 +43,7 @@ TEST(Preprocess, APreparedModelIsTheSame) {
     const BuildConfig config = small_config(bounds);
     const Culler fresh(soup, config), prepared(soup, preprocess(soup, config, {}));
     EXPECT_EQ(prepared.hierarchy().oriented(), fresh.hierarchy().oriented());
+    EXPECT_EQ(prepared.hierarchy().oriented() > 0, bounds == Bounds::obb);
     for (std::size_t p = 0; p < soup.size(); ++p) {
       ASSERT_EQ(prepared.hierarchy().original(p), fresh.hierarchy().original(p));
     }
@@ -181,6 +182,10 @@ TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
   EXPECT_EQ(refusal([](Preprocess& p) { p.layout.left.push_back(0); }), "the tree has more nodes than it holds together");
   EXPECT_EQ(refusal([](Preprocess& p) { p.layout.left[0] = 0; }), "the tree has more nodes than it holds together");
   EXPECT_EQ(refusal([&](Preprocess& p) { p.layout.left[0] = static_cast<std::uint32_t>(soup.size()); }),
+            "a node of the tree has no polygon");
+  EXPECT_EQ(refusal([&](Preprocess& p) {
+              p.layout.left = {static_cast<std::uint32_t>(soup.size()), 0, 0};
+            }),
             "a node of the tree has no polygon");
   EXPECT_EQ(refusal([](Preprocess& p) { p.layout.left.back() = 1000000; }), "a node of the tree has no polygon");
 
