@@ -259,9 +259,29 @@ std::vector<bool> drawn_of(const Culler& culler, const CullResult& result) {
   return drawn;
 }
 
+/// Whether the shadow is the one that the occluder casts from here, whatever was seen of it in the frames before.
+bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
+                      const culler::Occluder& occluder) {
+  const dvec3 at = camera.projection == culler::Projection::perspective ? camera.eye : camera.axes().forward;
+  const kernel::Vec3 value{at.x, at.y, at.z};
+  const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
+                                                                              : kernel::Viewpoint::direction(value);
+  const culler::OccluderGeometry geometry = culler.occluders().geometry(culler.hierarchy().soup(), occluder.index);
+  const auto* const polygon = std::get_if<Polygon>(&geometry);
+  const kernel::ShadowFrustumResult fresh =
+      polygon ? kernel::ShadowFrustum::make(viewpoint, *polygon, options.near)
+              : kernel::ShadowFrustum::make(viewpoint, culler.occluders().polytope(occluder.index), options.near);
+  return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
+         fresh.frustum->near_count() == occluder.frustum.near_count() &&
+         std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());
+}
+
 std::string fault_of_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
                            const CullResult& result) {
   if (std::string fault = fault_of(culler, camera, options, result); !fault.empty()) return fault;
+  for (const culler::Occluder& occluder : result.occluders) {
+    if (!is_of_this_frame(culler, camera, options, occluder)) return "a shadow is not the one that its occluder casts";
+  }
   // An oriented box sticks out of the one above it, into shadows that were dropped there and that may hide a corner of it.
   const bool may_draw_more = options.unions && culler.hierarchy().oriented() != 0;
   const bool is_same =
