@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "command_arguments.h"
 #include "commands.h"
@@ -29,19 +29,6 @@ struct Arguments {
   bool json = false;
 };
 
-/// Shown on one line when somebody is watching, and stopped by Ctrl-C.
-class Watch {
- public:
-  void operator()(std::size_t done, std::size_t all) {
-    render::check_interrupt();
-    if (!progress_) progress_.emplace("region", all);
-    progress_->update(done);
-  }
-
- private:
-  std::optional<render::Progress> progress_;
-};
-
 void preprocess(Arguments& arguments) {
   check_distinct({arguments.model, arguments.out});
   culler::BuildConfig config = arguments.build.config();
@@ -53,7 +40,7 @@ void preprocess(Arguments& arguments) {
   render::OutputFile file(arguments.out);
   const auto start = std::chrono::steady_clock::now();
   const culler::Preprocess result = [&] {
-    Watch watch;
+    render::Watch watch("region");
     return culler::preprocess(soup, config, arguments.samples, std::ref(watch));
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -48,6 +48,14 @@ std::vector<Side> sides_of(const PolygonSoup& soup) {
 
 }  // namespace
 
+std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup) {
+  std::vector<std::uint32_t> polygon_of(soup.indices.size());
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    std::fill_n(polygon_of.begin() + soup.first[p], soup.loop(p).size(), p);
+  }
+  return polygon_of;
+}
+
 std::vector<SidePair> find_adjacency(const PolygonSoup& soup) {
   std::vector<Side> sides = sides_of(soup);
   std::ranges::sort(sides);

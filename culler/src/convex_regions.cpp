@@ -79,27 +79,31 @@ class Merging {
         joined_(soup.size()),
         sets_(soup.size()),
         is_convex_(soup.size()),
-        polygon_of_(soup.indices.size()) {
+        polygon_of_(polygon_of_sides(soup)) {
     for (std::uint32_t p = 0; p < soup.size(); ++p) {
       const auto loop = soup.loop(p);
       const glm::dvec3 area = doubled_area(soup, loop);
       is_convex_[p] = turns_with(soup, loop, area);
       sets_[p] = {static_cast<std::uint32_t>(loop.size()), soup.first[p], is_convex_[p] ? area : glm::dvec3{0, 0, 0}};
-      std::fill_n(polygon_of_.begin() + soup.first[p], loop.size(), p);
     }
     for (const auto& [length, side, twin] : adjacency) try_to_join(side, twin);
   }
 
-  [[nodiscard]] std::uint32_t set_of(std::uint32_t polygon) { return joined_.find(polygon); }
+  /// Calls visit(polygons) for every set.
+  template <class Visit>
+  void for_each_set(Visit&& visit) {
+    joined_.for_each_set(visit);
+  }
   /// Whether the polygon is convex, as far as doubles tell.
   [[nodiscard]] bool is_convex(std::uint32_t polygon) const { return is_convex_[polygon]; }
-  /// The corners of the set; of a polygon alone in the order given.
-  void append_loop(std::uint32_t set, std::vector<std::uint32_t>& vertices) const {
-    std::uint32_t side = sets_[set].side;
+  /// The corners of the set that the polygon is in; of a polygon alone in the order given.
+  void append_loop(std::uint32_t polygon, std::vector<std::uint32_t>& vertices) {
+    const std::uint32_t first = sets_[joined_.find(polygon)].side;
+    std::uint32_t side = first;
     do {
       vertices.push_back(soup_.indices[side]);
       side = sides_.next(side);
-    } while (side != sets_[set].side);
+    } while (side != first);
   }
 
  private:
@@ -114,7 +118,7 @@ class Merging {
   }
 
   void try_to_join(std::uint32_t side, std::uint32_t twin) {
-    const std::uint32_t a = set_of(polygon_of_[side]), b = set_of(polygon_of_[twin]);
+    const std::uint32_t a = joined_.find(polygon_of_[side]), b = joined_.find(polygon_of_[twin]);
     if (a == b || sets_[a].sides + sets_[b].sides > kMostSides + 2) return;
     const glm::dvec3 &area = sets_[a].area, &other = sets_[b].area, sum = area + other;
     if (!(glm::dot(area, other) > kFlat * glm::length(area) * glm::length(other))) return;
@@ -177,19 +181,15 @@ ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SideP
   result.whole_ = result.polygons_;
 
   Merging merging(soup, adjacency);
-  std::vector<std::uint32_t> by_set = result.polygons_;
-  std::ranges::stable_sort(by_set, {}, [&](std::uint32_t p) { return merging.set_of(p); });
-  for (std::size_t first = 0, end = 0; first < count; first = end) {
-    const std::uint32_t set = merging.set_of(by_set[first]);
-    while (end < count && merging.set_of(by_set[end]) == set) ++end;
-    if (end - first == 1) continue;
-    for (std::size_t i = first; i < end; ++i) {
-      result.whole_[by_set[i]] = static_cast<std::uint32_t>(result.size());
-      result.polygons_.push_back(by_set[i]);
+  merging.for_each_set([&](std::span<const std::uint32_t> polygons) {
+    if (polygons.size() == 1) return;
+    for (const std::uint32_t p : polygons) {
+      result.whole_[p] = static_cast<std::uint32_t>(result.size());
+      result.polygons_.push_back(p);
     }
-    merging.append_loop(set, result.vertices_);
+    merging.append_loop(polygons.front(), result.vertices_);
     result.end_region();
-  }
+  });
 
   result.first_piece_ = static_cast<std::uint32_t>(result.size());
   for (std::uint32_t p = 0; p < count; ++p) {

@@ -2,7 +2,6 @@
 #include "occlude/culler/convex_shells.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "bounds.h"
@@ -17,33 +16,23 @@ constexpr std::size_t kMostFaces = 64;
 /// A tetrahedron.
 constexpr std::size_t kLeastFaces = 4;
 
-/// What holds together edge to edge, the polygons of each part in ascending order, one part after another.
+/// What holds together edge to edge.
 class Parts {
  public:
-  Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency)
-      : sets_(soup.size()), order_(soup.size()), paired_(soup.size()) {
-    std::vector<std::uint32_t> polygon_of(soup.indices.size());
-    for (std::uint32_t p = 0; p < soup.size(); ++p) {
-      std::fill_n(polygon_of.begin() + soup.first[p], soup.loop(p).size(), p);
-    }
+  Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency) : sets_(soup.size()), paired_(soup.size()) {
+    const std::vector<std::uint32_t> polygon_of = polygon_of_sides(soup);
     for (const auto& [length, side, twin] : adjacency) {
       const std::uint32_t p = polygon_of[side], q = polygon_of[twin];
       ++paired_[p];
       ++paired_[q];
       if (const std::uint32_t a = sets_.find(p), b = sets_.find(q); a != b) sets_.join(a, b);
     }
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::ranges::stable_sort(order_, {}, [&](std::uint32_t p) { return sets_.find(p); });
   }
 
   /// Calls visit(polygons) for every part.
   template <class Visit>
   void for_each(Visit&& visit) {
-    for (std::size_t first = 0, end = 0; first < order_.size(); first = end) {
-      const std::uint32_t set = sets_.find(order_[first]);
-      while (end < order_.size() && sets_.find(order_[end]) == set) ++end;
-      visit(std::span(order_).subspan(first, end - first));
-    }
+    sets_.for_each_set(visit);
   }
 
   /// How many sides of the polygon run along a side of another in the opposite direction.
@@ -51,7 +40,7 @@ class Parts {
 
  private:
   DisjointSets sets_;
-  std::vector<std::uint32_t> order_, paired_;
+  std::vector<std::uint32_t> paired_;  ///< of each polygon
 };
 
 }  // namespace

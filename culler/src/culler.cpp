@@ -41,11 +41,12 @@ Culler::Culler(const PolygonSoup& soup, const BuildConfig& config)
       occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders)),
       grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
 
-Culler::Culler(const PolygonSoup& soup, const Preprocess& preprocess)
+Culler::Culler(const PolygonSoup& soup, Preprocess preprocess)
     : config_(preprocess.config),
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders)),
-      grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid, preprocess.lists)) {}
+      grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid,
+                                  std::move(preprocess.lists))) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   View view;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <variant>
 
 #include "bounds.h"
 #include "candidate_order.h"
@@ -14,8 +15,7 @@
 namespace occlude::culler {
 namespace {
 
-/// Occluders whose shadows are made at a viewpoint, as many as a word has bits. Of these 64 the eight best cull nearly all
-/// that the eight best of any number do.
+/// Occluders whose shadows are made at a viewpoint, as many as a word has bits.
 constexpr std::size_t kPool = 64;
 /// Occluders told apart by what they hide: more than any frame uses of one region.
 constexpr std::size_t kMostTaken = 32;
@@ -47,18 +47,22 @@ class Pool {
   [[nodiscard]] std::uint32_t occluder(std::size_t i) const { return named_[i]; }
 
  private:
+  [[nodiscard]] auto shadow(std::uint32_t i) const {
+    const auto viewpoint = kernel::Viewpoint::eye(to_kernel(eye_));
+    if (occluders_.is_shell(i)) {
+      return kernel::ShadowFrustum::make(viewpoint, occluders_.polytope(i), kernel::Near::surface);
+    }
+    const auto loop = std::get<std::vector<kernel::Vec3>>(occluders_.geometry(soup_, i));
+    return kernel::ShadowFrustum::make(viewpoint, loop, kernel::Near::surface);
+  }
+
   /// The largest that i is a part of and that casts a shadow from here.
   bool take(std::uint32_t i) {
     const std::uint32_t container = occluders_.container(i);
     if (container != i && take(container)) return true;
     if (std::ranges::find(taken_, i) != taken_.end()) return true;
     if (std::ranges::find(refused_, i) != refused_.end() || frusta_.size() == kPool) return false;
-    const auto viewpoint = kernel::Viewpoint::eye(to_kernel(eye_));
-    const OccluderGeometry geometry = occluders_.geometry(soup_, i);
-    const auto* const polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry);
-    auto [frustum, refusal] = polygon
-                                  ? kernel::ShadowFrustum::make(viewpoint, *polygon, kernel::Near::surface)
-                                  : kernel::ShadowFrustum::make(viewpoint, occluders_.polytope(i), kernel::Near::surface);
+    auto [frustum, refusal] = shadow(i);
     if (!frustum) {
       refused_.push_back(i);
       return false;

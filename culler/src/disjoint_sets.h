@@ -2,9 +2,11 @@
 // Union-find over 0, ..., n - 1.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,19 @@ class DisjointSets {
   }
   /// Joins the sets that roots a and b stand for; a stands for both.
   void join(std::uint32_t a, std::uint32_t b) { parent_[b] = a; }
+
+  /// Calls visit(members) for every set, of the least root first, with its members in ascending order.
+  template <class Visit>
+  void for_each_set(Visit&& visit) {
+    std::vector<std::uint32_t> order(parent_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return find(i); });
+    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+      const std::uint32_t root = find(order[first]);
+      while (end < order.size() && find(order[end]) == root) ++end;
+      visit(std::span<const std::uint32_t>(order).subspan(first, end - first));
+    }
+  }
 
  private:
   std::vector<std::uint32_t> parent_;

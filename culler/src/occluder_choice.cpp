@@ -24,9 +24,10 @@ double weighted(double criterion, double weight) {
   return weight == 0 ? 1 : weight == 1 ? criterion : std::pow(criterion, weight);
 }
 
-/// The least depth of a vertex at which the renderer is sure not to clip it: the near plane and a margin far above the
-/// rounding of its single precision, 2^-23 of the distances involved.
-constexpr double kNearMargin = 1 + 0x1p-10;
+/// Shares of the near plane's distance and of a vertex's own by which the vertex must be beyond the near plane, so that the
+/// renderer is sure not to clip it: a sum of three products of the vertex in single precision is out by up to 2^-21 of its
+/// distance, and what it is compared with by 2^-23 of the near plane's.
+constexpr double kNearMargin = 0x1p-10, kDepthMargin = 0x1p-20;
 
 /// Frusta go from one occluder to another, and would grow again and again until each of them has been the largest. Nearly
 /// all have no more planes, those of the profile included.
@@ -179,8 +180,10 @@ class Choice {
   }
 
   bool is_clipped() const {
+    const double least = camera_.near + kNearMargin * camera_.near;
     return std::ranges::any_of(memory_.loop, [&](const kernel::Vec3& v) {
-      return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera_.eye, forward_) < camera_.near * kNearMargin;
+      const glm::dvec3 from_eye = glm::dvec3{v.x, v.y, v.z} - camera_.eye;
+      return glm::dot(from_eye, forward_) < least + kDepthMargin * glm::length(from_eye);
     });
   }
 

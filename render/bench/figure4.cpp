@@ -2,6 +2,7 @@
 #include "figure4.h"
 
 #include <algorithm>
+#include <functional>
 #include <mutex>
 
 #include "occlude/culler/culler.h"
@@ -49,12 +50,8 @@ std::vector<Mix> mixes(bool are_sampled) {
 /// The model with what its occluders hide as sampled.
 culler::Culler sampled(const Subject& subject, const Options& options, const culler::BuildConfig& config) {
   const culler::SampleConfig samples{.viewpoints = options.samples};
-  std::optional<render::Progress> progress;
-  return {subject.soup, culler::preprocess(subject.soup, config, samples, [&](std::size_t done, std::size_t all) {
-            render::check_interrupt();
-            if (!progress) progress.emplace("figure 4: sampled regions", all);
-            progress->update(done);
-          })};
+  render::Watch watch("figure 4: sampled regions");
+  return {subject.soup, culler::preprocess(subject.soup, config, samples, std::ref(watch))};
 }
 
 }  // namespace

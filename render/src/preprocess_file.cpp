@@ -6,12 +6,12 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "input_file.h"
 #include "occlude/render/errors.h"
@@ -97,13 +97,6 @@ class Reader {
   std::string_view bytes_, rest_;
 };
 
-/// Grids of this many regions fit in memory, and their sizes in the arithmetic that finds them.
-constexpr double kMostRegions = 1e9;
-
-bool is_sound(const culler::OccluderGrid::Config& grid) {
-  return grid.threshold > 0 && std::isfinite(grid.threshold) && grid.regions >= 1 && grid.regions <= kMostRegions;
-}
-
 }  // namespace
 
 void write_preprocess(OutputFile& file, const culler::PolygonSoup& soup, const culler::Preprocess& preprocess) {
@@ -151,16 +144,16 @@ culler::Preprocess read_preprocess(const std::filesystem::path& file, const cull
   lists.hidden = reader.get_all<float>();
   reader.end();
   if (model != fingerprint(soup)) reader.fail("made of another model: preprocess this one");
-  if (bounds > 1 || shells > 1 || !is_sound(config.grid)) reader.fail("a setting that cannot be right");
+  if (bounds > 1 || shells > 1) reader.fail("a setting that cannot be right");
   return result;
 }
 
 culler::Culler make_culler(const culler::PolygonSoup& soup, const culler::BuildConfig& config,
                            const std::filesystem::path& preprocess_file) {
   if (preprocess_file.empty()) return culler::Culler(soup, config);
-  const culler::Preprocess preprocess = read_preprocess(preprocess_file, soup);
+  culler::Preprocess preprocess = read_preprocess(preprocess_file, soup);
   try {
-    return culler::Culler(soup, preprocess);
+    return culler::Culler(soup, std::move(preprocess));
   } catch (const std::invalid_argument& error) {
     throw InputError(preprocess_file.string() + ": " + error.what());
   }

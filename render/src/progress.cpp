@@ -42,6 +42,12 @@ void Progress::update(std::size_t done) {
   std::fflush(stderr);
 }
 
+void Watch::operator()(std::size_t done, std::size_t total) {
+  check_interrupt();
+  if (!progress_) progress_.emplace(label_, total);
+  progress_->update(done);
+}
+
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = on_interrupt;  // without SA_RESTART: a read that waits ends

@@ -225,16 +225,6 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
   }
 }
 
-template <class Call>
-std::string refusal(Call&& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_EQ(refusal([] { Culler(PolygonSoup{}); }), "the soup has no polygon");
   PolygonSoup soup = random_town(4, 100);

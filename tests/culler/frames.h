@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "occlude/culler/culler.h"
@@ -44,6 +46,17 @@ inline Camera random_camera(std::mt19937& random) {
   if (random() % 3 == 0) camera.far = 40;
   camera.height = 20;
   return camera;
+}
+
+/// What `call` throws std::invalid_argument with; "" when it does not.
+template <class Call>
+std::string refusal(Call&& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
 }
 
 /// The polygon of the input that is the occluder.

@@ -73,6 +73,19 @@ TEST(NearPlane, APolygonThatItCutsHidesNothing) {
   EXPECT_FALSE(is_drawn(culler, look(culler), 1));
 }
 
+/// What a renderer makes of a corner that is far beside the eye and almost on the near plane is a matter of its rounding.
+TEST(NearPlane, APolygonThatRoundingMayCutHidesNothing) {
+  const auto hides = [](double depth) {
+    PolygonSoup soup;
+    add(soup, {{2, -2, -2}, {2, 2, -2}, {2, 2, 2}, {depth, -3e4, 2}});
+    add_wall(soup, 9, -1, 1, -1, 1);
+    const Culler culler = far_reaching(soup);
+    return !is_drawn(culler, look(culler), 1);
+  };
+  EXPECT_FALSE(hides(0.11));
+  EXPECT_TRUE(hides(0.13)) << "2^-20 of the distance beyond the near plane";
+}
+
 /// A prism along y over a triangle in x and z that has one corner at (tip, tip).
 void add_prism(PolygonSoup& soup, double tip) {
   std::array<std::uint32_t, 6> v{};

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "frames.h"
 #include "object_tree.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
@@ -55,17 +56,6 @@ std::vector<Box> random_boxes(std::mt19937& random, std::size_t count) {
   std::vector<Box> boxes;
   while (boxes.size() < count) boxes.push_back(random_box(random));
   return boxes;
-}
-
-Camera random_camera(std::mt19937& random) {
-  const auto number = [&](double low, double high) { return uniform(random, low, high); };
-  Camera camera;
-  camera.eye = {number(-45, 45), number(-45, 45), number(0.5, 4)};
-  camera.target = camera.eye + glm::dvec3{number(-1, 1), number(-1, 1), number(-0.2, 0.2)};
-  if (random() % 4 == 0) camera.projection = Projection::orthographic;
-  if (random() % 3 == 0) camera.far = 40;
-  camera.height = 20;
-  return camera;
 }
 
 /// What a frame is to draw: every box asked about every half-space and every shadow.
@@ -453,16 +443,6 @@ TEST(Scene, ASolidHidesWhatIsBehindIt) {
   EXPECT_EQ(scene.cull(Camera{}, {}, view).statics, Ids{0});
   ASSERT_EQ(view.frame().occluders.size(), 1U);
   EXPECT_TRUE(scene.occluders().is_shell(view.frame().occluders[0].index));
-}
-
-template <class Call>
-std::string refusal(Call&& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Scene, RefusesWhatCannotBeRightAndChangesNothing) {

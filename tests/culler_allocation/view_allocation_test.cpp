@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A view that has been along a path before allocates nothing on it.
-#include "occlude/culler/view.h"
-
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -9,6 +7,7 @@
 #include "allocations.h"
 #include "culler/scenes.h"
 #include "occlude/culler/culler.h"
+#include "occlude/culler/view.h"
 
 namespace {
 

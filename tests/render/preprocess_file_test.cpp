@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -108,17 +109,29 @@ TEST_F(PreprocessFileTest, IsOfOneModel) {
   }
 }
 
-TEST_F(PreprocessFileTest, ArraysThatCannotBeOfTheModel) {
+TEST_F(PreprocessFileTest, WhatCannotBeOfTheModel) {
+  const auto refusal = [&](const culler::Preprocess& wrong) -> std::string {
+    OutputFile output(file());
+    write_preprocess(output, soup_, wrong);
+    output.commit();
+    try {
+      static_cast<void>(make_culler(soup_, {}, file()));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal(preprocess_), "");
   culler::Preprocess wrong = preprocess_;
   wrong.layout.order[3] = wrong.layout.order[4];
-  OutputFile output(file());
-  write_preprocess(output, soup_, wrong);
-  output.commit();
-  try {
-    static_cast<void>(make_culler(soup_, {}, file()));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), file().string() + ": the order is not one of this model");
+  EXPECT_EQ(refusal(wrong), file().string() + ": the order is not one of this model");
+  wrong = preprocess_;
+  wrong.config.grid.threshold = std::nan("");
+  EXPECT_EQ(refusal(wrong), file().string() + ": the threshold of the grid must be above 0");
+  for (const double regions : {0.0, 0x1p31, std::nan(""), HUGE_VAL}) {
+    wrong = preprocess_;
+    wrong.config.grid.regions = regions;
+    EXPECT_EQ(refusal(wrong), file().string() + ": the number of regions must be from 1 to 2^30");
   }
 }
 

@@ -15,6 +15,9 @@ struct SidePair {
   std::uint32_t side, twin;
 };
 
+/// The polygon of each side.
+[[nodiscard]] std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup);
+
 /// Sides along one edge in opposite directions, with no third there, by equal coordinates: the longest first.
 [[nodiscard]] std::vector<SidePair> find_adjacency(const PolygonSoup& soup);
 

@@ -20,7 +20,7 @@ class Culler {
   /// finite or out of the kernel's legal range, and for a grid that cannot be.
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {});
   /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
-  Culler(const PolygonSoup& soup, const Preprocess& preprocess);
+  Culler(const PolygonSoup& soup, Preprocess preprocess);
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
   /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().

@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace occlude::render {
 
@@ -25,6 +27,19 @@ class Progress {
   std::size_t total_;
   Clock::time_point start_, last_;
   bool terminal_, shown_ = false;
+};
+
+/// Progress as work reports it that knows its total when it begins: called with (done, total). Throws Interrupted when the
+/// user wishes to stop.
+class Watch {
+ public:
+  explicit Watch(std::string label) : label_(std::move(label)) {}
+
+  void operator()(std::size_t done, std::size_t total);
+
+ private:
+  std::string label_;
+  std::optional<Progress> progress_;
 };
 
 /// From now on Ctrl-C (and SIGTERM, SIGHUP) only sets a flag, and a closed pipe is an error of writing.
