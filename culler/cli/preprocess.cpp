@@ -49,19 +49,20 @@ void preprocess(Arguments& arguments) {
   const culler::OccluderGrid::Lists& lists = result.lists;
   const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
   if (arguments.json) {
-    const nlohmann::ordered_json summary{{"polygons", soup.size()},
-                                         {"nodes", result.layout.left.size()},
-                                         {"regions", lists.first.size() - 1},
-                                         {"listed", lists.occluders.size()},
-                                         {"found_to_hide", hide},
-                                         {"bytes", std::filesystem::file_size(arguments.out)},
-                                         {"seconds", seconds}};
+    const nlohmann::ordered_json summary{
+        {"polygons", soup.size()},
+        {"nodes", result.layout.left.size()},
+        {"regions", lists.first.size() - 1},
+        {"listed", lists.occluders.size()},
+        {"found_to_hide", lists.hidden.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(hide)},
+        {"bytes", std::filesystem::file_size(arguments.out)},
+        {"seconds", seconds}};
     fmt::print("{}\n", summary.dump(2));
     return;
   }
-  fmt::print("{}: {} polygons, {} nodes; {} regions list {} occluders, {} of them found to hide something; {:.1f} s\n",
-             arguments.out, soup.size(), result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), hide,
-             seconds);
+  const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
+  fmt::print("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out, soup.size(),
+             result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled, seconds);
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ void add_preprocess(CLI::App& app, int&) {
   command->add_option("--threshold", a->grid.grid.threshold, "steradians above which a region lists an occluder")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 10.0));
-  command->add_option("--samples", a->samples.viewpoints, "viewpoints sampled in each region; 0: none, in seconds")
+  command->add_option("--samples", a->samples.viewpoints, "viewpoints sampled in each region: minutes for a large model")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{1000}));
   command->add_option("--pattern", a->pattern, "how viewpoints are spread")

@@ -117,6 +117,8 @@ grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in t
   fail "preprocess: $(cat stdout)"
 "$occlude" preprocess slanting.ply --out again.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 --json >/dev/null
 "$occlude" preprocess good.ply --out good.pre --regions 64 --json >stdout || fail "preprocess --json"
+grep -q '"found_to_hide": null' stdout || fail "preprocess samples unasked: $(cat stdout)"
+"$occlude" preprocess good.ply --out good.pre --regions 64 --samples 1 --json >stdout || fail "preprocess --samples --json"
 grep -q '"found_to_hide": [1-9]' stdout || fail "preprocess sampled nothing: $(cat stdout)"
 cmp -s slanting.pre again.pre || fail "preprocess: two runs differ"
 "$occlude" walk slanting.ply --path path.json --out prepared --no-render --preprocess slanting.pre --witness prepared.jsonl \

@@ -41,7 +41,7 @@ TEST(Preprocess, APreparedModelIsTheSame) {
   const PolygonSoup soup = random_town_of_houses(6, 1000);
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
     const BuildConfig config = small_config(bounds);
-    const Culler fresh(soup, config), prepared(soup, preprocess(soup, config, {}));
+    const Culler fresh(soup, config), prepared(soup, preprocess(soup, config, {.viewpoints = 1}));
     EXPECT_EQ(prepared.hierarchy().oriented(), fresh.hierarchy().oriented());
     EXPECT_EQ(prepared.hierarchy().oriented() > 0, bounds == Bounds::obb);
     for (std::size_t p = 0; p < soup.size(); ++p) {
@@ -78,7 +78,7 @@ PolygonSoup pavement_and_walls() {
 TEST(Preprocess, WhatOccludersHideChoosesThem) {
   const PolygonSoup soup = pavement_and_walls();
   const BuildConfig config{.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}};
-  Preprocess known = preprocess(soup, config, {.viewpoints = 0});
+  Preprocess known = preprocess(soup, config, {});
   const Culler fresh(soup, config);
   for (const std::uint32_t i : known.lists.occluders) {
     const std::uint32_t polygon = fresh.hierarchy().original(fresh.occluders().parts(i)[0]);
@@ -133,7 +133,7 @@ TEST(Preprocess, IsTheSameInEveryRun) {
 
 TEST(Preprocess, WithoutViewpointsNothingIsSampled) {
   const PolygonSoup soup = random_town_of_houses(7, 300);
-  const Preprocess result = preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 0});
+  const Preprocess result = preprocess(soup, small_config(Bounds::aabb), {});
   EXPECT_FALSE(result.lists.occluders.empty());
   EXPECT_TRUE(result.lists.hidden.empty());
   EXPECT_NO_THROW(Culler(soup, result));
@@ -142,23 +142,24 @@ TEST(Preprocess, WithoutViewpointsNothingIsSampled) {
 TEST(Preprocess, TellsHowFarItIsAndStopsWhenThatThrows) {
   const PolygonSoup soup = random_town_of_houses(7, 300);
   std::size_t calls = 0, last = 0, total = 0;
-  const Preprocess result = preprocess(soup, small_config(Bounds::aabb), {}, [&](std::size_t done, std::size_t all) {
-    ++calls;
-    EXPECT_EQ(done, last + 1);
-    last = done;
-    total = all;
-  });
+  const Preprocess result =
+      preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 1}, [&](std::size_t done, std::size_t all) {
+        ++calls;
+        EXPECT_EQ(done, last + 1);
+        last = done;
+        total = all;
+      });
   EXPECT_EQ(last, total);
   EXPECT_EQ(calls, result.lists.first.size() - 1);
   const auto stop = [](std::size_t, std::size_t) { throw std::runtime_error("stopped"); };
-  EXPECT_THROW(static_cast<void>(preprocess(soup, small_config(Bounds::aabb), {}, stop)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 1}, stop)), std::runtime_error);
 }
 
 /// Numbers that cannot be those of this model would lead out of its arrays.
 TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
   const PolygonSoup soup = random_town_of_houses(9, 300);
   const BuildConfig config = small_config(Bounds::aabb);
-  const Preprocess sound = preprocess(soup, config, {});
+  const Preprocess sound = preprocess(soup, config, {.viewpoints = 1});
   const auto refusal = [&](const std::function<void(Preprocess&)>& change) -> std::string {
     Preprocess changed = sound;
     change(changed);
@@ -245,7 +246,7 @@ TEST(OccluderGrid, RefusesGridsThatCannotBe) {
 
 TEST(Preprocess, RefusesAnotherModel) {
   const PolygonSoup soup = random_town_of_houses(9, 300);
-  const Preprocess of_soup = preprocess(soup, small_config(Bounds::aabb), {});
+  const Preprocess of_soup = preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 1});
   EXPECT_THROW(Culler(random_town_of_houses(9, 320), of_soup), std::invalid_argument);
   PolygonSoup stretched = soup;
   for (glm::dvec3& v : stretched.vertices) v.z *= 3;
@@ -261,7 +262,7 @@ TEST(Preprocess, RefusesAnotherModel) {
 TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
   const PolygonSoup soup = random_town_of_houses(10, 600);
   const BuildConfig config = small_config(Bounds::obb);
-  Preprocess prepared = preprocess(soup, config, {});
+  Preprocess prepared = preprocess(soup, config, {.viewpoints = 1});
   std::mt19937 random(3);
   std::ranges::shuffle(prepared.lists.hidden, random);
   const std::size_t all = Culler(soup, config).occluders().size();

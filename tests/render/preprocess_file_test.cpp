@@ -62,7 +62,8 @@ class PreprocessFileTest : public testing::Test {
 
   culler::PolygonSoup soup_ = walls(40);
   culler::Preprocess preprocess_ = culler::preprocess(
-      soup_, {.hierarchy = {.leaf_size = 2, .bounds = culler::Bounds::obb}, .grid = {.threshold = 0.1, .regions = 64}}, {});
+      soup_, {.hierarchy = {.leaf_size = 2, .bounds = culler::Bounds::obb}, .grid = {.threshold = 0.1, .regions = 64}},
+      {.viewpoints = 1});
   std::filesystem::path folder_;
 };
 

@@ -28,7 +28,8 @@ struct SampleConfig {
     random,  ///< independent points
   };
   Pattern pattern = Pattern::even;
-  std::size_t viewpoints = 1;  ///< in each region
+  /// In each region; 0: none. Minutes for a large model, worth much only to frames that have no past (culler/README.md).
+  std::size_t viewpoints = 0;
   std::uint64_t seed = 1;
 };
 
