@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The rays from a viewpoint as points of a projective plane, where everything that visibility asks about is linear.
+//
+// With W = -(eye, 1), or (direction, 0) for an eye at infinity, the points of a ray are R + t W for all t. One coordinate k
+// with W_k != 0 is dropped: R has R_k = 0, and a ray is what is left, three numbers, of which a positive multiple is the
+// same ray. A plane P, as a linear form on (x, 1), is met by the ray R at X = P(W) R - P(R) W. Whether X lies on the inner
+// side of a plane Q is the sign of P(W) Q(R) - P(R) Q(W): linear in R again.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "numbers.h"
+
+namespace occlude::oracle {
+
+/// A linear form on points (x, y, z, 1).
+template <class N>
+using Form = std::array<N, 4>;
+
+class Rays {
+ public:
+  explicit Rays(const Viewpoint& view);
+
+  /// The ray through a point: in front of the eye, the point itself less the eye.
+  template <class N>
+  [[nodiscard]] Vector<N> through(const Point& p) const {
+    const std::array<N, 4> x{N(p[0]), N(p[1]), N(p[2]), N(1)};
+    return kept<N>([&](std::size_t i) -> N { return N(scale_) * x[i] - x[dropped_] * N(towards_ * w_[i]); });
+  }
+
+  /// P(W).
+  template <class N>
+  [[nodiscard]] N at_viewpoint(const Form<N>& form) const {
+    return form[0] * N(w_[0]) + form[1] * N(w_[1]) + form[2] * N(w_[2]) + form[3] * N(w_[3]);
+  }
+
+  /// Of a ray, whether the point where it meets `plane` is on the inner side of `other`: that form, on rays. REQUIRES:
+  /// P(W) > 0.
+  template <class N>
+  [[nodiscard]] Vector<N> side_of_meeting(const Form<N>& plane, const Form<N>& other) const {
+    const N p = at_viewpoint(plane), q = at_viewpoint(other);
+    return kept<N>([&](std::size_t i) -> N { return p * other[i] - q * plane[i]; });
+  }
+
+ private:
+  template <class N, class Coordinate>
+  [[nodiscard]] Vector<N> kept(const Coordinate& coordinate) const {
+    std::array<N, 3> result;
+    for (std::size_t i = 0, k = 0; i < 4; ++i) {
+      if (i != dropped_) result[k++] = coordinate(i);
+    }
+    return {result[0], result[1], result[2]};
+  }
+
+  std::array<double, 4> w_;
+  std::size_t dropped_ = 3;
+  double scale_ = 1, towards_ = -1;  ///< magnitude and sign of W_k
+};
+
+}  // namespace occlude::oracle

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// From the cone of rays that meet a triangle, one convex piece, all others are subtracted, each as far as it is before the
+// triangle; it shows when anything is left. A piece is kept as the lines that bound it, and a corner as the two lines that
+// meet there: however often pieces are cut, every sign is that of a determinant of three lines of the input.
+#include "occlude/oracle/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "rays.h"
+
+namespace occlude::oracle {
+namespace {
+
+constexpr std::size_t kEdges = 3;
+
+template <class N>
+Form<N> form_of(const HalfSpaceCoefficients& h) {
+  return {N(h[0]), N(h[1]), N(h[2]), N(h[3])};
+}
+
+/// A triangle that is not seen edge-on, turned so that its rays run anticlockwise.
+class Surface {
+ public:
+  /// Nothing for a triangle seen edge-on.
+  static std::optional<Surface> make(const Rays& rays, const Triangle& triangle) {
+    const auto turn = [&]<class N>() -> N {
+      return CGAL::determinant(rays.through<N>(triangle[0]), rays.through<N>(triangle[1]), rays.through<N>(triangle[2]));
+    };
+    const CGAL::Sign sign = sign_of(turn);
+    if (sign == CGAL::ZERO) return std::nullopt;
+    Surface surface(triangle);
+    if (sign == CGAL::NEGATIVE) std::swap(surface.corners_[1], surface.corners_[2]);
+    surface.faces_away_ = sign_of([&]<class N>() -> N { return rays.at_viewpoint(surface.plane<N>()); }) == CGAL::NEGATIVE;
+    return surface;
+  }
+
+  [[nodiscard]] const Triangle& corners() const { return corners_; }
+
+  /// Its plane, positive at the viewpoint's W.
+  template <class N>
+  [[nodiscard]] Form<N> plane() const {
+    const Vector<N> normal =
+        CGAL::cross_product(difference<N>(corners_[0], corners_[1]), difference<N>(corners_[0], corners_[2]));
+    const N offset = -(normal * vector_of<N>(corners_[0]));
+    const Form<N> form{normal.x(), normal.y(), normal.z(), offset};
+    return faces_away_ ? Form<N>{-form[0], -form[1], -form[2], -form[3]} : form;
+  }
+
+  /// The rays on the inner side of an edge.
+  template <class N>
+  [[nodiscard]] Vector<N> edge(const Rays& rays, std::size_t i) const {
+    return CGAL::cross_product(rays.through<N>(corners_[i]), rays.through<N>(corners_[(i + 1) % kEdges]));
+  }
+
+ private:
+  explicit Surface(const Triangle& triangle) : corners_(triangle) {}
+
+  Triangle corners_;
+  bool faces_away_ = false;
+};
+
+/// A line among the rays, positive inside: the edge of a surface, or where it passes through a half-space or another's
+/// plane.
+struct Line {
+  enum class Kind { edge, half_space, plane };
+  Kind kind;
+  std::uint32_t surface, other;  ///< of an edge its number, else of the half-space or of the other surface
+
+  Vector<Interval> approximate;
+  std::optional<Vector<Exact>> exact;
+};
+
+using LineIndex = std::uint32_t;
+
+/// A line and the side of it that a piece is on.
+struct Bound {
+  LineIndex line;
+  CGAL::Sign inner = CGAL::POSITIVE;
+};
+
+/// A convex piece: its bounds anticlockwise. Corner i is where bound i meets the next.
+using Piece = std::vector<Bound>;
+
+class Scene {
+ public:
+  Scene(const Viewpoint& view, std::span<const Triangle> triangles, std::span<const HalfSpaceCoefficients> half_spaces)
+      : rays_(view), half_spaces_(half_spaces) {
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      std::optional<Surface> surface = Surface::make(rays_, triangles[i]);
+      if (!surface || is_clipped_away(*surface)) continue;
+      surfaces_.push_back(*surface);
+      triangle_.push_back(i);
+      std::ranges::transform(surface->corners(), corners_.emplace_back().begin(),
+                             [&](const Point& p) { return rays_.through<Interval>(p); });
+    }
+    for (std::uint32_t s = 0; s < surfaces_.size(); ++s) {
+      for (std::uint32_t e = 0; e < kEdges; ++e) add_line(Line::Kind::edge, s, e);
+    }
+    order_by_size();
+  }
+
+  [[nodiscard]] std::size_t size() const { return surfaces_.size(); }
+  /// The triangle that surface s is.
+  [[nodiscard]] std::uint32_t triangle(std::uint32_t s) const { return triangle_[s]; }
+
+  bool shows(std::uint32_t s) {
+    lines_.resize(kEdges * surfaces_.size());
+    std::optional<Piece> whole = piece_of(s);
+    for (const LineIndex line : clipping_lines(s)) {
+      if (whole) whole = split(*whole, line).inner;
+    }
+    if (!whole) return false;
+    std::vector<Piece> left{std::move(*whole)};
+    for (const std::uint32_t other : order_) {
+      if (other != s) subtract(s, other, left);
+      if (left.empty()) return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Split {
+    std::optional<Piece> inner, outer;
+  };
+
+  [[nodiscard]] CGAL::Sign side(const HalfSpaceCoefficients& h, const Point& p) const {
+    return sign_of([&]<class N>() -> N { return N(h[0]) * N(p[0]) + N(h[1]) * N(p[1]) + N(h[2]) * N(p[2]) + N(h[3]); });
+  }
+
+  /// Whether all of it is outside of one half-space or on its border.
+  [[nodiscard]] bool is_clipped_away(const Surface& surface) const {
+    return std::ranges::any_of(half_spaces_, [&](const HalfSpaceCoefficients& h) {
+      return std::ranges::all_of(surface.corners(), [&](const Point& p) { return side(h, p) != CGAL::POSITIVE; });
+    });
+  }
+
+  /// Large ones first: what they hide need not be asked of the others.
+  void order_by_size() {
+    std::vector<double> size(surfaces_.size());
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+      std::array<Vector<double>, kEdges> r;
+      std::ranges::transform(corners_[s], r.begin(), [](const Vector<Interval>& ray) -> Vector<double> {
+        return {CGAL::to_double(ray.x()), CGAL::to_double(ray.y()), CGAL::to_double(ray.z())};
+      });
+      const double lengths = std::sqrt(r[0].squared_length() * r[1].squared_length() * r[2].squared_length());
+      size[s] = CGAL::determinant(r[0], r[1], r[2]) / lengths;
+    }
+    order_.resize(surfaces_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::stable_sort(order_, [&](std::uint32_t a, std::uint32_t b) { return size[a] > size[b]; });
+  }
+
+  template <class N>
+  [[nodiscard]] Vector<N> vector(const Line& line) const {
+    const Surface& surface = surfaces_[line.surface];
+    switch (line.kind) {
+      case Line::Kind::edge:
+        return surface.edge<N>(rays_, line.other);
+      case Line::Kind::half_space:
+        return rays_.side_of_meeting(surface.plane<N>(), form_of<N>(half_spaces_[line.other]));
+      case Line::Kind::plane:
+        break;
+    }
+    return rays_.side_of_meeting(surface.plane<N>(), surfaces_[line.other].plane<N>());
+  }
+
+  LineIndex add_line(Line::Kind kind, std::uint32_t surface, std::uint32_t other) {
+    Line line{kind, surface, other, {}, std::nullopt};
+    line.approximate = vector<Interval>(line);
+    lines_.push_back(std::move(line));
+    return static_cast<LineIndex>(lines_.size() - 1);
+  }
+
+  const Vector<Exact>& exact(LineIndex i) {
+    if (!lines_[i].exact) lines_[i].exact = vector<Exact>(lines_[i]);
+    return *lines_[i].exact;
+  }
+
+  [[nodiscard]] static Piece piece_of(std::uint32_t s) {
+    const auto first = static_cast<LineIndex>(kEdges * s);
+    return {{first}, {first + 1}, {first + 2}};
+  }
+
+  /// Those of the half-spaces that s reaches out of.
+  std::vector<LineIndex> clipping_lines(std::uint32_t s) {
+    std::vector<LineIndex> lines;
+    for (std::uint32_t h = 0; h < half_spaces_.size(); ++h) {
+      const auto is_outside = [&](const Point& p) { return side(half_spaces_[h], p) == CGAL::NEGATIVE; };
+      if (std::ranges::any_of(surfaces_[s].corners(), is_outside)) lines.push_back(add_line(Line::Kind::half_space, s, h));
+    }
+    return lines;
+  }
+
+  /// The side of `line` on which the corner between two others lies.
+  CGAL::Sign side(LineIndex line, const Bound& a, const Bound& b) {
+    const CGAL::Uncertain<CGAL::Sign> sign =
+        CGAL::sign(CGAL::determinant(lines_[a.line].approximate, lines_[b.line].approximate, lines_[line].approximate));
+    if (CGAL::is_certain(sign)) return a.inner * b.inner * CGAL::get_certain(sign);
+    return a.inner * b.inner * CGAL::sign(CGAL::determinant(exact(a.line), exact(b.line), exact(line)));
+  }
+
+  std::vector<CGAL::Sign> sides(const Piece& piece, LineIndex line) {
+    std::vector<CGAL::Sign> signs;
+    for (std::size_t i = 0; i < piece.size(); ++i) signs.push_back(side(line, piece[i], piece[(i + 1) % piece.size()]));
+    return signs;
+  }
+
+  /// What of the piece lies on either side of the line, as far as that has an area.
+  Split split(const Piece& piece, LineIndex line) {
+    const std::vector<CGAL::Sign> signs = sides(piece, line);
+    Split result;
+    if (std::ranges::count(signs, CGAL::NEGATIVE) == 0) {
+      result.inner = piece;
+    } else if (std::ranges::count(signs, CGAL::POSITIVE) == 0) {
+      result.outer = piece;
+    } else {
+      result.inner = cut(piece, signs, CGAL::POSITIVE, line);
+      result.outer = cut(piece, signs, CGAL::NEGATIVE, line);
+    }
+    return result;
+  }
+
+  /// The lines that have a corner on this side of the line, and the line itself where they leave it.
+  static Piece cut(const Piece& piece, const std::vector<CGAL::Sign>& signs, CGAL::Sign kept, LineIndex line) {
+    Piece result;
+    const std::size_t n = piece.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const CGAL::Sign before = signs[(i + n - 1) % n], after = signs[i];
+      if (before == kept || after == kept) result.push_back(piece[i]);
+      if (before == kept && after != kept) result.push_back({line, kept});
+    }
+    return result;
+  }
+
+  [[nodiscard]] bool is_beyond(const Piece& piece, LineIndex line) {
+    return std::ranges::none_of(sides(piece, line), [](CGAL::Sign s) { return s == CGAL::POSITIVE; });
+  }
+
+  /// Whether an edge of a has all corners of b on its outer side or on itself, as far as intervals tell.
+  [[nodiscard]] bool are_surely_apart(std::uint32_t a, std::uint32_t b) const {
+    return std::ranges::any_of(piece_of(a), [&](const Bound& edge) {
+      const Vector<Interval>& line = lines_[edge.line].approximate;
+      return std::ranges::all_of(corners_[b], [&](const Vector<Interval>& corner) { return (line * corner).sup() <= 0; });
+    });
+  }
+
+  /// Takes from the pieces of s what `other` hides.
+  void subtract(std::uint32_t s, std::uint32_t other, std::vector<Piece>& pieces) {
+    if (are_surely_apart(s, other) || are_surely_apart(other, s)) return;
+    const Piece all = piece_of(s);
+    std::vector<LineIndex> hiding;
+    for (const Bound& edge : piece_of(other)) hiding.push_back(edge.line);
+    if (std::ranges::any_of(hiding, [&](LineIndex edge) { return is_beyond(all, edge); })) return;
+    hiding.push_back(add_line(Line::Kind::plane, s, other));
+    if (is_beyond(all, hiding.back())) return;
+    for (const LineIndex line : clipping_lines(other)) hiding.push_back(line);
+    std::vector<Piece> left;
+    for (Piece& piece : pieces) append_rest(std::move(piece), hiding, left);
+    pieces = std::move(left);
+  }
+
+  /// Appends what is outside of one of the lines.
+  void append_rest(Piece piece, const std::vector<LineIndex>& hiding, std::vector<Piece>& left) {
+    const std::size_t size = left.size();
+    std::optional<Piece> rest = piece;
+    for (const LineIndex line : hiding) {
+      auto [inner, outer] = split(*rest, line);
+      if (!inner) {  // nothing in common: it stays in one piece
+        left.resize(size);
+        left.push_back(std::move(piece));
+        return;
+      }
+      if (outer) left.push_back(std::move(*outer));
+      rest = std::move(inner);
+    }
+  }
+
+  Rays rays_;
+  std::span<const HalfSpaceCoefficients> half_spaces_;
+  std::vector<Surface> surfaces_;
+  std::vector<std::array<Vector<Interval>, kEdges>> corners_;  ///< of each surface the rays through its corners
+  std::vector<std::uint32_t> triangle_, order_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles,
+                                    std::span<const HalfSpaceCoefficients> half_spaces) {
+  const RoundUpward protect;
+  Scene scene(view, triangles, half_spaces);
+  std::vector<bool> visible(triangles.size(), false);
+  for (std::uint32_t s = 0; s < scene.size(); ++s) visible[scene.triangle(s)] = scene.shows(s);
+  return visible;
+}
+
+}  // namespace occlude::oracle
