@@ -88,8 +88,9 @@ using Piece = std::vector<Bound>;
 
 class Scene {
  public:
-  Scene(const Viewpoint& view, std::span<const Triangle> triangles, std::span<const HalfSpaceCoefficients> half_spaces)
-      : rays_(view), half_spaces_(half_spaces) {
+  Scene(const Viewpoint& view, std::span<const Triangle> triangles, const Picture& picture)
+      : rays_(view), half_spaces_(picture.depth), depths_(picture.depth.size()) {
+    half_spaces_.insert(half_spaces_.end(), picture.sides.begin(), picture.sides.end());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
       std::optional<Surface> surface = Surface::make(rays_, triangles[i]);
       if (!surface || is_clipped_away(*surface)) continue;
@@ -111,7 +112,7 @@ class Scene {
   bool shows(std::uint32_t s) {
     lines_.resize(kEdges * surfaces_.size());
     std::optional<Piece> whole = piece_of(s);
-    for (const LineIndex line : clipping_lines(s)) {
+    for (const LineIndex line : clipping_lines(s, half_spaces_.size())) {
       if (whole) whole = split(*whole, line).inner;
     }
     if (!whole) return false;
@@ -132,9 +133,9 @@ class Scene {
     return sign_of([&]<class N>() -> N { return N(h[0]) * N(p[0]) + N(h[1]) * N(p[1]) + N(h[2]) * N(p[2]) + N(h[3]); });
   }
 
-  /// Whether all of it is outside of one half-space or on its border.
+  /// Whether all of it is too near or too far, or on the plane that tells.
   [[nodiscard]] bool is_clipped_away(const Surface& surface) const {
-    return std::ranges::any_of(half_spaces_, [&](const HalfSpaceCoefficients& h) {
+    return std::ranges::any_of(std::span(half_spaces_).first(depths_), [&](const HalfSpaceCoefficients& h) {
       return std::ranges::all_of(surface.corners(), [&](const Point& p) { return side(h, p) != CGAL::POSITIVE; });
     });
   }
@@ -186,10 +187,10 @@ class Scene {
     return {{first}, {first + 1}, {first + 2}};
   }
 
-  /// Those of the half-spaces that s reaches out of.
-  std::vector<LineIndex> clipping_lines(std::uint32_t s) {
+  /// Those of the first `count` half-spaces that s reaches out of.
+  std::vector<LineIndex> clipping_lines(std::uint32_t s, std::size_t count) {
     std::vector<LineIndex> lines;
-    for (std::uint32_t h = 0; h < half_spaces_.size(); ++h) {
+    for (std::uint32_t h = 0; h < count; ++h) {
       const auto is_outside = [&](const Point& p) { return side(half_spaces_[h], p) == CGAL::NEGATIVE; };
       if (std::ranges::any_of(surfaces_[s].corners(), is_outside)) lines.push_back(add_line(Line::Kind::half_space, s, h));
     }
@@ -258,7 +259,7 @@ class Scene {
     if (std::ranges::any_of(hiding, [&](LineIndex edge) { return is_beyond(all, edge); })) return;
     hiding.push_back(add_line(Line::Kind::plane, s, other));
     if (is_beyond(all, hiding.back())) return;
-    for (const LineIndex line : clipping_lines(other)) hiding.push_back(line);
+    for (const LineIndex line : clipping_lines(other, depths_)) hiding.push_back(line);
     std::vector<Piece> left;
     for (Piece& piece : pieces) append_rest(std::move(piece), hiding, left);
     pieces = std::move(left);
@@ -281,7 +282,8 @@ class Scene {
   }
 
   Rays rays_;
-  std::span<const HalfSpaceCoefficients> half_spaces_;
+  std::vector<HalfSpaceCoefficients> half_spaces_;  ///< those of depth first
+  std::size_t depths_;
   std::vector<Surface> surfaces_;
   std::vector<std::array<Vector<Interval>, kEdges>> corners_;  ///< of each surface the rays through its corners
   std::vector<std::uint32_t> triangle_, order_;
@@ -290,10 +292,9 @@ class Scene {
 
 }  // namespace
 
-std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles,
-                                    std::span<const HalfSpaceCoefficients> half_spaces) {
+std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles, const Picture& picture) {
   const RoundUpward protect;
-  Scene scene(view, triangles, half_spaces);
+  Scene scene(view, triangles, picture);
   std::vector<bool> visible(triangles.size(), false);
   for (std::uint32_t s = 0; s < scene.size(); ++s) visible[scene.triangle(s)] = scene.shows(s);
   return visible;

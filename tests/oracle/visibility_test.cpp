@@ -81,7 +81,7 @@ TEST(Visibility, InOnePlaneNoneHidesAnotherAndEdgeOnNothingShows) {
 }
 
 TEST(Visibility, WhatIsClippedAwayNeitherShowsNorHides) {
-  const std::array<HalfSpaceCoefficients, 2> near_and_far{{{1, 0, 0, -1}, {-1, 0, 0, 8}}};  // 1 <= x <= 8
+  const Picture near_and_far{.depth = {{1, 0, 0, -1}, {-1, 0, 0, 8}}, .sides = {}};  // 1 <= x <= 8
   for (const Viewpoint& view : {kOrigin, kAlongX}) {
     Triangles scene;
     add_wall(scene, 0.5, -9, 9, -9, 9);
@@ -92,6 +92,16 @@ TEST(Visibility, WhatIsClippedAwayNeitherShowsNorHides) {
     EXPECT_EQ(visible_triangles(view, scene, {}),
               (Visible{true, true, true, false, false, view.at_infinity, view.at_infinity}));
   }
+}
+
+TEST(Visibility, WhatIsBesideThePictureMayHide) {
+  Triangles scene;
+  add_wall(scene, 4, -2, 2, -2, 2);  // hides the other wherever that is, though a side plane that is none cuts it
+  add_wall(scene, 5, -2, 2, -2, 2);
+  scene.push_back({{{4, 0, -9}, {4, 0.5, -9}, {4, 0, -8}}});
+  const HalfSpaceCoefficients aslant{1, 0, 4, -4.5};  // z >= 0.125 for one, z >= -0.125 for the other
+  EXPECT_EQ(visible_triangles(kAlongX, scene, {.depth = {}, .sides = {aslant}}), (Visible{true, true, false, false, false}));
+  EXPECT_EQ(visible_triangles(kAlongX, scene, {.depth = {aslant}, .sides = {}}), (Visible{true, true, true, true, false}));
 }
 
 /// A point on the triangle, not on its border.
@@ -169,7 +179,7 @@ TEST(Visibility, DoesNotDependOnHowTheSceneIsWritten) {
     while (triangles.size() < 12) triangles.push_back({point(), point(), point()});
     const Viewpoint view{point(), scene % 2 == 1};
     if (view.value == Point{}) continue;
-    const std::array<HalfSpaceCoefficients, 1> near{{{1, 2, -1, 5}}};
+    const Picture near{.depth = {{1, 2, -1, 5}}, .sides = {{0, 1, 1, 20}}};
     const Visible shows = visible_triangles(view, triangles, near);
     Triangles halves, turned;
     for (const Triangle& t : triangles) {
@@ -180,7 +190,7 @@ TEST(Visibility, DoesNotDependOnHowTheSceneIsWritten) {
     const auto turn = [](const Point& p) { return Point{-p[1] * 0x1p40, p[2] * 0x1p40, p[0] * 0x1p40}; };
     for (const Triangle& t : triangles) turned.insert(turned.begin(), {turn(t[2]), turn(t[0]), turn(t[1])});
     const Visible of_halves = visible_triangles(view, halves, near);
-    const std::array<HalfSpaceCoefficients, 1> near_turned{{{-2, -1, 1, 5 * 0x1p40}}};
+    const Picture near_turned{.depth = {{-2, -1, 1, 5 * 0x1p40}}, .sides = {{-1, 1, 0, 20 * 0x1p40}}};
     const Visible of_turned = visible_triangles({turn(view.value), view.at_infinity}, turned, near_turned);
     for (std::size_t t = 0; t < shows.size(); ++t) {
       EXPECT_EQ(of_halves[2 * t] || of_halves[2 * t + 1], shows[t]) << "scene " << scene << ", triangle " << t;

@@ -14,11 +14,20 @@ namespace occlude::oracle {
 
 using Triangle = std::array<Point, 3>;
 
-/// Of each triangle whether any of it shows: whether the rays from the viewpoint that meet it before all others fill an open
-/// set. All triangles are opaque from both sides. What of one lies outside of a half-space is clipped away: it neither shows
-/// nor hides. A triangle seen edge-on shows nothing; of triangles in one plane none hides another. The time grows with the
-/// square of their number: seconds for a few thousand. REQUIRES: all numbers are finite, and a direction is not zero.
+/// What a picture has of a scene.
+struct Picture {
+  /// What is outside of one of these, the near and the far plane, neither shows nor hides.
+  std::vector<HalfSpaceCoefficients> depth;
+  /// What is outside of one of these shows nothing, but may hide: the sides of the picture, which in doubles hardly ever
+  /// pass through the viewpoint exactly, and would cut what hides a hair's breadth more than what is hidden.
+  std::vector<HalfSpaceCoefficients> sides;
+};
+
+/// Of each triangle whether any of it shows: whether the rays from the viewpoint that meet it before all others, in the
+/// picture, fill an open set. All triangles are opaque from both sides. One seen edge-on shows nothing; of those in one
+/// plane none hides another. The time grows with the square of their number: seconds for a few thousand. REQUIRES: all
+/// numbers are finite, and a direction is not zero.
 [[nodiscard]] std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles,
-                                                  std::span<const HalfSpaceCoefficients> half_spaces);
+                                                  const Picture& picture);
 
 }  // namespace occlude::oracle
