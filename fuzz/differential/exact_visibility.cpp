@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "differential/exact_visibility.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <glm/geometric.hpp>
 
 #include "occlude/oracle/visibility.h"
 
@@ -18,8 +20,7 @@ oracle::Viewpoint viewpoint(const culler::Camera& camera) {
 
 }  // namespace
 
-std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera,
-                                    std::span<const culler::HalfSpace> view) {
+std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera) {
   std::vector<oracle::Triangle> triangles;
   for (std::size_t p = 0; p < soup.size(); ++p) {
     const auto loop = soup.loop(p);
@@ -27,6 +28,10 @@ std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culle
       triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
     }
   }
+  double reach = 0;
+  for (const glm::dvec3& v : soup.vertices) reach = std::max(reach, glm::distance(v, camera.eye));
+  std::vector<culler::HalfSpace> view;
+  culler::append_view_frustum(camera, 2 * reach, view);
   constexpr std::size_t kSides = 4;  // left, right, bottom and top come first
   oracle::Picture picture;
   for (std::size_t i = 0; i < view.size(); ++i) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The oracle's exact visibility of a soup's polygons.
+// The oracle's exact visibility of a soup's triangles.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "occlude/culler/camera.h"
@@ -10,9 +9,8 @@
 
 namespace occlude::fuzz {
 
-/// Of each triangle of the soup, the fans one after another, whether it shows to the camera, whose view frustum
-/// append_view_frustum() gives.
-[[nodiscard]] std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera,
-                                                  std::span<const culler::HalfSpace> view);
+/// Of each triangle of the soup, the fans one after another, whether it shows to the camera. The picture is a hair wider and
+/// deeper than the camera's: what the renderer's rounding may let in is in it.
+[[nodiscard]] std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera);
 
 }  // namespace occlude::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// occlude validate: every cull of a walk proved in exact arithmetic.
+// occlude validate: every cull of a walk proved in exact arithmetic, and of small models held against exact visibility.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "exact_check.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
@@ -28,6 +29,8 @@ namespace {
 struct Arguments {
   std::string model, path, witness;
   WalkArguments walk;
+  /// Seconds for the frames of a path: the time grows with the square of the number.
+  std::size_t exact_up_to = 2000;
   bool json = false;
 };
 
@@ -41,16 +44,22 @@ struct Outcome {
   std::string first_failure;  ///< of the lowest line
 };
 
+/// What judges witnesses.
+struct Judges {
+  Prover prover;
+  std::optional<ExactCheck> exact;  ///< of small models
+};
+
 /// Proves witnesses and adds them to the outcome, which is the same for any number of threads. Throws InputError for a line
 /// that is no witness.
-void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& outcome) {
+void prove_all(Judges& judges, const std::vector<Place>& places, Outcome& outcome) {
   struct Verdict {
     std::string failure, unreadable;
   };
   std::vector<Verdict> verdicts(places.size());
   culler::parallel_for(places.size(), [&](std::size_t i) {
     try {
-      verdicts[i].failure = prover.prove(places[i].line);
+      verdicts[i].failure = judges.prover.prove(places[i].line);
     } catch (const std::exception& error) {
       verdicts[i].unreadable = error.what();
     }
@@ -58,6 +67,7 @@ void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& 
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& [failure, unreadable] = verdicts[i];
     if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
+    if (judges.exact) judges.exact->add(places[i].line);
     if (failure.empty()) {
       ++outcome.proved;
     } else if (outcome.failed++ == 0) {
@@ -69,13 +79,13 @@ void prove_all(const Prover& prover, const std::vector<Place>& places, Outcome& 
 /// As many lines as keep all threads busy and memory small.
 constexpr std::size_t kBatch = 16384;
 
-Outcome prove_file(const Prover& prover, const std::string& file) {
+Outcome prove_file(Judges& judges, const std::string& file) {
   render::LineReader lines(file);
   render::Progress progress("proved MB", lines.size() >> 20U);
   Outcome outcome;
   std::vector<Place> places;
   const auto prove_batch = [&] {
-    prove_all(prover, places, outcome);
+    prove_all(judges, places, outcome);
     places.clear();
     progress.update(lines.read() >> 20U);
   };
@@ -90,7 +100,7 @@ Outcome prove_file(const Prover& prover, const std::string& file) {
 }
 
 /// Culls every frame anew and proves what was culled.
-Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const render::CameraPath& path,
+Outcome prove_walk(Judges& judges, const culler::Culler& culler, const render::CameraPath& path,
                    const render::WalkOptions& options) {
   const std::vector<std::size_t> frames = render::frames_of(path, options);
   render::Progress progress("proved frame", frames.size());
@@ -105,7 +115,7 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
     render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull, view), options.cull.near);
     for (std::string& line : lines) places.push_back({std::move(line), fmt::format("frame {}", frames[i])});
     if (places.size() >= kBatch || i + 1 == frames.size()) {
-      prove_all(prover, places, outcome);
+      prove_all(judges, places, outcome);
       places.clear();
     }
     progress.update(i + 1);
@@ -113,23 +123,40 @@ Outcome prove_walk(const Prover& prover, const culler::Culler& culler, const ren
   return outcome;
 }
 
+void print(const Outcome& outcome, const std::optional<ExactCheck::Result>& exact, bool json) {
+  using Json = nlohmann::ordered_json;
+  const std::size_t total = outcome.proved + outcome.failed;
+  if (json) {
+    const Json visibility = exact ? Json{{"frames", exact->frames}, {"culled_showing", exact->culled_showing}} : Json();
+    fmt::print(
+        "{}\n",
+        Json{{"witnesses", total}, {"proved", outcome.proved}, {"failed", outcome.failed}, {"exact_visibility", visibility}}
+            .dump(2));
+    return;
+  }
+  fmt::print("{} of {} witnesses proved\n", outcome.proved, total);
+  if (exact) {
+    fmt::print("exact visibility: {} culled triangles show in {} frames\n", exact->culled_showing, exact->frames);
+  }
+}
+
 int validate(Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
-  const Prover prover(culler.hierarchy(), path, render::aspect(options));
-  const Outcome outcome =
-      arguments.witness.empty() ? prove_walk(prover, culler, path, options) : prove_file(prover, arguments.witness);
-  const std::size_t total = outcome.proved + outcome.failed;
-  if (arguments.json) {
-    fmt::print("{}\n",
-               nlohmann::ordered_json{{"witnesses", total}, {"proved", outcome.proved}, {"failed", outcome.failed}}.dump(2));
-  } else {
-    fmt::print("{} of {} witnesses proved\n", outcome.proved, total);
+  const culler::Hierarchy& hierarchy = culler.hierarchy();
+  Judges judges{Prover(hierarchy, path, render::aspect(options)), std::nullopt};
+  if (hierarchy.first_triangle(hierarchy.soup().size()) <= arguments.exact_up_to) {
+    judges.exact.emplace(hierarchy, path, render::aspect(options));
   }
-  if (outcome.failed == 0) return 0;
-  fmt::print(stderr, "{}\n", outcome.first_failure);
-  return 1;
+  const Outcome outcome =
+      arguments.witness.empty() ? prove_walk(judges, culler, path, options) : prove_file(judges, arguments.witness);
+  std::optional<ExactCheck::Result> exact;
+  if (judges.exact) exact = judges.exact->result();
+  print(outcome, exact, arguments.json);
+  if (outcome.failed != 0) fmt::print(stderr, "{}\n", outcome.first_failure);
+  if (exact && exact->culled_showing != 0) fmt::print(stderr, "{}\n", exact->first);
+  return outcome.failed == 0 && (!exact || exact->culled_showing == 0) ? 0 : 1;
 }
 
 }  // namespace
@@ -137,13 +164,19 @@ int validate(Arguments& arguments) {
 void add_validate(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("validate", "Prove every cull of a walk in exact arithmetic");
   command->footer(
-      "Exit code 0 when every witness is proved, 1 when one is not (it is printed), 2 for bad input.\n"
+      "Exit code 0 when every witness is proved, 1 when one is not, or when a culled triangle shows (it is printed), 2 for "
+      "bad "
+      "input.\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "the model walked through")->required();
   command->add_option("--path", a->path, "camera path (JSON)")->required();
   CLI::Option* witness = command->add_option(
       "--witness", a->witness, "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  command
+      ->add_option("--exact-up-to", a->exact_up_to,
+                   "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
+      ->capture_default_str();
   a->walk.add_size_to(*command);
   for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
   a->walk.add_preprocess_to(*command)->excludes(witness);

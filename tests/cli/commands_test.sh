@@ -193,6 +193,12 @@ lie "the box" '/shadow/s/"max":\[\([0-9]*\),1,1\]/"max":[\1,99,1]/'
 lie "the eye" 's/"eye":\[0,0,0\]/"eye":[0,0,0.5]/'
 lie "the occluder" 's/"polygon":\[\[2,-1,-1\]/"polygon":[[2,-2,-2]/'
 lie "the triangles" '/shadow/s/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/'
+# Of what is said to be culled then, the wall that the camera looks at shows.
+grep -q "is culled and shows" stderr || fail "exact visibility believed it: $(cat stdout stderr)"
+"$occlude" validate good.ply --path path.json --witness witness.jsonl >stdout || fail "validate, exactly"
+grep -q "^exact visibility: 0 culled triangles show in [1-9][0-9]* frames" stdout || fail "validate said: $(cat stdout)"
+"$occlude" validate good.ply --path path.json --witness witness.jsonl --exact-up-to 127 --json >stdout || fail "--exact-up-to"
+grep -q '"exact_visibility": null' stdout || fail "--exact-up-to 127 said: $(cat stdout)"
 
 # Witnesses by a block instead of its front, of squares in an oriented box.
 vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n3 -1 -1\n3 1 -1\n3 1 1\n3 -1 1\n'
