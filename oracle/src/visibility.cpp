@@ -146,10 +146,11 @@ class Scene {
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
       std::array<Vector<double>, kEdges> r;
       std::ranges::transform(corners_[s], r.begin(), [](const Vector<Interval>& ray) -> Vector<double> {
-        return {CGAL::to_double(ray.x()), CGAL::to_double(ray.y()), CGAL::to_double(ray.z())};
+        const Vector<double> middle{CGAL::to_double(ray.x()), CGAL::to_double(ray.y()), CGAL::to_double(ray.z())};
+        return middle / std::sqrt(middle.squared_length());
       });
-      const double lengths = std::sqrt(r[0].squared_length() * r[1].squared_length() * r[2].squared_length());
-      size[s] = CGAL::determinant(r[0], r[1], r[2]) / lengths;
+      const double determinant = CGAL::determinant(r[0], r[1], r[2]);
+      size[s] = std::isfinite(determinant) ? determinant : 0;  // beyond the range of doubles
     }
     order_.resize(surfaces_.size());
     std::iota(order_.begin(), order_.end(), 0U);

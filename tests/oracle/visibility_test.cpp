@@ -104,6 +104,17 @@ TEST(Visibility, WhatIsBesideThePictureMayHide) {
   EXPECT_EQ(visible_triangles(kAlongX, scene, {.depth = {aslant}, .sides = {}}), (Visible{true, true, true, true, false}));
 }
 
+TEST(Visibility, AtTheEndsOfTheRange) {
+  for (const double scale : {0x1p-98, 0x1p96}) {
+    for (const Viewpoint& view : {kOrigin, Viewpoint{{0x1p-100, 0, 0}, true}, Viewpoint{{0x1p100, 0, 0}, true}}) {
+      Triangles scene;
+      add_wall(scene, 4 * scale, -scale, scale, -scale, scale);
+      add_wall(scene, 2 * scale, -scale, scale, -scale, scale);
+      EXPECT_EQ(visible_triangles(view, scene, {}), (Visible{false, false, true, true})) << scale;
+    }
+  }
+}
+
 /// A point on the triangle, not on its border.
 Point sample(fuzz::Random& random, const Triangle& t) {
   const double a = random.real(0, 1), b = random.real(0, 1 - a), c = 1 - a - b;
