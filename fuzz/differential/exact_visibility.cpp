@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 
 #include "occlude/oracle/visibility.h"
 
@@ -29,9 +29,13 @@ std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culle
     }
   }
   double reach = 0;
-  for (const glm::dvec3& v : soup.vertices) reach = std::max(reach, glm::distance(v, camera.eye));
+  for (const glm::dvec3& v : soup.vertices) {
+    const glm::dvec3 away = glm::abs(v - camera.eye);
+    reach = std::max({reach, away.x, away.y, away.z});
+  }
+  // No deeper than the culler's, whose planes then lie outside of these.
   std::vector<culler::HalfSpace> view;
-  culler::append_view_frustum(camera, 2 * reach, view);
+  culler::append_view_frustum(camera, reach, view);
   constexpr std::size_t kSides = 4;  // left, right, bottom and top come first
   oracle::Picture picture;
   for (std::size_t i = 0; i < view.size(); ++i) {

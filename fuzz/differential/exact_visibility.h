@@ -9,8 +9,8 @@
 
 namespace occlude::fuzz {
 
-/// Of each triangle of the soup, the fans one after another, whether it shows to the camera. The picture is a hair wider and
-/// deeper than the camera's: what the renderer's rounding may let in is in it.
+/// Of each triangle of the soup, the fans one after another, whether it shows to the camera: within the half-spaces of
+/// append_view_frustum(), which lie outside of the renderer's planes by more than its rounding.
 [[nodiscard]] std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera);
 
 }  // namespace occlude::fuzz

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "differential/exact_visibility.h"
-#include "json_input.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/progress.h"
 
@@ -17,14 +15,10 @@ namespace occlude::cli {
 ExactCheck::ExactCheck(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect)
     : hierarchy_(hierarchy), path_(path), aspect_(aspect), triangles_(hierarchy.first_triangle(hierarchy.soup().size())) {}
 
-void ExactCheck::add(std::string_view line) {
-  const nlohmann::json witness = parse_object(line);
-  const auto frame = member(witness, "frame").get<std::size_t>();
-  const auto first = member(witness, "triangles").at(0).get<std::size_t>();
-  const auto count = member(witness, "triangles").at(1).get<std::size_t>();
-  if (frame >= path_.frames || first > triangles_ || count > triangles_ - first) return;
-  std::vector<bool>& culled = culled_.try_emplace(frame, triangles_, false).first->second;
-  std::fill_n(culled.begin() + static_cast<std::ptrdiff_t>(first), count, true);
+void ExactCheck::add(const Proof& proof) {
+  if (proof.count == 0) return;
+  std::vector<bool>& culled = culled_.try_emplace(proof.frame, triangles_, false).first->second;
+  std::fill_n(culled.begin() + static_cast<std::ptrdiff_t>(proof.first), proof.count, true);
 }
 
 ExactCheck::Result ExactCheck::result() const {

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "occlude/culler/hierarchy.h"
 #include "occlude/render/camera_path.h"
+#include "proof.h"
 
 namespace occlude::cli {
 
@@ -18,9 +18,8 @@ class ExactCheck {
   /// `hierarchy` gives the order in which a witness counts triangles; `aspect` is the picture's width over height.
   ExactCheck(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect);
 
-  /// Adds what this witness says is culled. One of a frame or of triangles that do not exist adds nothing. REQUIRES: the
-  /// line is a witness.
-  void add(std::string_view line);
+  /// Adds what a witness says is culled.
+  void add(const Proof& proof);
 
   struct Result {
     std::size_t frames = 0;          ///< in which something was culled

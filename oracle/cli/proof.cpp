@@ -136,15 +136,18 @@ Prover::Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& pat
   std::sort(by_first_vertex_.begin(), by_first_vertex_.end());
 }
 
-std::string Prover::prove(std::string_view line) const {
+Proof Prover::prove(std::string_view line) const {
   const Json object = parse_object(line);
   const Json& frame = member(object, "frame");
-  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return "no such frame";
-  const culler::Camera camera = path_.camera(frame.get<std::size_t>(), aspect_);
-
+  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return {.failure = "no such frame"};
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
-  if (count == 0 || first >= total || count > total - first) return "no such triangles";
+  if (count == 0 || first >= total || count > total - first) return {.failure = "no such triangles"};
+  const auto number = frame.get<std::size_t>();
+  return {fault(object, path_.camera(number, aspect_), first, count), number, first, count};
+}
+
+std::string Prover::fault(const Json& object, const culler::Camera& camera, std::size_t first, std::size_t count) const {
   const Box box = cli::box(object);
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 

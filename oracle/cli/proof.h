@@ -18,22 +18,31 @@
 
 namespace occlude::cli {
 
+/// What became of a witness.
+struct Proof {
+  std::string failure;               ///< empty when it is proved, else what is wrong with it
+  std::size_t frame = 0;             ///< of the path
+  std::size_t first = 0, count = 0;  ///< the triangles it says are culled; none where the line names none of the model
+};
+
 /// Checks witnesses against the model and path they claim to be of. prove() may run on several threads at once.
 class Prover {
  public:
   /// `hierarchy` gives the order in which a witness counts triangles; `aspect` is the picture's width over height.
   Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect);
 
-  /// Empty when the witness on this line is proved, else what is wrong with it (LineError when it is no witness at all):
+  /// Proves the witness on this line (LineError when it is no witness at all):
   /// - the triangles named exist and lie in the box named;
   /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
   ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
   ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
   ///   are such polygons, and the renderer clips none of it.
-  [[nodiscard]] std::string prove(std::string_view line) const;
+  [[nodiscard]] Proof prove(std::string_view line) const;
 
  private:
+  [[nodiscard]] std::string fault(const nlohmann::json& witness, const culler::Camera& camera, std::size_t first,
+                                  std::size_t count) const;
   /// Why the renderer does not draw the occluder whole outside of those triangles; empty when it does.
   [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const culler::Camera& camera,
                                               std::size_t first, std::size_t count) const;

@@ -29,7 +29,7 @@ namespace {
 struct Arguments {
   std::string model, path, witness;
   WalkArguments walk;
-  /// Seconds for the frames of a path: the time grows with the square of the number.
+  /// Half a minute for the 300 frames of a path through random triangles; lattices take longer.
   std::size_t exact_up_to = 2000;
   bool json = false;
 };
@@ -54,24 +54,25 @@ struct Judges {
 /// that is no witness.
 void prove_all(Judges& judges, const std::vector<Place>& places, Outcome& outcome) {
   struct Verdict {
-    std::string failure, unreadable;
+    Proof proof;
+    std::string unreadable;
   };
   std::vector<Verdict> verdicts(places.size());
   culler::parallel_for(places.size(), [&](std::size_t i) {
     try {
-      verdicts[i].failure = judges.prover.prove(places[i].line);
+      verdicts[i].proof = judges.prover.prove(places[i].line);
     } catch (const std::exception& error) {
       verdicts[i].unreadable = error.what();
     }
   });
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [failure, unreadable] = verdicts[i];
+    const auto& [proof, unreadable] = verdicts[i];
     if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
-    if (judges.exact) judges.exact->add(places[i].line);
-    if (failure.empty()) {
+    if (judges.exact) judges.exact->add(proof);
+    if (proof.failure.empty()) {
       ++outcome.proved;
     } else if (outcome.failed++ == 0) {
-      outcome.first_failure = fmt::format("{}: {}", places[i].name, failure);
+      outcome.first_failure = fmt::format("{}: {}", places[i].name, proof.failure);
     }
   }
 }
@@ -162,11 +163,10 @@ int validate(Arguments& arguments) {
 }  // namespace
 
 void add_validate(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("validate", "Prove every cull of a walk in exact arithmetic");
+  CLI::App* command =
+      app.add_subcommand("validate", "Prove every cull of a walk in exact arithmetic, and that nothing culled shows");
   command->footer(
-      "Exit code 0 when every witness is proved, 1 when one is not, or when a culled triangle shows (it is printed), 2 for "
-      "bad "
-      "input.\n"
+      "Exit code 0; 1 when a witness is not proved or a culled triangle shows (it is printed); 2 for bad input.\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "the model walked through")->required();
@@ -176,7 +176,8 @@ void add_validate(CLI::App& app, int& exit_code) {
   command
       ->add_option("--exact-up-to", a->exact_up_to,
                    "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
   a->walk.add_size_to(*command);
   for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
   a->walk.add_preprocess_to(*command)->excludes(witness);

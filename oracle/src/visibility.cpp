@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the cone of rays that meet a triangle, one convex piece, all others are subtracted, each as far as it is before the
-// triangle; it shows when anything is left. A piece is kept as the lines that bound it, and a corner as the two lines that
-// meet there: however often pieces are cut, every sign is that of a determinant of three lines of the input.
+// triangle; it shows as soon as a part of it is left by all. A piece is kept as the lines that bound it, and a corner as the
+// two lines that meet there: however often pieces are cut, every sign is that of a determinant of three lines of the input.
 #include "occlude/oracle/visibility.h"
 
 #include <algorithm>
@@ -116,12 +116,7 @@ class Scene {
       if (whole) whole = split(*whole, line).inner;
     }
     if (!whole) return false;
-    std::vector<Piece> left{std::move(*whole)};
-    for (const std::uint32_t other : order_) {
-      if (other != s) subtract(s, other, left);
-      if (left.empty()) return false;
-    }
-    return true;
+    return survives(std::move(*whole), hiders_of(s));
   }
 
  private:
@@ -251,35 +246,53 @@ class Scene {
     });
   }
 
-  /// Takes from the pieces of s what `other` hides.
-  void subtract(std::uint32_t s, std::uint32_t other, std::vector<Piece>& pieces) {
-    if (are_surely_apart(s, other) || are_surely_apart(other, s)) return;
+  /// For each surface that hides something of s, large ones first, the lines about what it hides.
+  std::vector<std::vector<LineIndex>> hiders_of(std::uint32_t s) {
+    std::vector<std::vector<LineIndex>> hiders;
     const Piece all = piece_of(s);
-    std::vector<LineIndex> hiding;
-    for (const Bound& edge : piece_of(other)) hiding.push_back(edge.line);
-    if (std::ranges::any_of(hiding, [&](LineIndex edge) { return is_beyond(all, edge); })) return;
-    hiding.push_back(add_line(Line::Kind::plane, s, other));
-    if (is_beyond(all, hiding.back())) return;
-    for (const LineIndex line : clipping_lines(other, depths_)) hiding.push_back(line);
-    std::vector<Piece> left;
-    for (Piece& piece : pieces) append_rest(std::move(piece), hiding, left);
-    pieces = std::move(left);
+    for (const std::uint32_t other : order_) {
+      if (other == s || are_surely_apart(s, other) || are_surely_apart(other, s)) continue;
+      std::vector<LineIndex> lines;
+      for (const Bound& edge : piece_of(other)) lines.push_back(edge.line);
+      if (std::ranges::any_of(lines, [&](LineIndex edge) { return is_beyond(all, edge); })) continue;
+      lines.push_back(add_line(Line::Kind::plane, s, other));
+      if (is_beyond(all, lines.back())) continue;
+      for (const LineIndex line : clipping_lines(other, depths_)) lines.push_back(line);
+      hiders.push_back(std::move(lines));
+    }
+    return hiders;
   }
 
-  /// Appends what is outside of one of the lines.
-  void append_rest(Piece piece, const std::vector<LineIndex>& hiding, std::vector<Piece>& left) {
-    const std::size_t size = left.size();
-    std::optional<Piece> rest = piece;
-    for (const LineIndex line : hiding) {
-      auto [inner, outer] = split(*rest, line);
-      if (!inner) {  // nothing in common: it stays in one piece
-        left.resize(size);
-        left.push_back(std::move(piece));
-        return;
-      }
-      if (outer) left.push_back(std::move(*outer));
-      rest = std::move(inner);
+  /// Whether anything of the piece is left by all. One part is followed to the end before the next: what shows is mostly
+  /// found out by the first.
+  bool survives(Piece whole, const std::vector<std::vector<LineIndex>>& hiders) {
+    struct Part {
+      Piece piece;
+      std::size_t hider;  ///< the first that it was not held against
+    };
+    std::vector<Part> parts{{std::move(whole), 0}};
+    while (!parts.empty()) {
+      Part part = std::move(parts.back());
+      parts.pop_back();
+      std::optional<std::vector<Piece>> rest;
+      while (!rest && part.hider < hiders.size()) rest = without(part.piece, hiders[part.hider++]);
+      if (!rest) return true;
+      for (Piece& piece : *rest) parts.push_back({std::move(piece), part.hider});
     }
+    return false;
+  }
+
+  /// What is outside of one of the lines; nothing when that is all of it, in one piece.
+  std::optional<std::vector<Piece>> without(const Piece& piece, const std::vector<LineIndex>& lines) {
+    std::vector<Piece> outside;
+    Piece rest = piece;
+    for (const LineIndex line : lines) {
+      auto [inner, outer] = split(rest, line);
+      if (!inner) return std::nullopt;
+      if (outer) outside.push_back(std::move(*outer));
+      rest = std::move(*inner);
+    }
+    return outside;
   }
 
   Rays rays_;

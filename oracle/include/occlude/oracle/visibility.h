@@ -25,7 +25,8 @@ struct Picture {
 
 /// Of each triangle whether any of it shows: whether the rays from the viewpoint that meet it before all others, in the
 /// picture, fill an open set. All triangles are opaque from both sides. One seen edge-on shows nothing; of those in one
-/// plane none hides another. The time grows with the square of their number: seconds for a few thousand. REQUIRES: all
+/// plane none hides another. The time grows with the square of their number, and with the pieces that what is hidden
+/// is cut into. REQUIRES: all
 /// numbers are finite, and a direction is not zero.
 [[nodiscard]] std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles,
                                                   const Picture& picture);
