@@ -41,6 +41,7 @@ class Prover {
   [[nodiscard]] Proof prove(std::string_view line) const;
 
  private:
+  /// What is wrong with a witness about these triangles, which exist; empty when it is proved.
   [[nodiscard]] std::string fault(const nlohmann::json& witness, const culler::Camera& camera, std::size_t first,
                                   std::size_t count) const;
   /// Why the renderer does not draw the occluder whole outside of those triangles; empty when it does.
