@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "differential/exact_visibility.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "occlude/oracle/visibility.h"
 
@@ -18,6 +20,35 @@ oracle::Viewpoint viewpoint(const culler::Camera& camera) {
   return {point(camera.axes().forward), true};
 }
 
+/// The picture's planes are drawn in by this share of its opening, and by kInward of the numbers that they are computed
+/// from: far more than those are rounded by, 2^-53, and far less than anybody sees. What shows in this picture shows in the
+/// renderer's.
+constexpr double kNarrower = 0x1p-40, kInward = 0x1p-48;
+
+oracle::HalfSpaceCoefficients half_space(const glm::dvec3& inward, const glm::dvec3& at) {
+  const glm::dvec3 normal = glm::normalize(inward);
+  const double size = std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z);
+  return {normal.x, normal.y, normal.z, -glm::dot(normal, at) - kInward * size};
+}
+
+/// Written apart from the culler's view frustum, which it is to find fault with.
+oracle::Picture picture_of(const culler::Camera& camera) {
+  const auto [right, up, forward] = camera.axes();
+  oracle::Picture picture;
+  const bool perspective = camera.projection == culler::Projection::perspective;
+  const double opening = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
+  const double y = opening * (1 - kNarrower), x = y * camera.aspect;
+  for (const auto& [half, across] : {std::pair{x, right}, {x, -right}, {y, up}, {y, -up}}) {
+    picture.sides.push_back(perspective ? half_space(half * forward - across, camera.eye)
+                                        : half_space(-across, camera.eye + half * across));
+  }
+  picture.depth.push_back(half_space(forward, camera.eye + camera.near * (1 + kNarrower) * forward));
+  if (std::isfinite(camera.far)) {
+    picture.depth.push_back(half_space(-forward, camera.eye + camera.far * (1 - kNarrower) * forward));
+  }
+  return picture;
+}
+
 }  // namespace
 
 std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera) {
@@ -28,21 +59,7 @@ std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culle
       triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
     }
   }
-  double reach = 0;
-  for (const glm::dvec3& v : soup.vertices) {
-    const glm::dvec3 away = glm::abs(v - camera.eye);
-    reach = std::max({reach, away.x, away.y, away.z});
-  }
-  // No deeper than the culler's, whose planes then lie outside of these.
-  std::vector<culler::HalfSpace> view;
-  culler::append_view_frustum(camera, reach, view);
-  constexpr std::size_t kSides = 4;  // left, right, bottom and top come first
-  oracle::Picture picture;
-  for (std::size_t i = 0; i < view.size(); ++i) {
-    const culler::HalfSpace& h = view[i];
-    (i < kSides ? picture.sides : picture.depth).push_back({h.normal.x, h.normal.y, h.normal.z, h.offset});
-  }
-  return oracle::visible_triangles(viewpoint(camera), triangles, picture);
+  return oracle::visible_triangles(viewpoint(camera), triangles, picture_of(camera));
 }
 
 }  // namespace occlude::fuzz

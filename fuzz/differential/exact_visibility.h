@@ -9,8 +9,8 @@
 
 namespace occlude::fuzz {
 
-/// Of each triangle of the soup, the fans one after another, whether it shows to the camera: within the half-spaces of
-/// append_view_frustum(), which lie outside of the renderer's planes by more than its rounding.
+/// Of each triangle of the soup, the fans one after another, whether it shows to the camera, in a picture narrower than the
+/// camera's by a share of 2^-40: what shows in it surely shows.
 [[nodiscard]] std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera);
 
 }  // namespace occlude::fuzz
