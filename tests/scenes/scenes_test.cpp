@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <string>
@@ -161,7 +162,7 @@ TEST_P(Scenes, NothingThatShowsIsCulled) {
   }
   EXPECT_GT(shown, kEyes / 2);
   EXPECT_GT(hidden, kEyes / 2);
-  RecordProperty("culled_by_shadow", std::to_string(culled));
+  EXPECT_GT(culled, kEyes / 10) << "what culls nothing is never wrong";
   std::printf("%zu triangles shown, %zu hidden or out of view, %zu polygons culled by shadow\n", shown, hidden, culled);
 }
 
