@@ -16,6 +16,7 @@
 namespace occlude::culler {
 
 [[nodiscard]] inline kernel::Vec3 to_kernel(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+[[nodiscard]] inline glm::dvec3 to_glm(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// The box that holds nothing: any point grows it to that point.
 [[nodiscard]] inline kernel::Aabb empty_box() {

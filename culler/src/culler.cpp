@@ -67,6 +67,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
                                 const std::function<void(const Occluder& occluder, const Box& box)>& visit) const {
   View::Memory memory;
   memory.result.view = frame.view;
+  memory.result.margin = frame.margin;
   memory.result.occluders = frame.occluders;
   memory.result.pairs = frame.pairs;
   traverse(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), visit, options, memory);

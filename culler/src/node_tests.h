@@ -43,12 +43,14 @@ class NodeTests {
   /// What is coplanar with an occluder is drawn: the near plane is open. And all that an occluder is drawn as, the faces of
   /// a shell that the eye does not see among it.
   kernel::Relation shadow(std::uint32_t occluder, std::uint32_t node) {
+    const kernel::ShadowFrustum& frustum = frame_.occluders[occluder].frustum;
     const kernel::Relation relation = counted(ask_(node, [&](const auto& box) {
       on_shadow_test_(frame_.occluders[occluder], box);
-      return kernel::decide(frame_.occluders[occluder].frustum, box, options_.arithmetic, options_.test,
-                            kernel::NearBoundary::open);
+      return kernel::decide(frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
     }));
-    return relation == kernel::Relation::inside && holds_part(node, occluder) ? kernel::Relation::partial : relation;
+    if (relation != kernel::Relation::inside) return relation;
+    const bool is_kept = ask_(node, [&](const auto& box) { return frame_.margin.keeps(frustum, box); });
+    return is_kept && !holds_part(node, occluder) ? kernel::Relation::inside : kernel::Relation::partial;
   }
 
   kernel::Relation probe(std::uint32_t probe, std::uint32_t node) const {
@@ -63,8 +65,10 @@ class NodeTests {
     const kernel::ShadowUnion both{frame_.occluders[first].frustum, frame_.occluders[second].frustum};
     const kernel::Relation relation = counted(
         ask_(node, [&](const auto& box) { return kernel::overlap_certified(both, box, kernel::NearBoundary::open); }));
-    const bool holds_parts = relation == kernel::Relation::inside && (holds_part(node, first) || holds_part(node, second));
-    return holds_parts ? kernel::Relation::partial : relation;
+    if (relation != kernel::Relation::inside) return relation;
+    const bool is_kept = ask_(node, [&](const auto& box) { return frame_.margin.keeps(both, box); });
+    return is_kept && !holds_part(node, first) && !holds_part(node, second) ? kernel::Relation::inside
+                                                                            : kernel::Relation::partial;
   }
 
  private:

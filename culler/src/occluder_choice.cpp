@@ -182,7 +182,7 @@ class Choice {
   bool is_clipped() const {
     const double least = camera_.near + kNearMargin * camera_.near;
     return std::ranges::any_of(memory_.loop, [&](const kernel::Vec3& v) {
-      const glm::dvec3 from_eye = glm::dvec3{v.x, v.y, v.z} - camera_.eye;
+      const glm::dvec3 from_eye = to_glm(v) - camera_.eye;
       return glm::dot(from_eye, forward_) < least + kDepthMargin * glm::length(from_eye);
     });
   }

@@ -30,11 +30,13 @@ bool is_out_of_view(const CullResult& frame, const AnyBox& box) {
 template <class AnyBox>
 bool is_occluded(const CullResult& frame, const AnyBox& box) {
   const auto hides = [&](const Occluder& o) {
-    return kernel::conservative_certified(o.frustum, box, NearBoundary::open).relation == Relation::inside;
+    return kernel::conservative_certified(o.frustum, box, NearBoundary::open).relation == Relation::inside &&
+           frame.margin.keeps(o.frustum, box);
   };
   const auto hide_together = [&](const ShadowPair& pair) {
     const kernel::ShadowUnion both{frame.occluders[pair.first].frustum, frame.occluders[pair.second].frustum};
-    return kernel::overlap_certified(both, box, NearBoundary::open).relation == Relation::inside;
+    return kernel::overlap_certified(both, box, NearBoundary::open).relation == Relation::inside &&
+           frame.margin.keeps(both, box);
   };
   return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(frame.pairs, hide_together);
 }

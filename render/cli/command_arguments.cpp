@@ -80,7 +80,8 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   const auto number = [&](const char* name, std::size_t& value, const char* text) {
     return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(std::size_t{0}, kMostOccluders));
   };
-  constexpr double kLargestWeight = 16;  // powers of what differs a thousandfold stay within the doubles
+  constexpr double kLargestMargin = 8192;  // a picture has no more pixels
+  constexpr double kLargestWeight = 16;    // powers of what differs a thousandfold stay within the doubles
   const auto weight = [&](const char* name, double& value, const char* text) {
     return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(0.0, kLargestWeight));
   };
@@ -101,6 +102,13 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
           weight("--weight-coherence", objective.coherence, "the same of what was hidden in the frames before"),
           command.add_flag("--unions", cull_.unions,
                            "pairs of occluders that share an edge hide together what neither hides alone"),
+          command
+              .add_option(
+                  "--pixel-margin", pixel_margin_,
+                  "pixels by which shadows are taken smaller, so that the renderer's rounding shows nothing that they "
+                  "hide; 0: all that is exactly hidden may be culled")
+              ->capture_default_str()
+              ->check(CLI::Range(0.0, kLargestMargin)),
           choice("--near", near_, {"surface", "farthest"},
                  "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
           choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
@@ -121,6 +129,7 @@ render::WalkOptions WalkArguments::options() const {
   if (!frames_.empty()) parse_frames(frames_, options);
   parse_size(size_, options);
   options.cull = cull_;
+  options.cull.margin = pixel_margin_ / options.height;
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;
   options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;

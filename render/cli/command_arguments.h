@@ -44,6 +44,7 @@ class WalkArguments {
               preprocess_;
   BuildArguments build_;
   std::vector<CLI::Option*> build_options_;
+  double pixel_margin_ = render::kPixelMargin;
   culler::CullOptions cull_;
 };
 

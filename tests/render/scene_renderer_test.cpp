@@ -304,5 +304,30 @@ TEST_F(SceneRendererTest, ImpossibleSizesAreRefused) {
   EXPECT_THROW(SceneRenderer(soup, 10, 1 << 20), std::runtime_error);
 }
 
+/// Thinner than the grid that vertices are rounded to: their depth at a pixel would be any.
+TEST_F(SceneRendererTest, NothingHiddenShowsWhereItIsSeenEdgeOn) {
+  PolygonSoup soup;
+  // A wall askew, and behind it, each nearer to the eye than the far end of the wall, strips in planes almost through the
+  // eye.
+  const std::array<std::uint32_t, 4> wall = {soup.add_vertex({10, 8, -8}), soup.add_vertex({30, -24, -8}),
+                                             soup.add_vertex({30, -24, 8}), soup.add_vertex({10, 8, 8})};
+  soup.add_polygon(wall);
+  std::mt19937 random(3);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const double y = uniform(-0.3, 0.3), tilt = uniform(-1e-3, 1e-3), z = uniform(-0.2, 0.2);
+    const double low = uniform(20, 25), high = low + uniform(5, 20);
+    const std::array<std::uint32_t, 4> strip = {
+        soup.add_vertex({low, y * low, low * (z - 0.1)}), soup.add_vertex({high, y * high + tilt, high * (z - 0.1)}),
+        soup.add_vertex({high, y * high + tilt, high * (z + 0.1)}), soup.add_vertex({low, y * low, low * (z + 0.1)})};
+    soup.add_polygon(strip);
+  }
+  const ItemBuffer items = items_of(soup, camera_at({0, 0, 0}));
+  EXPECT_EQ(std::ranges::count_if(items.pixels, [](std::uint32_t p) { return p != 0 && p != kNothing; }), 0);
+  EXPECT_GT(pixels(items, 0), 100U);
+}
+
 }  // namespace
 }  // namespace occlude::render

@@ -2,7 +2,6 @@
 #include "comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -23,10 +22,6 @@ class Projector {
  public:
   Projector(const culler::Camera& camera, int width, int height)
       : camera_(camera), axes_(camera.axes()), width_(width), height_(height) {}
-
-  [[nodiscard]] bool is_before_camera(const glm::dvec3& point) const {
-    return glm::dot(point - camera_.eye, axes_.forward) >= camera_.near;
-  }
 
   /// In pixels from the top left corner. REQUIRES: the point is before the camera.
   [[nodiscard]] glm::dvec2 operator()(const glm::dvec3& point) const {
@@ -59,13 +54,6 @@ double distance_to_outline(const glm::dvec2& p, std::span<const glm::dvec2> outl
   return nearest;
 }
 
-/// Height of a triangle over its longest edge.
-double thickness(const std::array<glm::dvec2, 3>& t) {
-  const glm::dvec2 u = t[1] - t[0], v = t[2] - t[0];
-  const double longest = std::max({glm::length(u), glm::length(v), glm::distance(t[1], t[2])});
-  return longest == 0 ? 0 : std::fabs(u.x * v.y - u.y * v.x) / longest;
-}
-
 /// What a frame did to each polygon.
 class Fate {
  public:
@@ -95,26 +83,11 @@ bool is_on_silhouette(const glm::dvec2& centre, const Projector& project, const 
   return distance_to_outline(centre, silhouette) <= kSnapping;
 }
 
-/// Whether it is on a triangle of the polygon that is seen so nearly edge-on that snapping is larger than its thickness, and
-/// with it its depth at the pixel arbitrary.
-bool is_on_sliver(const glm::dvec2& centre, const Projector& project, const culler::PolygonSoup& soup,
-                  std::uint32_t polygon) {
-  const auto loop = soup.loop(polygon);
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    const std::array<glm::dvec3, 3> triangle{soup.vertices[loop[0]], soup.vertices[loop[i]], soup.vertices[loop[i + 1]]};
-    if (!std::all_of(triangle.begin(), triangle.end(), [&](const auto& v) { return project.is_before_camera(v); })) continue;
-    const std::array<glm::dvec2, 3> seen{project(triangle[0]), project(triangle[1]), project(triangle[2])};
-    if (thickness(seen) <= kSnapping && distance_to_outline(centre, seen) <= kSnapping) return true;
-  }
-  return false;
-}
-
-/// Whether snapping can make this pixel show a polygon that a shadow, or two together, took.
-bool is_snapping(const glm::dvec2& centre, const Projector& project, const culler::Culler& culler,
-                 const culler::CullResult& result, const culler::Culled& cull, std::uint32_t polygon) {
+/// Whether snapping can make this pixel show what a shadow, or two together, took.
+bool is_snapping(const glm::dvec2& centre, const Projector& project, const culler::CullResult& result,
+                 const culler::Culled& cull) {
   const auto is_on = [&](std::uint32_t i) { return is_on_silhouette(centre, project, result.occluders[i]); };
-  return is_on(cull.index) || (cull.second != culler::Culled::kNone && is_on(cull.second)) ||
-         is_on_sliver(centre, project, culler.hierarchy().soup(), polygon);
+  return is_on(cull.index) || (cull.second != culler::Culled::kNone && is_on(cull.second));
 }
 
 }  // namespace
@@ -134,8 +107,7 @@ void compare(const Picture& full, const Picture& culled, const culler::Culler& c
       if (same) continue;
       ++record.wrong_pixels;
       const culler::Culled* cull = polygon == kNothing ? nullptr : fate.cull_of(polygon);
-      if (cull && cull->by == culler::Culled::By::shadow &&
-          is_snapping({x + 0.5, y + 0.5}, project, culler, result, *cull, polygon)) {
+      if (cull && cull->by == culler::Culled::By::shadow && is_snapping({x + 0.5, y + 0.5}, project, result, *cull)) {
         ++record.snapped_pixels;
       } else if (cull) {
         falsely_culled.insert(polygon);

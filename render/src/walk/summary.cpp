@@ -50,6 +50,7 @@ Json options_json(const WalkOptions& options, const culler::BuildConfig& build) 
            {{"solid_angle", objective.solid_angle},
             {"depth_complexity", objective.depth_complexity},
             {"coherence", objective.coherence}}},
+          {"pixel_margin", options.cull.margin * options.height},
           {"near", options.cull.near == kernel::Near::surface ? "surface" : "farthest"},
           {"arithmetic", options.cull.arithmetic == kernel::Arithmetic::certified ? "certified" : "plain"},
           {"test", options.cull.test == kernel::Test::overlap ? "overlap" : "conservative"},

@@ -9,6 +9,7 @@
 
 #include "occlude/culler/camera.h"
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 
@@ -40,6 +41,9 @@ struct CullOptions {
   kernel::Near near = kernel::Near::surface;
   kernel::Arithmetic arithmetic = kernel::Arithmetic::certified;
   kernel::Test test = kernel::Test::conservative;
+  /// By how much of the picture's height shadows are taken smaller than they are (ShadowMargin). 0 culls all that is exactly
+  /// hidden; for a rasteriser to draw the same picture with and without culling, it has to be what it rounds by.
+  double margin = 0;
   /// Whether pairs of the occluders that share an edge hide together what neither hides alone. Certified, always exact.
   bool unions = false;
 };
@@ -85,6 +89,7 @@ struct CullResult {
   std::vector<PolygonRange> drawn;  ///< in the order of the leaves, neighbours merged
   std::vector<Culled> culled;
   std::vector<HalfSpace> view;
+  ShadowMargin margin;
   std::vector<Occluder> occluders;
   std::vector<ShadowPair> pairs;  ///< none unless CullOptions::unions
   CullStats stats;

@@ -27,11 +27,11 @@ class View {
   /// The last frame.
   [[nodiscard]] const CullResult& result() const;
 
-  /// What the last frame makes of any box, say of something about to be created: by the same half-spaces and occluders, and
-  /// certified whatever the frame was. Shadows are strictly beyond their near planes. Everything is visible before the first
-  /// frame. A box that reaches farther than all that the culler knows may be out of view by a plane that rounding, in its
-  /// last digits, has tilted before it. Many threads may ask one view at a time, between its frames. Throws
-  /// std::invalid_argument for a box that the kernel refuses.
+  /// What the last frame makes of any box, say of something about to be created: by the same half-spaces and occluders,
+  /// with its margin, and certified whatever the frame was. Shadows are strictly beyond their near planes. Everything is
+  /// visible before the first frame. A box that reaches farther than all that the culler knows may be out of view by a
+  /// plane that rounding, in its last digits, has tilted before it. Many threads may ask one view at a time, between its
+  /// frames. Throws std::invalid_argument for a box that the kernel refuses.
   [[nodiscard]] Visibility visibility(const Box& box) const;
 
   /// For the cullers alone: src/view_memory.h.

@@ -25,6 +25,12 @@ struct ShadowTest {
   culler::Box box;
 };
 
+/// Pixels by which shadows must be taken smaller for a picture to be the same with and without what they hide. The
+/// rasteriser moves a border by up to 1/512 pixel on each axis, sqrt(2)/512; those of the occluder and of what it hides may
+/// move towards each other, 0.0055 in all. Depths recede by up to 1/256 (scene_renderer.cpp): where the near side of the
+/// shadow is, the occluder's are out by sqrt(2)/512 + 1/256 = 0.0067.
+inline constexpr double kPixelMargin = 1.0 / 128;
+
 struct WalkOptions {
   int width = 640, height = 360;                    ///< of the picture, pixels
   std::size_t begin = 0, end = SIZE_MAX, step = 1;  ///< frames walked: begin, begin + step, ... below end
