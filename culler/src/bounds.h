@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -52,6 +53,21 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     sum += glm::cross(soup.vertices[loop[i]] - base, soup.vertices[loop[i + 1]] - base);
   }
+  return sum;
+}
+
+/// The least of normal . (x - origin) over the points x of a box, up to rounding.
+[[nodiscard]] inline double least(const glm::dvec3& normal, const kernel::Vec3& origin, const kernel::Aabb& box) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    sum += normal[axis] * ((normal[axis] > 0 ? box.min : box.max)[axis] - origin[axis]);
+  }
+  return sum;
+}
+
+[[nodiscard]] inline double least(const glm::dvec3& normal, const kernel::Vec3& origin, const kernel::Obb& box) {
+  double sum = glm::dot(normal, to_glm(box.center) - to_glm(origin));
+  for (const kernel::Vec3& edge : box.half_edges) sum -= std::fabs(glm::dot(normal, to_glm(edge)));
   return sum;
 }
 

@@ -66,6 +66,11 @@ Camera::Axes Camera::axes() const {
   return {right, glm::cross(right, forward), forward};
 }
 
+kernel::Viewpoint Camera::viewpoint() const {
+  return projection == Projection::perspective ? kernel::Viewpoint::eye(to_kernel(eye))
+                                               : kernel::Viewpoint::direction(to_kernel(axes().forward));
+}
+
 void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes) {
   const auto [right, up, forward] = camera.axes();
   if (camera.projection == Projection::perspective) {

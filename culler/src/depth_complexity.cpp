@@ -47,22 +47,14 @@ class Pool {
   [[nodiscard]] std::uint32_t occluder(std::size_t i) const { return named_[i]; }
 
  private:
-  [[nodiscard]] auto shadow(std::uint32_t i) const {
-    const auto viewpoint = kernel::Viewpoint::eye(to_kernel(eye_));
-    if (occluders_.is_shell(i)) {
-      return kernel::ShadowFrustum::make(viewpoint, occluders_.polytope(i), kernel::Near::surface);
-    }
-    const auto loop = std::get<std::vector<kernel::Vec3>>(occluders_.geometry(soup_, i));
-    return kernel::ShadowFrustum::make(viewpoint, loop, kernel::Near::surface);
-  }
-
   /// The largest that i is a part of and that casts a shadow from here.
   bool take(std::uint32_t i) {
     const std::uint32_t container = occluders_.container(i);
     if (container != i && take(container)) return true;
     if (std::ranges::find(taken_, i) != taken_.end()) return true;
     if (std::ranges::find(refused_, i) != refused_.end() || frusta_.size() == kPool) return false;
-    auto [frustum, refusal] = shadow(i);
+    const auto viewpoint = kernel::Viewpoint::eye(to_kernel(eye_));
+    auto [frustum, refusal] = occluders_.shadow(soup_, i, viewpoint, kernel::Near::surface);
     if (!frustum) {
       refused_.push_back(i);
       return false;

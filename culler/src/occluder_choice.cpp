@@ -48,8 +48,7 @@ class Choice {
         options_(options),
         memory_(memory),
         forward_(camera.axes().forward),
-        viewpoint_(camera.projection == Projection::perspective ? kernel::Viewpoint::eye(to_kernel(camera.eye))
-                                                                : kernel::Viewpoint::direction(to_kernel(forward_))) {}
+        viewpoint_(camera.viewpoint()) {}
 
   void run() {
     sort_candidates();
@@ -164,7 +163,7 @@ class Choice {
     if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) return is_in(chosen(), i) || is_in(memory_.probes, i);
     memory_.tried.push_back(i);
     set_loop(i);
-    if (is_clipped() || is_in_shadow()) return false;
+    if (may_be_clipped(camera_, memory_.loop) || is_in_shadow()) return false;
     return add(i);
   }
 
@@ -177,14 +176,6 @@ class Choice {
     } else {
       for (const std::uint32_t index : source_.occluders.loop(i)) loop.push_back(to_kernel(source_.soup.vertices[index]));
     }
-  }
-
-  bool is_clipped() const {
-    const double least = camera_.near + kNearMargin * camera_.near;
-    return std::ranges::any_of(memory_.loop, [&](const kernel::Vec3& v) {
-      const glm::dvec3 from_eye = to_glm(v) - camera_.eye;
-      return glm::dot(from_eye, forward_) < least + kDepthMargin * glm::length(from_eye);
-    });
   }
 
   bool is_in_shadow() {
@@ -241,6 +232,15 @@ void pair_neighbours(std::span<const Occluder> occluders, std::vector<ShadowPair
 }
 
 }  // namespace
+
+bool may_be_clipped(const Camera& camera, std::span<const kernel::Vec3> vertices) {
+  const glm::dvec3 forward = camera.axes().forward;
+  const double least = camera.near + kNearMargin * camera.near;
+  return std::ranges::any_of(vertices, [&](const kernel::Vec3& v) {
+    const glm::dvec3 from_eye = to_glm(v) - camera.eye;
+    return glm::dot(from_eye, forward) < least + kDepthMargin * glm::length(from_eye);
+  });
+}
 
 void choose_occluders(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory) {
   if (options.occluders == 0) return;

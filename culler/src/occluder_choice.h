@@ -3,6 +3,8 @@
 // n_occ.
 #pragma once
 
+#include <span>
+
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/occluder_grid.h"
@@ -17,6 +19,9 @@ struct OccluderSource {
   const PotentialOccluders& occluders;
   const OccluderGrid& grid;
 };
+
+/// Whether the renderer may clip something of the vertices' convex hull at its near plane: then it must not occlude.
+[[nodiscard]] bool may_be_clipped(const Camera& camera, std::span<const kernel::Vec3> vertices);
 
 /// Fills memory.result.occluders and memory.pairs for a frame whose view is known, best first: those that hid something in
 /// the frames before, then those that were not tried lately, and where these run out the rest; and memory.probes. Left out

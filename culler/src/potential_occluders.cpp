@@ -69,6 +69,12 @@ OccluderGeometry PotentialOccluders::geometry(const PolygonSoup& soup, std::size
   return polygon;
 }
 
+kernel::ShadowFrustumResult PotentialOccluders::shadow(const PolygonSoup& soup, std::size_t i,
+                                                       const kernel::Viewpoint& viewpoint, kernel::Near near) const {
+  if (is_shell(i)) return kernel::ShadowFrustum::make(viewpoint, polytope(i), near);
+  return kernel::ShadowFrustum::make(viewpoint, std::get<std::vector<kernel::Vec3>>(geometry(soup, i)), near);
+}
+
 std::uint32_t PotentialOccluders::container(std::uint32_t i) const {
   if (is_shell(i)) return i;
   const std::uint32_t polygon = regions_.parts(i)[0];

@@ -181,6 +181,7 @@ CullOptions some_options(Random& random) {
   options.unions = random.chance(0.5);
   if (random.chance(0.3)) options.near = kernel::Near::farthest;
   if (random.chance(0.3)) options.test = kernel::Test::overlap;
+  if (random.chance(0.2)) options.margin = std::array{0x1p-20, 0x1p-6, 1.0}[random.index(3)];
   return options;
 }
 
@@ -223,13 +224,17 @@ class Twin {
     for (const culler::Occluder& occluder : result_.occluders) {
       const kernel::Decision decision =
           kernel::decide(occluder.frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
-      if (decision.relation == kernel::Relation::inside && !holds_part(node, occluder)) return true;
+      if (decision.relation == kernel::Relation::inside && result_.margin.keeps(occluder.frustum, box) &&
+          !holds_part(node, occluder)) {
+        return true;
+      }
     }
     return std::ranges::any_of(result_.pairs, [&](const culler::ShadowPair& pair) {
       const culler::Occluder &first = result_.occluders[pair.first], &second = result_.occluders[pair.second];
       if (holds_part(node, first) || holds_part(node, second)) return false;
       const kernel::ShadowUnion both{first.frustum, second.frustum};
-      return kernel::overlap_certified(both, box, kernel::NearBoundary::open).relation == kernel::Relation::inside;
+      return kernel::overlap_certified(both, box, kernel::NearBoundary::open).relation == kernel::Relation::inside &&
+             result_.margin.keeps(both, box);
     });
   }
 
@@ -262,15 +267,8 @@ std::vector<bool> drawn_of(const Culler& culler, const CullResult& result) {
 /// Whether the shadow is the one that the occluder casts from here, whatever was seen of it in the frames before.
 bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
                       const culler::Occluder& occluder) {
-  const dvec3 at = camera.projection == culler::Projection::perspective ? camera.eye : camera.axes().forward;
-  const kernel::Vec3 value{at.x, at.y, at.z};
-  const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
-                                                                              : kernel::Viewpoint::direction(value);
-  const culler::OccluderGeometry geometry = culler.occluders().geometry(culler.hierarchy().soup(), occluder.index);
-  const auto* const polygon = std::get_if<Polygon>(&geometry);
   const kernel::ShadowFrustumResult fresh =
-      polygon ? kernel::ShadowFrustum::make(viewpoint, *polygon, options.near)
-              : kernel::ShadowFrustum::make(viewpoint, culler.occluders().polytope(occluder.index), options.near);
+      culler.occluders().shadow(culler.hierarchy().soup(), occluder.index, camera.viewpoint(), options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
          std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());

@@ -136,15 +136,17 @@ Prover::Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& pat
   std::sort(by_first_vertex_.begin(), by_first_vertex_.end());
 }
 
-Proof Prover::prove(std::string_view line) const {
+std::optional<Proof> Prover::prove(std::string_view line, const std::function<bool(std::size_t)>& is_wanted) const {
   const Json object = parse_object(line);
   const Json& frame = member(object, "frame");
-  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return {.failure = "no such frame"};
+  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return Proof{.failure = "no such frame"};
+  if (is_wanted && !is_wanted(frame.get<std::size_t>())) return std::nullopt;
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
-  if (count == 0 || first >= total || count > total - first) return {.failure = "no such triangles"};
+  if (count == 0 || first >= total || count > total - first) return Proof{.failure = "no such triangles"};
   const auto number = frame.get<std::size_t>();
-  return {fault(object, path_.camera(number, aspect_), first, count), number, first, count};
+  return Proof{fault(object, path_.camera(number, aspect_), first, count), number, first, count,
+               member(object, "by") == "view"};
 }
 
 std::string Prover::fault(const Json& object, const culler::Camera& camera, std::size_t first, std::size_t count) const {

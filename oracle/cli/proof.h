@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <shared_mutex>
 #include <string>
 #include <string_view>
@@ -23,6 +25,7 @@ struct Proof {
   std::string failure;               ///< empty when it is proved, else what is wrong with it
   std::size_t frame = 0;             ///< of the path
   std::size_t first = 0, count = 0;  ///< the triangles it says are culled; none where the line names none of the model
+  bool by_view = false;
 };
 
 /// Checks witnesses against the model and path they claim to be of. prove() may run on several threads at once.
@@ -38,7 +41,9 @@ class Prover {
   ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
   ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
   ///   are such polygons, and the renderer clips none of it.
-  [[nodiscard]] Proof prove(std::string_view line) const;
+  /// None of a frame that is not wanted.
+  [[nodiscard]] std::optional<Proof> prove(std::string_view line,
+                                           const std::function<bool(std::size_t frame)>& is_wanted = {}) const;
 
  private:
   /// What is wrong with a witness about these triangles, which exist; empty when it is proved.

@@ -4,15 +4,17 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command_arguments.h"
 #include "commands.h"
-#include "exact_check.h"
+#include "failures.h"
+#include "item_buffers.h"
+#include "occlude/culler/missed.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
@@ -22,142 +24,231 @@
 #include "occlude/render/progress.h"
 #include "occlude/render/witness.h"
 #include "proof.h"
+#include "validation.h"
+#include "visibility_check.h"
 
 namespace occlude::cli {
 namespace {
 
 struct Arguments {
-  std::string model, path, witness;
+  std::string model, path, witness, shard = "1/1", out;
   WalkArguments walk;
   /// Half a minute for the 300 frames of a path through random triangles; lattices take longer.
   std::size_t exact_up_to = 2000;
   bool json = false;
 };
 
+/// Frames whose number is `index` more than a multiple of `count`: of several machines each takes some.
+struct Shard {
+  std::size_t index = 0, count = 1;
+
+  [[nodiscard]] bool has(std::size_t frame) const { return frame % count == index; }
+};
+
+Shard parse_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) throw CLI::ValidationError("--shard", "expected I/N");
+  const std::size_t i = whole_number("--shard", text.substr(0, slash)), n = whole_number("--shard", text.substr(slash + 1));
+  if (i == 0 || i > n) throw CLI::ValidationError("--shard", "expected I/N with I from 1 to N");
+  return {i - 1, n};
+}
+
 /// A witness and where it stands.
 struct Place {
   std::string line, name;
+  std::size_t number;  ///< of its line, from 1
 };
 
-struct Outcome {
-  std::size_t proved = 0, failed = 0;
-  std::string first_failure;  ///< of the lowest line
-};
+/// Proves witnesses and keeps what they say is culled; the outcome is the same for any number of threads.
+class Proving {
+ public:
+  Proving(const Prover& prover, const Shard& shard) : prover_(prover), shard_(shard) {}
 
-/// What judges witnesses.
-struct Judges {
-  Prover prover;
-  std::optional<ExactCheck> exact;  ///< of small models
-};
-
-/// Proves witnesses and adds them to the outcome, which is the same for any number of threads. Throws InputError for a line
-/// that is no witness.
-void prove_all(Judges& judges, const std::vector<Place>& places, Outcome& outcome) {
-  struct Verdict {
-    Proof proof;
-    std::string unreadable;
-  };
-  std::vector<Verdict> verdicts(places.size());
-  culler::parallel_for(places.size(), [&](std::size_t i) {
-    try {
-      verdicts[i].proof = judges.prover.prove(places[i].line);
-    } catch (const std::exception& error) {
-      verdicts[i].unreadable = error.what();
-    }
-  });
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [proof, unreadable] = verdicts[i];
-    if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
-    if (judges.exact) judges.exact->add(proof);
-    if (proof.failure.empty()) {
-      ++outcome.proved;
-    } else if (outcome.failed++ == 0) {
-      outcome.first_failure = fmt::format("{}: {}", places[i].name, proof.failure);
+  /// Throws InputError for a line that is no witness.
+  void prove(const std::vector<Place>& places) {
+    struct Verdict {
+      std::optional<Proof> proof;  ///< none of other shards
+      std::string unreadable;
+    };
+    std::vector<Verdict> verdicts(places.size());
+    culler::parallel_for(places.size(), [&](std::size_t i) {
+      try {
+        verdicts[i].proof = prover_.prove(places[i].line, [&](std::size_t frame) { return shard_.has(frame); });
+      } catch (const std::exception& error) {
+        verdicts[i].unreadable = error.what();
+      }
+    });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& [proof, unreadable] = verdicts[i];
+      if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
+      if (proof) add(*proof, places[i]);
     }
   }
-}
+
+  [[nodiscard]] const CulledSets& culled() const { return culled_; }
+  std::size_t proved = 0, failed = 0;
+  std::string first_failure;  ///< of the lowest line
+
+ private:
+  void add(const Proof& proof, const Place& place) {
+    if (proof.count != 0) culled_[proof.frame].push_back({proof.first, proof.count, proof.by_view, place.number});
+    if (proof.failure.empty()) {
+      ++proved;
+    } else if (failed++ == 0) {
+      first_failure = fmt::format("{}: {}", place.name, proof.failure);
+    }
+  }
+
+  const Prover& prover_;
+  Shard shard_;
+  CulledSets culled_;
+};
 
 /// As many lines as keep all threads busy and memory small.
 constexpr std::size_t kBatch = 16384;
 
-Outcome prove_file(Judges& judges, const std::string& file) {
+void prove_file(Proving& proving, const std::string& file) {
   render::LineReader lines(file);
   render::Progress progress("proved MB", lines.size() >> 20U);
-  Outcome outcome;
   std::vector<Place> places;
+  std::size_t total = 0;
   const auto prove_batch = [&] {
-    prove_all(judges, places, outcome);
+    proving.prove(places);
+    total += places.size();
     places.clear();
     progress.update(lines.read() >> 20U);
   };
   for (std::string line; lines.next(line);) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    places.push_back({line, fmt::format("{}:{}", lines.name(), lines.number())});
+    places.push_back({line, fmt::format("{}:{}", lines.name(), lines.number()), lines.number()});
     if (places.size() == kBatch) prove_batch();
   }
   prove_batch();
-  if (outcome.proved + outcome.failed == 0) throw render::InputError(lines.name() + ": no witnesses");
-  return outcome;
+  if (total == 0) throw render::InputError(lines.name() + ": no witnesses");
 }
 
-/// Culls every frame anew and proves what was culled.
-Outcome prove_walk(Judges& judges, const culler::Culler& culler, const render::CameraPath& path,
-                   const render::WalkOptions& options) {
-  const std::vector<std::size_t> frames = render::frames_of(path, options);
-  render::Progress progress("proved frame", frames.size());
-  Outcome outcome;
-  std::vector<std::string> lines;
-  std::vector<Place> places;
+/// The model, the path, and how frames of it are culled anew.
+struct Walked {
+  const culler::Culler& culler;
+  const render::CameraPath& path;
+  const render::WalkOptions& options;
+};
+
+/// Culls the walk's frames, one after another, for the frames to come depend on those before.
+template <class OnFrame>
+void cull_frames(const Walked& walked, const char* label, OnFrame&& on_frame) {
+  const std::vector<std::size_t> frames = render::frames_of(walked.path, walked.options);
+  render::Progress progress(label, frames.size());
   culler::View view;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     render::check_interrupt();
-    const culler::Camera camera = path.camera(frames[i], render::aspect(options));
-    lines.clear();
-    render::append_witnesses(lines, frames[i], camera, culler, culler.cull(camera, options.cull, view), options.cull.near);
-    for (std::string& line : lines) places.push_back({std::move(line), fmt::format("frame {}", frames[i])});
-    if (places.size() >= kBatch || i + 1 == frames.size()) {
-      prove_all(judges, places, outcome);
-      places.clear();
-    }
+    const culler::Camera camera = walked.path.camera(frames[i], render::aspect(walked.options));
+    on_frame(frames[i], camera, walked.culler.cull(camera, walked.options.cull, view));
     progress.update(i + 1);
   }
-  return outcome;
 }
 
-void print(const Outcome& outcome, const std::optional<ExactCheck::Result>& exact, bool json) {
-  using Json = nlohmann::ordered_json;
-  const std::size_t total = outcome.proved + outcome.failed;
-  if (json) {
-    const Json visibility = exact ? Json{{"frames", exact->frames}, {"culled_showing", exact->culled_showing}} : Json();
-    fmt::print(
-        "{}\n",
-        Json{{"witnesses", total}, {"proved", outcome.proved}, {"failed", outcome.failed}, {"exact_visibility", visibility}}
-            .dump(2));
-    return;
+void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
+  std::vector<std::string> lines;
+  std::vector<Place> places;
+  cull_frames(walked, "proved frame",
+              [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
+                if (!shard.has(frame)) return;
+                lines.clear();
+                render::append_witnesses(lines, frame, camera, walked.culler, culled, walked.options.cull.near);
+                for (std::size_t i = 0; i < lines.size(); ++i) {
+                  places.push_back({std::move(lines[i]), fmt::format("frame {}", frame), i + 1});
+                }
+                if (places.size() < kBatch) return;
+                proving.prove(places);
+                places.clear();
+              });
+  proving.prove(places);
+}
+
+/// On the reference frames of `visibility`.
+MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
+  std::map<std::size_t, const std::vector<bool>*> shows;
+  for (const FrameVisibility& frame : visibility.frames) {
+    if (!frame.shows.empty()) shows[frame.frame] = &frame.shows;
   }
-  fmt::print("{} of {} witnesses proved\n", outcome.proved, total);
-  if (exact) {
-    fmt::print("exact visibility: {} culled triangles show in {} frames\n", exact->culled_showing, exact->frames);
+  MissedCounts missed;
+  cull_frames(walked, "reasons, frame",
+              [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
+                const auto found = shows.find(frame);
+                if (found == shows.end()) return;
+                ++missed.frames;
+                const culler::MissedReasons reasons(walked.culler, camera, walked.options.cull, culled);
+                const auto counts = reasons.count(*found->second);
+                for (std::size_t r = 0; r < counts.size(); ++r) missed.polygons[r] += counts[r];
+              });
+  return missed;
+}
+
+/// The text of every witness that a false cull is about.
+WitnessText witnesses_anew(const Walked& walked, const Visibility& visibility) {
+  std::map<std::size_t, std::vector<std::string>> lines;
+  for (const FalseCull& failure : visibility.false_culls) lines[failure.frame];
+  if (!lines.empty()) {
+    cull_frames(walked, "witnesses, frame",
+                [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
+                  const auto found = lines.find(frame);
+                  if (found == lines.end()) return;
+                  render::append_witnesses(found->second, frame, camera, walked.culler, culled, walked.options.cull.near);
+                });
   }
+  return [lines = std::move(lines)](std::size_t frame, std::size_t number) { return lines.at(frame).at(number - 1); };
+}
+
+/// Where it stands in the file.
+WitnessText witnesses_of(const std::string& file) {
+  return [file](std::size_t, std::size_t number) { return fmt::format("{}:{}", file, number); };
 }
 
 int validate(Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
+  const Shard shard = parse_shard(arguments.shard);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  Judges judges{Prover(hierarchy, path, render::aspect(options)), std::nullopt};
-  if (hierarchy.first_triangle(hierarchy.soup().size()) <= arguments.exact_up_to) {
-    judges.exact.emplace(hierarchy, path, render::aspect(options));
+  const Walked walked{culler, path, options};
+  const bool is_anew = arguments.witness.empty();
+
+  const Prover prover(hierarchy, path, render::aspect(options));
+  Proving proving(prover, shard);
+  if (is_anew) {
+    prove_anew(proving, walked, shard);
+  } else {
+    prove_file(proving, arguments.witness);
   }
-  const Outcome outcome =
-      arguments.witness.empty() ? prove_walk(judges, culler, path, options) : prove_file(judges, arguments.witness);
-  std::optional<ExactCheck::Result> exact;
-  if (judges.exact) exact = judges.exact->result();
-  print(outcome, exact, arguments.json);
-  if (outcome.failed != 0) fmt::print(stderr, "{}\n", outcome.first_failure);
-  if (exact && exact->culled_showing != 0) fmt::print(stderr, "{}\n", exact->first);
-  return outcome.failed == 0 && (!exact || exact->culled_showing == 0) ? 0 : 1;
+
+  Validation result;
+  result.proved = proving.proved;
+  result.failed = proving.failed;
+  result.first_failure = proving.first_failure;
+  result.is_exact = hierarchy.first_triangle(hierarchy.soup().size()) <= arguments.exact_up_to;
+  std::optional<ItemBuffers> made;
+  const auto buffers = [&]() -> ItemBuffers& {
+    return made ? *made : made.emplace(hierarchy.soup(), options.width, options.height);
+  };
+  if (result.is_exact) {
+    result.visibility = check_exactly(hierarchy, path, render::aspect(options), proving.culled());
+  } else {
+    result.sizes = buffers().sizes();
+    result.visibility = check_rendered(hierarchy, path, render::aspect(options), proving.culled(), buffers());
+  }
+  if (is_anew) result.missed = count_missed(walked, result.visibility);
+
+  const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
+  if (!arguments.out.empty()) {
+    write_failures(arguments.out, result.visibility, hierarchy, path, render::aspect(options), witness, buffers());
+  }
+  fmt::print("{}", arguments.json ? to_json(result) : to_text(result));
+  if (result.failed != 0) fmt::print(stderr, "{}\n", result.first_failure);
+  if (!result.visibility.false_culls.empty()) {
+    fmt::print(stderr, "{}\n", describe(result.visibility.false_culls.front(), hierarchy, witness));
+  }
+  return passed(result) ? 0 : 1;
 }
 
 }  // namespace
@@ -178,6 +269,12 @@ void add_validate(CLI::App& app, int& exit_code) {
                    "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
+  command
+      ->add_option(
+          "--shard", a->shard,
+          "I/N: of N runs, on one machine or several, the one that takes frames I - 1, I - 1 + N, ...; their counts add up")
+      ->capture_default_str();
+  command->add_option("--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
   a->walk.add_size_to(*command);
   for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
   a->walk.add_preprocess_to(*command)->excludes(witness);

@@ -14,6 +14,9 @@ class FrameBuffer {
   /// Throws std::runtime_error if OpenGL offers no buffers of this size.
   FrameBuffer(int width, int height);
 
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
   /// Makes the picture the target of drawing, with `sky` everywhere and depth 0, the farthest.
   void begin_picture(const Rgba& sky);
   /// Makes the item buffer the target of drawing, with nothing in it and depth 0. The picture stays as it is.

@@ -17,11 +17,11 @@ using glm::dvec4;
 /// A linear function of a vector relative to the eye: coefficients, constant.
 dvec4 row(const dvec3& coefficients, double constant) { return {coefficients, constant}; }
 
-glm::mat4 from_rows(const dvec4& x, const dvec4& y, const dvec4& z, const dvec4& w) {
-  return glm::mat4(glm::transpose(glm::dmat4(x, y, z, w)));
+glm::dmat4 from_rows(const dvec4& x, const dvec4& y, const dvec4& z, const dvec4& w) {
+  return glm::transpose(glm::dmat4(x, y, z, w));
 }
 
-glm::mat4 perspective(const Camera& camera, const Camera::Axes& axes) {
+glm::dmat4 perspective(const Camera& camera, const Camera::Axes& axes) {
   const double y_scale = 1 / std::tan(glm::radians(camera.fov_y_deg) / 2);
   // depth = z / w with w the distance along the line of sight: near / w, or near (far - w) / (far - near) / w.
   const bool endless = std::isinf(camera.far);
@@ -38,7 +38,7 @@ double farthest(const Extent& model, const Camera& camera, const dvec3& forward)
   return glm::dot(corner - camera.eye, forward);
 }
 
-glm::mat4 orthographic(const Camera& camera, const Camera::Axes& axes, const Extent& model) {
+glm::dmat4 orthographic(const Camera& camera, const Camera::Axes& axes, const Extent& model) {
   // Twice as far as the model reaches, so that rounding takes nothing off its end.
   const double behind_model = camera.near + 2 * std::max(farthest(model, camera, axes.forward), camera.near);
   const double far = std::min(camera.far, behind_model);
@@ -49,10 +49,15 @@ glm::mat4 orthographic(const Camera& camera, const Camera::Axes& axes, const Ext
 
 }  // namespace
 
-glm::mat4 clip_from_eye_relative(const Camera& camera, const Extent& model) {
+glm::mat4 clip_from_eye_relative(const Camera& camera, const Extent& model, const glm::dvec2& shift) {
   const Camera::Axes axes = camera.axes();
-  return camera.projection == culler::Projection::perspective ? perspective(camera, axes)
-                                                              : orthographic(camera, axes, model);
+  glm::dmat4 clip = camera.projection == culler::Projection::perspective ? perspective(camera, axes)
+                                                                         : orthographic(camera, axes, model);
+  for (int column = 0; column < 4; ++column) {
+    clip[column].x += shift.x * clip[column].w;
+    clip[column].y += shift.y * clip[column].w;
+  }
+  return glm::mat4(clip);
 }
 
 }  // namespace occlude::render

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "occlude/culler/camera.h"
@@ -16,7 +17,9 @@ struct Extent {
 
 /// Takes vectors relative to the eye to clip space: depth 1 at the near plane, 0 at the far plane or at infinity. Half the
 /// values a float can take between 0 and 1 lie below 2^-63, so distant surfaces are told apart as well as near ones. An
-/// orthographic view without a far plane gets one behind `model`.
-[[nodiscard]] glm::mat4 clip_from_eye_relative(const culler::Camera& camera, const Extent& model);
+/// orthographic view without a far plane gets one behind `model`. `shift` moves the picture, to the right and up, in halves
+/// of its sides.
+[[nodiscard]] glm::mat4 clip_from_eye_relative(const culler::Camera& camera, const Extent& model,
+                                               const glm::dvec2& shift = {0, 0});
 
 }  // namespace occlude::render

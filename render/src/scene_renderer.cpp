@@ -155,7 +155,7 @@ struct SceneRenderer::Impl {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   }
 
-  void begin_polygons(const GlProgram& program, const culler::Camera& camera) const;
+  void begin_polygons(const GlProgram& program, const culler::Camera& camera, const glm::dvec2& shift) const;
   void draw_polygons(std::span<const PolygonRange> ranges) const;
   void set_shading(const culler::Camera& camera) const;
   void draw_lines(const glm::dvec3& eye, std::span<const Line> lines);
@@ -169,9 +169,10 @@ struct SceneRenderer::Impl {
 };
 
 /// What pictures and item buffers must have alike.
-void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler::Camera& camera) const {
+void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler::Camera& camera,
+                                         const glm::dvec2& shift) const {
   program.use();
-  program.set("clip_from_eye_relative", clip_from_eye_relative(camera, extent));
+  program.set("clip_from_eye_relative", clip_from_eye_relative(camera, extent, shift));
   program.set("lift", 1.0F);
   set_eye(program, camera.eye - centre);
   corners.bind();
@@ -225,7 +226,7 @@ SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines) {
   impl_->target.begin_picture(kSky);
-  impl_->begin_polygons(impl_->picture, camera);
+  impl_->begin_polygons(impl_->picture, camera, {0, 0});
   impl_->set_shading(camera);
   for (const Layer& layer : layers) {
     impl_->picture.set("tint", layer.tint ? to_float(*layer.tint) : glm::vec4(0));
@@ -237,9 +238,10 @@ void SceneRenderer::draw(const culler::Camera& camera, std::span<const Layer> la
 
 Image SceneRenderer::image() const { return impl_->target.image(); }
 
-ItemBuffer SceneRenderer::item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges) {
+ItemBuffer SceneRenderer::item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,
+                                      const glm::dvec2& offset) {
   impl_->target.begin_items();
-  impl_->begin_polygons(impl_->items, camera);
+  impl_->begin_polygons(impl_->items, camera, 2.0 * offset / glm::dvec2(impl_->target.width(), impl_->target.height()));
   impl_->draw_polygons(ranges);
   return impl_->target.item_buffer();
 }

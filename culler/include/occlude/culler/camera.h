@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "occlude/kernel/types.h"
+
 namespace occlude::culler {
 
 enum class Projection { perspective, orthographic };
@@ -31,6 +33,9 @@ struct Camera {
   };
   /// REQUIRES: target != eye and up not parallel to the line of sight.
   [[nodiscard]] Axes axes() const;
+  /// From where shadows fall: the eye, or for orthographic cameras the line of sight, of length 1.
+  /// REQUIRES: of an orthographic one as axes().
+  [[nodiscard]] kernel::Viewpoint viewpoint() const;
 };
 
 /// A half-space {x : normal . x + offset >= 0}.

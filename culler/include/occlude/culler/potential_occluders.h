@@ -12,6 +12,7 @@
 #include "occlude/culler/convex_regions.h"
 #include "occlude/culler/convex_shells.h"
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/kernel/shadow_frustum.h"
 
 namespace occlude::culler {
 
@@ -58,6 +59,9 @@ class PotentialOccluders {
   }
   /// What the kernel takes for the occluder: a polygon or a polytope.
   [[nodiscard]] OccluderGeometry geometry(const PolygonSoup& soup, std::size_t i) const;
+  /// Its shadow, or why it has none from there.
+  [[nodiscard]] kernel::ShadowFrustumResult shadow(const PolygonSoup& soup, std::size_t i,
+                                                   const kernel::Viewpoint& viewpoint, kernel::Near near) const;
   /// The next larger occluder that i is a part of, which hides all that i does; i itself if there is none.
   [[nodiscard]] std::uint32_t container(std::uint32_t i) const;
 

@@ -38,8 +38,8 @@ class ShadowMargin {
  private:
   /// Holds all that the box becomes by such moves, and some more.
   [[nodiscard]] kernel::Aabb grown(const kernel::Aabb& box) const;
-  template <class Least>
-  bool keeps_planes(const kernel::ShadowFrustum& shadow, Least&& least) const;
+  template <class AnyBox>
+  [[nodiscard]] bool keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const;
 
   glm::dvec3 eye_{0, 0, 0}, forward_{1, 0, 0};
   bool is_perspective_ = true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,8 +47,10 @@ class SceneRenderer {
   [[nodiscard]] Image image() const;
 
   /// The polygon that draw() shows at each pixel, by the same vertices and the same rasterisation, in a pass of its own: a
-  /// picture costs nothing for it, and the last one stays.
-  [[nodiscard]] ItemBuffer item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges);
+  /// picture costs nothing for it, and the last one stays. `offset` moves the picture by so many pixels to the right and up,
+  /// so that pixels meet what lies between their centres.
+  [[nodiscard]] ItemBuffer item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,
+                                       const glm::dvec2& offset = {0, 0});
 
  private:
   struct Impl;

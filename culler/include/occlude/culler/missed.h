@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Why hidden polygons are drawn: what a better choice of occluders, a finer tree, or shadows taken together would still
+// cull. Reading order: 15.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "occlude/culler/culler.h"
+
+namespace occlude::culler {
+
+/// In the order in which they are asked: the first that holds is the reason.
+enum class Missed {
+  coarse_node,     ///< the polygon's own box is in the shadow of an occluder of the frame, that of its leaf is not
+  straddling_box,  ///< the polygon is in the shadow of an occluder of the frame, its box is not
+  several,         ///< each corner is in the shadow of some occluder of the frame, but no shadow has all
+  not_chosen,      ///< no occluder of the frame, but another of the region's list has the polygon in its shadow
+  no_single_one    ///< no occluder of the list hides it alone
+};
+inline constexpr std::size_t kMissedReasons = 5;
+
+[[nodiscard]] constexpr std::string_view to_string(Missed reason) {
+  constexpr std::array<std::string_view, kMissedReasons> kNames{"coarse_node", "straddling_box", "several", "not_chosen",
+                                                                "no_single_one"};
+  return kNames[static_cast<std::size_t>(reason)];
+}
+
+/// Shadows are taken less the frame's margin, strictly beyond their near planes, and decided exactly. Makes the shadows of
+/// all that the region lists: for analysis, not for every frame.
+class MissedReasons {
+ public:
+  /// `frame` is what the culler made of this camera with these options, and must outlive this.
+  MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame);
+
+  struct Answer {
+    Missed reason;
+    std::uint32_t occluder = Culled::kNone;  ///< that hides the polygon alone, in PotentialOccluders; none if none does
+  };
+  /// Why polygon p of the tree, which is hidden and drawn, was not culled.
+  [[nodiscard]] Answer answer(std::uint32_t p) const;
+
+  /// How many of the polygons that are hidden and drawn were missed for each reason. `shows` tells of each polygon of the
+  /// tree whether the frame shows it.
+  [[nodiscard]] std::array<std::size_t, kMissedReasons> count(const std::vector<bool>& shows) const;
+
+ private:
+  struct Shadow {
+    std::uint32_t occluder;
+    kernel::ShadowFrustum frustum;
+  };
+  /// The shadows that meet a node.
+  struct Near {
+    std::vector<const Shadow*> chosen, others;
+  };
+
+  void keep_others(const Culler& culler, const Camera& camera, const CullOptions& options);
+  [[nodiscard]] Near near(std::uint32_t node) const;
+  [[nodiscard]] Answer answer(std::uint32_t p, const Near& near) const;
+  [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p) const;
+  [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box) const;
+
+  const Hierarchy& hierarchy_;
+  const CullResult& frame_;
+  std::vector<Shadow> chosen_, others_;
+};
+
+}  // namespace occlude::culler

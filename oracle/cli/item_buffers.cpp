@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "item_buffers.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <numeric>
+
+namespace occlude::cli {
+namespace {
+
+constexpr int kLargest = 8192;  // side of a picture, as everywhere in the command
+
+/// Centres of the cells of a 4 by 4 grid over a pixel: none is half a pixel away, where a pixel at the border would see
+/// beyond the picture.
+glm::dvec2 offset_of(std::size_t turn) {
+  const std::size_t cell = turn % ItemBuffers::kOffsets;
+  return {(static_cast<double>(cell % 4) - 1.5) / 4, (static_cast<double>(cell / 4) - 1.5) / 4};
+}
+
+}  // namespace
+
+/// Every size has its turn with every offset: the sizes move on by one when the offsets have come round.
+std::size_t ItemBuffers::size_of(std::size_t turn) const { return (turn + turn / kOffsets) % sizes(); }
+
+ItemBuffers::ItemBuffers(const culler::PolygonSoup& soup, int width, int height)
+    : soup_(soup), context_(render::make_offscreen_context()) {
+  for (const int times : {1, 2, 3}) {
+    if (times > 1 && (width * times > kLargest || height * times > kLargest)) break;
+    renderers_.push_back(
+        {width * times, height * times, std::make_unique<render::SceneRenderer>(soup, width * times, height * times)});
+  }
+}
+
+render::ItemBuffer ItemBuffers::draw(std::size_t turn, const culler::Camera& camera,
+                                     std::span<const culler::PolygonRange> ranges) {
+  return renderers_[size_of(turn)].renderer->item_buffer(camera, ranges, offset_of(turn));
+}
+
+std::string ItemBuffers::describe(std::size_t turn) const {
+  const Sized& sized = renderers_[size_of(turn)];
+  const glm::dvec2 offset = offset_of(turn);
+  return fmt::format("{}x{} pixels, moved by {:g}, {:g}", sized.width, sized.height, offset.x, offset.y);
+}
+
+render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked) {
+  constexpr render::Rgba kRed{230, 30, 30, 220};
+  const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup_.size())};
+  // Of what coincides the first drawn is seen: what is marked.
+  const std::array<render::Layer, 2> layers{render::Layer{marked, kRed}, render::Layer{std::span(&all, 1), {}}};
+  render::SceneRenderer& renderer = *renderers_[0].renderer;
+  renderer.draw(camera, layers);
+  return renderer.image();
+}
+
+}  // namespace occlude::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Supersampled item buffers: a frame in several sizes and sub-pixel offsets, so that small gaps are met.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "occlude/culler/camera.h"
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/render/image.h"
+#include "occlude/render/offscreen_context.h"
+#include "occlude/render/scene_renderer.h"
+
+namespace occlude::cli {
+
+class ItemBuffers {
+ public:
+  /// Sizes are one, two and three times `width` by `height` pixels, as far as pictures go.
+  ItemBuffers(const culler::PolygonSoup& soup, int width, int height);
+
+  static constexpr std::size_t kOffsets = 16;  ///< a quarter of a pixel apart
+  [[nodiscard]] std::size_t sizes() const { return renderers_.size(); }
+
+  /// The polygon at each pixel. Consecutive turns take turns in the sizes and offsets; any sizes() * kOffsets of them have
+  /// all pairs.
+  [[nodiscard]] render::ItemBuffer draw(std::size_t turn, const culler::Camera& camera,
+                                        std::span<const culler::PolygonRange> ranges);
+
+  /// How draw() drew, as a text.
+  [[nodiscard]] std::string describe(std::size_t turn) const;
+
+  /// The frame as it is drawn, in the smallest size, with some polygons in red.
+  [[nodiscard]] render::Image picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked);
+
+ private:
+  struct Sized {
+    int width, height;
+    std::unique_ptr<render::SceneRenderer> renderer;
+  };
+
+  [[nodiscard]] std::size_t size_of(std::size_t turn) const;
+
+  const culler::PolygonSoup& soup_;
+  std::unique_ptr<render::OffscreenContext> context_;
+  std::vector<Sized> renderers_;
+};
+
+}  // namespace occlude::cli
