@@ -40,12 +40,6 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
   return x * y + y * z + z * x;
 }
 
-[[nodiscard]] inline kernel::Aabb polygon_box(const PolygonSoup& soup, std::size_t polygon) {
-  kernel::Aabb box = empty_box();
-  for (const std::uint32_t index : soup.loop(polygon)) grow(box, to_kernel(soup.vertices[index]));
-  return box;
-}
-
 /// Twice the area of a loop of vertices, along its mean normal, up to rounding.
 [[nodiscard]] inline glm::dvec3 doubled_area(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
   const glm::dvec3& base = soup.vertices[loop[0]];

@@ -2,6 +2,7 @@
 #include "occlude/culler/culler.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -71,6 +72,16 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   memory.result.occluders = frame.occluders;
   memory.result.pairs = frame.pairs;
   traverse(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), visit, options, memory);
+}
+
+const Culled* Culler::cull_of(const CullResult& frame, std::uint32_t p) const {
+  const auto nodes = hierarchy_.nodes();
+  // Subtrees are culled in the order of the tree.
+  const auto after = std::upper_bound(frame.culled.begin(), frame.culled.end(), p,
+                                      [&](std::uint32_t q, const Culled& c) { return q < nodes[c.node].first; });
+  if (after == frame.culled.begin()) return nullptr;
+  const Culled& last = *std::prev(after);
+  return p - nodes[last.node].first < nodes[last.node].count ? &last : nullptr;
 }
 
 }  // namespace occlude::culler

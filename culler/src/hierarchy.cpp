@@ -18,7 +18,7 @@ using kernel::Aabb;
 
 std::vector<Aabb> polygon_boxes(const PolygonSoup& soup) {
   std::vector<Aabb> boxes(soup.size());
-  for (std::size_t p = 0; p < soup.size(); ++p) boxes[p] = polygon_box(soup, p);
+  for (std::size_t p = 0; p < soup.size(); ++p) boxes[p] = soup.box(p);
   return boxes;
 }
 
@@ -125,6 +125,15 @@ void Hierarchy::fit_oriented_boxes() {
       oriented_boxes_.push_back(*box);
     }
   }
+}
+
+std::uint32_t Hierarchy::leaf_of(std::uint32_t p) const {
+  std::uint32_t node = 0;
+  while (!nodes_[node].is_leaf()) {
+    const std::uint32_t right = nodes_[node].right;
+    node = p < nodes_[right].first ? node + 1 : right;
+  }
+  return node;
 }
 
 }  // namespace occlude::culler

@@ -2,7 +2,6 @@
 #include "occlude/culler/missed.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "bounds.h"
@@ -12,16 +11,6 @@
 
 namespace occlude::culler {
 namespace {
-
-/// The leaf that has polygon p.
-std::uint32_t leaf_of(const Hierarchy& hierarchy, std::uint32_t p) {
-  std::uint32_t node = 0;
-  while (!hierarchy.nodes()[node].is_leaf()) {
-    const std::uint32_t right = hierarchy.nodes()[node].right;
-    node = p < hierarchy.nodes()[right].first ? node + 1 : right;
-  }
-  return node;
-}
 
 std::vector<bool> drawn_polygons(const Hierarchy& hierarchy, const std::vector<PolygonRange>& drawn) {
   std::vector<bool> result(hierarchy.soup().size());
@@ -53,18 +42,37 @@ void MissedReasons::keep_others(const Culler& culler, const Camera& camera, cons
   }
 }
 
-MissedReasons::Near MissedReasons::near(std::uint32_t node) const {
-  const auto meeting = [&](const std::vector<Shadow>& shadows) {
-    std::vector<const Shadow*> result;
-    for (const Shadow& shadow : shadows) {
-      const auto relation = hierarchy_.ask(node, [&](const auto& box) {
-        return kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open).relation;
-      });
-      if (relation != kernel::Relation::outside) result.push_back(&shadow);
-    }
-    return result;
+/// Of the shadows above the node those that meet it. Where one of the others has all of it, the rest of them are not asked.
+MissedReasons::Near MissedReasons::narrowed(const Near& above, std::uint32_t node) const {
+  const auto relation = [&](const Shadow& shadow) {
+    return hierarchy_.ask(node, [&](const auto& box) {
+      const auto found = kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open).relation;
+      return found == kernel::Relation::inside && !frame_.margin.keeps(shadow.frustum, box) ? kernel::Relation::partial
+                                                                                            : found;
+    });
   };
-  return {meeting(chosen_), meeting(others_)};
+  Near here;
+  for (const Shadow* shadow : above.chosen) {
+    if (relation(*shadow) != kernel::Relation::outside) here.chosen.push_back(shadow);
+  }
+  here.holder = above.holder;
+  for (const Shadow* shadow : above.others) {
+    const kernel::Relation found = relation(*shadow);
+    if (found == kernel::Relation::inside) {
+      here.holder = shadow;
+      here.others.clear();
+      break;
+    }
+    if (found == kernel::Relation::partial) here.others.push_back(shadow);
+  }
+  return here;
+}
+
+MissedReasons::Near MissedReasons::all() const {
+  Near result;
+  for (const Shadow& shadow : chosen_) result.chosen.push_back(&shadow);
+  for (const Shadow& shadow : others_) result.others.push_back(&shadow);
+  return result;
 }
 
 bool MissedReasons::hides(const Shadow& shadow, const kernel::Aabb& box) const {
@@ -82,7 +90,7 @@ bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p) const {
 }
 
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near) const {
-  const kernel::Aabb box = polygon_box(hierarchy_.soup(), p);
+  const kernel::Aabb box = hierarchy_.soup().box(p);
   for (const Shadow* shadow : near.chosen) {
     if (hides(*shadow, box)) return {Missed::coarse_node, shadow->occluder};
   }
@@ -94,35 +102,56 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near) c
     return std::ranges::any_of(near.chosen, [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}); });
   });
   if (is_in_several) return {Missed::several, Culled::kNone};
+  if (near.holder != nullptr) return {Missed::not_chosen, near.holder->occluder};
   for (const Shadow* shadow : near.others) {
     if (hides(*shadow, p)) return {Missed::not_chosen, shadow->occluder};
   }
   return {Missed::no_single_one, Culled::kNone};
 }
 
-MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const { return answer(p, near(leaf_of(hierarchy_, p))); }
+MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const {
+  return answer(p, narrowed(all(), hierarchy_.leaf_of(p)));
+}
 
-std::array<std::size_t, kMissedReasons> MissedReasons::count(const std::vector<bool>& shows) const {
-  const std::vector<bool> drawn = drawn_polygons(hierarchy_, frame_.drawn);
-  std::vector<std::uint32_t> leaves;
-  for (std::uint32_t n = 0; n < hierarchy_.nodes().size(); ++n) {
-    if (hierarchy_.nodes()[n].is_leaf()) leaves.push_back(n);
-  }
-  std::vector<std::array<std::size_t, kMissedReasons>> of_leaf(leaves.size());
-  parallel_for(leaves.size(), [&](std::size_t i) {
-    const HierarchyNode& leaf = hierarchy_.nodes()[leaves[i]];
-    std::optional<Near> shadows;  // few leaves have missed polygons
-    for (std::uint32_t p = leaf.first; p < leaf.first + leaf.count; ++p) {
-      if (!drawn[p] || shows[p]) continue;
-      if (!shadows) shadows = near(leaves[i]);
-      ++of_leaf[i][static_cast<std::size_t>(answer(p, *shadows).reason)];
-    }
+MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows) const {
+  std::vector<bool> missed = drawn_polygons(hierarchy_, frame_.drawn);
+  for (std::size_t p = 0; p < missed.size(); ++p) missed[p] = missed[p] && !shows[p];
+  // Subtrees of a share of the model each, so that all processors have some.
+  constexpr std::uint32_t kShares = 64;
+  std::vector<Subtree> subtrees;
+  descend({0, all()}, hierarchy_.nodes()[0].count / kShares, missed, [&](Subtree&& s) { subtrees.push_back(std::move(s)); });
+  std::vector<Counts> counts(subtrees.size(), Counts{});
+  parallel_for(subtrees.size(), [&](std::size_t i) {
+    descend(subtrees[i], 0, missed, [&](const Subtree& leaf) { count_leaf(leaf, missed, counts[i]); });
   });
-  std::array<std::size_t, kMissedReasons> total{};
-  for (const auto& counts : of_leaf) {
-    for (std::size_t r = 0; r < kMissedReasons; ++r) total[r] += counts[r];
+  Counts total{};
+  for (const Counts& some : counts) {
+    for (std::size_t r = 0; r < kMissedReasons; ++r) total[r] += some[r];
   }
   return total;
+}
+
+/// Descends, with the shadows that meet the nodes, to those of at most so many polygons and to leaves, but for subtrees
+/// without a missed polygon.
+template <class OnSubtree>
+void MissedReasons::descend(const Subtree& above, std::uint32_t polygons, const std::vector<bool>& missed,
+                            const OnSubtree& on_subtree) const {
+  const HierarchyNode& n = hierarchy_.nodes()[above.node];
+  const auto begin = missed.begin() + std::ptrdiff_t{n.first}, end = begin + std::ptrdiff_t{n.count};
+  if (std::find(begin, end, true) == end) return;
+  Subtree here{above.node, narrowed(above.near, above.node)};
+  if (n.is_leaf() || n.count <= polygons) return on_subtree(std::move(here));
+  here.node = above.node + 1;
+  descend(here, polygons, missed, on_subtree);
+  here.node = n.right;
+  descend(here, polygons, missed, on_subtree);
+}
+
+void MissedReasons::count_leaf(const Subtree& leaf, const std::vector<bool>& missed, Counts& counts) const {
+  const HierarchyNode& n = hierarchy_.nodes()[leaf.node];
+  for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
+    if (missed[p]) ++counts[static_cast<std::size_t>(answer(p, leaf.near).reason)];
+  }
 }
 
 }  // namespace occlude::culler

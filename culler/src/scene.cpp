@@ -24,7 +24,7 @@ kernel::Aabb extent(std::span<const Box> statics, const PolygonSoup& soup) {
   if (statics.empty() && soup.empty()) return {};
   kernel::Aabb box = empty_box();
   for (const Box& object : statics) grow(box, outer_box(object));
-  for (std::size_t p = 0; p < soup.size(); ++p) grow(box, polygon_box(soup, p));
+  for (std::size_t p = 0; p < soup.size(); ++p) grow(box, soup.box(p));
   return box;
 }
 

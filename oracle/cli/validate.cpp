@@ -232,10 +232,10 @@ int validate(Arguments& arguments) {
     return made ? *made : made.emplace(hierarchy.soup(), options.width, options.height);
   };
   if (result.is_exact) {
-    result.visibility = check_exactly(hierarchy, path, render::aspect(options), proving.culled());
+    result.visibility = check_exactly(culler, path, render::aspect(options), proving.culled());
   } else {
     result.sizes = buffers().sizes();
-    result.visibility = check_rendered(hierarchy, path, render::aspect(options), proving.culled(), buffers());
+    result.visibility = check_rendered(culler, path, render::aspect(options), proving.culled(), buffers());
   }
   if (is_anew) result.missed = count_missed(walked, result.visibility);
 

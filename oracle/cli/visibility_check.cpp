@@ -23,7 +23,6 @@ void add(Visibility& result, const culler::Hierarchy& hierarchy, std::size_t fra
   FrameVisibility& counts = result.frames.emplace_back();
   counts.frame = frame;
   for (std::uint32_t p = 0; p < fates.size(); ++p) {
-    counts.in_view += fates[p] != Fate::out_of_view;
     counts.drawn += fates[p] == Fate::drawn;
     if (pixels[p] == 0) continue;
     ++counts.visible;
@@ -41,8 +40,12 @@ std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
   return result;
 }
 
-/// What is not culled by view.
-std::vector<culler::PolygonRange> in_view(const std::vector<Fate>& fates) {
+/// How many polygons pass view-frustum culling alone.
+std::size_t in_view(const culler::Culler& culler, const culler::Camera& camera) {
+  return culler.cull(camera, {.occluders = 0}).stats.drawn_polygons;
+}
+
+std::vector<culler::PolygonRange> not_out_of_view(const std::vector<Fate>& fates) {
   std::vector<culler::PolygonRange> ranges;
   for (std::uint32_t p = 0; p < fates.size(); ++p) {
     if (fates[p] == Fate::out_of_view) continue;
@@ -70,8 +73,9 @@ std::vector<std::uint32_t> polygons_with(const culler::Hierarchy& hierarchy, con
 
 bool is_reference(std::size_t i, std::size_t frames) { return i % std::max<std::size_t>(1, frames / kReferenceFrames) == 0; }
 
-Visibility check_exactly(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect,
+Visibility check_exactly(const culler::Culler& culler, const render::CameraPath& path, double aspect,
                          const CulledSets& culled) {
+  const culler::Hierarchy& hierarchy = culler.hierarchy();
   std::vector<std::pair<std::size_t, const std::vector<CulledRun>*>> frames;
   for (const auto& [frame, runs] : culled) frames.emplace_back(frame, &runs);
   std::vector<std::vector<std::uint32_t>> shows(frames.size());
@@ -89,13 +93,15 @@ Visibility check_exactly(const culler::Hierarchy& hierarchy, const render::Camer
     const auto& [frame, runs] = frames[i];
     add(result, hierarchy, frame, *runs, fates_of(hierarchy, *runs), shows[i], "in exact arithmetic");
     if (is_reference(i, frames.size())) result.frames.back().shows = shown(shows[i]);
+    result.frames.back().in_view = in_view(culler, path.camera(frame, aspect));
     result.frames.back().wrong_pixels = 0;  // there are none
   }
   return result;
 }
 
-Visibility check_rendered(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect,
+Visibility check_rendered(const culler::Culler& culler, const render::CameraPath& path, double aspect,
                           const CulledSets& culled, ItemBuffers& buffers) {
+  const culler::Hierarchy& hierarchy = culler.hierarchy();
   Visibility result;
   render::Progress progress("item buffer, frame", culled.size());
   std::size_t turn = 0;
@@ -104,13 +110,15 @@ Visibility check_rendered(const culler::Hierarchy& hierarchy, const render::Came
     const bool reference = is_reference(turn, culled.size());
     const std::vector<Fate> fates = fates_of(hierarchy, runs);
     const culler::PolygonRange all{0, static_cast<std::uint32_t>(fates.size())};
-    const std::vector<culler::PolygonRange> ranges = reference ? std::vector{all} : in_view(fates);
-    const render::ItemBuffer items = buffers.draw(turn, path.camera(frame, aspect), ranges);
+    const std::vector<culler::PolygonRange> ranges = reference ? std::vector{all} : not_out_of_view(fates);
+    const culler::Camera camera = path.camera(frame, aspect);
+    const render::ItemBuffer items = buffers.draw(turn, camera, ranges);
     std::vector<std::uint32_t> pixels(fates.size());
     for (const std::uint32_t p : items.pixels) {
       if (p != render::kNothing) ++pixels[p];
     }
     add(result, hierarchy, frame, runs, fates, pixels, "in " + buffers.describe(turn));
+    result.frames.back().in_view = in_view(culler, camera);
     if (reference) result.frames.back().shows = shown(pixels);
     progress.update(++turn);
   }

@@ -9,7 +9,7 @@
 
 #include "culled_sets.h"
 #include "item_buffers.h"
-#include "occlude/culler/hierarchy.h"
+#include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
 
 namespace occlude::cli {
@@ -39,11 +39,11 @@ struct Visibility {
 [[nodiscard]] bool is_reference(std::size_t i, std::size_t frames);
 
 /// In exact arithmetic, on all processors; a polygon shows where any of its triangles does.
-[[nodiscard]] Visibility check_exactly(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect,
+[[nodiscard]] Visibility check_exactly(const culler::Culler& culler, const render::CameraPath& path, double aspect,
                                        const CulledSets& culled);
 
 /// By an item buffer of each frame: of the whole model on reference frames, and of what is not culled by view on the others.
-[[nodiscard]] Visibility check_rendered(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect,
+[[nodiscard]] Visibility check_rendered(const culler::Culler& culler, const render::CameraPath& path, double aspect,
                                         const CulledSets& culled, ItemBuffers& buffers);
 
 }  // namespace occlude::cli

@@ -11,6 +11,7 @@ void add_generate(CLI::App& app, int& exit_code);
 void add_preprocess(CLI::App& app, int& exit_code);
 void add_walk(CLI::App& app, int& exit_code);
 void add_classify(CLI::App& app, int& exit_code);
+void add_why(CLI::App& app, int& exit_code);
 void add_validate(CLI::App& app, int& exit_code);
 void add_fuzz(CLI::App& app, int& exit_code);
 

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   occlude::cli::add_generate(app, exit_code);
   occlude::cli::add_preprocess(app, exit_code);
   occlude::cli::add_walk(app, exit_code);
+  occlude::cli::add_why(app, exit_code);
   occlude::cli::add_classify(app, exit_code);
   occlude::cli::add_validate(app, exit_code);
   occlude::cli::add_fuzz(app, exit_code);

@@ -209,6 +209,32 @@ grep -q "^false culls 0 in [1-9][0-9]* frames, by exact visibility" stdout || fa
 grep -q '"by": "item_buffers"' stdout || fail "--exact-up-to 127 said: $(cat stdout)"
 grep -q '"false_culls": 0' stdout || fail "--exact-up-to 127 said: $(cat stdout)"
 
+# Why a polygon was drawn or culled. The wall at 2 hides what is behind it; in the leaf of the wall itself all is drawn.
+why() { "$occlude" why good.ply --path path.json --size 64x36 "$@"; }
+why --frame 3 --polygon 40 >stdout || fail "why"
+grep -q '^frame 3, polygon 40: culled: in shadow$' stdout || fail "why said: $(cat stdout)"
+grep -q '^  by occluder 0: polygon 0; it hides [1-9][0-9]* polygons in this frame$' stdout || fail "why said: $(cat stdout)"
+grep -q '^  the box is in its shadow by [0-9.]*, where it is nearest to the side through its edge (2, ' stdout || fail "why said: $(cat stdout)"
+why --frame 0 --polygon 1 >stdout || fail "why"
+grep -q '^frame 0, polygon 1: drawn$' stdout || fail "why said: $(cat stdout)"
+grep -q "it is hidden, and was not culled: its own box is in that shadow" stdout || fail "why said: $(cat stdout)"
+why --frame 0 --pixel 32,18 --json --out why >stdout || fail "why"
+grep -q '"polygon": 0,' stdout || fail "why --pixel said: $(cat stdout)"
+grep -q '"fate": "drawn"' stdout || fail "why --pixel said: $(cat stdout)"
+cmp -s stdout why/why.json || fail "why.json is not what was printed"
+for plate in view outside; do [ -s why/$plate.png ] || fail "why: no $plate.png"; done
+expect_error "no frame 9" why --frame 9 --polygon 0
+expect_error "no polygon 64" why --frame 0 --polygon 64
+expect_error "no polygon shows there" why --frame 0 --pixel 0,0
+expect_error "--pixel" why --frame 0 --pixel 64,0
+expect_error "--pixel" why --frame 0 --pixel 3
+expect_error "[--polygon,--pixel]" why --frame 0
+expect_error "[--polygon,--pixel]" why --frame 0 --polygon 0 --pixel 3,3
+sed 's/"target":\[1,0,0\]/"target":[-1,0,0]/; s/"target":\[1.5,0,0\]/"target":[-0.5,0,0]/' path.json >back.json
+"$occlude" why good.ply --path back.json --frame 0 --polygon 40 >stdout || fail "why, looking away"
+grep -q '^frame 0, polygon 40: culled: out of view$' stdout || fail "why said: $(cat stdout)"
+grep -q '^  by the left plane of the view: the box is beyond it by' stdout || fail "why said: $(cat stdout)"
+
 # Shards add up.
 parts=0
 for i in 1 2 3; do
@@ -509,7 +535,7 @@ kill -INT $!
 wait $!
 [ $? -eq 130 ] && [ ! -e benchmarks ] || fail "Ctrl-C did not stop bench culler"
 
-for command in "" generate "generate city" preprocess walk classify validate fuzz bench "bench kernel" "bench culler"; do
+for command in "" generate "generate city" preprocess walk why classify validate fuzz bench "bench kernel" "bench culler"; do
   "$occlude" $command --help | grep -q . || fail "no help for '$command'"
 done
 

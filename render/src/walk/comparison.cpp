@@ -54,28 +54,6 @@ double distance_to_outline(const glm::dvec2& p, std::span<const glm::dvec2> outl
   return nearest;
 }
 
-/// What a frame did to each polygon.
-class Fate {
- public:
-  Fate(const culler::Culler& culler, const culler::CullResult& result) : culler_(culler), result_(result) {}
-
-  /// The cull that took a polygon; none if it was drawn.
-  [[nodiscard]] const culler::Culled* cull_of(std::uint32_t polygon) const {
-    const auto& nodes = culler_.hierarchy().nodes();
-    // Culled subtrees come in the order of the soup.
-    const auto after = std::upper_bound(result_.culled.begin(), result_.culled.end(), polygon,
-                                        [&](std::uint32_t p, const culler::Culled& c) { return p < nodes[c.node].first; });
-    if (after == result_.culled.begin()) return nullptr;
-    const culler::Culled& last = *std::prev(after);
-    const auto& node = nodes[last.node];
-    return polygon < node.first + node.count ? &last : nullptr;
-  }
-
- private:
-  const culler::Culler& culler_;
-  const culler::CullResult& result_;
-};
-
 /// Whether the pixel's centre is on the silhouette of the occluder, give or take the snapping.
 bool is_on_silhouette(const glm::dvec2& centre, const Projector& project, const culler::Occluder& occluder) {
   std::vector<glm::dvec2> silhouette;
@@ -94,7 +72,6 @@ bool is_snapping(const glm::dvec2& centre, const Projector& project, const culle
 
 void compare(const Picture& full, const Picture& culled, const culler::Culler& culler, const culler::Camera& camera,
              const culler::CullResult& result, FrameRecord& record) {
-  const Fate fate(culler, result);
   std::vector<std::uint32_t> visible;
   std::set<std::uint32_t> falsely_culled;
   const int width = full.items.width, height = full.items.height;
@@ -106,7 +83,7 @@ void compare(const Picture& full, const Picture& culled, const culler::Culler& c
       const bool same = full.image.at(x, y) == culled.image.at(x, y) && polygon == culled.items.at(x, y);
       if (same) continue;
       ++record.wrong_pixels;
-      const culler::Culled* cull = polygon == kNothing ? nullptr : fate.cull_of(polygon);
+      const culler::Culled* cull = polygon == kNothing ? nullptr : culler.cull_of(result, polygon);
       if (cull && cull->by == culler::Culled::By::shadow && is_snapping({x + 0.5, y + 0.5}, project, result, *cull)) {
         ++record.snapped_pixels;
       } else if (cull) {

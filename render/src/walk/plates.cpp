@@ -20,6 +20,8 @@ constexpr std::size_t kMoments = 4;
 constexpr Rgba kShadowCulled{214, 60, 48, 190};
 constexpr Rgba kViewCulled{226, 229, 232, 215};
 constexpr Rgba kOccluder{255, 196, 0, 235};
+constexpr Rgba kMarked{230, 0, 200, 255};
+constexpr Rgba kNodeLine{200, 20, 20, 255};
 constexpr Rgba kFrustumLine{20, 60, 200, 255};
 constexpr Rgba kShadowLine{255, 160, 0, 255};
 
@@ -106,14 +108,55 @@ void add_frustum(std::vector<Line>& lines, const culler::Camera& camera, double 
   }
 }
 
-/// The side edges of each shadow frustum, from the occluder's corners to `depth` beyond.
-void add_shadows(std::vector<Line>& lines, const culler::CullResult& result, const culler::Camera& camera, double depth) {
-  for (const culler::Occluder& occluder : result.occluders) {
-    for (const kernel::Vec3& c : occluder.frustum.silhouette()) {
-      const glm::dvec3 corner{c.x, c.y, c.z};
-      const glm::dvec3 along =
-          camera.projection == culler::Projection::perspective ? glm::normalize(corner - camera.eye) : camera.axes().forward;
-      lines.push_back({corner, corner + depth * along, kShadowLine});
+/// The side edges of a shadow frustum, from the occluder's corners to `depth` beyond.
+void add_shadow(std::vector<Line>& lines, const culler::Occluder& occluder, const culler::Camera& camera, double depth) {
+  for (const kernel::Vec3& c : occluder.frustum.silhouette()) {
+    const glm::dvec3 corner{c.x, c.y, c.z};
+    const glm::dvec3 along =
+        camera.projection == culler::Projection::perspective ? glm::normalize(corner - camera.eye) : camera.axes().forward;
+    lines.push_back({corner, corner + depth * along, kShadowLine});
+  }
+}
+
+/// A frame from outside, with `marked` polygons and lines as well.
+void draw_outside(SceneRenderer& renderer, const culler::Culler& culler, const culler::Camera& camera,
+                  const culler::CullResult& result, double depth, std::span<const PolygonRange> marked,
+                  std::span<const Line> lines) {
+  const auto occluders = occluder_ranges(culler, result);
+  const auto shadowed = culled_ranges(culler, result, culler::Culled::By::shadow);
+  const auto out_of_view = culled_ranges(culler, result, culler::Culled::By::view);
+  // What is marked and the occluders first: they are part of the rest, and where two surfaces coincide the first one stays.
+  const std::array<Layer, 5> layers{Layer{marked, kMarked}, Layer{occluders, kOccluder}, Layer{result.drawn, std::nullopt},
+                                    Layer{shadowed, kShadowCulled}, Layer{out_of_view, kViewCulled}};
+  renderer.draw(outside_camera(camera, depth), layers, lines);
+}
+
+/// A closed loop of lines.
+void add_loop(std::vector<Line>& lines, std::span<const kernel::Vec3> loop, const Rgba& colour) {
+  const auto point = [&](std::size_t i) { return glm::dvec3{loop[i].x, loop[i].y, loop[i].z}; };
+  for (std::size_t i = 0; i < loop.size(); ++i) lines.push_back({point(i), point((i + 1) % loop.size()), colour});
+}
+
+std::array<glm::dvec3, 8> corners_of(const culler::Box& box) {
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const glm::dvec3 s{i & 1U ? 1 : -1, i & 2U ? 1 : -1, i & 4U ? 1 : -1};
+    if (const auto* aabb = std::get_if<kernel::Aabb>(&box)) {
+      corners[i] = {(s.x > 0 ? aabb->max : aabb->min).x, (s.y > 0 ? aabb->max : aabb->min).y,
+                    (s.z > 0 ? aabb->max : aabb->min).z};
+    } else {
+      const auto& [c, h] = std::get<kernel::Obb>(box);
+      for (int k = 0; k < 3; ++k) corners[i][k] = c[k] + s.x * h[0][k] + s.y * h[1][k] + s.z * h[2][k];
+    }
+  }
+  return corners;
+}
+
+void add_box(std::vector<Line>& lines, const culler::Box& box, const Rgba& colour) {
+  const std::array<glm::dvec3, 8> corners = corners_of(box);
+  for (std::size_t i = 0; i < 8; ++i) {
+    for (const std::size_t bit : {1U, 2U, 4U}) {
+      if ((i & bit) == 0) lines.push_back({corners[i], corners[i | bit], colour});
     }
   }
 }
@@ -140,14 +183,8 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
     const double depth = depth_of_scene(culler, camera, result.drawn);
     std::vector<Line> lines;
     add_frustum(lines, camera, depth);
-    add_shadows(lines, result, camera, depth);
-    const auto occluders = occluder_ranges(culler, result);
-    const auto shadowed = culled_ranges(culler, result, culler::Culled::By::shadow);
-    const auto out_of_view = culled_ranges(culler, result, culler::Culled::By::view);
-    // Occluders first: they are part of what is drawn, and where two surfaces coincide the first one stays.
-    const std::array<Layer, 4> layers{Layer{occluders, kOccluder}, drawn, Layer{shadowed, kShadowCulled},
-                                      Layer{out_of_view, kViewCulled}};
-    renderer.draw(outside_camera(camera, depth), layers, lines);
+    for (const culler::Occluder& occluder : result.occluders) add_shadow(lines, occluder, camera, depth);
+    draw_outside(renderer, culler, camera, result, depth, {}, lines);
     const culler::CullStats& stats = result.stats;
     plates.push_back(
         {{name + "_outside.png",
@@ -158,6 +195,41 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
                       result.occluders.size())},
          renderer.image()});
   }
+  return plates;
+}
+
+std::vector<DrawnPlate> draw_why(const ReplayedFrame& frame, const Account& account) {
+  const culler::Culler& culler = frame.culler();
+  const culler::CullResult& result = frame.result();
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  SceneRenderer renderer(soup, frame.options().width, frame.options().height);
+  const PolygonRange marked{account.polygon, 1};
+
+  std::vector<kernel::Vec3> loop;
+  for (const std::uint32_t i : soup.loop(account.polygon)) {
+    loop.push_back({soup.vertices[i].x, soup.vertices[i].y, soup.vertices[i].z});
+  }
+  std::vector<Line> lines;
+  add_loop(lines, loop, kMarked);
+  add_box(lines, culler.hierarchy().volume(account.node), kNodeLine);
+  const std::size_t told = std::min<std::size_t>(account.shadows.size(), account.cull ? 2 : 1);
+  const auto shadows = std::span(account.shadows).first(told);
+  for (const AgainstShadow& against : shadows) {
+    add_loop(lines, result.occluders[against.occluder].frustum.silhouette(), kShadowLine);
+  }
+  const std::array<Layer, 2> layers{Layer{std::span(&marked, 1), kMarked}, Layer{result.drawn, std::nullopt}};
+  renderer.draw(frame.camera(), layers, lines);
+  std::vector<DrawnPlate> plates;
+  plates.push_back(
+      {{"view.png", "What the camera sees, with the polygon (magenta), its node (red) and the occluder (orange)."},
+       renderer.image()});
+
+  double depth = depth_of_scene(culler, frame.camera(), result.drawn);
+  depth = std::max(depth, glm::distance(glm::dvec3{loop[0].x, loop[0].y, loop[0].z}, frame.camera().eye));
+  add_frustum(lines, frame.camera(), depth);
+  for (const AgainstShadow& against : shadows) add_shadow(lines, result.occluders[against.occluder], frame.camera(), depth);
+  draw_outside(renderer, culler, frame.camera(), result, depth, std::span(&marked, 1), lines);
+  plates.push_back({{"outside.png", "The same from outside, with what was culled by shadow (red)."}, renderer.image()});
   return plates;
 }
 

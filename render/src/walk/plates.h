@@ -7,6 +7,7 @@
 #include "occlude/culler/culler.h"
 #include "occlude/render/image.h"
 #include "occlude/render/walk.h"
+#include "occlude/render/why.h"
 
 namespace occlude::render {
 
@@ -20,5 +21,9 @@ struct DrawnPlate {
 [[nodiscard]] std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
                                                   const std::vector<FrameRecord>& frames,
                                                   const culler::CullOptions& options);
+
+/// What the camera sees, and the frame from outside, with the polygon, its node and the occluder marked.
+/// REQUIRES: an OffscreenContext current on this thread.
+[[nodiscard]] std::vector<DrawnPlate> draw_why(const ReplayedFrame& frame, const Account& account);
 
 }  // namespace occlude::render

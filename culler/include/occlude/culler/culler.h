@@ -35,6 +35,9 @@ class Culler {
   void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
+  /// The cull of the frame that took polygon p of the tree; null where it is drawn.
+  [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
+
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }

@@ -62,6 +62,8 @@ class Hierarchy {
   [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_.first[p] - 2 * p; }
   /// The root first.
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+  /// The leaf that has polygon p of soup().
+  [[nodiscard]] std::uint32_t leaf_of(std::uint32_t p) const;
   /// Calls question(box) with the bounding volume of the node, an AABB or an OBB: it holds all polygons of the node,
   /// exactly.
   template <class Question>

@@ -45,7 +45,8 @@ class MissedReasons {
 
   /// How many of the polygons that are hidden and drawn were missed for each reason. `shows` tells of each polygon of the
   /// tree whether the frame shows it.
-  [[nodiscard]] std::array<std::size_t, kMissedReasons> count(const std::vector<bool>& shows) const;
+  using Counts = std::array<std::size_t, kMissedReasons>;
+  [[nodiscard]] Counts count(const std::vector<bool>& shows) const;
 
  private:
   struct Shadow {
@@ -55,10 +56,20 @@ class MissedReasons {
   /// The shadows that meet a node.
   struct Near {
     std::vector<const Shadow*> chosen, others;
+    const Shadow* holder = nullptr;  ///< one of the others, that has all of it
+  };
+  struct Subtree {
+    std::uint32_t node;
+    Near near;
   };
 
   void keep_others(const Culler& culler, const Camera& camera, const CullOptions& options);
-  [[nodiscard]] Near near(std::uint32_t node) const;
+  [[nodiscard]] Near all() const;
+  [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node) const;
+  template <class OnSubtree>
+  void descend(const Subtree& above, std::uint32_t polygons, const std::vector<bool>& missed,
+               const OnSubtree& on_subtree) const;
+  void count_leaf(const Subtree& leaf, const std::vector<bool>& missed, Counts& counts) const;
   [[nodiscard]] Answer answer(std::uint32_t p, const Near& near) const;
   [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p) const;
   [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box) const;

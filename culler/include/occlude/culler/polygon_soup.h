@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "occlude/kernel/types.h"
+
 namespace occlude::culler {
 
 /// A run of polygons [first, first + count).
@@ -33,6 +35,9 @@ struct PolygonSoup {
   }
   /// Number of triangles in the fan of polygon p.
   [[nodiscard]] std::size_t triangles(std::size_t p) const { return first[p + 1] - first[p] - 2; }
+
+  /// The smallest axis-aligned box that holds polygon p.
+  [[nodiscard]] kernel::Aabb box(std::size_t p) const;
 
   /// Adds a vertex and returns its index.
   std::uint32_t add_vertex(const glm::dvec3& v) {

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// occlude why
+#include "occlude/render/why.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/offscreen_context.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/output_folder.h"
+#include "occlude/render/preprocess_file.h"
+#include "occlude/render/scene_renderer.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  std::string model, path, pixel, out;
+  std::size_t frame = 0;
+  std::optional<std::uint32_t> polygon;
+  WalkArguments walk;
+  bool json = false;
+};
+
+/// The polygon of the tree that is polygon `original` of the model.
+std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t original, const std::string& model) {
+  for (std::uint32_t p = 0; p < hierarchy.soup().size(); ++p) {
+    if (hierarchy.original(p) == original) return p;
+  }
+  throw render::InputError(fmt::format("{}: no polygon {}: it has {}", model, original, hierarchy.soup().size()));
+}
+
+/// The polygon of the tree that the pixel "X,Y" shows, from the top left corner.
+std::uint32_t polygon_at(const render::ItemBuffer& items, const std::string& pixel) {
+  const std::size_t comma = pixel.find(',');
+  if (comma == std::string::npos) throw CLI::ValidationError("--pixel", "expected X,Y");
+  const std::uint64_t x = whole_number("--pixel", pixel.substr(0, comma)),
+                      y = whole_number("--pixel", pixel.substr(comma + 1));
+  if (x >= static_cast<std::uint64_t>(items.width) || y >= static_cast<std::uint64_t>(items.height)) {
+    throw CLI::ValidationError("--pixel", fmt::format("the picture has {}x{} pixels", items.width, items.height));
+  }
+  const std::uint32_t polygon = items.at(static_cast<int>(x), static_cast<int>(y));
+  if (polygon == render::kNothing) throw render::InputError(fmt::format("--pixel {}: no polygon shows there", pixel));
+  return polygon;
+}
+
+int why(const Arguments& arguments) {
+  const render::WalkOptions options = arguments.walk.options();
+  const render::CameraPath path = render::read_camera_path(arguments.path);
+  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
+  const culler::Hierarchy& hierarchy = culler.hierarchy();
+  const render::ReplayedFrame frame(culler, path, options, arguments.frame);
+
+  const auto context = render::make_offscreen_context();
+  const culler::PolygonRange all{0, static_cast<std::uint32_t>(hierarchy.soup().size())};
+  const render::ItemBuffer items =
+      render::SceneRenderer(hierarchy.soup(), options.width, options.height).item_buffer(frame.camera(), std::span(&all, 1));
+  const std::uint32_t polygon =
+      arguments.polygon ? polygon_of(hierarchy, *arguments.polygon, arguments.model) : polygon_at(items, arguments.pixel);
+  const render::Account account = render::account_for(frame, polygon, items);
+  if (!arguments.out.empty()) render::write_why(frame, account, arguments.out);
+  fmt::print("{}", arguments.json ? render::to_json(frame, account) : render::to_text(frame, account));
+  return 0;
+}
+
+}  // namespace
+
+void add_why(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("why", "Tell why a frame of a walk drew or culled a polygon");
+  command->footer(
+      "The frames before are culled first, as in a walk: give the options of that walk.\n"
+      "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
+  const auto a = std::make_shared<Arguments>();
+  command->add_option("MODEL", a->model, "the model walked through")->required();
+  command->add_option("--path", a->path, "camera path (JSON)")->required();
+  command->add_option("--frame", a->frame, "number of the frame, from 0")->required();
+  auto* which = command->add_option_group("which", "which polygon");
+  which->add_option("--polygon", a->polygon, "its number in the model file, from 0");
+  which->add_option("--pixel", a->pixel, "X,Y from the top left corner: what shows there, were nothing culled");
+  which->require_option(1);
+  command->add_option("--out", a->out, "folder for why.json, and plates from the camera and from outside");
+  a->walk.add_size_to(*command);
+  a->walk.add_culling_to(*command);
+  a->walk.add_preprocess_to(*command);
+  command->add_flag("--json", a->json, "print JSON instead of text");
+  command->callback([a, &exit_code] { exit_code = why(*a); });
+}
+
+}  // namespace occlude::cli

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/why.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "occlude/render/errors.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/output_folder.h"
+#include "occlude/render/progress.h"
+#include "plates.h"
+
+namespace occlude::render {
+ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
+                             std::size_t frame)
+    : culler_(culler), options_(options), number_(frame), camera_(path.camera(frame, aspect(options))) {
+  const std::vector<std::size_t> frames = frames_of(path, options);
+  const auto found = std::ranges::find(frames, frame);
+  if (found == frames.end()) throw InputError(fmt::format("the walk has no frame {}", frame));
+  Progress progress("frame", static_cast<std::size_t>(found - frames.begin()) + 1);
+  for (auto f = frames.begin(); f <= found; ++f) {
+    check_interrupt();
+    culler.cull(path.camera(*f, aspect(options)), options.cull, view_);
+    progress.update(static_cast<std::size_t>(f - frames.begin()) + 1);
+  }
+}
+
+Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const ItemBuffer& items) {
+  const culler::Culler& culler = frame.culler();
+  const culler::CullResult& result = frame.result();
+  Account account;
+  account.polygon = polygon;
+  account.pixels = static_cast<std::size_t>(std::ranges::count(items.pixels, polygon));
+  const auto against = [&](std::uint32_t occluder, const culler::Box& box) {
+    account.shadows.push_back({occluder, culler::clearance(result.occluders[occluder].frustum, box)});
+  };
+  if (const culler::Culled* cull = culler.cull_of(result, polygon)) {
+    account.cull = *cull;
+    account.node = cull->node;
+    const culler::Box box = culler.hierarchy().volume(cull->node);
+    if (cull->by == culler::Culled::By::view) {
+      account.beyond_view = culler::distance_beyond(result.view[cull->index], box);
+    } else {
+      against(cull->index, box);
+      if (cull->second != culler::Culled::kNone) against(cull->second, box);
+    }
+    return account;
+  }
+  account.node = culler.hierarchy().leaf_of(polygon);
+  const culler::Box own = culler.hierarchy().soup().box(polygon);
+  for (std::uint32_t i = 0; i < result.occluders.size(); ++i) against(i, own);
+  std::ranges::stable_sort(account.shadows, std::greater{}, [](const AgainstShadow& a) { return a.clearance.distance; });
+  if (account.pixels == 0) {
+    account.missed = culler::MissedReasons(culler, frame.camera(), frame.options().cull, result).answer(polygon);
+  }
+  return account;
+}
+
+void write_why(const ReplayedFrame& frame, const Account& account, const std::filesystem::path& folder) {
+  const OutputFolder made(folder);
+  OutputFile json(folder / "why.json");
+  for (const DrawnPlate& drawn : draw_why(frame, account)) write_png(folder / drawn.plate.file, drawn.image);
+  json.write(to_json(frame, account));
+  json.commit();
+}
+
+}  // namespace occlude::render

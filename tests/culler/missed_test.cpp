@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/missed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "frames.h"
+#include "occlude/culler/clearance.h"
+#include "occlude/culler/culler.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+/// Of a polygon that is hidden and drawn, by its number in the input.
+MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, const CullOptions& options = {}) {
+  Camera camera;
+  const CullResult frame = culler.cull(camera, options);
+  const MissedReasons reasons(culler, camera, options, frame);
+  const std::size_t polygons = culler.hierarchy().soup().size();
+  for (std::uint32_t p = 0; p < polygons; ++p) {
+    if (culler.hierarchy().original(p) != original) continue;
+    EXPECT_EQ(culler.cull_of(frame, p), nullptr);
+    const MissedReasons::Answer answer = reasons.answer(p);
+    std::vector<bool> shows(polygons, true);
+    shows[p] = false;
+    const auto counts = reasons.count(shows);
+    for (std::size_t r = 0; r < kMissedReasons; ++r) EXPECT_EQ(counts[r], r == static_cast<std::size_t>(answer.reason));
+    return answer;
+  }
+  ADD_FAILURE() << "no such polygon";
+  return {};
+}
+
+Culler with_leaves(const PolygonSoup& soup, std::uint32_t size) { return Culler(soup, {.hierarchy = {.leaf_size = size}}); }
+
+TEST(Missed, BecauseItsLeafIsTooCoarse) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 10, -10, 10);
+  add_wall(soup, 20, -1, 1, -1, 1);
+  add_wall(soup, 20, 30, 31, -1, 1);  // shows, and shares the leaf
+  const auto answer = why_drawn(with_leaves(soup, 16), 1);
+  EXPECT_EQ(answer.reason, Missed::coarse_node);
+  EXPECT_EQ(answer.occluder, 0U);
+}
+
+TEST(Missed, BecauseItsBoxStraddles) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 10, -10, 10);
+  // Along the border of the shadow at y = x: its box has the corner (20, 39), which is beyond.
+  add(soup, {{20, 19, -1}, {40, 39, -1}, {40, 39, 1}, {20, 19, 1}});
+  const auto answer = why_drawn(with_leaves(soup, 1), 1);
+  EXPECT_EQ(answer.reason, Missed::straddling_box);
+  EXPECT_EQ(answer.occluder, 0U);
+}
+
+TEST(Missed, BecauseOnlySeveralHideIt) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 0, -10, 10);
+  add(soup, {{10, 0, -10}, {12, 10, -10}, {12, 10, 10}, {10, 0, 10}});
+  add_wall(soup, 20, -5, 5, -1, 1);
+  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 2).reason, Missed::several);
+}
+
+TEST(Missed, BecauseWhatHidesItWasNotChosen) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -5, 5, -10, 10);
+  add_wall(soup, 15, 9, 13, -2, 2);
+  add_wall(soup, 20, 13, 16, -1, 1);
+  const auto answer = why_drawn(with_leaves(soup, 1), 2, {.occluders = 1});
+  EXPECT_EQ(answer.reason, Missed::not_chosen);
+  EXPECT_NE(answer.occluder, Culled::kNone);
+  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 2, {.occluders = 0}).reason, Missed::not_chosen);
+}
+
+TEST(Missed, BecauseNoneHidesItAlone) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 10, -10, 10);
+  add_wall(soup, 20, 19, 22, -1, 1);
+  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 1).reason, Missed::no_single_one);
+}
+
+TEST(Missed, OfWhatTheMarginDraws) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 10, -10, 10);
+  add_wall(soup, 20, 18, 19.99, -1, 1);
+  EXPECT_TRUE(is_drawn(with_leaves(soup, 1), look(with_leaves(soup, 1), {.margin = 0.01}), 1));
+  EXPECT_EQ(why_drawn(with_leaves(soup, 1), 1, {.margin = 0.01}).reason, Missed::no_single_one);
+}
+
+TEST(Clearance, IsTheDistanceToTheNearestPlane) {
+  const std::vector<kernel::Vec3> wall{{10, -10, -10}, {10, 10, -10}, {10, 10, 10}, {10, -10, 10}};
+  const auto shadow = kernel::ShadowFrustum::make(kernel::Viewpoint::eye({0, 0, 0}), wall, kernel::Near::surface).frustum;
+  const auto of = [&](const Box& box) { return clearance(*shadow, box); };
+  EXPECT_NEAR(of(kernel::Aabb{{12, -1, -1}, {14, 1, 1}}).distance, 2, 1e-12);
+  EXPECT_LT(of(kernel::Aabb{{12, -1, -1}, {14, 1, 1}}).plane, shadow->near_count());
+  // The side y = x is nearest to the corner (30, 29).
+  const Clearance side = of(kernel::Obb{{31, 28, 0}, {kernel::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  EXPECT_NEAR(side.distance, std::sqrt(0.5), 1e-12);
+  EXPECT_GE(side.plane, shadow->near_count());
+  EXPECT_NEAR(of(kernel::Aabb{{20, 20, 0}, {21, 22, 0}}).distance, -2 * std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(distance_beyond({{0, 0, 2}, -4}, kernel::Aabb{{0, 0, -3}, {1, 1, 1}}), 1, 1e-12);
+  EXPECT_NEAR(distance_beyond({{0, 0, 2}, -4}, kernel::Aabb{{0, 0, -3}, {1, 1, 5}}), -3, 1e-12);
+}
+
+}  // namespace
