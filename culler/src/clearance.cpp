@@ -1,29 +1,71 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/clearance.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <variant>
 
 #include "bounds.h"
 
 namespace occlude::culler {
+namespace {
 
-Clearance clearance(const kernel::ShadowFrustum& shadow, const Box& box) {
-  Clearance result{std::numeric_limits<double>::infinity(), 0};
+/// What a few more roundings, of lengths and quotients, can do to a distance is far less than this share of it.
+constexpr double kRounding = 0x1p-40;
+
+/// No coordinate of the box, relative to the origin, is larger; up to rounding.
+double reach(const kernel::Vec3& origin, const kernel::Aabb& box) {
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, std::fabs(box.min[axis] - origin[axis]), std::fabs(box.max[axis] - origin[axis])});
+  }
+  return largest;
+}
+
+double reach(const kernel::Vec3& origin, const kernel::Obb& box) {
+  double sum = reach(origin, kernel::Aabb{box.center, box.center});
+  for (const kernel::Vec3& edge : box.half_edges) sum += reach({}, kernel::Aabb{edge, edge});
+  return sum;
+}
+
+template <class AnyBox>
+Clearance clearance_of(const kernel::ShadowFrustum& shadow, const AnyBox& box) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // The kernel's bound for values that are computed as here; twice, for its second order.
+  const kernel::FilterBound& bound = shadow.filter_bound();
+  const double error = 2 * (bound.slope * reach(shadow.origin(), box) + bound.base);
+  Clearance result{kInfinity, kInfinity, 0};
   for (std::size_t i = 0; i < shadow.plane_count(); ++i) {
     const kernel::FilterPlane& plane = shadow.filter_planes()[i];
     const glm::dvec3 normal = to_glm(plane.normal);
-    const double value = plane.offset + std::visit([&](const auto& b) { return least(normal, shadow.origin(), b); }, box);
-    const double distance = value / glm::length(normal);
-    if (distance < result.distance) result = {distance, i};
+    const double value = plane.offset + least(normal, shadow.origin(), box), length = glm::length(normal);
+    // The slope bounds what the normal is out by, too.
+    result.at_least = std::min(result.at_least, (value - error) / (length + 2 * bound.slope));
+    if (value / length >= result.distance) continue;
+    result.distance = value / length;
+    result.plane = i;
   }
+  result.at_least *= result.at_least > 0 ? 1 - kRounding : 1 + kRounding;
   return result;
 }
 
-double distance_beyond(const HalfSpace& half_space, const Box& box) {
-  const double greatest = -std::visit([&](const auto& b) { return least(-half_space.normal, {}, b); }, box);
-  return -(greatest + half_space.offset) / glm::length(half_space.normal);
+template <class AnyBox>
+double beyond(const HalfSpace& half_space, const AnyBox& box) {
+  const double greatest = -least(-half_space.normal, {}, box) + half_space.offset;
+  const double size = std::fabs(half_space.normal.x) + std::fabs(half_space.normal.y) + std::fabs(half_space.normal.z);
+  // A sum of a few products, each with less than eight roundings.
+  const double error = 0x1p-48 * (size * reach({}, box) + std::fabs(half_space.offset));
+  const double distance = -(greatest + error) / glm::length(half_space.normal);
+  return distance * (distance > 0 ? 1 - kRounding : 1 + kRounding);
 }
+
+}  // namespace
+
+Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) { return clearance_of(shadow, box); }
+Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) { return clearance_of(shadow, box); }
+
+double distance_beyond(const HalfSpace& half_space, const kernel::Aabb& box) { return beyond(half_space, box); }
+double distance_beyond(const HalfSpace& half_space, const kernel::Obb& box) { return beyond(half_space, box); }
 
 }  // namespace occlude::culler

@@ -9,6 +9,7 @@
 #include "cull_frame.h"
 #include "legal_soup.h"
 #include "node_tests.h"
+#include "occlude/culler/clearance.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -72,6 +73,19 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   memory.result.occluders = frame.occluders;
   memory.result.pairs = frame.pairs;
   traverse(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), visit, options, memory);
+}
+
+void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {
+  for (const Culled& cull : frame.culled) {
+    double margin = 0;
+    if (cull.by == Culled::By::view) {
+      margin = hierarchy_.ask(cull.node, [&](const auto& box) { return distance_beyond(frame.view[cull.index], box); });
+    } else if (cull.second == Culled::kNone) {
+      const kernel::ShadowFrustum& shadow = frame.occluders[cull.index].frustum;
+      margin = hierarchy_.ask(cull.node, [&](const auto& box) { return clearance(shadow, box).at_least; });
+    }
+    witnesses.push_back({cull, std::max(margin, 0.0)});
+  }
 }
 
 const Culled* Culler::cull_of(const CullResult& frame, std::uint32_t p) const {

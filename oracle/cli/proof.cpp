@@ -112,6 +112,14 @@ std::array<double, 4> plane_of(const Json& object) {
   return coefficients;
 }
 
+/// 0 where the witness has none.
+double margin_of(const Json& object) {
+  if (!object.contains("margin")) return 0;
+  const double margin = number(object["margin"], "margin");
+  if (!(margin >= 0) || !std::isfinite(margin)) throw LineError("\"margin\": expected a number from 0");
+  return margin;
+}
+
 std::array<std::size_t, 2> run_of(const Json& triangles, const char* name) {
   if (!triangles.is_array() || triangles.size() != 2 || !triangles[0].is_number_unsigned() ||
       !triangles[1].is_number_unsigned()) {
@@ -159,7 +167,7 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
     if (!is_outside_of_view(plane, camera, hierarchy_.nodes()[0].box)) {
       return "the plane cuts what the camera shows (is --size that of the walk?)";
     }
-    return oracle::refute_view_cull(plane, to_oracle(box));
+    return oracle::refute_view_cull(plane, to_oracle(box), margin_of(object));
   }
   if (by != "shadow") return "\"by\": expected \"view\" or \"shadow\"";
 
@@ -174,7 +182,7 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
     if (std::string fault = fault_of_occluder(described, camera, first, count); !fault.empty()) return fault;
     shadows.push_back(shadow_of(view, described, object));
   }
-  if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box));
+  if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box), margin_of(object));
   return shadows[0].refute_union_cull(shadows[1], to_oracle(box));
 }
 

@@ -35,7 +35,7 @@ class Prover {
   Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect);
 
   /// Proves the witness on this line (LineError when it is no witness at all):
-  /// - the triangles named exist and lie in the box named;
+  /// - the triangles named exist and lie in the box named, which keeps the margin named, if any, to the planes that cull it;
   /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
   ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the

@@ -3,6 +3,7 @@
 // factors of the half edges of an oriented one between -1 and 1.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "feasibility.h"
@@ -73,6 +74,18 @@ OfCorners<CGAL::Sign> corner_sides(Plane<Definition>& plane, const Box& box) {
     sides[c] = CGAL::is_certain(side) ? CGAL::get_certain(side) : CGAL::sign((*exact)[c]);
   }
   return sides;
+}
+
+/// Whether no corner is nearer to the plane than `distance`, exactly.
+template <class Definition>
+bool keeps_distance(Plane<Definition>& plane, const Box& box, double distance) {
+  return distance == 0 || decide([&]<class N>() {
+           const HalfSpace<N>& half_space = plane.template in<N>();
+           const N least = N(distance) * N(distance) * (half_space.normal * half_space.normal);
+           return std::ranges::all_of(corner_heights(half_space, box), [&](const N& height) {
+             return certain_sign(N(height * height - least)) != CGAL::NEGATIVE;
+           });
+         });
 }
 
 /// The range of the box's own coordinates.

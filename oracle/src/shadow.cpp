@@ -61,13 +61,17 @@ Answer Shadow::relation_to_union(Shadow& other, const Box& box) {
   return {"", is_covered ? Relation::inside : Relation::partial};
 }
 
-std::string Shadow::refute_cull(const Box& box) {
+std::string Shadow::refute_cull(const Box& box, double margin) {
   const Answer answer = relation(box);
   if (!answer.refusal.empty()) return answer.refusal;
   if (answer.relation != Relation::inside) return "the box is not inside the frustum";
   const RoundUpward rounding;
   const auto is_beyond = [&](Plane<OrientedPlane>& plane) { return is_strictly_inside(plane, box); };
-  return std::ranges::all_of(prepared_->frustum.near, is_beyond) ? "" : "the box touches the near plane";
+  if (!std::ranges::all_of(prepared_->frustum.near, is_beyond)) return "the box touches the near plane";
+  const auto keeps = [&](Plane<OrientedPlane>& plane) { return keeps_distance(plane, box, margin); };
+  const bool all_keep =
+      std::ranges::all_of(prepared_->frustum.near, keeps) && std::ranges::all_of(prepared_->frustum.sides, keeps);
+  return all_keep ? "" : "the box is nearer to a plane of the shadow than its margin";
 }
 
 std::string Shadow::refute_union_cull(Shadow& other, const Box& box) {

@@ -8,13 +8,14 @@
 
 namespace occlude::oracle {
 
-std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box) {
+std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box, double margin) {
   const RoundUpward rounding;
   if (!std::ranges::all_of(plane, [](double value) { return std::isfinite(value); })) return "a number is not finite";
   if (std::string fault = box_fault(box); !fault.empty()) return fault;
   Plane definition(CoefficientPlane{plane});
   const auto is_beyond = [](CGAL::Sign side) { return side == CGAL::NEGATIVE; };
-  return std::ranges::all_of(corner_sides(definition, box), is_beyond) ? "" : "the box reaches the plane";
+  if (!std::ranges::all_of(corner_sides(definition, box), is_beyond)) return "the box reaches the plane";
+  return keeps_distance(definition, box, margin) ? "" : "the box is nearer to the plane than its margin";
 }
 
 }  // namespace occlude::oracle

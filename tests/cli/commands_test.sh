@@ -41,6 +41,7 @@ ply good.ply 256 64 "$vertices$faces"
 split_vertices=$vertices split_faces=${faces#*\\n}
 path='{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}'
 echo "$path" >path.json
+sed 's/"target":\[1,0,0\]/"target":[-1,0,0]/; s/"target":\[1.5,0,0\]/"target":[-0.5,0,0]/' path.json >back.json
 
 # Models.
 printf 'this is no model\n' >text.ply
@@ -184,14 +185,17 @@ expect_error "good.ply:1" "$occlude" validate good.ply --path path.json --witnes
 [ "$(ls report/plates | wc -l)" -eq 4 ] || fail "plates of an earlier walk are left"
 
 # Witnesses that lie are found out.
-lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES]
-  local model=${3:-good.ply} witnesses=${4:-witness.jsonl}
+"$occlude" walk good.ply --path back.json --out aside --no-render --witness aside.jsonl >/dev/null || fail "walk, looking away"
+lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES PATH]
+  local model=${3:-good.ply} witnesses=${4:-witness.jsonl} path=${5:-path.json}
   sed "$2" "$witnesses" >lie.jsonl
   cmp -s "$witnesses" lie.jsonl && fail "the lie about $1 changed nothing"
-  "$occlude" validate "$model" --path path.json --witness lie.jsonl >stdout 2>stderr
+  "$occlude" validate "$model" --path "$path" --witness lie.jsonl >stdout 2>stderr
   [ $? -eq 1 ] || fail "a lie about $1 was believed"
 }
 lie "the box" '/shadow/s/"max":\[\([0-9]*\),1,1\]/"max":[\1,99,1]/'
+lie "the margin of a shadow" '/shadow/s/"margin":[^}]*}/"margin":1000}/'
+lie "the margin of a view" '/"by":"view"/s/"margin":[^}]*}/"margin":1e9}/' good.ply aside.jsonl back.json
 lie "the eye" 's/"eye":\[0,0,0\]/"eye":[0,0,0.5]/'
 lie "the occluder" 's/"polygon":\[\[2,-1,-1\]/"polygon":[[2,-2,-2]/'
 lie "the triangles" '/shadow/s/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/'
@@ -230,7 +234,6 @@ expect_error "--pixel" why --frame 0 --pixel 64,0
 expect_error "--pixel" why --frame 0 --pixel 3
 expect_error "[--polygon,--pixel]" why --frame 0
 expect_error "[--polygon,--pixel]" why --frame 0 --polygon 0 --pixel 3,3
-sed 's/"target":\[1,0,0\]/"target":[-1,0,0]/; s/"target":\[1.5,0,0\]/"target":[-0.5,0,0]/' path.json >back.json
 "$occlude" why good.ply --path back.json --frame 0 --polygon 40 >stdout || fail "why, looking away"
 grep -q '^frame 0, polygon 40: culled: out of view$' stdout || fail "why said: $(cat stdout)"
 grep -q '^  by the left plane of the view: the box is beyond it by' stdout || fail "why said: $(cat stdout)"
@@ -260,7 +263,8 @@ ply block.ply 240 64 "$vertices$faces"
 block='"vertices":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1],[3,-1,-1],[3,1,-1],[3,1,1],[3,-1,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[3,2,6,7],[0,3,7,4],[1,2,6,5]]'
 "$occlude" walk block.ply --path path.json --out blocked --no-render --witness front.jsonl >stdout || fail "walk with a block"
 sed 's/"polygon":\[\[2,-1,-1\],\[2,1,-1\],\[2,1,1\],\[2,-1,1\]\]/'"$block"'/
-  s/"min":\[32,-1,-1\],"max":\[61,1,1\]/"center":[46.5,0,0],"half_edges":[[14.5,0,0],[0,1,1],[0,1,-1]]/' front.jsonl >block.jsonl
+  s/"min":\[32,-1,-1\],"max":\[61,1,1\]/"center":[46.5,0,0],"half_edges":[[14.5,0,0],[0,1,1],[0,1,-1]]/
+  s/,"margin":[^}]*}/}/' front.jsonl >block.jsonl
 grep -q '"vertices"' block.jsonl || fail "no witness by a block"
 grep -q '"half_edges"' block.jsonl || fail "no witness of an oriented box"
 "$occlude" validate block.ply --path path.json --witness block.jsonl >stdout 2>&1 || fail "block: $(cat stdout)"

@@ -115,6 +115,7 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
                   {"candidates", mean(result, [](const FrameRecord& r) { return r.stats.occluders_in_view; })},
                   {"sort_moves", mean(result, [](const FrameRecord& r) { return r.stats.sort_moves; })},
                   {"cull_ms", mean_of(&FrameRecord::cull_ms)},
+                  {"witness_ms", mean_of(&FrameRecord::witness_ms)},
                   {"frame_ms", if_rendered(frame_ms)},
                   {"frame_ms_view_frustum_only", if_rendered(viewed_ms)}};
   json["culled_share"] = viewed == 0 ? 0 : 1 - drawn / viewed;

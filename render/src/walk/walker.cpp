@@ -44,6 +44,10 @@ class Walker {
     record.view_frustum_polygons = view_without_.result().stats.drawn_polygons;
     record.rendered_polygons = culled.stats.drawn_polygons;
     record.occluders = culled.occluders.size();
+    witnesses_.clear();
+    const Stopwatch stopwatch;
+    culler_.append_witnesses(culled, witnesses_);
+    record.witness_ms = stopwatch.milliseconds();
     record.stats = culled.stats;
     if (!renderer_) return record;
     if (reference) {
@@ -79,7 +83,8 @@ class Walker {
   const WalkOptions& options_;
   SceneRenderer* renderer_;
   culler::CullOptions view_only_;
-  culler::View view_without_;  ///< with view-frustum culling alone
+  culler::View view_without_;               ///< with view-frustum culling alone
+  std::vector<culler::Witness> witnesses_;  ///< of the last frame
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <variant>
 
 #include "occlude/render/errors.h"
 #include "occlude/render/output_file.h"
@@ -34,14 +35,16 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   account.polygon = polygon;
   account.pixels = static_cast<std::size_t>(std::ranges::count(items.pixels, polygon));
   const auto against = [&](std::uint32_t occluder, const culler::Box& box) {
-    account.shadows.push_back({occluder, culler::clearance(result.occluders[occluder].frustum, box)});
+    const kernel::ShadowFrustum& shadow = result.occluders[occluder].frustum;
+    account.shadows.push_back({occluder, std::visit([&](const auto& b) { return culler::clearance(shadow, b); }, box)});
   };
   if (const culler::Culled* cull = culler.cull_of(result, polygon)) {
     account.cull = *cull;
     account.node = cull->node;
     const culler::Box box = culler.hierarchy().volume(cull->node);
     if (cull->by == culler::Culled::By::view) {
-      account.beyond_view = culler::distance_beyond(result.view[cull->index], box);
+      account.beyond_view =
+          std::visit([&](const auto& b) { return culler::distance_beyond(result.view[cull->index], b); }, box);
     } else {
       against(cull->index, box);
       if (cull->second != culler::Culled::kNone) against(cull->second, box);

@@ -124,7 +124,7 @@ std::string to_text(const ReplayedFrame& frame, const Account& a) {
   text += "  its own box to the shadows that it is nearest to:\n";
   for (std::size_t i = 0; i < std::min(a.shadows.size(), kNearest); ++i) {
     const culler::Occluder& occluder = result.occluders[a.shadows[i].occluder];
-    const auto [distance, plane] = a.shadows[i].clearance;
+    const auto& [distance, at_least, plane] = a.shadows[i].clearance;
     text += fmt::format("    occluder {} ({}): {} {:.6g} {} {}\n", a.shadows[i].occluder,
                         text_of_occluder(culler, occluder.index), distance < 0 ? "sticks out by" : "inside by",
                         std::abs(distance), distance < 0 ? "of" : "from", text_of_plane(occluder.frustum, plane));

@@ -109,13 +109,15 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
   const std::string viewpoint = camera.projection == culler::Projection::perspective
                                     ? fmt::format(R"("eye":{})", triple(camera.eye))
                                     : fmt::format(R"("direction":{})", triple(camera.axes().forward));
-  for (const culler::Culled& culled : result.culled) {
+  std::vector<culler::Witness> witnesses;
+  culler.append_witnesses(result, witnesses);
+  for (const auto& [culled, margin] : witnesses) {
     const culler::Hierarchy::Node& node = hierarchy.nodes()[culled.node];
     const std::size_t first = hierarchy.first_triangle(node.first);
     const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
-    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint,
+    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{},"margin":{}}})", frame, viewpoint,
                                 hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }), first, count,
-                                reasons.of(culled)));
+                                reasons.of(culled), margin));
   }
 }
 

@@ -10,15 +10,18 @@
 
 namespace occlude::culler {
 
-/// Of all the planes of a shadow the one that a box is least on the inner side of.
+/// How far a box is on the inner side of all the planes of a shadow: units of the scene.
 struct Clearance {
-  double distance = 0;    ///< units of the scene, up to rounding: positive inside; negative, how far a corner sticks out
-  std::size_t plane = 0;  ///< its number: those of the near side first, then one for each edge of the silhouette
+  double distance = 0;    ///< up to rounding; negative: how far a corner sticks out
+  double at_least = 0;    ///< no more than the real number, whatever was rounded
+  std::size_t plane = 0;  ///< the nearest: those of the near side first, then one for each edge of the silhouette
 };
 
-[[nodiscard]] Clearance clearance(const kernel::ShadowFrustum& shadow, const Box& box);
+[[nodiscard]] Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box);
+[[nodiscard]] Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box);
 
-/// How far all of the box is beyond the half-space; negative where a corner is in it.
-[[nodiscard]] double distance_beyond(const HalfSpace& half_space, const Box& box);
+/// How far all of the box is beyond the half-space, and no more than the real number; negative where a corner is in it.
+[[nodiscard]] double distance_beyond(const HalfSpace& half_space, const kernel::Aabb& box);
+[[nodiscard]] double distance_beyond(const HalfSpace& half_space, const kernel::Obb& box);
 
 }  // namespace occlude::culler

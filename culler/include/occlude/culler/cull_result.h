@@ -71,6 +71,14 @@ struct Culled {
   std::uint32_t second = kNone;  ///< by shadow: of the occluder that hides it together with the first, if any
 };
 
+/// The proof of a cull, to be kept: the frame has the planes that it is about.
+struct Witness {
+  Culled cull;
+  /// No corner of the subtree's box is nearer to a plane of the shadow, or to the half-space, on the side that culls: units
+  /// of the scene, rounded down; 0 where nothing more is known, as of a cull by two shadows together.
+  double margin = 0;
+};
+
 struct CullStats {
   std::size_t nodes_visited = 0;
   std::size_t view_tests = 0;          ///< box against half-space

@@ -35,6 +35,9 @@ class Culler {
   void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
+  /// Appends the proof of every cull of the frame.
+  void append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const;
+
   /// The cull of the frame that took polygon p of the tree; null where it is drawn.
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
 

@@ -84,9 +84,9 @@ class Shadow {
   [[nodiscard]] Answer relation_to_union(Shadow& other, const Box& box);
 
   /// Proof that `box` lies in the frustum and strictly beyond its near planes, a given `plane` being sound for the occluder
-  /// (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side). Empty when proved,
-  /// else what failed.
-  [[nodiscard]] std::string refute_cull(const Box& box);
+  /// (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side); and that no corner is
+  /// nearer than `margin` to any of its planes. Empty when proved, else what failed. REQUIRES: margin >= 0, finite.
+  [[nodiscard]] std::string refute_cull(const Box& box, double margin = 0);
 
   /// Proof that every point of `box` lies in one of the two frusta and strictly beyond the near planes of that one, given
   /// planes being sound as above. Empty when proved, else what failed. REQUIRES: the shadows are of one viewpoint.
@@ -103,8 +103,9 @@ class Shadow {
 [[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near,
                                              const Box& box);
 
-/// Proof that every point of `box` has a*x + b*y + c*z + d < 0. Empty when proved, else what failed.
-[[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box);
+/// Proof that every point of `box` has a*x + b*y + c*z + d < 0, and that none is nearer than `margin` to that plane. Empty
+/// when proved, else what failed. REQUIRES: margin >= 0, finite.
+[[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box, double margin = 0);
 
 /// Whether `point` lies in `box`, exactly. Nothing lies in a box with min > max or a number that is not finite. REQUIRES:
 /// the point is finite.

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What the culler says a box keeps of distance is proved, and hardly more could be said.
+#include "occlude/culler/clearance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <variant>
+#include <vector>
+
+#include "differential/to_oracle.h"
+#include "occlude/kernel/overlap.h"
+#include "occlude/oracle/oracle.h"
+
+namespace occlude::fuzz {
+namespace {
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+kernel::Vec3 point(std::mt19937& random, double low, double high) {
+  const double x = uniform(random, low, high), y = uniform(random, low, high), z = uniform(random, low, high);
+  return {x, y, z};
+}
+
+kernel::Vec3 sum(const kernel::Vec3& a, const kernel::Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+
+/// A box, of either kind, about where the shadow of something near the origin is.
+std::variant<kernel::Aabb, kernel::Obb> some_box(std::mt19937& random, const kernel::Vec3& origin) {
+  const kernel::Vec3 low = sum(origin, point(random, 0, 40));
+  if (random() % 2 == 0) return kernel::Aabb{low, sum(low, point(random, 0, 2))};
+  return kernel::Obb{low, {point(random, -1, 1), point(random, -1, 1), point(random, -1, 1)}};
+}
+
+TEST(Clearance, IsProvedExactly) {
+  std::mt19937 random(5);
+  int proved = 0, tight = 0;
+  for (int i = 0; i < 60000; ++i) {
+    // Near the origin and far from it; triangles of all shapes, and some almost through the eye.
+    const double far = std::ldexp(1.0, static_cast<int>(random() % 32)) * static_cast<double>(random() % 2);
+    const kernel::Vec3 origin{far, far, -far};
+    const double thickness = std::ldexp(1.0, -static_cast<int>(random() % 40));
+    std::vector<kernel::Vec3> loop{sum(origin, point(random, 1, 4)), sum(origin, point(random, 1, 4))};
+    loop.push_back(sum(loop[0], point(random, -thickness, thickness)));
+    const kernel::Viewpoint view =
+        random() % 4 == 0 ? kernel::Viewpoint::direction(point(random, 0.1, 1)) : kernel::Viewpoint::eye(origin);
+    const auto shadow = kernel::ShadowFrustum::make(view, loop, kernel::Near::surface).frustum;
+    if (!shadow) continue;
+    // Boxes about the middle of the shadow, so that many are in it.
+    kernel::Vec3 ahead{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double middle = (loop[0][axis] + loop[1][axis] + loop[2][axis]) / 3;
+      ahead[axis] =
+          view.is_eye() ? origin[axis] + uniform(random, 1, 8) * (middle - origin[axis]) : middle + view.value[axis];
+    }
+    const double size = thickness * uniform(random, 0, 0.2);
+    const kernel::Aabb small{ahead, sum(ahead, {size, size, size})};
+    const auto box = random() % 8 == 0 ? some_box(random, origin) : std::variant<kernel::Aabb, kernel::Obb>(small);
+    const culler::Clearance clearance = std::visit([&](const auto& b) { return culler::clearance(*shadow, b); }, box);
+    if (!(clearance.at_least > 0)) continue;
+    oracle::Shadow judge(to_oracle(view), to_oracle(loop), to_oracle(kernel::Near::surface));
+    const auto judged = std::visit([](const auto& b) { return oracle::Box(to_oracle(b)); }, box);
+    ASSERT_EQ(judge.refute_cull(judged, clearance.at_least), "") << i;
+    ++proved;
+    if (clearance.at_least < 0.99 * clearance.distance) continue;  // of slivers little is certain
+    ++tight;
+    ASSERT_NE(judge.refute_cull(judged, 1.02 * clearance.distance), "") << i;
+  }
+  EXPECT_GT(proved, 1000);
+  EXPECT_GT(tight, proved / 2);
+}
+
+}  // namespace
+}  // namespace occlude::fuzz
