@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds with each planted fault in turn and sees whether the fuzzer and the tests catch it. Prints a Markdown table, a row as
+# Builds with each planted fault in turn and sees whether the fuzzer, the tests and a validation catch it. Prints a Markdown table, a row as
 # soon as it is known; exit 1 when a fault is missed.
 #
-# Usage: bash fuzz/mutants/run.sh [--only suite|fuzz] [--seconds N] [NAME...]
+# Usage: bash fuzz/mutants/run.sh [--only suite|fuzz|validate] [--seconds N] [NAME...]
 #        bash fuzz/mutants/run.sh --check
 #
 #   NAME...          these faults only, by default all: fuzz/mutants/NAME.patch
-#   --only CATCHER   builds and runs the tests or the fuzzer alone
+#   --only CATCHER   builds and runs the tests, the fuzzer or the validation alone; by default the first two. A validation
+#                    is `occlude validate` on the first frames of the path through a generated city
 #   --seconds N      what the fuzzer is given for a fault, default 60
 #   --check          builds nothing: sees that every patch applies to the sources as they are
 #
@@ -95,6 +96,20 @@ caught_by_fuzzer() {
   esac
 }
 
+# caught_by_validation: a cell of the table.
+caught_by_validation() {
+  build occlude || { echo '**does not build**'; return; }
+  [ -f "$folder/city.json" ] || "$folder/occlude" generate city --out "$folder/city.ply" --path "$folder/city.json" >>"$log" 2>&1
+  local start=$SECONDS status=0 error
+  error=$("$folder/occlude" validate "$folder/city.ply" --path "$folder/city.json" --frames 0:300 2>&1 >>"$log") || status=$?
+  echo "$error" >>"$log"
+  case $status in
+    0) echo "**missed**, $((SECONDS - start)) s" ;;
+    1) echo "$(sed -n '1s/[^:]*: //p' <<<"$error" | cut -c 1-90), $((SECONDS - start)) s" ;;
+    *) echo "**did not run**: exit code $status" ;;
+  esac
+}
+
 only=
 fuzz_seconds=60
 names=()
@@ -110,7 +125,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 [[ $fuzz_seconds =~ ^[1-9][0-9]*$ ]] || fail "--seconds takes a whole number, not $fuzz_seconds"
-[[ $only =~ ^(suite|fuzz)?$ ]] || fail "--only takes suite or fuzz, not $only"
+[[ $only =~ ^(suite|fuzz|validate)?$ ]] || fail "--only takes suite, fuzz or validate, not $only"
 [ ${#names[@]} -gt 0 ] || mapfile -t names < <(all_names)
 
 # configure [NAME]: with this fault, by default with none.
@@ -119,20 +134,23 @@ configure() {
 }
 
 mkdir -p "$folder"
-if [ "$only" != suite ]; then
-  # Who cries wolf catches everything.
-  configure
+# Who cries wolf catches everything.
+configure
+if [[ $only =~ ^(|fuzz)$ ]]; then
   [[ $(caught_by_fuzzer) == *missed* ]] || fail "without a fault the fuzzer does not end well: see $log"
+elif [ "$only" = validate ]; then
+  [[ $(caught_by_validation) == *missed* ]] || fail "without a fault the validation does not end well: see $log"
 fi
-echo '| fault | what | fuzzer | tests |'
-echo '|---|---|---|---|'
+echo '| fault | what | fuzzer | tests | validation |'
+echo '|---|---|---|---|---|'
 missed=0
 for name in "${names[@]}"; do
   configure "$name"
-  fuzzer=- suite=-
-  [ "$only" = suite ] || fuzzer=$(caught_by_fuzzer)
-  [ "$only" = fuzz ] || suite=$(caught_by_suite "$name")
-  echo "| \`$name\` | $(head -n 1 "$(patch_of "$name")") | $fuzzer | $suite |"
-  [[ $fuzzer$suite == *'**'* ]] && missed=1
+  fuzzer=- suite=- validation=-
+  [[ $only =~ ^(|fuzz)$ ]] && fuzzer=$(caught_by_fuzzer)
+  [[ $only =~ ^(|suite)$ ]] && suite=$(caught_by_suite "$name")
+  [ "$only" = validate ] && validation=$(caught_by_validation)
+  echo "| \`$name\` | $(head -n 1 "$(patch_of "$name")") | $fuzzer | $suite | $validation |"
+  [[ $fuzzer$suite$validation == *'**'* ]] && missed=1
 done
 exit $missed
