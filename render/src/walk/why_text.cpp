@@ -3,8 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <variant>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "occlude/render/why.h"
 
@@ -19,6 +26,13 @@ constexpr std::array<const char*, 6> kViewPlanes{"left", "right", "bottom", "top
 std::string text_of(const kernel::Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
 Json json_of(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
+
+Json json_of(const kernel::Aabb& box) { return {{"min", json_of(box.min)}, {"max", json_of(box.max)}}; }
+
+double distance(const glm::dvec3& eye, const kernel::Aabb& box) {
+  const glm::dvec3 low{box.min.x, box.min.y, box.min.z}, high{box.max.x, box.max.y, box.max.z};
+  return glm::distance(eye, glm::clamp(eye, low, high));
+}
 
 /// The polygons of the model that the occluder is drawn as.
 std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32_t occluder) {
@@ -79,75 +93,128 @@ const char* why_missed(culler::Missed reason) {
 /// Of how many of the shadows that a drawn polygon is not in one learns.
 constexpr std::size_t kNearest = 3;
 
-}  // namespace
+enum class Fate { drawn, out_of_view, in_shadow };
 
-std::string to_text(const ReplayedFrame& frame, const Account& a) {
-  const culler::Culler& culler = frame.culler();
-  const culler::CullResult& result = frame.result();
-  const culler::HierarchyNode& node = culler.hierarchy().nodes()[a.node];
-  const char* fate = !a.cull                                  ? "drawn"
-                     : a.cull->by == culler::Culled::By::view ? "culled: out of view"
-                                                              : "culled: in shadow";
-  std::string text = fmt::format("frame {}, polygon {}: {}\n", frame.number(), culler.hierarchy().original(a.polygon), fate);
-  text += a.pixels == 0
-              ? fmt::format("  it shows in no pixel of {}x{}, were nothing culled\n", frame.options().width,
-                            frame.options().height)
-              : fmt::format("  it shows in {} pixels of {}x{}\n", a.pixels, frame.options().width, frame.options().height);
-  text += fmt::format("  {} {}: {} polygons in the box {} - {}\n", a.cull ? "culled with node" : "drawn with leaf", a.node,
-                      node.count, text_of(node.box.min), text_of(node.box.max));
-  if (a.cull && a.cull->by == culler::Culled::By::view) {
-    return text + fmt::format("  by the {} plane of the view: the box is beyond it by {:.6g}\n", kViewPlanes[a.cull->index],
-                              a.beyond_view);
-  }
-  if (a.cull) {
-    for (const AgainstShadow& s : a.shadows) {
-      const culler::Occluder& occluder = result.occluders[s.occluder];
-      text += fmt::format("  by occluder {}: {}; it hides {} polygons in this frame\n", s.occluder,
-                          text_of_occluder(culler, occluder.index), occluder.hidden);
-      text += a.shadows.size() == 1
-                  ? fmt::format("  the box is in its shadow by {:.6g}, where it is nearest to {}\n", s.clearance.distance,
-                                text_of_plane(occluder.frustum, s.clearance.plane))
-                  : fmt::format("  the box is in its shadow but for {:.6g} beyond {}, and all of it in both together\n",
-                                -s.clearance.distance, text_of_plane(occluder.frustum, s.clearance.plane));
-    }
-    return text;
-  }
-  if (a.missed) {
-    text += "  it is hidden, and was not culled: ";
-    text += why_missed(a.missed->reason);
-    text += "\n";
-    if (a.missed->occluder != culler::Culled::kNone) {
-      text += fmt::format("  what hides it alone: {}\n", text_of_occluder(culler, a.missed->occluder));
-    }
-  }
-  if (a.shadows.empty()) return text + "  the frame has no occluders\n";
-  text += "  its own box to the shadows that it is nearest to:\n";
-  for (std::size_t i = 0; i < std::min(a.shadows.size(), kNearest); ++i) {
-    const culler::Occluder& occluder = result.occluders[a.shadows[i].occluder];
-    const auto& [distance, at_least, plane] = a.shadows[i].clearance;
-    text += fmt::format("    occluder {} ({}): {} {:.6g} {} {}\n", a.shadows[i].occluder,
-                        text_of_occluder(culler, occluder.index), distance < 0 ? "sticks out by" : "inside by",
-                        std::abs(distance), distance < 0 ? "of" : "from", text_of_plane(occluder.frustum, plane));
-  }
-  return text;
+Fate fate_of(const Account& a) {
+  if (!a.cull) return Fate::drawn;
+  return a.cull->by == culler::Culled::By::view ? Fate::out_of_view : Fate::in_shadow;
 }
 
+class Text {
+ public:
+  Text(const ReplayedFrame& frame, const Account& account)
+      : frame_(frame), account_(account), culler_(frame.culler()), fate_(fate_of(account)) {
+    add_polygon();
+    add_node();
+    if (fate_ == Fate::out_of_view) {
+      add("  by the {} plane of the view: the box is beyond it by {:.6g}", kViewPlanes[account.cull->index],
+          account.beyond_view);
+    } else if (fate_ == Fate::in_shadow) {
+      for (const AgainstShadow& s : account.shadows) add_culling(s);
+    } else {
+      if (account.missed) add_missed(*account.missed);
+      add_nearest();
+    }
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  template <class... Parts>
+  void add(fmt::format_string<Parts...> line, Parts&&... parts) {
+    fmt::format_to(std::back_inserter(text_), line, std::forward<Parts>(parts)...);
+    text_ += '\n';
+  }
+
+  void add_polygon() {
+    constexpr std::array<const char*, 3> kFates{"drawn", "culled: out of view", "culled: in shadow"};
+    const culler::PolygonSoup& soup = culler_.hierarchy().soup();
+    const kernel::Aabb box = soup.box(account_.polygon);
+    add("frame {}, polygon {}: {}", frame_.number(), culler_.hierarchy().original(account_.polygon),
+        kFates[static_cast<std::size_t>(fate_)]);
+    add("  {} sides, in the box {} - {}, {:.6g} from the eye", soup.loop(account_.polygon).size(), text_of(box.min),
+        text_of(box.max), distance(frame_.camera().eye, box));
+    const std::string size = fmt::format("{}x{}", frame_.options().width, frame_.options().height);
+    if (account_.pixels == 0) add("  it shows in no pixel of {}, were nothing culled", size);
+    if (account_.pixels != 0) add("  it shows in {} pixels of {}", account_.pixels, size);
+  }
+
+  void add_node() {
+    const culler::HierarchyNode& node = culler_.hierarchy().nodes()[account_.node];
+    add("  {} {}: {} polygons in the box {} - {}", fate_ == Fate::drawn ? "drawn with leaf" : "culled with node",
+        account_.node, node.count, text_of(node.box.min), text_of(node.box.max));
+  }
+
+  void add_culling(const AgainstShadow& s) {
+    const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
+    const std::string plane = text_of_plane(occluder.frustum, s.clearance.plane);
+    add("  by occluder {}: {}; it hides {} polygons in this frame", s.occluder, text_of_occluder(culler_, occluder.index),
+        occluder.hidden);
+    if (account_.shadows.size() == 1) {
+      add("  the box is in its shadow by {:.6g}, where it is nearest to {}", s.clearance.distance, plane);
+    } else {
+      add("  the box is in its shadow but for {:.6g} beyond {}, and all of it in both together", -s.clearance.distance,
+          plane);
+    }
+  }
+
+  void add_missed(const culler::MissedReasons::Answer& missed) {
+    add("  it is hidden, and was not culled: {}", why_missed(missed.reason));
+    if (missed.occluder != culler::Culled::kNone) {
+      add("  what hides it alone: {}", text_of_occluder(culler_, missed.occluder));
+    }
+  }
+
+  void add_nearest() {
+    if (account_.shadows.empty()) return add("  the frame has no occluders");
+    add("  its own box to the shadows that it is nearest to:");
+    for (std::size_t i = 0; i < std::min(account_.shadows.size(), kNearest); ++i) {
+      const AgainstShadow& s = account_.shadows[i];
+      const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
+      const double apart = s.clearance.distance;
+      add("    occluder {} ({}): {} {:.6g} {} {}", s.occluder, text_of_occluder(culler_, occluder.index),
+          apart < 0 ? "sticks out by" : "inside by", std::fabs(apart), apart < 0 ? "of" : "from",
+          text_of_plane(occluder.frustum, s.clearance.plane));
+    }
+  }
+
+  const ReplayedFrame& frame_;
+  const Account& account_;
+  const culler::Culler& culler_;
+  Fate fate_;
+  std::string text_;
+};
+
+Json json_of_shadow(const culler::Culler& culler, const culler::Occluder& occluder, const culler::Clearance& clearance) {
+  const auto edge = edge_of(occluder.frustum, clearance.plane);
+  return {{"occluder", json_of_occluder(culler, occluder.index)},
+          {"hidden_polygons", occluder.hidden},
+          {"distance", clearance.distance},
+          {"plane", edge ? "side" : "near"},
+          {"edge", edge ? Json{json_of((*edge)[0]), json_of((*edge)[1])} : Json()}};
+}
+
+Json json_of_missed(const culler::Culler& culler, const culler::MissedReasons::Answer& missed) {
+  const bool is_one = missed.occluder != culler::Culled::kNone;
+  return {{"reason", to_string(missed.reason)}, {"occluder", is_one ? json_of_occluder(culler, missed.occluder) : Json()}};
+}
+
+}  // namespace
+
+std::string to_text(const ReplayedFrame& frame, const Account& account) { return Text(frame, account).text(); }
+
 std::string to_json(const ReplayedFrame& frame, const Account& a) {
+  constexpr std::array<const char*, 3> kFates{"drawn", "out_of_view", "in_shadow"};
   const culler::Culler& culler = frame.culler();
-  const culler::CullResult& result = frame.result();
   const culler::HierarchyNode& node = culler.hierarchy().nodes()[a.node];
   Json json = {{"frame", frame.number()},
                {"polygon", culler.hierarchy().original(a.polygon)},
-               {"fate", !a.cull                                  ? "drawn"
-                        : a.cull->by == culler::Culled::By::view ? "out_of_view"
-                                                                 : "in_shadow"},
+               {"box", json_of(culler.hierarchy().soup().box(a.polygon))},
+               {"fate", kFates[static_cast<std::size_t>(fate_of(a))]},
                {"pixels", a.pixels},
-               {"node",
-                {{"index", a.node},
-                 {"polygons", node.count},
-                 {"box", {{"min", json_of(node.box.min)}, {"max", json_of(node.box.max)}}}}}};
-  if (a.cull && a.cull->by == culler::Culled::By::view) {
-    const culler::HalfSpace& h = result.view[a.cull->index];
+               {"node", {{"index", a.node}, {"polygons", node.count}, {"box", json_of(node.box)}}}};
+  if (fate_of(a) == Fate::out_of_view) {
+    const culler::HalfSpace& h = frame.result().view[a.cull->index];
     json["plane"] = {{"name", kViewPlanes[a.cull->index]},
                      {"coefficients", {h.normal.x, h.normal.y, h.normal.z, h.offset}},
                      {"distance", a.beyond_view}};
@@ -155,19 +222,9 @@ std::string to_json(const ReplayedFrame& frame, const Account& a) {
   }
   json["shadows"] = Json::array();
   for (const AgainstShadow& s : a.shadows) {
-    const culler::Occluder& occluder = result.occluders[s.occluder];
-    const auto edge = edge_of(occluder.frustum, s.clearance.plane);
-    json["shadows"].push_back({{"occluder", json_of_occluder(culler, occluder.index)},
-                               {"hidden_polygons", occluder.hidden},
-                               {"distance", s.clearance.distance},
-                               {"plane", edge ? "side" : "near"},
-                               {"edge", edge ? Json{json_of((*edge)[0]), json_of((*edge)[1])} : Json()}});
+    json["shadows"].push_back(json_of_shadow(culler, frame.result().occluders[s.occluder], s.clearance));
   }
-  if (a.missed) {
-    json["missed"] = {
-        {"reason", to_string(a.missed->reason)},
-        {"occluder", a.missed->occluder == culler::Culled::kNone ? Json() : json_of_occluder(culler, a.missed->occluder)}};
-  }
+  json["missed"] = a.missed ? json_of_missed(culler, *a.missed) : Json();
   return json.dump(2) + "\n";
 }
 
