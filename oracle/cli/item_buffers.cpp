@@ -5,7 +5,6 @@
 
 #include <array>
 #include <glm/vec2.hpp>
-#include <numeric>
 
 namespace occlude::cli {
 namespace {
@@ -45,12 +44,21 @@ std::string ItemBuffers::describe(std::size_t turn) const {
 }
 
 render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked) {
-  constexpr render::Rgba kRed{230, 30, 30, 220};
+  constexpr render::Rgba kRed{230, 30, 30, 255};
+  std::vector<render::Line> outlines;  // what is far and small fades, and lines do not
+  for (const culler::PolygonRange& range : marked) {
+    for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
+      const auto loop = soup_.loop(p);
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        outlines.push_back({soup_.vertices[loop[i]], soup_.vertices[loop[(i + 1) % loop.size()]], kRed});
+      }
+    }
+  }
   const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup_.size())};
   // Of what coincides the first drawn is seen: what is marked.
   const std::array<render::Layer, 2> layers{render::Layer{marked, kRed}, render::Layer{std::span(&all, 1), {}}};
   render::SceneRenderer& renderer = *renderers_[0].renderer;
-  renderer.draw(camera, layers);
+  renderer.draw(camera, layers, outlines);
   return renderer.image();
 }
 

@@ -65,7 +65,7 @@ std::string to_text(const Validation& v) {
   text += fmt::format("a frame: {:.0f} polygons in view, {:.0f} drawn, {:.0f} visible; of the hidden {:.1f} % culled\n",
                       t.mean(t.in_view), t.mean(t.drawn), t.mean(t.visible), 100 * t.culled_share_of_hidden());
   text += fmt::format(
-      "for each visible polygon {:.2f} hidden ones drawn (overestimate), {:.2f} visible ones not (underestimate)\n",
+      "for each visible polygon {:.3g} hidden ones drawn (overestimate), {:.3g} visible ones not (underestimate)\n",
       t.overestimate(), t.underestimate());
   if (!v.missed) return text;
   text += fmt::format("hidden and drawn in {} of the frames, {:.0f} a frame, because\n", v.missed->frames,

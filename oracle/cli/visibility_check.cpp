@@ -15,7 +15,7 @@
 namespace occlude::cli {
 namespace {
 
-constexpr std::size_t kReferenceFrames = 48, kNamed = 16;
+constexpr std::size_t kReferenceFrames = 48, kNamed = 64;
 
 /// Counts a frame whose polygons show in so many pixels.
 void add(Visibility& result, const culler::Hierarchy& hierarchy, std::size_t frame, const std::vector<CulledRun>& culled,

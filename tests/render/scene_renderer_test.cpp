@@ -304,6 +304,26 @@ TEST_F(SceneRendererTest, ImpossibleSizesAreRefused) {
   EXPECT_THROW(SceneRenderer(soup, 10, 1 << 20), std::runtime_error);
 }
 
+TEST_F(SceneRendererTest, AnOffsetMovesItemBuffersByPartsOfAPixel) {
+  PolygonSoup soup;
+  Camera camera = camera_at({0, 0, 0});
+  camera.projection = culler::Projection::orthographic;
+  camera.height = kHeight;  // a pixel is 1 large, and the middle of the picture is the corner of four
+  add_wall(soup, 5, -4, -0.7, 0.3, 3);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  const PolygonRange all{0, 1};
+  const auto shows = [&](const glm::dvec2& offset, int x, int y) {
+    return renderer.item_buffer(camera, std::span(&all, 1), offset).at(x, y) == 0;
+  };
+  const int right = kWidth / 2, above = kHeight / 2 - 1;
+  EXPECT_FALSE(shows({0, 0}, right, above));
+  EXPECT_TRUE(shows({-0.375, 0}, right, above));  // its side at 0.7 is now before the pixel's centre at 0.5
+  EXPECT_FALSE(shows({0.375, 0}, right, above));
+  EXPECT_TRUE(shows({0, 0}, right + 1, above));
+  EXPECT_TRUE(shows({0, 0.125}, right + 1, above));
+  EXPECT_FALSE(shows({0, 0.375}, right + 1, above));  // its lower side at 0.3 is above the centre
+}
+
 /// Thinner than the grid that vertices are rounded to: their depth at a pixel would be any.
 TEST_F(SceneRendererTest, NothingHiddenShowsWhereItIsSeenEdgeOn) {
   PolygonSoup soup;
