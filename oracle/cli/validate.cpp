@@ -85,6 +85,9 @@ class Proving {
     }
   }
 
+  /// A frame counts even if nothing is culled in it.
+  void visit(std::size_t frame) { culled_.try_emplace(frame); }
+
   [[nodiscard]] const CulledSets& culled() const { return culled_; }
   std::size_t proved = 0, failed = 0;
   std::string first_failure;  ///< of the lowest line
@@ -154,6 +157,7 @@ void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
   cull_frames(walked, "proved frame",
               [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
                 if (!shard.has(frame)) return;
+                proving.visit(frame);
                 lines.clear();
                 render::append_witnesses(lines, frame, camera, walked.culler, culled, walked.options.cull.near);
                 for (std::size_t i = 0; i < lines.size(); ++i) {
