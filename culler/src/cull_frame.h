@@ -35,8 +35,9 @@ void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const Hold
                 const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory) {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
   memory.begin_frame();
-  append_view_frustum(camera, nodes.empty() ? 0 : depth(nodes[0].box, camera.eye), memory.result.view);
-  memory.result.margin = ShadowMargin(camera, options.margin);
+  const double reach = nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
+  append_view_frustum(camera, reach, memory.result.view);
+  memory.result.margin = ShadowMargin(camera, options.margin, reach);
   choose_occluders(source, camera, options, memory);
   const auto unwatched = [](const Occluder&, const auto&) {};
   if (!nodes.empty()) traverse(nodes, ask, holds_part, unwatched, options, memory);

@@ -6,6 +6,7 @@
 
 #include "bounds.h"
 #include "occlude/culler/parallel.h"
+#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occluder_choice.h"
 
@@ -26,7 +27,7 @@ std::vector<kernel::Vec3> vertices_of(const OccluderGeometry& geometry) {
 }  // namespace
 
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
-    : hierarchy_(culler.hierarchy()), frame_(frame) {
+    : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), frame_(frame) {
   for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
   keep_others(culler, camera, options);
 }
@@ -81,18 +82,30 @@ bool MissedReasons::hides(const Shadow& shadow, const kernel::Aabb& box) const {
          frame_.margin.keeps(shadow.frustum, box);
 }
 
-/// A shadow is convex: it has a polygon when it has its corners.
-bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p) const {
-  return std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
-    const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
-    return hides(shadow, kernel::Aabb{corner, corner});
+bool MissedReasons::is_out_of_view(std::uint32_t p) const {
+  return std::ranges::any_of(frame_.view, [&](const HalfSpace& h) {
+    return std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
+      const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
+      return kernel::relation({to_kernel(h.normal), h.offset}, kernel::Aabb{corner, corner},
+                              kernel::Arithmetic::certified) == kernel::Relation::outside;
+    });
   });
 }
 
+/// A shadow is convex: it has a polygon when it has its corners. What an occluder is drawn as is drawn.
+bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p) const {
+  return !std::ranges::binary_search(occluders_.parts(shadow.occluder), p) &&
+         std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
+           const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
+           return hides(shadow, kernel::Aabb{corner, corner});
+         });
+}
+
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near) const {
+  if (is_out_of_view(p)) return {Missed::out_of_view, Culled::kNone};
   const kernel::Aabb box = hierarchy_.soup().box(p);
   for (const Shadow* shadow : near.chosen) {
-    if (hides(*shadow, box)) return {Missed::coarse_node, shadow->occluder};
+    if (hides(*shadow, p) && hides(*shadow, box)) return {Missed::coarse_node, shadow->occluder};
   }
   for (const Shadow* shadow : near.chosen) {
     if (hides(*shadow, p)) return {Missed::straddling_box, shadow->occluder};
@@ -102,7 +115,7 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near) c
     return std::ranges::any_of(near.chosen, [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}); });
   });
   if (is_in_several) return {Missed::several, Culled::kNone};
-  if (near.holder != nullptr) return {Missed::not_chosen, near.holder->occluder};
+  if (near.holder != nullptr && hides(*near.holder, p)) return {Missed::not_chosen, near.holder->occluder};
   for (const Shadow* shadow : near.others) {
     if (hides(*shadow, p)) return {Missed::not_chosen, shadow->occluder};
   }

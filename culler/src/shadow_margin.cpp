@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "bounds.h"
 #include "occlude/kernel/overlap.h"
@@ -12,20 +13,39 @@
 
 namespace occlude::culler {
 
-ShadowMargin::ShadowMargin(const Camera& camera, double share)
+namespace {
+
+/// A renderer in single precision has positions out by less than this share of what the model measures: relative to its
+/// middle each coordinate rounds to 2^-24 of that, the vector to sqrt(3) 2^-24; the eye is taken away and the rest
+/// multiplied by a matrix with a few roundings of as much.
+constexpr double kSinglePrecision = 0x1p-21;
+
+}  // namespace
+
+ShadowMargin::ShadowMargin(const Camera& camera, double share, double depth)
     : eye_(camera.eye),
       forward_(camera.axes().forward),
       is_perspective_(camera.projection == Projection::perspective),
-      size_(share * (is_perspective_ ? 2 * std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height)) {}
+      size_(share * (is_perspective_ ? 2 * std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height)),
+      rounding_(share == 0 ? 0 : kSinglePrecision * depth) {}
+
+double ShadowMargin::size(const kernel::ShadowFrustum& shadow) const {
+  if (!is_perspective_) return size_ + rounding_;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const kernel::Vec3& v : shadow.silhouette()) nearest = std::min(nearest, glm::dot(to_glm(v) - eye_, forward_));
+  return size_ + rounding_ / std::max(nearest, std::numeric_limits<double>::min());
+}
 
 template <class AnyBox>
 bool ShadowMargin::keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const {
   if (is_none()) return true;
+  const double size = this->size(shadow);
   return std::ranges::all_of(shadow.filter_planes().first(shadow.plane_count()), [&](const kernel::FilterPlane& plane) {
     const glm::dvec3 normal = to_glm(plane.normal);
-    const double margin = size_ * glm::length(normal - glm::dot(normal, forward_) * forward_);
-    return is_perspective_ ? least(normal - margin * forward_, shadow.origin(), box) + plane.offset >= 0
-                           : least(normal, shadow.origin(), box) + plane.offset >= margin;
+    const double margin = size * glm::length(normal - glm::dot(normal, forward_) * forward_);
+    const double enough = 2 * rounding_ * glm::length(normal) - plane.offset;
+    return is_perspective_ ? least(normal - margin * forward_, shadow.origin(), box) >= enough
+                           : least(normal, shadow.origin(), box) >= enough + margin;
   });
 }
 
@@ -35,13 +55,14 @@ bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Aabb
 bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) const { return keeps_in(shadow, box); }
 
 bool ShadowMargin::keeps(const kernel::ShadowUnion& shadows, const Box& box) const {
-  return is_none() || kernel::overlap_certified(shadows, grown(outer_box(box)), kernel::NearBoundary::open).relation ==
-                          kernel::Relation::inside;
+  if (is_none()) return true;
+  const kernel::Aabb moved = grown(outer_box(box), std::max(size(shadows.first), size(shadows.second)));
+  return kernel::overlap_certified(shadows, moved, kernel::NearBoundary::open).relation == kernel::Relation::inside;
 }
 
-kernel::Aabb ShadowMargin::grown(const kernel::Aabb& box) const {
+kernel::Aabb ShadowMargin::grown(const kernel::Aabb& box, double size) const {
   const double farthest = is_perspective_ ? -least(-forward_, to_kernel(eye_), box) : 1;  // along the line of sight
-  const double by = size_ * std::max(farthest, 0.0);
+  const double by = size * std::max(farthest, 0.0) + 2 * rounding_;
   kernel::Aabb result = box;
   for (int axis = 0; axis < 3; ++axis) {
     result.min[axis] -= by;

@@ -267,8 +267,12 @@ std::vector<bool> drawn_of(const Culler& culler, const CullResult& result) {
 /// Whether the shadow is the one that the occluder casts from here, whatever was seen of it in the frames before.
 bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
                       const culler::Occluder& occluder) {
+  const dvec3 at = camera.projection == culler::Projection::perspective ? camera.eye : camera.axes().forward;
+  const kernel::Vec3 value{at.x, at.y, at.z};  // apart from the culler's own
+  const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
+                                                                              : kernel::Viewpoint::direction(value);
   const kernel::ShadowFrustumResult fresh =
-      culler.occluders().shadow(culler.hierarchy().soup(), occluder.index, camera.viewpoint(), options.near);
+      culler.occluders().shadow(culler.hierarchy().soup(), occluder.index, viewpoint, options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
          std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 
 #include "item_buffers.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/render/camera_path.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/output_folder.h"
 #include "visibility_check.h"
 
 namespace occlude::cli {
@@ -19,9 +21,19 @@ using WitnessText = std::function<std::string(std::size_t frame, std::size_t num
 /// One line, about one of them.
 [[nodiscard]] std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness);
 
-/// Writes failures.jsonl into `folder`, a line for each, and of the first frames that have one a picture of the whole model
+/// failures.jsonl, a line for each that a check names, and of the first frames that have one a picture of the whole model
 /// from there with such polygons in red.
-void write_failures(const std::string& folder, const Visibility& visibility, const culler::Hierarchy& hierarchy,
-                    const render::CameraPath& path, double aspect, const WitnessText& witness, ItemBuffers& buffers);
+class FailureFiles {
+ public:
+  /// Throws InputError for a folder that cannot be written to.
+  explicit FailureFiles(const std::string& folder);
+
+  void write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness, ItemBuffers& buffers);
+
+ private:
+  render::OutputFolder folder_;
+  std::filesystem::path path_;
+  render::OutputFile lines_;
+};
 
 }  // namespace occlude::cli

@@ -144,11 +144,13 @@ Prover::Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& pat
   std::sort(by_first_vertex_.begin(), by_first_vertex_.end());
 }
 
-std::optional<Proof> Prover::prove(std::string_view line, const std::function<bool(std::size_t)>& is_wanted) const {
+std::optional<Proof> Prover::prove(std::string_view line,
+                                   const std::function<bool(std::optional<std::size_t>)>& is_wanted) const {
   const Json object = parse_object(line);
   const Json& frame = member(object, "frame");
-  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= path_.frames) return Proof{.failure = "no such frame"};
-  if (is_wanted && !is_wanted(frame.get<std::size_t>())) return std::nullopt;
+  const bool exists = frame.is_number_unsigned() && frame.get<std::size_t>() < path_.frames;
+  if (is_wanted && !is_wanted(exists ? std::optional(frame.get<std::size_t>()) : std::nullopt)) return std::nullopt;
+  if (!exists) return Proof{.failure = "no such frame"};
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return Proof{.failure = "no such triangles"};
@@ -162,12 +164,13 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
   const Json& by = member(object, "by");
+  const double margin = margin_of(object);
   if (by == "view") {
     const auto plane = plane_of(object);
     if (!is_outside_of_view(plane, camera, hierarchy_.nodes()[0].box)) {
       return "the plane cuts what the camera shows (is --size that of the walk?)";
     }
-    return oracle::refute_view_cull(plane, to_oracle(box), margin_of(object));
+    return oracle::refute_view_cull(plane, to_oracle(box), margin);
   }
   if (by != "shadow") return "\"by\": expected \"view\" or \"shadow\"";
 
@@ -182,7 +185,8 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
     if (std::string fault = fault_of_occluder(described, camera, first, count); !fault.empty()) return fault;
     shadows.push_back(shadow_of(view, described, object));
   }
-  if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box), margin_of(object));
+  if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box), margin);
+  if (margin != 0) return "two shadows together have no margin";
   return shadows[0].refute_union_cull(shadows[1], to_oracle(box));
 }
 

@@ -41,9 +41,9 @@ class Prover {
   ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
   ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
   ///   are such polygons, and the renderer clips none of it.
-  /// None of a frame that is not wanted.
-  [[nodiscard]] std::optional<Proof> prove(std::string_view line,
-                                           const std::function<bool(std::size_t frame)>& is_wanted = {}) const;
+  /// None of a frame that is not wanted; one that is not of the path is none.
+  [[nodiscard]] std::optional<Proof> prove(
+      std::string_view line, const std::function<bool(std::optional<std::size_t> frame)>& is_wanted = {}) const;
 
  private:
   /// What is wrong with a witness about these triangles, which exist; empty when it is proved.

@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,19 +39,23 @@ struct Arguments {
   bool json = false;
 };
 
-/// Frames whose number is `index` more than a multiple of `count`: of several machines each takes some.
+/// Frames whose place in the walk is `index` more than a multiple of `count`: of several machines each takes some.
 struct Shard {
-  std::size_t index = 0, count = 1;
+  std::size_t index, count;
+  Turns turns;
 
-  [[nodiscard]] bool has(std::size_t frame) const { return frame % count == index; }
+  /// A frame that the walk does not have is the first shard's.
+  [[nodiscard]] bool has(std::optional<std::size_t> frame) const {
+    return (frame ? turns.place(*frame) : 0) % count == index;
+  }
 };
 
-Shard parse_shard(const std::string& text) {
+Shard parse_shard(const std::string& text, const Turns& turns) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) throw CLI::ValidationError("--shard", "expected I/N");
   const std::size_t i = whole_number("--shard", text.substr(0, slash)), n = whole_number("--shard", text.substr(slash + 1));
   if (i == 0 || i > n) throw CLI::ValidationError("--shard", "expected I/N with I from 1 to N");
-  return {i - 1, n};
+  return {i - 1, n, turns};
 }
 
 /// A witness and where it stands.
@@ -73,7 +78,7 @@ class Proving {
     std::vector<Verdict> verdicts(places.size());
     culler::parallel_for(places.size(), [&](std::size_t i) {
       try {
-        verdicts[i].proof = prover_.prove(places[i].line, [&](std::size_t frame) { return shard_.has(frame); });
+        verdicts[i].proof = prover_.prove(places[i].line, [&](auto frame) { return shard_.has(frame); });
       } catch (const std::exception& error) {
         verdicts[i].unreadable = error.what();
       }
@@ -103,7 +108,7 @@ class Proving {
   }
 
   const Prover& prover_;
-  Shard shard_;
+  const Shard& shard_;
   CulledSets culled_;
 };
 
@@ -209,16 +214,31 @@ WitnessText witnesses_of(const std::string& file) {
   return [file](std::size_t, std::size_t number) { return fmt::format("{}:{}", file, number); };
 }
 
+/// Every frame of the path: which of them a witness file is about nobody knows before it is read.
+std::vector<std::size_t> all_frames(const render::CameraPath& path) {
+  std::vector<std::size_t> frames(path.frames);
+  std::iota(frames.begin(), frames.end(), std::size_t{0});
+  return frames;
+}
+
+/// The files about false culls, opened before the work so that what cannot be written is known at once.
+std::optional<FailureFiles> failure_files(const std::string& folder) {
+  return folder.empty() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
+}
+
 int validate(Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
-  const Shard shard = parse_shard(arguments.shard);
   const render::CameraPath path = render::read_camera_path(arguments.path);
+  const bool is_anew = arguments.witness.empty();
+  const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
+  const Shard shard = parse_shard(arguments.shard, turns);
+  std::optional<FailureFiles> files = failure_files(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Walked walked{culler, path, options};
-  const bool is_anew = arguments.witness.empty();
+  const CheckedWalk checked{culler, path, render::aspect(options), turns};
 
-  const Prover prover(hierarchy, path, render::aspect(options));
+  const Prover prover(hierarchy, path, checked.aspect);
   Proving proving(prover, shard);
   if (is_anew) {
     prove_anew(proving, walked, shard);
@@ -235,23 +255,18 @@ int validate(Arguments& arguments) {
   const auto buffers = [&]() -> ItemBuffers& {
     return made ? *made : made.emplace(hierarchy.soup(), options.width, options.height);
   };
-  if (result.is_exact) {
-    result.visibility = check_exactly(culler, path, render::aspect(options), proving.culled());
-  } else {
-    result.sizes = buffers().sizes();
-    result.visibility = check_rendered(culler, path, render::aspect(options), proving.culled(), buffers());
-  }
+  if (!result.is_exact) result.sizes = buffers().sizes();
+  result.visibility =
+      result.is_exact ? check_exactly(checked, proving.culled()) : check_rendered(checked, proving.culled(), buffers());
   if (is_anew) result.missed = count_missed(walked, result.visibility);
 
-  const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
-  if (!arguments.out.empty()) {
-    write_failures(arguments.out, result.visibility, hierarchy, path, render::aspect(options), witness, buffers());
-  }
   fmt::print("{}", arguments.json ? to_json(result) : to_text(result));
   if (result.failed != 0) fmt::print(stderr, "{}\n", result.first_failure);
+  const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
   if (!result.visibility.false_culls.empty()) {
     fmt::print(stderr, "{}\n", describe(result.visibility.false_culls.front(), hierarchy, witness));
   }
+  if (files) files->write(result.visibility, checked, witness, buffers());
   return passed(result) ? 0 : 1;
 }
 

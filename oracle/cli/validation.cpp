@@ -20,14 +20,15 @@ struct Totals {
       visible += f.visible;
       false_culls += f.false_culls;
       wrong_pixels += f.wrong_pixels;
+      hidden += f.hidden;
+      hidden_culled += f.hidden_culled;
     }
   }
 
   /// Bittner's quality of what is drawn: hidden polygons drawn, and visible ones not drawn, for each visible polygon.
   [[nodiscard]] double overestimate() const { return share(drawn + false_culls - visible, visible); }
   [[nodiscard]] double underestimate() const { return share(false_culls, visible); }
-  [[nodiscard]] std::size_t hidden() const { return in_view - visible; }
-  [[nodiscard]] double culled_share_of_hidden() const { return share(in_view - drawn - false_culls, hidden()); }
+  [[nodiscard]] double culled_share_of_hidden() const { return share(hidden_culled, hidden); }
 
   [[nodiscard]] double mean(std::size_t sum) const { return share(sum, frames); }
 
@@ -35,7 +36,7 @@ struct Totals {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
   }
 
-  std::size_t frames, in_view = 0, drawn = 0, visible = 0, false_culls = 0, wrong_pixels = 0;
+  std::size_t frames, in_view = 0, drawn = 0, visible = 0, false_culls = 0, wrong_pixels = 0, hidden = 0, hidden_culled = 0;
 };
 
 std::size_t sum(const MissedCounts& missed) {
@@ -43,9 +44,12 @@ std::size_t sum(const MissedCounts& missed) {
 }
 
 constexpr std::array<const char*, culler::kMissedReasons> kReasons{
+    "it is out of view, and its leaf is not",
     "its leaf is too coarse: its own box is in the shadow of an occluder",
-    "its box straddles: itself it is in the shadow of an occluder", "in the shadows of several occluders, in none alone",
-    "an occluder that hides it was listed, and not chosen", "no listed occluder hides it alone"};
+    "its box straddles: itself it is in the shadow of an occluder",
+    "in the shadows of several occluders, in none alone",
+    "an occluder that hides it was listed, and not chosen",
+    "no listed occluder hides it alone, or it is seen between pixels"};
 
 }  // namespace
 
@@ -68,7 +72,7 @@ std::string to_text(const Validation& v) {
       "for each visible polygon {:.3g} hidden ones drawn (overestimate), {:.3g} visible ones not (underestimate)\n",
       t.overestimate(), t.underestimate());
   if (!v.missed) return text;
-  text += fmt::format("hidden and drawn in {} of the frames, {:.0f} a frame, because\n", v.missed->frames,
+  text += fmt::format("without a pixel and drawn in {} of the frames, {:.0f} a frame, because\n", v.missed->frames,
                       t.share(sum(*v.missed), v.missed->frames));
   for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
     text += fmt::format("{:>7.1f} %  {}\n", 100 * t.share(v.missed->polygons[r], sum(*v.missed)), kReasons[r]);
@@ -89,6 +93,12 @@ std::string to_json(const Validation& v) {
                       {{"view_frustum_polygons", t.mean(t.in_view)},
                        {"rendered_polygons", t.mean(t.drawn)},
                        {"visible_polygons", t.mean(t.visible)}}},
+                     {"sum",
+                      {{"view_frustum_polygons", t.in_view},
+                       {"rendered_polygons", t.drawn},
+                       {"visible_polygons", t.visible},
+                       {"hidden_polygons", t.hidden},
+                       {"hidden_polygons_culled", t.hidden_culled}}},
                      {"culled_share_of_hidden", t.culled_share_of_hidden()},
                      {"overestimate", t.overestimate()},
                      {"underestimate", t.underestimate()}};

@@ -2,7 +2,6 @@
 // What a validation found, as text and as JSON.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@ namespace occlude::cli {
 /// Of the hidden polygons that some frames drew, how many for which reason.
 struct MissedCounts {
   std::size_t frames = 0;
-  std::array<std::size_t, culler::kMissedReasons> polygons{};
+  culler::MissedReasons::Counts polygons{};
 };
 
 struct Validation {

@@ -15,24 +15,7 @@
 namespace occlude::cli {
 namespace {
 
-constexpr std::size_t kReferenceFrames = 48, kNamed = 64;
-
-/// Counts a frame whose polygons show in so many pixels.
-void add(Visibility& result, const culler::Hierarchy& hierarchy, std::size_t frame, const std::vector<CulledRun>& culled,
-         const std::vector<Fate>& fates, const std::vector<std::uint32_t>& pixels, const std::string& where) {
-  FrameVisibility& counts = result.frames.emplace_back();
-  counts.frame = frame;
-  for (std::uint32_t p = 0; p < fates.size(); ++p) {
-    counts.drawn += fates[p] == Fate::drawn;
-    if (pixels[p] == 0) continue;
-    ++counts.visible;
-    if (fates[p] == Fate::drawn) continue;
-    counts.wrong_pixels += pixels[p];
-    if (counts.false_culls++ < kNamed) {
-      result.false_culls.push_back({frame, p, witness_of(hierarchy, culled, p), where});
-    }
-  }
-}
+constexpr std::size_t kNamed = 64;
 
 std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
   std::vector<bool> result;
@@ -40,9 +23,36 @@ std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
   return result;
 }
 
-/// How many polygons pass view-frustum culling alone.
-std::size_t in_view(const culler::Culler& culler, const culler::Camera& camera) {
-  return culler.cull(camera, {.occluders = 0}).stats.drawn_polygons;
+/// Of each polygon of the tree whether it passes view-frustum culling alone.
+std::vector<bool> in_view(const culler::Culler& culler, const culler::Camera& camera) {
+  std::vector<bool> result(culler.hierarchy().soup().size());
+  for (const auto [first, count] : culler.cull(camera, {.occluders = 0}).drawn) {
+    std::fill_n(result.begin() + std::ptrdiff_t{first}, count, true);
+  }
+  return result;
+}
+
+/// Counts a frame whose polygons show in so many pixels.
+void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const std::vector<CulledRun>& culled,
+         const std::vector<Fate>& fates, const std::vector<std::uint32_t>& pixels, const std::string& where) {
+  FrameVisibility& counts = result.frames.emplace_back();
+  counts.frame = frame;
+  const std::vector<bool> viewed = in_view(walk.culler, walk.path.camera(frame, walk.aspect));
+  for (std::uint32_t p = 0; p < fates.size(); ++p) {
+    const bool is_drawn = fates[p] == Fate::drawn, is_hidden = viewed[p] && pixels[p] == 0;
+    counts.in_view += viewed[p];
+    counts.drawn += is_drawn;
+    counts.hidden += is_hidden;
+    counts.hidden_culled += is_hidden && !is_drawn;
+    if (pixels[p] == 0) continue;
+    ++counts.visible;
+    if (is_drawn) continue;
+    counts.wrong_pixels += pixels[p];
+    if (counts.false_culls++ < kNamed) {
+      result.false_culls.push_back({frame, p, witness_of(walk.culler.hierarchy(), culled, p), where});
+    }
+  }
+  if (walk.turns.is_reference(frame)) counts.shows = shown(pixels);
 }
 
 std::vector<culler::PolygonRange> not_out_of_view(const std::vector<Fate>& fates) {
@@ -71,11 +81,8 @@ std::vector<std::uint32_t> polygons_with(const culler::Hierarchy& hierarchy, con
 
 }  // namespace
 
-bool is_reference(std::size_t i, std::size_t frames) { return i % std::max<std::size_t>(1, frames / kReferenceFrames) == 0; }
-
-Visibility check_exactly(const culler::Culler& culler, const render::CameraPath& path, double aspect,
-                         const CulledSets& culled) {
-  const culler::Hierarchy& hierarchy = culler.hierarchy();
+Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled) {
+  const culler::Hierarchy& hierarchy = walk.culler.hierarchy();
   std::vector<std::pair<std::size_t, const std::vector<CulledRun>*>> frames;
   for (const auto& [frame, runs] : culled) frames.emplace_back(frame, &runs);
   std::vector<std::vector<std::uint32_t>> shows(frames.size());
@@ -84,43 +91,35 @@ Visibility check_exactly(const culler::Culler& culler, const render::CameraPath&
   std::size_t done = 0;
   culler::parallel_for(frames.size(), [&](std::size_t i) {
     render::check_interrupt();
-    shows[i] = polygons_with(hierarchy, fuzz::visible_triangles(hierarchy.soup(), path.camera(frames[i].first, aspect)));
+    const culler::Camera camera = walk.path.camera(frames[i].first, walk.aspect);
+    shows[i] = polygons_with(hierarchy, fuzz::visible_triangles(hierarchy.soup(), camera));
     const std::lock_guard lock(mutex);
     progress.update(++done);
   });
   Visibility result;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto& [frame, runs] = frames[i];
-    add(result, hierarchy, frame, *runs, fates_of(hierarchy, *runs), shows[i], "in exact arithmetic");
-    if (is_reference(i, frames.size())) result.frames.back().shows = shown(shows[i]);
-    result.frames.back().in_view = in_view(culler, path.camera(frame, aspect));
-    result.frames.back().wrong_pixels = 0;  // there are none
+    add(result, walk, frame, *runs, fates_of(hierarchy, *runs), shows[i], "in exact arithmetic");
   }
   return result;
 }
 
-Visibility check_rendered(const culler::Culler& culler, const render::CameraPath& path, double aspect,
-                          const CulledSets& culled, ItemBuffers& buffers) {
-  const culler::Hierarchy& hierarchy = culler.hierarchy();
+Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, ItemBuffers& buffers) {
+  const culler::Hierarchy& hierarchy = walk.culler.hierarchy();
   Visibility result;
   render::Progress progress("item buffer, frame", culled.size());
-  std::size_t turn = 0;
   for (const auto& [frame, runs] : culled) {
     render::check_interrupt();
-    const bool reference = is_reference(turn, culled.size());
+    const std::size_t turn = walk.turns.turn(frame);
     const std::vector<Fate> fates = fates_of(hierarchy, runs);
     const culler::PolygonRange all{0, static_cast<std::uint32_t>(fates.size())};
-    const std::vector<culler::PolygonRange> ranges = reference ? std::vector{all} : not_out_of_view(fates);
-    const culler::Camera camera = path.camera(frame, aspect);
-    const render::ItemBuffer items = buffers.draw(turn, camera, ranges);
+    const auto ranges = walk.turns.is_reference(frame) ? std::vector{all} : not_out_of_view(fates);
     std::vector<std::uint32_t> pixels(fates.size());
-    for (const std::uint32_t p : items.pixels) {
+    for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), ranges).pixels) {
       if (p != render::kNothing) ++pixels[p];
     }
-    add(result, hierarchy, frame, runs, fates, pixels, "in " + buffers.describe(turn));
-    result.frames.back().in_view = in_view(culler, camera);
-    if (reference) result.frames.back().shows = shown(pixels);
-    progress.update(++turn);
+    add(result, walk, frame, runs, fates, pixels, "in " + buffers.describe(turn));
+    progress.update(result.frames.size());
   }
   return result;
 }

@@ -11,13 +11,16 @@
 #include "item_buffers.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/camera_path.h"
+#include "turns.h"
 
 namespace occlude::cli {
 
-/// A frame's polygons: how many pass view-frustum culling, are drawn, show, and are culled and show.
+/// A frame's polygons: how many pass view-frustum culling, are drawn, show, and are culled and show; and of those that pass
+/// view-frustum culling and do not show, how many there are and how many are culled.
 struct FrameVisibility {
   std::size_t frame = 0;
   std::size_t in_view = 0, drawn = 0, visible = 0, false_culls = 0;
+  std::size_t hidden = 0, hidden_culled = 0;
   std::size_t wrong_pixels = 0;  ///< of the item buffer, that show what is culled
   std::vector<bool> shows;       ///< of each polygon of the tree; only of reference frames
 };
@@ -32,18 +35,21 @@ struct FalseCull {
 
 struct Visibility {
   std::vector<FrameVisibility> frames;
-  std::vector<FalseCull> false_culls;  ///< of each frame the first few
+  std::vector<FalseCull> false_culls;  ///< of each frame the first 64
 };
 
-/// About 48 frames, spread over `frames` of them, of which more is asked. Whether frame i is one.
-[[nodiscard]] bool is_reference(std::size_t i, std::size_t frames);
+/// The walk whose frames are checked.
+struct CheckedWalk {
+  const culler::Culler& culler;
+  const render::CameraPath& path;
+  double aspect;  ///< of the pictures, width over height
+  Turns turns;
+};
 
 /// In exact arithmetic, on all processors; a polygon shows where any of its triangles does.
-[[nodiscard]] Visibility check_exactly(const culler::Culler& culler, const render::CameraPath& path, double aspect,
-                                       const CulledSets& culled);
+[[nodiscard]] Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled);
 
 /// By an item buffer of each frame: of the whole model on reference frames, and of what is not culled by view on the others.
-[[nodiscard]] Visibility check_rendered(const culler::Culler& culler, const render::CameraPath& path, double aspect,
-                                        const CulledSets& culled, ItemBuffers& buffers);
+[[nodiscard]] Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, ItemBuffers& buffers);
 
 }  // namespace occlude::cli

@@ -47,6 +47,15 @@ void parse_size(const std::string& text, render::WalkOptions& options) {
   options.height = static_cast<int>(values[1]);
 }
 
+/// A number from `least` to `most`; CLI::Range alone lets "nan" pass.
+CLI::Validator number_in(double least, double most) {
+  const auto is_number = [](std::string& text) {
+    double value = 0;
+    return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? "" : "'" + text + "' is not a number";
+  };
+  return CLI::Validator(is_number, "") & CLI::Range(least, most);
+}
+
 CLI::Option* choice(CLI::App& command, const char* name, std::string& value, const std::vector<std::string>& choices,
                     const char* text) {
   return command.add_option(name, value, text)->capture_default_str()->check(CLI::IsMember(choices));
@@ -83,7 +92,7 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   constexpr double kLargestMargin = 8192;  // a picture has no more pixels
   constexpr double kLargestWeight = 16;    // powers of what differs a thousandfold stay within the doubles
   const auto weight = [&](const char* name, double& value, const char* text) {
-    return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(0.0, kLargestWeight));
+    return command.add_option(name, value, text)->capture_default_str()->check(number_in(0, kLargestWeight));
   };
   culler::Objective& objective = cull_.objective;
   build_options_ = build_.add_to(command);
@@ -108,7 +117,7 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
                   "pixels by which shadows are taken smaller, so that the renderer's rounding shows nothing that they "
                   "hide; 0: all that is exactly hidden may be culled")
               ->capture_default_str()
-              ->check(CLI::Range(0.0, kLargestMargin)),
+              ->check(number_in(0, kLargestMargin)),
           choice("--near", near_, {"surface", "farthest"},
                  "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
           choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),

@@ -23,8 +23,7 @@ namespace occlude::cli {
 namespace {
 
 struct Arguments {
-  std::string model, path, pixel, out;
-  std::size_t frame = 0;
+  std::string model, path, frame, pixel, out;
   std::optional<std::uint32_t> polygon;
   WalkArguments walk;
   bool json = false;
@@ -38,36 +37,45 @@ std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t origi
   throw render::InputError(fmt::format("{}: no polygon {}: it has {}", model, original, hierarchy.soup().size()));
 }
 
-/// The polygon of the tree that the pixel "X,Y" shows, from the top left corner.
-std::uint32_t polygon_at(const render::ItemBuffer& items, const std::string& pixel) {
-  const std::size_t comma = pixel.find(',');
+struct Pixel {
+  int x, y;  ///< from the top left corner
+};
+
+Pixel parse_pixel(const std::string& text, const render::WalkOptions& options) {
+  const std::size_t comma = text.find(',');
   if (comma == std::string::npos) throw CLI::ValidationError("--pixel", "expected X,Y");
-  const std::uint64_t x = whole_number("--pixel", pixel.substr(0, comma)),
-                      y = whole_number("--pixel", pixel.substr(comma + 1));
-  if (x >= static_cast<std::uint64_t>(items.width) || y >= static_cast<std::uint64_t>(items.height)) {
-    throw CLI::ValidationError("--pixel", fmt::format("the picture has {}x{} pixels", items.width, items.height));
+  const std::uint64_t x = whole_number("--pixel", text.substr(0, comma)),
+                      y = whole_number("--pixel", text.substr(comma + 1));
+  if (x >= static_cast<std::uint64_t>(options.width) || y >= static_cast<std::uint64_t>(options.height)) {
+    throw CLI::ValidationError("--pixel", fmt::format("the picture has {}x{} pixels", options.width, options.height));
   }
-  const std::uint32_t polygon = items.at(static_cast<int>(x), static_cast<int>(y));
-  if (polygon == render::kNothing) throw render::InputError(fmt::format("--pixel {}: no polygon shows there", pixel));
-  return polygon;
+  return {static_cast<int>(x), static_cast<int>(y)};
 }
 
 int why(const Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
+  std::optional<Pixel> pixel;
+  if (!arguments.polygon) pixel = parse_pixel(arguments.pixel, options);
+  const std::size_t number = whole_number("--frame", arguments.frame);
   const render::CameraPath path = render::read_camera_path(arguments.path);
+  std::optional<render::WhyFiles> files;
+  if (!arguments.out.empty()) files.emplace(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const render::ReplayedFrame frame(culler, path, options, arguments.frame);
+  std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon, arguments.model) : 0;
+  const render::ReplayedFrame frame(culler, path, options, number);
 
   const auto context = render::make_offscreen_context();
   const culler::PolygonRange all{0, static_cast<std::uint32_t>(hierarchy.soup().size())};
   const render::ItemBuffer items =
       render::SceneRenderer(hierarchy.soup(), options.width, options.height).item_buffer(frame.camera(), std::span(&all, 1));
-  const std::uint32_t polygon =
-      arguments.polygon ? polygon_of(hierarchy, *arguments.polygon, arguments.model) : polygon_at(items, arguments.pixel);
+  if (pixel) polygon = items.at(pixel->x, pixel->y);
+  if (polygon == render::kNothing) {
+    throw render::InputError(fmt::format("--pixel {}: no polygon shows there", arguments.pixel));
+  }
   const render::Account account = render::account_for(frame, polygon, items);
-  if (!arguments.out.empty()) render::write_why(frame, account, arguments.out);
   fmt::print("{}", arguments.json ? render::to_json(frame, account) : render::to_text(frame, account));
+  if (files) files->write(frame, account);
   return 0;
 }
 

@@ -38,6 +38,30 @@ MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, co
 
 Culler with_leaves(const PolygonSoup& soup, std::uint32_t size) { return Culler(soup, {.hierarchy = {.leaf_size = size}}); }
 
+TEST(Missed, NotByAShadowWhereItIsOutOfView) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -1, 1, -1, 1);
+  add_wall(soup, -20, -1, 1, -1, 1);  // behind the camera, in the leaf of what is before it
+  EXPECT_EQ(why_drawn(with_leaves(soup, 16), 1).reason, Missed::out_of_view);
+}
+
+/// The far side of a shell is drawn because it is the shell's, not because its leaf is too coarse.
+TEST(Missed, NotByWhatItIsAPartOf) {
+  PolygonSoup soup;
+  add_box(soup, {10, -1, -1}, {12, 1, 1});
+  const Culler culler = with_leaves(soup, 16);
+  ASSERT_EQ(culler.occluders().shells().size(), 1U);
+  const Camera camera;
+  const CullResult frame = culler.cull(camera);
+  ASSERT_EQ(frame.occluders.size(), 1U);
+  const MissedReasons reasons(culler, camera, {}, frame);
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    const Missed reason = reasons.answer(p).reason;
+    EXPECT_NE(reason, Missed::coarse_node);
+    EXPECT_NE(reason, Missed::straddling_box);
+  }
+}
+
 TEST(Missed, BecauseItsLeafIsTooCoarse) {
   PolygonSoup soup;
   add_wall(soup, 10, -10, 10, -10, 10);

@@ -78,7 +78,7 @@ class Margin : public testing::TestWithParam<Projection> {
 };
 
 TEST_P(Margin, KeepsWhatStaysInTheShadowHoweverItIsMoved) {
-  const ShadowMargin margin(camera_, kShare);
+  const ShadowMargin margin(camera_, kShare, 0);
   for (const kernel::Near near : {kernel::Near::surface, kernel::Near::farthest}) {
     const kernel::ShadowFrustum frustum = shadow(near);
     std::mt19937 random(11);
@@ -106,8 +106,8 @@ TEST_P(Margin, OfNoneIsTheShadowItself) {
   const kernel::ShadowFrustum frustum = shadow(kernel::Near::surface);
   const kernel::Aabb touching{{loop_[0].x, loop_[0].y, loop_[0].z}, {loop_[0].x, loop_[0].y, loop_[0].z}};
   EXPECT_TRUE(ShadowMargin().keeps(frustum, touching));
-  EXPECT_TRUE(ShadowMargin(camera_, 0).keeps(frustum, touching));
-  EXPECT_FALSE(ShadowMargin(camera_, kShare).keeps(frustum, touching));
+  EXPECT_TRUE(ShadowMargin(camera_, 0, 1e9).keeps(frustum, touching));
+  EXPECT_FALSE(ShadowMargin(camera_, kShare, 0).keeps(frustum, touching));
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspective, Projection::orthographic));

@@ -8,18 +8,19 @@
 #include <variant>
 
 #include "occlude/render/errors.h"
-#include "occlude/render/output_file.h"
-#include "occlude/render/output_folder.h"
 #include "occlude/render/progress.h"
 #include "plates.h"
 
 namespace occlude::render {
 ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                              std::size_t frame)
-    : culler_(culler), options_(options), number_(frame), camera_(path.camera(frame, aspect(options))) {
+    : culler_(culler), options_(options), number_(frame) {
   const std::vector<std::size_t> frames = frames_of(path, options);
   const auto found = std::ranges::find(frames, frame);
-  if (found == frames.end()) throw InputError(fmt::format("the walk has no frame {}", frame));
+  if (found == frames.end()) {
+    throw InputError(fmt::format("the walk has no frame {}: its last is {}", frame, frames.back()));
+  }
+  camera_ = path.camera(frame, aspect(options));
   Progress progress("frame", static_cast<std::size_t>(found - frames.begin()) + 1);
   for (auto f = frames.begin(); f <= found; ++f) {
     check_interrupt();
@@ -61,12 +62,12 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   return account;
 }
 
-void write_why(const ReplayedFrame& frame, const Account& account, const std::filesystem::path& folder) {
-  const OutputFolder made(folder);
-  OutputFile json(folder / "why.json");
-  for (const DrawnPlate& drawn : draw_why(frame, account)) write_png(folder / drawn.plate.file, drawn.image);
-  json.write(to_json(frame, account));
-  json.commit();
+WhyFiles::WhyFiles(const std::filesystem::path& folder) : made_(folder), folder_(folder), json_(folder / "why.json") {}
+
+void WhyFiles::write(const ReplayedFrame& frame, const Account& account) {
+  for (const DrawnPlate& drawn : draw_why(frame, account)) write_png(folder_ / drawn.plate.file, drawn.image);
+  json_.write(to_json(frame, account));
+  json_.commit();
 }
 
 }  // namespace occlude::render

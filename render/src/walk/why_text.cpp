@@ -76,6 +76,8 @@ std::string text_of_plane(const kernel::ShadowFrustum& shadow, std::size_t plane
 
 const char* why_missed(culler::Missed reason) {
   switch (reason) {
+    case culler::Missed::out_of_view:
+      return "it is out of view itself, and its leaf is not";
     case culler::Missed::coarse_node:
       return "its own box is in that shadow, the box of its leaf is not: the leaf is too coarse";
     case culler::Missed::straddling_box:
@@ -85,7 +87,7 @@ const char* why_missed(culler::Missed reason) {
     case culler::Missed::not_chosen:
       return "it is in the shadow of an occluder that was listed, and not chosen";
     case culler::Missed::no_single_one:
-      return "no listed occluder hides it alone";
+      return "no listed occluder hides it alone, or it is seen between pixels";
   }
   return "";
 }
@@ -93,23 +95,23 @@ const char* why_missed(culler::Missed reason) {
 /// Of how many of the shadows that a drawn polygon is not in one learns.
 constexpr std::size_t kNearest = 3;
 
-enum class Fate { drawn, out_of_view, in_shadow };
+enum class Became { drawn, out_of_view, in_shadow };
 
-Fate fate_of(const Account& a) {
-  if (!a.cull) return Fate::drawn;
-  return a.cull->by == culler::Culled::By::view ? Fate::out_of_view : Fate::in_shadow;
+Became became(const Account& a) {
+  if (!a.cull) return Became::drawn;
+  return a.cull->by == culler::Culled::By::view ? Became::out_of_view : Became::in_shadow;
 }
 
 class Text {
  public:
   Text(const ReplayedFrame& frame, const Account& account)
-      : frame_(frame), account_(account), culler_(frame.culler()), fate_(fate_of(account)) {
+      : frame_(frame), account_(account), culler_(frame.culler()), became_(became(account)) {
     add_polygon();
     add_node();
-    if (fate_ == Fate::out_of_view) {
+    if (became_ == Became::out_of_view) {
       add("  by the {} plane of the view: the box is beyond it by {:.6g}", kViewPlanes[account.cull->index],
           account.beyond_view);
-    } else if (fate_ == Fate::in_shadow) {
+    } else if (became_ == Became::in_shadow) {
       for (const AgainstShadow& s : account.shadows) add_culling(s);
     } else {
       if (account.missed) add_missed(*account.missed);
@@ -131,7 +133,7 @@ class Text {
     const culler::PolygonSoup& soup = culler_.hierarchy().soup();
     const kernel::Aabb box = soup.box(account_.polygon);
     add("frame {}, polygon {}: {}", frame_.number(), culler_.hierarchy().original(account_.polygon),
-        kFates[static_cast<std::size_t>(fate_)]);
+        kFates[static_cast<std::size_t>(became_)]);
     add("  {} sides, in the box {} - {}, {:.6g} from the eye", soup.loop(account_.polygon).size(), text_of(box.min),
         text_of(box.max), distance(frame_.camera().eye, box));
     const std::string size = fmt::format("{}x{}", frame_.options().width, frame_.options().height);
@@ -141,25 +143,26 @@ class Text {
 
   void add_node() {
     const culler::HierarchyNode& node = culler_.hierarchy().nodes()[account_.node];
-    add("  {} {}: {} polygons in the box {} - {}", fate_ == Fate::drawn ? "drawn with leaf" : "culled with node",
+    add("  {} {}: {} polygons in the box {} - {}", became_ == Became::drawn ? "drawn with leaf" : "culled with node",
         account_.node, node.count, text_of(node.box.min), text_of(node.box.max));
   }
 
   void add_culling(const AgainstShadow& s) {
     const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
     const std::string plane = text_of_plane(occluder.frustum, s.clearance.plane);
+    const double apart = s.clearance.distance;
     add("  by occluder {}: {}; it hides {} polygons in this frame", s.occluder, text_of_occluder(culler_, occluder.index),
         occluder.hidden);
     if (account_.shadows.size() == 1) {
       add("  the box is in its shadow by {:.6g}, where it is nearest to {}", s.clearance.distance, plane);
     } else {
-      add("  the box is in its shadow but for {:.6g} beyond {}, and all of it in both together", -s.clearance.distance,
-          plane);
+      add("  the box {} {:.6g} {} {}; all of it is in both shadows together", apart < 0 ? "sticks out by" : "is inside by",
+          std::fabs(apart), apart < 0 ? "of" : "from", plane);
     }
   }
 
   void add_missed(const culler::MissedReasons::Answer& missed) {
-    add("  it is hidden, and was not culled: {}", why_missed(missed.reason));
+    add("  it was not culled: {}", why_missed(missed.reason));
     if (missed.occluder != culler::Culled::kNone) {
       add("  what hides it alone: {}", text_of_occluder(culler_, missed.occluder));
     }
@@ -181,7 +184,7 @@ class Text {
   const ReplayedFrame& frame_;
   const Account& account_;
   const culler::Culler& culler_;
-  Fate fate_;
+  Became became_;
   std::string text_;
 };
 
@@ -192,6 +195,13 @@ Json json_of_shadow(const culler::Culler& culler, const culler::Occluder& occlud
           {"distance", clearance.distance},
           {"plane", edge ? "side" : "near"},
           {"edge", edge ? Json{json_of((*edge)[0]), json_of((*edge)[1])} : Json()}};
+}
+
+Json json_of_plane(const culler::CullResult& frame, const Account& a) {
+  const culler::HalfSpace& h = frame.view[a.cull->index];
+  return {{"name", kViewPlanes[a.cull->index]},
+          {"coefficients", {h.normal.x, h.normal.y, h.normal.z, h.offset}},
+          {"distance", a.beyond_view}};
 }
 
 Json json_of_missed(const culler::Culler& culler, const culler::MissedReasons::Answer& missed) {
@@ -210,16 +220,10 @@ std::string to_json(const ReplayedFrame& frame, const Account& a) {
   Json json = {{"frame", frame.number()},
                {"polygon", culler.hierarchy().original(a.polygon)},
                {"box", json_of(culler.hierarchy().soup().box(a.polygon))},
-               {"fate", kFates[static_cast<std::size_t>(fate_of(a))]},
+               {"fate", kFates[static_cast<std::size_t>(became(a))]},
                {"pixels", a.pixels},
                {"node", {{"index", a.node}, {"polygons", node.count}, {"box", json_of(node.box)}}}};
-  if (fate_of(a) == Fate::out_of_view) {
-    const culler::HalfSpace& h = frame.result().view[a.cull->index];
-    json["plane"] = {{"name", kViewPlanes[a.cull->index]},
-                     {"coefficients", {h.normal.x, h.normal.y, h.normal.z, h.offset}},
-                     {"distance", a.beyond_view}};
-    return json.dump(2) + "\n";
-  }
+  json["plane"] = became(a) == Became::out_of_view ? json_of_plane(frame.result(), a) : Json();
   json["shadows"] = Json::array();
   for (const AgainstShadow& s : a.shadows) {
     json["shadows"].push_back(json_of_shadow(culler, frame.result().occluders[s.occluder], s.clearance));

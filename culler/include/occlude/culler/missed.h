@@ -15,17 +15,18 @@ namespace occlude::culler {
 
 /// In the order in which they are asked: the first that holds is the reason.
 enum class Missed {
+  out_of_view,     ///< no shadow is asked for: all of it is beyond a half-space of the view, its leaf is not
   coarse_node,     ///< the polygon's own box is in the shadow of an occluder of the frame, that of its leaf is not
   straddling_box,  ///< the polygon is in the shadow of an occluder of the frame, its box is not
   several,         ///< each corner is in the shadow of some occluder of the frame, but no shadow has all
   not_chosen,      ///< no occluder of the frame, but another of the region's list has the polygon in its shadow
-  no_single_one    ///< no occluder of the list hides it alone
+  no_single_one    ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
 };
-inline constexpr std::size_t kMissedReasons = 5;
+inline constexpr std::size_t kMissedReasons = 6;
 
 [[nodiscard]] constexpr std::string_view to_string(Missed reason) {
-  constexpr std::array<std::string_view, kMissedReasons> kNames{"coarse_node", "straddling_box", "several", "not_chosen",
-                                                                "no_single_one"};
+  constexpr std::array<std::string_view, kMissedReasons> kNames{"out_of_view", "coarse_node", "straddling_box",
+                                                                "several",     "not_chosen",  "no_single_one"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -73,8 +74,10 @@ class MissedReasons {
   [[nodiscard]] Answer answer(std::uint32_t p, const Near& near) const;
   [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p) const;
   [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box) const;
+  [[nodiscard]] bool is_out_of_view(std::uint32_t p) const;
 
   const Hierarchy& hierarchy_;
+  const PotentialOccluders& occluders_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
 };

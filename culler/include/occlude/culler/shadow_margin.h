@@ -18,14 +18,19 @@ namespace occlude::culler {
 /// across the line of sight and m the margin at distance 1 along it: sides move inwards, and the near plane away from the
 /// eye by what its depth changes along the margin. For parallel rays n . x >= d + m |n_across|, m a length.
 ///
+/// And it is what stays in the shadow when the renderer, in single precision, has positions out by up to `rounding`, those
+/// of the occluder and those of the box. An occluder that is w away then casts a shadow that is out by rounding / w in the
+/// picture, which is added to m, and d grows by 2 rounding |n|.
+///
 /// Computed in doubles: the margin is a promise to a renderer that rounds, and takes away from what is exactly in the
 /// shadow.
 class ShadowMargin {
  public:
   /// None: the shadow itself.
   ShadowMargin() = default;
-  /// `share` of the height of the camera's picture. REQUIRES: share >= 0, and a camera without a fault().
-  ShadowMargin(const Camera& camera, double share);
+  /// `share` of the height of the camera's picture, in a model of which no point is farther than `depth` from the eye; none
+  /// if the share is 0. REQUIRES: share >= 0, and a camera without a fault().
+  ShadowMargin(const Camera& camera, double share, double depth);
 
   [[nodiscard]] bool is_none() const { return size_ == 0; }
 
@@ -36,14 +41,16 @@ class ShadowMargin {
   [[nodiscard]] bool keeps(const kernel::ShadowUnion& shadows, const Box& box) const;
 
  private:
-  /// Holds all that the box becomes by such moves, and some more.
-  [[nodiscard]] kernel::Aabb grown(const kernel::Aabb& box) const;
+  /// m of this shadow.
+  [[nodiscard]] double size(const kernel::ShadowFrustum& shadow) const;
+  /// Holds all that the box becomes by moves of up to m in the picture, and some more.
+  [[nodiscard]] kernel::Aabb grown(const kernel::Aabb& box, double size) const;
   template <class AnyBox>
   [[nodiscard]] bool keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const;
 
   glm::dvec3 eye_{0, 0, 0}, forward_{1, 0, 0};
   bool is_perspective_ = true;
-  double size_ = 0;  ///< m
+  double size_ = 0, rounding_ = 0;  ///< m, and units of the scene
 };
 
 }  // namespace occlude::culler

@@ -14,6 +14,8 @@
 #include "occlude/culler/missed.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"
+#include "occlude/render/output_file.h"
+#include "occlude/render/output_folder.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::render {
@@ -63,7 +65,19 @@ struct Account {
 [[nodiscard]] std::string to_text(const ReplayedFrame& frame, const Account& account);
 [[nodiscard]] std::string to_json(const ReplayedFrame& frame, const Account& account);
 
-/// Writes why.json, view.png and outside.png into the folder. REQUIRES: an OffscreenContext current on this thread.
-void write_why(const ReplayedFrame& frame, const Account& account, const std::filesystem::path& folder);
+/// why.json, view.png and outside.png of a folder.
+class WhyFiles {
+ public:
+  /// Throws InputError for a folder that cannot be written to.
+  explicit WhyFiles(const std::filesystem::path& folder);
+
+  /// REQUIRES: an OffscreenContext current on this thread.
+  void write(const ReplayedFrame& frame, const Account& account);
+
+ private:
+  OutputFolder made_;
+  std::filesystem::path folder_;
+  OutputFile json_;
+};
 
 }  // namespace occlude::render
