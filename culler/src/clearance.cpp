@@ -31,23 +31,36 @@ double reach(const kernel::Vec3& origin, const kernel::Obb& box) {
 
 template <class AnyBox>
 Clearance clearance_of(const kernel::ShadowFrustum& shadow, const AnyBox& box) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // The kernel's bound for values that are computed as here; twice, for its second order.
-  const kernel::FilterBound& bound = shadow.filter_bound();
-  const double error = 2 * (bound.slope * reach(shadow.origin(), box) + bound.base);
-  Clearance result{kInfinity, kInfinity, 0};
+  Clearance result{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < shadow.plane_count(); ++i) {
     const kernel::FilterPlane& plane = shadow.filter_planes()[i];
     const glm::dvec3 normal = to_glm(plane.normal);
-    const double value = plane.offset + least(normal, shadow.origin(), box), length = glm::length(normal);
-    // The slope bounds what the normal is out by, too.
-    result.at_least = std::min(result.at_least, (value - error) / (length + 2 * bound.slope));
-    if (value / length >= result.distance) continue;
-    result.distance = value / length;
-    result.plane = i;
+    const double distance = (plane.offset + least(normal, shadow.origin(), box)) / glm::length(normal);
+    if (distance < result.distance) result = {distance, i};
   }
-  result.at_least *= result.at_least > 0 ? 1 - kRounding : 1 + kRounding;
   return result;
+}
+
+/// The least of value^2 / |normal|^2 over the planes, each rounded down. The kernel bounds what its values, computed as
+/// here, are out by, and by the slope of that bound what a normal n is: its square is below (|n| + 2 slope)^2, and that by
+/// the inequality of the means below (1 + t) |n|^2 + (1 + 1/t) (2 slope)^2, t the share that is given away.
+template <class AnyBox>
+double certain(const kernel::ShadowFrustum& shadow, const AnyBox& box) {
+  constexpr double kGiven = 0x1p-20;
+  const kernel::FilterBound& bound = shadow.filter_bound();
+  const double error = 2 * (bound.slope * reach(shadow.origin(), box) + bound.base);  // twice, for its second order
+  const double uncertain = (1 + 1 / kGiven) * 4 * bound.slope * bound.slope;
+  double value = std::numeric_limits<double>::infinity(), square = 1;  // of the nearest plane
+  for (const kernel::FilterPlane& plane : shadow.filter_planes().first(shadow.plane_count())) {
+    const glm::dvec3 normal = to_glm(plane.normal);
+    const double own = plane.offset + least(normal, shadow.origin(), box) - error;
+    if (!(own > 0)) return 0;
+    const double own_square = (1 + kGiven) * glm::dot(normal, normal) + uncertain;
+    if (own * own * square >= value * value * own_square) continue;
+    value = own;
+    square = own_square;
+  }
+  return value / std::sqrt(square) * (1 - kRounding);
 }
 
 template <class AnyBox>
@@ -64,6 +77,9 @@ double beyond(const HalfSpace& half_space, const AnyBox& box) {
 
 Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) { return clearance_of(shadow, box); }
 Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) { return clearance_of(shadow, box); }
+
+double certain_distance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) { return certain(shadow, box); }
+double certain_distance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) { return certain(shadow, box); }
 
 double distance_beyond(const HalfSpace& half_space, const kernel::Aabb& box) { return beyond(half_space, box); }
 double distance_beyond(const HalfSpace& half_space, const kernel::Obb& box) { return beyond(half_space, box); }

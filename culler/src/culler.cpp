@@ -82,7 +82,7 @@ void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& wit
       margin = hierarchy_.ask(cull.node, [&](const auto& box) { return distance_beyond(frame.view[cull.index], box); });
     } else if (cull.second == Culled::kNone) {
       const kernel::ShadowFrustum& shadow = frame.occluders[cull.index].frustum;
-      margin = hierarchy_.ask(cull.node, [&](const auto& box) { return clearance(shadow, box).at_least; });
+      margin = hierarchy_.ask(cull.node, [&](const auto& box) { return certain_distance(shadow, box); });
     }
     witnesses.push_back({cull, std::max(margin, 0.0)});
   }

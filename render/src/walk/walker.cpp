@@ -29,9 +29,16 @@ class Walker {
     const culler::Camera camera = path_.camera(frame, aspect(options_));
     Picture full, picture;
     const auto with_view_frustum = [&] {
-      timed(camera, view_only_, view_without_, record.view_frustum_cull_ms, record.view_frustum_frame_ms, full);
+      const Timing timing = timed(camera, view_only_, view_without_, full);
+      record.view_frustum_cull_ms = timing.cull_ms;
+      record.view_frustum_frame_ms = timing.frame_ms;
     };
-    const auto with_occlusion = [&] { timed(camera, options_.cull, view, record.cull_ms, record.frame_ms, picture); };
+    const auto with_occlusion = [&] {
+      const Timing timing = timed(camera, options_.cull, view, picture);
+      record.cull_ms = timing.cull_ms;
+      record.witness_ms = timing.witness_ms;
+      record.frame_ms = timing.frame_ms;
+    };
     // The order alternates so that neither method always finds the caches as the other left them.
     if (frame % 2 == 0) {
       with_view_frustum();
@@ -44,10 +51,6 @@ class Walker {
     record.view_frustum_polygons = view_without_.result().stats.drawn_polygons;
     record.rendered_polygons = culled.stats.drawn_polygons;
     record.occluders = culled.occluders.size();
-    witnesses_.clear();
-    const Stopwatch stopwatch;
-    culler_.append_witnesses(culled, witnesses_);
-    record.witness_ms = stopwatch.milliseconds();
     record.stats = culled.stats;
     if (!renderer_) return record;
     if (reference) {
@@ -59,17 +62,28 @@ class Walker {
   }
 
  private:
-  void timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, double& cull_ms,
-             double& frame_ms, Picture& picture) const {
-    const Stopwatch stopwatch;
+  struct Timing {
+    double cull_ms = 0, witness_ms = 0, frame_ms = 0;
+  };
+
+  /// Keeps the witnesses as well, outside of the frame time.
+  Timing timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, Picture& picture) {
+    Timing timing;
+    const Stopwatch culling;
     const culler::CullResult& result = culler_.cull(camera, options, view);
-    cull_ms = stopwatch.milliseconds();
+    timing.cull_ms = culling.milliseconds();
+    witnesses_.clear();
+    const Stopwatch proving;
+    culler_.append_witnesses(result, witnesses_);
+    timing.witness_ms = proving.milliseconds();
     if (renderer_) {
+      const Stopwatch drawing;
       const Layer layer{result.drawn, std::nullopt};
       renderer_->draw(camera, std::span(&layer, 1));
-      frame_ms = stopwatch.milliseconds();
+      timing.frame_ms = timing.cull_ms + drawing.milliseconds();
       picture = {renderer_->image(), renderer_->item_buffer(camera, result.drawn)};
     }
+    return timing;
   }
 
   Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {

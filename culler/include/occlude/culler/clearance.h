@@ -13,12 +13,16 @@ namespace occlude::culler {
 /// How far a box is on the inner side of all the planes of a shadow: units of the scene.
 struct Clearance {
   double distance = 0;    ///< up to rounding; negative: how far a corner sticks out
-  double at_least = 0;    ///< where positive, no more than the real number, whatever was rounded
   std::size_t plane = 0;  ///< the nearest: those of the near side first, then one for each edge of the silhouette
 };
 
 [[nodiscard]] Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box);
 [[nodiscard]] Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box);
+
+/// No more than the distance of the box, which is in the shadow, from any of the shadow's planes, whatever was rounded; 0
+/// where no more is certain. For every cull of a frame: takes one root.
+[[nodiscard]] double certain_distance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box);
+[[nodiscard]] double certain_distance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box);
 
 /// How far all of the box is beyond the half-space, where positive no more than the real number; negative where a corner is
 /// in it.
