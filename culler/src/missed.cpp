@@ -11,21 +11,6 @@
 #include "occluder_choice.h"
 
 namespace occlude::culler {
-namespace {
-
-std::vector<bool> drawn_polygons(const Hierarchy& hierarchy, const std::vector<PolygonRange>& drawn) {
-  std::vector<bool> result(hierarchy.soup().size());
-  for (const auto [first, count] : drawn) std::fill_n(result.begin() + std::ptrdiff_t{first}, count, true);
-  return result;
-}
-
-std::vector<kernel::Vec3> vertices_of(const OccluderGeometry& geometry) {
-  if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry)) return *polygon;
-  return std::get<kernel::Polytope>(geometry).vertices;
-}
-
-}  // namespace
-
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
     : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), frame_(frame) {
   for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
@@ -35,10 +20,12 @@ MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const C
 /// Of the region's list what may occlude from here and is not chosen.
 void MissedReasons::keep_others(const Culler& culler, const Camera& camera, const CullOptions& options) {
   const PolygonSoup& soup = hierarchy_.soup();
+  std::vector<kernel::Vec3> vertices;
   for (const std::uint32_t i : culler.grid().list(camera.eye).occluders) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
-    if (may_be_clipped(camera, vertices_of(culler.occluders().geometry(soup, i)))) continue;
-    auto [frustum, refusal] = culler.occluders().shadow(soup, i, camera.viewpoint(), options.near);
+    occluders_.vertices(soup, i, vertices);
+    if (may_be_clipped(camera, vertices)) continue;
+    auto [frustum, refusal] = occluders_.shadow(soup, i, camera.viewpoint(), options.near);
     if (frustum) others_.push_back({i, std::move(*frustum)});
   }
 }
@@ -127,7 +114,7 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const {
 }
 
 MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows) const {
-  std::vector<bool> missed = drawn_polygons(hierarchy_, frame_.drawn);
+  std::vector<bool> missed = polygons_of(frame_.drawn, hierarchy_.soup().size());
   for (std::size_t p = 0; p < missed.size(); ++p) missed[p] = missed[p] && !shows[p];
   // Subtrees of a share of the model each, so that all processors have some.
   constexpr std::uint32_t kShares = 64;

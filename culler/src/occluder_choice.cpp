@@ -162,20 +162,9 @@ class Choice {
     if (container != i && take(container)) return true;
     if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) return is_in(chosen(), i) || is_in(memory_.probes, i);
     memory_.tried.push_back(i);
-    set_loop(i);
+    source_.occluders.vertices(source_.soup, i, memory_.loop);
     if (may_be_clipped(camera_, memory_.loop) || is_in_shadow()) return false;
     return add(i);
-  }
-
-  void set_loop(std::uint32_t i) {
-    std::vector<kernel::Vec3>& loop = memory_.loop;
-    loop.clear();
-    if (source_.occluders.is_shell(i)) {
-      const auto vertices = source_.occluders.polytope(i).vertices();
-      loop.assign(vertices.begin(), vertices.end());
-    } else {
-      for (const std::uint32_t index : source_.occluders.loop(i)) loop.push_back(to_kernel(source_.soup.vertices[index]));
-    }
   }
 
   bool is_in_shadow() {

@@ -62,10 +62,20 @@ PotentialOccluders PotentialOccluders::find(const PolygonSoup& soup, const Confi
   return result;
 }
 
+void PotentialOccluders::vertices(const PolygonSoup& soup, std::size_t i, std::vector<kernel::Vec3>& vertices) const {
+  vertices.clear();
+  if (is_shell(i)) {
+    const auto own = polytope(i).vertices();
+    vertices.assign(own.begin(), own.end());
+  } else {
+    for (const std::uint32_t index : loop(i)) vertices.push_back(to_kernel(soup.vertices[index]));
+  }
+}
+
 OccluderGeometry PotentialOccluders::geometry(const PolygonSoup& soup, std::size_t i) const {
   if (is_shell(i)) return polytope_of(soup, parts(i));
   std::vector<kernel::Vec3> polygon;
-  for (const std::uint32_t index : loop(i)) polygon.push_back(to_kernel(soup.vertices[index]));
+  vertices(soup, i, polygon);
   return polygon;
 }
 

@@ -257,11 +257,7 @@ class Twin {
 };
 
 std::vector<bool> drawn_of(const Culler& culler, const CullResult& result) {
-  std::vector<bool> drawn(culler.hierarchy().soup().size());
-  for (const auto [first, count] : result.drawn) {
-    for (std::size_t p = first; p < std::size_t{first} + count; ++p) drawn[p] = true;
-  }
-  return drawn;
+  return culler::polygons_of(result.drawn, culler.hierarchy().soup().size());
 }
 
 /// Whether the shadow is the one that the occluder casts from here, whatever was seen of it in the frames before.

@@ -35,7 +35,7 @@ std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarch
 FailureFiles::FailureFiles(const std::string& folder) : folder_(folder), path_(folder), lines_(path_ / "failures.jsonl") {}
 
 void FailureFiles::write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness,
-                         ItemBuffers& buffers) {
+                         const std::function<ItemBuffers&()>& buffers) {
   remove_old_pictures(path_);
   const culler::Hierarchy& hierarchy = walk.culler.hierarchy();
   std::map<std::size_t, std::vector<culler::PolygonRange>> marked;
@@ -52,7 +52,7 @@ void FailureFiles::write(const Visibility& visibility, const CheckedWalk& walk, 
                     << '\n';
   }
   for (const auto& [frame, polygons] : marked) {
-    write_png(path_ / picture_name(frame), buffers.picture(walk.path.camera(frame, walk.aspect), polygons));
+    write_png(path_ / picture_name(frame), buffers().picture(walk.path.camera(frame, walk.aspect), polygons));
   }
   lines_.commit();
 }

@@ -28,7 +28,8 @@ class FailureFiles {
   /// Throws InputError for a folder that cannot be written to.
   explicit FailureFiles(const std::string& folder);
 
-  void write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness, ItemBuffers& buffers);
+  void write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness,
+             const std::function<ItemBuffers&()>& buffers);
 
  private:
   render::OutputFolder folder_;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/render/walk.h"
+
 namespace occlude::cli {
 
 class Turns {
@@ -28,9 +30,7 @@ class Turns {
   }
 
  private:
-  static constexpr std::size_t kReferenceFrames = 48;
-
-  [[nodiscard]] std::size_t step() const { return std::max<std::size_t>(1, frames_.size() / kReferenceFrames); }
+  [[nodiscard]] std::size_t step() const { return render::reference_step(frames_.size()); }
 
   std::vector<std::size_t> frames_;
 };

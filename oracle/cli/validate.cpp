@@ -266,7 +266,7 @@ int validate(Arguments& arguments) {
   if (!result.visibility.false_culls.empty()) {
     fmt::print(stderr, "{}\n", describe(result.visibility.false_culls.front(), hierarchy, witness));
   }
-  if (files) files->write(result.visibility, checked, witness, buffers());
+  if (files) files->write(result.visibility, checked, witness, buffers);
   return passed(result) ? 0 : 1;
 }
 

@@ -25,11 +25,7 @@ std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
 
 /// Of each polygon of the tree whether it passes view-frustum culling alone.
 std::vector<bool> in_view(const culler::Culler& culler, const culler::Camera& camera) {
-  std::vector<bool> result(culler.hierarchy().soup().size());
-  for (const auto [first, count] : culler.cull(camera, {.occluders = 0}).drawn) {
-    std::fill_n(result.begin() + std::ptrdiff_t{first}, count, true);
-  }
-  return result;
+  return culler::polygons_of(culler.cull(camera, {.occluders = 0}).drawn, culler.hierarchy().soup().size());
 }
 
 /// Counts a frame whose polygons show in so many pixels.

@@ -51,8 +51,8 @@ glm::dmat4 orthographic(const Camera& camera, const Camera::Axes& axes, const Ex
 
 glm::mat4 clip_from_eye_relative(const Camera& camera, const Extent& model, const glm::dvec2& shift) {
   const Camera::Axes axes = camera.axes();
-  glm::dmat4 clip = camera.projection == culler::Projection::perspective ? perspective(camera, axes)
-                                                                         : orthographic(camera, axes, model);
+  glm::dmat4 clip =
+      camera.projection == culler::Projection::perspective ? perspective(camera, axes) : orthographic(camera, axes, model);
   for (int column = 0; column < 4; ++column) {
     clip[column].x += shift.x * clip[column].w;
     clip[column].y += shift.y * clip[column].w;

@@ -51,6 +51,12 @@ void remove_old_plates(const std::filesystem::path& folder) {
 
 }  // namespace
 
+std::size_t reference_step(std::size_t frames) {
+  // Enough to meet every part of a path, few enough that it costs little.
+  constexpr std::size_t kReferenceFrames = 48;
+  return std::max<std::size_t>(1, frames / kReferenceFrames);
+}
+
 std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options) {
   std::vector<std::size_t> frames;
   const std::size_t end = std::min(options.end, path.frames);

@@ -10,10 +10,6 @@
 namespace occlude::render {
 namespace {
 
-/// On about this many frames of a walk the whole model is drawn for reference and the operations are counted: enough to
-/// meet every part of a path, few enough that it costs little.
-constexpr std::size_t kReferenceFrames = 48;
-
 class Walker {
  public:
   Walker(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, SceneRenderer* renderer)
@@ -112,7 +108,7 @@ Stage::Stage(const culler::Culler& culler, const WalkOptions& options) {
 WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, const Stage& stage,
                        const OnFrame& on_frame) {
   const std::vector<std::size_t> frames = frames_of(path, options);
-  const std::size_t reference_step = std::max<std::size_t>(1, frames.size() / kReferenceFrames);
+  const std::size_t step = reference_step(frames.size());
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
   WalkResult result;
   result.polygons = soup.size();
@@ -128,7 +124,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   Progress progress("frame", frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     check_interrupt();
-    const bool is_reference = i % reference_step == 0;
+    const bool is_reference = i % step == 0;
     result.frames.push_back(walker.frame(frames[i], is_reference, view));
     if (is_reference && options.render) ++result.reference_frames;
     if (on_frame) on_frame(result.frames.back(), view.result(), is_reference);

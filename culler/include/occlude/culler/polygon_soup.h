@@ -19,6 +19,9 @@ struct PolygonRange {
   friend bool operator==(const PolygonRange&, const PolygonRange&) = default;
 };
 
+/// Of `count` polygons which are in the ranges.
+[[nodiscard]] std::vector<bool> polygons_of(std::span<const PolygonRange> ranges, std::size_t count);
+
 /// Polygons as loops of vertex indices. Polygon p is drawn as the fan of triangles (v0, vi, vi+1) of its loop; both sides
 /// are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the tools.
 struct PolygonSoup {

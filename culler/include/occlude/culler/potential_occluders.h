@@ -57,6 +57,8 @@ class PotentialOccluders {
   [[nodiscard]] std::span<const std::uint32_t> parts(std::size_t i) const {
     return is_shell(i) ? shells_.parts(i - regions_.size()) : regions_.parts(i);
   }
+  /// Fills `vertices` with all of its own: of a region its corners in order.
+  void vertices(const PolygonSoup& soup, std::size_t i, std::vector<kernel::Vec3>& vertices) const;
   /// What the kernel takes for the occluder: a polygon or a polytope.
   [[nodiscard]] OccluderGeometry geometry(const PolygonSoup& soup, std::size_t i) const;
   /// Its shadow, or why it has none from there.

@@ -84,8 +84,8 @@ class Shadow {
   [[nodiscard]] Answer relation_to_union(Shadow& other, const Box& box);
 
   /// Proof that `box` lies in the frustum and strictly beyond its near planes, a given `plane` being sound for the occluder
-  /// (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side); and that no corner is
-  /// nearer than `margin` to any of its planes. Empty when proved, else what failed. REQUIRES: margin >= 0, finite.
+  /// (normal . vertex <= normal . point for every vertex, and the viewpoint strictly on the near side); and that no corner
+  /// is nearer than `margin` to any of its planes. Empty when proved, else what failed. REQUIRES: margin >= 0, finite.
   [[nodiscard]] std::string refute_cull(const Box& box, double margin = 0);
 
   /// Proof that every point of `box` lies in one of the two frusta and strictly beyond the near planes of that one, given

@@ -50,6 +50,10 @@ struct WalkOptions {
 /// The frames that a walk of this path visits. Throws InputError when there are none.
 [[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
 
+/// Every so many frames of a walk is one of the few of which more is asked: the whole model is drawn for reference, and
+/// operations and reasons are counted.
+[[nodiscard]] std::size_t reference_step(std::size_t frames);
+
 /// One frame. Times in milliseconds, polygons of the model.
 struct FrameRecord {
   std::size_t frame = 0;
