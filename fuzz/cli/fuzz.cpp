@@ -19,7 +19,9 @@
 #include "differential/minimise.h"
 #include "differential/overlap.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/output_file.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "results.h"
 
@@ -171,7 +173,7 @@ FuzzResults fuzz_files(const std::vector<std::string>& files) {
   try {
     for (const std::string& file : files) {
       FuzzResults::Row& row = results.rows.emplace_back();
-      row.name = std::filesystem::path(file).filename();
+      row.name = render::printable(std::filesystem::path(file).filename().native());
       for_each_case(file, false, [&](std::size_t number, const nlohmann::json& object) {
         fuzz::add(row.report, judge_line(read_case(object), row.name, number));
       });
@@ -279,7 +281,10 @@ void add_fuzz(CLI::App& app, int& exit_code) {
       "--cases 1\n"
       "makes a finding's group again. Exit code 0 when nothing is wrong, 1 for a finding (its case line is printed and "
       "stored),\n"
-      "2 for bad input.\n"
+      "2 for bad input.\n" +
+      fmt::format("An occluder in a case file has at most {} vertices, those of all faces counted.\n", kMostCorners) +
+      render::limits_help() +
+      "\n"
       "Example: occlude fuzz --seconds 30\n"
       "Example: occlude fuzz --cases 100000000 --shard 3/16 --out part3.json     then: occlude fuzz --merge part*.json");
   const auto a = std::make_shared<Arguments>();

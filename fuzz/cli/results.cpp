@@ -4,8 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -13,6 +11,8 @@
 #include "case_line.h"
 #include "differential/campaign.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/json_text.h"
+#include "occlude/render/printable.h"
 
 namespace occlude::cli {
 namespace {
@@ -62,10 +62,11 @@ std::uint64_t count(const nlohmann::json& object, const char* name) {
   return value.get<std::uint64_t>();
 }
 
-const std::string& word(const nlohmann::json& object, const char* name) {
+/// A table will show it.
+std::string word(const nlohmann::json& object, const char* name) {
   const nlohmann::json& value = member(object, name);
   if (!value.is_string()) throw LineError(fmt::format("\"{}\": expected a string", name));
-  return value.get_ref<const std::string&>();
+  return render::printable(value.get_ref<const std::string&>());
 }
 
 const nlohmann::json& list(const nlohmann::json& object, const char* name) {
@@ -142,11 +143,9 @@ FuzzResults read(const nlohmann::json& object) {
 }
 
 FuzzResults read_file(const std::string& file) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) throw render::InputError(file + ": cannot be opened");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const nlohmann::json object = render::read_json(file);
   try {
-    return read(parse_object(text));
+    return read(object);
   } catch (const LineError& error) {
     throw render::InputError(fmt::format("{}: not a result of occlude fuzz --out: {}", file, error.what()));
   }

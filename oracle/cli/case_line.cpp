@@ -22,6 +22,22 @@ kernel::Near near_of(const nlohmann::json& object) {
   throw LineError("\"near\": expected \"farthest\" or \"surface\"");
 }
 
+/// Vertices of a polygon, or of all faces.
+std::size_t corners(const Occluder& occluder) {
+  if (const auto* polygon = std::get_if<Polygon>(&occluder)) return polygon->size();
+  std::size_t sum = 0;
+  for (const auto& face : std::get<kernel::Polytope>(occluder).faces) sum += face.size();
+  return sum;
+}
+
+Occluder occluder_of(const nlohmann::json& object) {
+  Occluder result = occluder(member(object, "occluder"));
+  if (corners(result) > kMostCorners) {
+    throw LineError(fmt::format("\"occluder\": more than {} vertices, those of all faces counted", kMostCorners));
+  }
+  return result;
+}
+
 std::optional<std::string> expect_of(const nlohmann::json& object) {
   if (!object.contains("expect")) return std::nullopt;
   const auto& expect = object["expect"];
@@ -62,7 +78,7 @@ Json case_id(const nlohmann::json& object) {
 }
 
 CaseLine read_case(const nlohmann::json& object) {
-  return {{viewpoint(object), occluder(member(object, "occluder")), near_of(object), box(object)}, expect_of(object)};
+  return {{viewpoint(object), occluder_of(object), near_of(object), box(object)}, expect_of(object)};
 }
 
 void for_each_case(const std::string& file, bool silence,

@@ -2,6 +2,7 @@
 // Case files: JSON Lines, one question each.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +11,10 @@
 #include "json_input.h"
 
 namespace occlude::cli {
+
+/// Vertices of an occluder, those of all faces counted. The oracle holds each edge against each vertex: so many take it
+/// seconds.
+inline constexpr std::size_t kMostCorners = 4096;
 
 /// A question, and the answer that its line says is right, if it says.
 struct CaseLine {

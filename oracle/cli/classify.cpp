@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // occlude classify: cases in, the kernel's and the oracle's answers out, one line each.
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -11,6 +12,7 @@
 #include "differential/to_oracle.h"
 #include "occlude/fuzz/ask.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 
 namespace occlude::cli {
 namespace {
@@ -81,7 +83,10 @@ void add_classify(CLI::App& app, int& exit_code) {
       "Exit code 0; 1 when the oracle differs from `certified`, refutes `conservative` or is not what a case has in "
       "\"expect\";\n"
       "2 for a line that is not a case. Members that a case does not need are ignored.\n"
-      "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}.\n"
+      "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}.\n" +
+      fmt::format("An occluder has at most {} vertices, those of all faces counted.\n", kMostCorners) +
+      render::limits_help() +
+      "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
   const auto file = std::make_shared<std::string>("-");
   command->add_option("FILE", *file, "case file, - for standard input")->capture_default_str();

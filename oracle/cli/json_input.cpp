@@ -4,65 +4,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <limits>
+
+#include "occlude/render/json_text.h"
 
 namespace occlude::cli {
 
 using Json = nlohmann::json;
 
 namespace {
-
-/// Far more than any line needs, far less than recursion over a hostile one could bear.
-constexpr int kDeepest = 16;
-
-Json parse(std::string_view line) {
-  return Json::parse(line, [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw LineError("nested too deeply");
-    return true;
-  });
-}
-
-/// A line as JSON takes it, and where in the line its characters come from.
-struct Rewritten {
-  std::string text;
-  std::vector<std::size_t> columns;
-
-  void add(std::string_view piece, std::size_t column, bool is_copy) {
-    text += piece;
-    for (std::size_t i = 0; i < piece.size(); ++i) columns.push_back(is_copy ? column + i : column);
-  }
-};
-
-/// What a number that JSON cannot write, NaN, Infinity or one too large for a double, is put as; nothing for other words.
-std::string_view quoted_special(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || end != word.c_str() + word.size() || std::isfinite(value)) return "";
-  return std::isnan(value) ? "\"nan\"" : value > 0 ? "\"inf\"" : "\"-inf\"";
-}
-
-/// Puts those numbers in quotes as "nan", "inf", "-inf". Strings stay.
-Rewritten with_special_numbers_quoted(std::string_view line) {
-  Rewritten result;
-  for (std::size_t i = 0; i < line.size();) {
-    const std::size_t start = i;
-    if (line[i] == '"') {
-      for (++i; i < line.size() && line[i] != '"'; ++i) i += line[i] == '\\' ? 1 : 0;
-      i = std::min(i + 1, line.size());
-      result.add(line.substr(start, i - start), start, true);
-    } else if (i = std::min(line.find_first_of(",[]{} \t\r\n:\"", i), line.size()); i == start) {
-      result.add(line.substr(i++, 1), start, true);
-    } else {
-      const std::string_view word = line.substr(start, i - start), special = quoted_special(std::string(word));
-      result.add(special.empty() ? word : special, start, special.empty());
-    }
-  }
-  return result;
-}
 
 std::uint32_t index(const Json& value) {
   if (!value.is_number_unsigned()) throw LineError("\"faces\": expected indices, which are whole numbers from 0");
@@ -84,23 +36,13 @@ std::vector<std::vector<std::uint32_t>> faces(const Json& value) {
 }  // namespace
 
 Json parse_object(std::string_view line) {
-  Json object;
   try {
-    object = parse(line);
-  } catch (const Json::exception&) {
-    const Rewritten rewritten = with_special_numbers_quoted(line);
-    try {
-      object = parse(rewritten.text);
-    } catch (const Json::parse_error& error) {
-      const std::size_t at = error.byte - std::min<std::size_t>(error.byte, 1);  // it counts from 1, and 0 for none
-      const std::size_t column = at < rewritten.columns.size() ? rewritten.columns[at] : line.size();
-      throw LineError(fmt::format("not JSON, near column {}", column + 1));
-    } catch (const Json::exception&) {
-      throw LineError("not JSON");
-    }
+    Json object = render::parse_json(line);
+    if (!object.is_object()) throw LineError("not a JSON object");
+    return object;
+  } catch (const render::JsonError& error) {
+    throw LineError(fmt::format("{}, near column {}", error.what(), error.at + 1));
   }
-  if (!object.is_object()) throw LineError("not a JSON object");
-  return object;
 }
 
 const Json& member(const Json& object, const char* name) {
@@ -110,13 +52,7 @@ const Json& member(const Json& object, const char* name) {
 }
 
 double number(const Json& value, const char* name) {
-  if (value.is_number()) return value.get<double>();
-  if (value.is_string()) {
-    const auto& text = value.get_ref<const std::string&>();
-    if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-    if (text == "inf") return std::numeric_limits<double>::infinity();
-    if (text == "-inf") return -std::numeric_limits<double>::infinity();
-  }
+  if (const auto number = render::number_of(value)) return *number;
   throw LineError(fmt::format("\"{}\": expected a number", name));
 }
 

@@ -21,7 +21,7 @@ struct LineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The object on a line, at most sixteen levels deep. NaN, Infinity and numbers beyond the doubles read as what they are, so
+/// The object on a line, as render::parse_json reads it: NaN, Infinity and numbers beyond the doubles are what they are, so
 /// that the case is refused for them and not the line.
 [[nodiscard]] nlohmann::json parse_object(std::string_view line);
 

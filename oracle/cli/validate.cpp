@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -15,13 +14,16 @@
 #include "commands.h"
 #include "failures.h"
 #include "item_buffers.h"
+#include "json_input.h"
 #include "occlude/culler/missed.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/line_reader.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/preprocess_file.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/witness.h"
 #include "proof.h"
@@ -79,7 +81,7 @@ class Proving {
     culler::parallel_for(places.size(), [&](std::size_t i) {
       try {
         verdicts[i].proof = prover_.prove(places[i].line, [&](auto frame) { return shard_.has(frame); });
-      } catch (const std::exception& error) {
+      } catch (const LineError& error) {
         verdicts[i].unreadable = error.what();
       }
     });
@@ -112,24 +114,28 @@ class Proving {
   CulledSets culled_;
 };
 
-/// As many lines as keep all threads busy and memory small.
+/// As many lines as keep all threads busy and memory small, and no more once they have as many bytes as the longest line:
+/// in JSON they take many times that.
 constexpr std::size_t kBatch = 16384;
+constexpr std::size_t kBatchBytes = render::kMostJson;
 
 void prove_file(Proving& proving, const std::string& file) {
   render::LineReader lines(file);
   render::Progress progress("proved MB", lines.size() >> 20U);
   std::vector<Place> places;
-  std::size_t total = 0;
+  std::size_t total = 0, bytes = 0;
   const auto prove_batch = [&] {
     proving.prove(places);
     total += places.size();
     places.clear();
+    bytes = 0;
     progress.update(lines.read() >> 20U);
   };
   for (std::string line; lines.next(line);) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     places.push_back({line, fmt::format("{}:{}", lines.name(), lines.number()), lines.number()});
-    if (places.size() == kBatch) prove_batch();
+    bytes += line.size();
+    if (places.size() == kBatch || bytes >= kBatchBytes) prove_batch();
   }
   prove_batch();
   if (total == 0) throw render::InputError(lines.name() + ": no witnesses");
@@ -211,7 +217,7 @@ WitnessText witnesses_anew(const Walked& walked, const Visibility& visibility) {
 
 /// Where it stands in the file.
 WitnessText witnesses_of(const std::string& file) {
-  return [file](std::size_t, std::size_t number) { return fmt::format("{}:{}", file, number); };
+  return [name = render::printable(file)](std::size_t, std::size_t number) { return fmt::format("{}:{}", name, number); };
 }
 
 /// Every frame of the path: which of them a witness file is about nobody knows before it is read.
@@ -261,7 +267,7 @@ int validate(Arguments& arguments) {
   if (is_anew) result.missed = count_missed(walked, result.visibility);
 
   fmt::print("{}", arguments.json ? to_json(result) : to_text(result));
-  if (result.failed != 0) fmt::print(stderr, "{}\n", result.first_failure);
+  if (result.failed != 0) fmt::print(stderr, "{}\n", render::printable(result.first_failure));
   const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
   if (!result.visibility.false_culls.empty()) {
     fmt::print(stderr, "{}\n", describe(result.visibility.false_culls.front(), hierarchy, witness));
@@ -276,7 +282,9 @@ void add_validate(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("validate", "Prove every cull of a walk in exact arithmetic, and that nothing culled shows");
   command->footer(
-      "Exit code 0; 1 when a witness is not proved or a culled triangle shows (it is printed); 2 for bad input.\n"
+      "Exit code 0; 1 when a witness is not proved or a culled triangle shows (it is printed); 2 for bad input.\n" +
+      render::limits_help() +
+      "\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "the model walked through")->required();

@@ -12,9 +12,11 @@
 #include "experiments_report.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
+#include "occlude/render/printable.h"
 
 namespace occlude::cli {
 namespace {
@@ -42,7 +44,8 @@ experiments::Subject subject_of(const Arguments& arguments) {
     return {fmt::format("generated city, seed {}", arguments.seed), std::move(city.soup), std::move(city.path)};
   }
   render::CameraPath path = render::read_camera_path(arguments.path);
-  return {std::filesystem::path(arguments.model).filename().string(), render::read_model(arguments.model), std::move(path)};
+  return {render::printable(std::filesystem::path(arguments.model).filename().native()), render::read_model(arguments.model),
+          std::move(path)};
 }
 
 /// All of them, but for a model given those that are about it.
@@ -87,7 +90,9 @@ void add_bench_culler(CLI::App& bench, int&) {
   CLI::App* command =
       bench.add_subcommand("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
   command->footer(
-      "Without MODEL on a generated city. Coherence needs frames that follow one another: a STEP above 1 hides it.\n"
+      "Without MODEL on a generated city. Coherence needs frames that follow one another: a STEP above 1 hides it.\n" +
+      render::limits_help() +
+      "\n"
       "Example: occlude bench culler --out report\n"
       "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
   const auto a = std::make_shared<Arguments>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command `occlude`: assembles the subcommands and turns what they throw into one line and an exit code.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
@@ -8,6 +8,9 @@
 
 #include "commands.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
+#include "occlude/render/memory_limit.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 
 namespace {
@@ -44,7 +47,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const int code = error.get_exit_code();
     if (code == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
-    fmt::print(stderr, "occlude: {} (see occlude --help)\n", error.what());
+    fmt::print(stderr, "occlude: {} (see occlude --help)\n", occlude::render::printable(error.what()));
     return kBadInput;
   }
   if (app.get_subcommands().empty()) {
@@ -60,17 +63,19 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occlude::render::catch_interrupts();
+  occlude::render::limit_memory();
   try {
     return run(argc, argv);
   } catch (const occlude::render::Interrupted&) {
     fmt::print(stderr, "occlude: interrupted, no file written\n");
     return kInterrupted;
-  } catch (const occlude::render::InputError& error) {
-    fmt::print(stderr, "occlude: {}\n", error.what());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "occlude: out of memory\n");
+    // What was asked for names the file that is too much.
+    fmt::print(stderr, "occlude: out of memory ({} at most): {}\n",
+               occlude::render::in_mebibytes(occlude::render::most_memory()),
+               occlude::render::printable(fmt::format("{}", fmt::join(argv + 1, argv + argc, " "))));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "occlude: {}\n", error.what());
+    fmt::print(stderr, "occlude: {}\n", occlude::render::printable(error.what()));
   }
   return kBadInput;
 }

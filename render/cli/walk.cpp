@@ -12,8 +12,10 @@
 #include "command_arguments.h"
 #include "commands.h"
 #include "occlude/render/camera_path.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/walk_summary.h"
 
 namespace occlude::cli {
@@ -47,7 +49,7 @@ int walk(const Arguments& arguments) {
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const culler::PolygonSoup soup = render::read_model(arguments.model);
   if (!arguments.cases.empty()) record_shadow_tests(options, cases.emplace(arguments.cases));
-  const std::string name = std::filesystem::path(arguments.model).filename().string();
+  const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
   const render::WalkResult result = render::walk(soup, path, options, name, arguments.out);
   if (cases) cases->commit();
   if (arguments.json) {
@@ -65,7 +67,9 @@ void add_walk(CLI::App& app, int& exit_code) {
       app.add_subcommand("walk", "Walk a path through a model with and without occlusion culling, and compare");
   command->footer(
       "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
-      "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n"
+      "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n" +
+      render::limits_help() +
+      "\n"
       "Example: occlude walk city.ply --path city.json --out report");
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();

@@ -12,6 +12,7 @@
 #include "command_arguments.h"
 #include "commands.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/output_file.h"
@@ -83,9 +84,10 @@ int why(const Arguments& arguments) {
 
 void add_why(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("why", "Tell why a frame of a walk drew or culled a polygon");
-  command->footer(
-      "The frames before are culled first, as in a walk: give the options of that walk.\n"
-      "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
+  command->footer("The frames before are culled first, as in a walk: give the options of that walk.\n" +
+                  render::limits_help() +
+                  "\n"
+                  "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
   const auto a = std::make_shared<Arguments>();
   command->add_option("MODEL", a->model, "the model walked through")->required();
   command->add_option("--path", a->path, "camera path (JSON)")->required();

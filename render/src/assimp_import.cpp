@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "assimp_import.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <glm/mat4x4.hpp>
 #include <limits>
+#include <new>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "child_process.h"
 #include "input_file.h"
 #include "model_check.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
+#include "occlude/render/memory_limit.h"
+#include "occlude/render/printable.h"
 
 namespace occlude::render {
 namespace {
@@ -112,18 +119,55 @@ class SceneReader {
   std::vector<std::int64_t> loop_;
 };
 
-std::string one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  return text;
+// Limits of the import library. Importers need some twenty times the size of a file, 3MF, which is compressed, a hundred,
+// and read megabytes a second.
+constexpr std::uint64_t kMemory = std::uint64_t{256} << 20U, kMemoryPerByte = 128;
+constexpr std::uint64_t kSeconds = 20, kBytesPerSecond = 100'000;
+
+ChildLimits limits_for(std::uint64_t bytes) {
+  // This process holds the model as well, once it is handed over.
+  return {std::min(kMemory + kMemoryPerByte * bytes, most_memory() / 2), kSeconds + bytes / kBytesPerSecond};
 }
+
+/// Opens what an importer asks for, regular files only (a pipe would keep it waiting), and lets it have the more memory and
+/// time the more it opens: a file may refer to larger ones.
+class CountedFiles : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char* file) const override {
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error);
+  }
+
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    try {
+      const std::uint64_t size = require_readable(file);
+      if (seen_.insert(file).second) change_limits(limits_for(bytes_ += size));
+    } catch (const InputError&) {
+      return nullptr;
+    }
+    return DefaultIOSystem::Open(file, mode);
+  }
+
+ private:
+  std::set<std::string> seen_;
+  std::uint64_t bytes_ = 0;
+};
 
 PolygonSoup import(const std::filesystem::path& file) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new CountedFiles);  // owned by the importer
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   constexpr unsigned kNoPostProcessing = 0;  // above all no triangulation
   const aiScene* const scene = importer.ReadFile(file.string(), kNoPostProcessing);
+  try {
+    // It keeps what importers throw; that memory ran out is not the file's text to tell.
+    if (importer.GetException()) std::rethrow_exception(importer.GetException());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+  }
   if (scene == nullptr || scene->mRootNode == nullptr)
-    throw InputError(file.string() + ": cannot import: " + one_line(importer.GetErrorString()));
+    throw InputError(file.string() + ": cannot import: " + printable(importer.GetErrorString()));
   return SceneReader(file, *scene).read();
 }
 
@@ -157,7 +201,7 @@ class Handover {
     return items;
   }
 
-  [[noreturn]] static void fail() { throw ChildFailure("damages what it reads"); }
+  [[noreturn]] static void fail() { throw ChildFailure("damages what it reads", false); }
 
  private:
   void take(void* to, std::size_t bytes) {
@@ -202,26 +246,23 @@ PolygonSoup take_over(std::FILE* in) {
   return soup;
 }
 
-/// More than any honest file of its size needs: importers read megabytes a second. Files that it refers to do not count,
-/// they are taken as they are.
-ChildLimits limits_for(const std::filesystem::path& file) {
-  constexpr std::uintmax_t kBytesPerSecond = 100'000;
-  const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-  const auto page = static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  return {pages / 2 * page, static_cast<unsigned>(60 + std::filesystem::file_size(file) / kBytesPerSecond)};
-}
-
 }  // namespace
 
+std::string import_limits() {
+  return fmt::format("{} of memory and {} s of processor time, and {} bytes and {} us more for each byte that it reads",
+                     in_mebibytes(kMemory), kSeconds, kMemoryPerByte, 1'000'000 / kBytesPerSecond);
+}
+
 PolygonSoup read_with_assimp(const std::filesystem::path& file) {
-  require_readable(file);
+  const std::uint64_t size = require_readable(file);
   try {
-    const File handed_over = run_in_child(limits_for(file), [&](std::FILE* out) { hand_over(file, out); });
+    const File handed_over = run_in_child(limits_for(size), [&](std::FILE* out) { hand_over(file, out); });
     PolygonSoup soup = take_over(handed_over.get());
     require_usable(file, soup);
     return soup;
   } catch (const ChildFailure& failure) {
-    throw InputError(file.string() + ": cannot import: the import library " + failure.what());
+    throw InputError(fmt::format("{}: cannot import: the import library {}{}", file.string(), failure.what(),
+                                 failure.at_limit ? ": " + import_limits() : ""));
   }
 }
 

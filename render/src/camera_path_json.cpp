@@ -9,10 +9,10 @@
 #include <string>
 #include <string_view>
 
-#include "input_file.h"
 #include "model_check.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/json_text.h"
 #include "occlude/render/output_file.h"
 
 namespace occlude::render {
@@ -24,30 +24,10 @@ using nlohmann::json;
 // Nine hours at 30 frames a second. Every frame's camera is checked while reading, so the number must have a bound.
 constexpr std::uint64_t kMostFrames = 1'000'000;
 
-/// What the JSON library says went wrong, without its own prefix "[json.exception.parse_error.101] parse error at ...: ".
-std::string reason_of(const json::exception& error) {
-  const std::string_view what = error.what();
-  const std::size_t bracket = what.find("] "), colon = what.find(": ");
-  if (colon != what.npos) return std::string(what.substr(colon + 2));
-  return std::string(what.substr(bracket == what.npos ? 0 : bracket + 2));
-}
-
-json parse(const std::filesystem::path& file) {
-  const std::string text = read_input(file);
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    throw InputError(fmt::format("{}:{}: {}", file.string(), 1 + std::count(text.begin(), end, '\n'), reason_of(error)));
-  } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), reason_of(error)));
-  }
-}
-
 /// Takes the members of a path out of its JSON. Every failure names the member.
 class PathReader {
  public:
-  explicit PathReader(const std::filesystem::path& file) : file_(file), root_(parse(file)) {
+  explicit PathReader(const std::filesystem::path& file) : file_(file), root_(read_json(file)) {
     if (!root_.is_object()) throw InputError(file.string() + ": expected a JSON object");
   }
 
@@ -72,14 +52,14 @@ class PathReader {
   }
 
   double number(const json& value, std::string_view name) const {
-    if (!value.is_number()) fail(name, "expected a number");
-    return value.get<double>();
+    if (const auto number = number_of(value)) return *number;
+    fail(name, "expected a number");
   }
 
   double positive(const char* member, double otherwise) const {
     if (!root_.contains(member)) return otherwise;
     const double value = number(root_[member], member);
-    if (!(value > 0) || !std::isfinite(value)) fail(member, "must be greater than 0");
+    if (!(value > 0) || !std::isfinite(value)) fail(member, "must be finite and greater than 0");
     return value;
   }
 

@@ -2,21 +2,19 @@
 #include "child_process.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <new>
 #include <system_error>
 #include <thread>
 
 #include "occlude/render/progress.h"
+#include "resource_limits.h"
 
 namespace occlude::render {
 namespace {
@@ -26,31 +24,16 @@ constexpr int kDone = 0, kFailed = 1, kOutOfMemory = 2;
 
 [[noreturn]] void throw_errno(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// Address space in use, bytes.
-std::uint64_t memory_in_use() {
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
-
-void set_limit(int resource, rlim_t value) {
-  const rlimit limit{value, value};
-  setrlimit(resource, &limit);
-}
-
 void restrict_self(const ChildLimits& limits) {
   // What this process does on a crash or on Ctrl-C is not for its copy to do.
-  for (const int signal : {SIGINT, SIGTERM, SIGALRM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU}) {
     std::signal(signal, SIG_DFL);
   }
-  set_limit(RLIMIT_AS, memory_in_use() + limits.memory_bytes);
-  set_limit(RLIMIT_CORE, 0);
-  // What is read into memory is what is written: a write beyond this fails.
-  std::signal(SIGXFSZ, SIG_IGN);
-  set_limit(RLIMIT_FSIZE, limits.memory_bytes);
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails
+  limit_resource(RLIMIT_CORE, 0);
+  change_limits(limits);
   // It does not outlive who asked for it.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  alarm(limits.seconds);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -95,14 +78,19 @@ File run_in_child(const ChildLimits& limits, const std::function<void(std::FILE*
   if (child < 0) throw_errno("starting a process");
   if (child == 0) _exit(work_in_child(limits, work, file.get()));
   const int status = wait_for(child);
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) {
-    throw ChildFailure(fmt::format("takes longer than {} seconds", limits.seconds));
-  }
-  if (WIFSIGNALED(status)) throw ChildFailure("crashes");
-  if (WEXITSTATUS(status) == kOutOfMemory) throw ChildFailure("needs more memory than it may have");
-  if (WEXITSTATUS(status) != kDone) throw ChildFailure("fails");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) throw ChildFailure("takes more time than it may have", true);
+  if (WIFSIGNALED(status)) throw ChildFailure("crashes", false);
+  if (WEXITSTATUS(status) == kOutOfMemory) throw ChildFailure("needs more memory than it may have", true);
+  if (WEXITSTATUS(status) != kDone) throw ChildFailure("fails", false);
   std::rewind(file.get());
   return file;
+}
+
+void change_limits(const ChildLimits& limits) {
+  static const std::uint64_t memory_before = address_space_in_use();
+  limit_resource(RLIMIT_AS, memory_before + limits.memory_bytes);
+  limit_resource(RLIMIT_FSIZE, limits.memory_bytes);
+  limit_resource(RLIMIT_CPU, limits.seconds);
 }
 
 }  // namespace occlude::render

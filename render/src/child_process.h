@@ -11,13 +11,14 @@
 namespace occlude::render {
 
 struct ChildLimits {
-  std::uint64_t memory_bytes;  ///< address space on top of what the process has already
-  unsigned seconds;            ///< by the clock on the wall
+  std::uint64_t memory_bytes;  ///< address space on top of what the process has already, and of the file that it writes
+  std::uint64_t seconds;       ///< of processor time
 };
 
-/// The child did not end as it should. The message says how: "crashes", "takes longer than 60 seconds".
+/// The child did not end as it should. The message says how: "crashes", "needs more memory than it may have".
 struct ChildFailure : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  ChildFailure(const char* what, bool limit) : runtime_error(what), at_limit(limit) {}
+  bool at_limit;  ///< it came to one of its limits
 };
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -26,5 +27,8 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// nothing, and whatever it changes in memory is lost; the threads of this process are not in it, nor what they hold locked.
 /// Throws ChildFailure, std::system_error, Interrupted.
 [[nodiscard]] File run_in_child(const ChildLimits& limits, const std::function<void(std::FILE*)>& work);
+
+/// For such work: it has these limits from now on.
+void change_limits(const ChildLimits& limits);
 
 }  // namespace occlude::render

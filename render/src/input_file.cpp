@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <new>
 #include <system_error>
 
 #include "occlude/render/errors.h"
@@ -15,32 +16,37 @@ namespace {
   throw InputError(file.string() + ": cannot read: " + reason);
 }
 
-std::ifstream open(const fs::path& file) {
+struct Opened {
+  std::ifstream in;
+  std::uint64_t size;
+};
+
+Opened open(const fs::path& file, std::uint64_t most) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) fail(file, error ? error.message() : "no such file");
   if (fs::is_directory(status)) fail(file, "it is a directory");
   // A pipe or device has no size to check counts against, and may never end.
   if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) fail(file, error.message());
+  if (size > most) fail(file, "it is larger than " + in_mebibytes(most));
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   if (!in) fail(file, std::generic_category().message(errno));
-  return in;
+  return {std::move(in), size};
 }
 
 }  // namespace
 
-std::string read_input(const fs::path& file) {
-  std::ifstream in = open(file);
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error) fail(file, error.message());
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::uintmax_t>(in.gcount()) != size) fail(file, "it changed while it was read");
+std::string read_input(const fs::path& file, std::uint64_t most) {
+  Opened opened = open(file, most);
+  std::string bytes(static_cast<std::size_t>(opened.size), '\0');
+  opened.in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::uintmax_t>(opened.in.gcount()) != opened.size) fail(file, "it changed while it was read");
   return bytes;
 }
 
-void require_readable(const fs::path& file) { static_cast<void>(open(file)); }
+std::uint64_t require_readable(const fs::path& file, std::uint64_t most) { return open(file, most).size; }
 
 }  // namespace occlude::render

@@ -2,9 +2,11 @@
 #include "occlude/render/model_io.h"
 
 #include <algorithm>
+#include <new>
 
 #include "assimp_import.h"
 #include "obj.h"
+#include "occlude/render/errors.h"
 #include "ply.h"
 
 namespace occlude::render {
@@ -18,11 +20,13 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
-culler::PolygonSoup read_model(const std::filesystem::path& file) {
+culler::PolygonSoup read_model(const std::filesystem::path& file) try {
   const std::string extension = lower_case(file.extension().string());
   if (extension == ".ply") return read_ply(file);
   if (extension == ".obj") return read_obj(file);
   return read_with_assimp(file);
+} catch (const std::bad_alloc&) {
+  throw InputError(file.string() + ": out of memory");
 }
 
 }  // namespace occlude::render

@@ -21,7 +21,7 @@ constexpr int kBase = 1;  // OBJ counts vertices from 1
 
 /// Takes the first word off `text`; empty at its end.
 std::string_view next_word(std::string_view& text) {
-  constexpr std::string_view kBlank = " \t\r";
+  constexpr std::string_view kBlank = " \t";
   text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
   const std::string_view word = text.substr(0, text.find_first_of(kBlank));
   text.remove_prefix(word.size());
@@ -30,7 +30,10 @@ std::string_view next_word(std::string_view& text) {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::filesystem::path& file) : file_(file), bytes_(read_input(file)), rest_(bytes_) {}
+  explicit ObjReader(const std::filesystem::path& file) : file_(file), bytes_(read_input(file)), rest_(bytes_) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
+    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+  }
 
   culler::PolygonSoup read() {
     while (!rest_.empty()) read_statement();
@@ -63,11 +66,13 @@ class ObjReader {
     return joined_.append(part);
   }
 
+  /// Lines end in any system's way: LF, CR LF or CR.
   std::string_view take_line() {
+    const std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
+    rest_.remove_prefix(line.size());
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, rest_.size()));
+    if (line.find('\0') != line.npos) fail(next_line_, "a zero byte: this is no text");
     ++next_line_;
-    std::string_view line = rest_.substr(0, rest_.find('\n'));
-    rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
     return line;
   }
 

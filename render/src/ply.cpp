@@ -107,6 +107,7 @@ PolygonSoup read_ply(const std::filesystem::path& file) {
       skip_element(values, element);
     }
   }
+  values.expect_end();
   require_usable(file, soup);
   return soup;
 }

@@ -8,8 +8,8 @@
 
 namespace occlude::render {
 
-/// Takes x, y, z of element `vertex` and the list vertex_indices (or vertex_index) of element `face`. Data behind the last
-/// declared element is ignored. Throws InputError as read_model does.
+/// Takes x, y, z of element `vertex` and the list vertex_indices (or vertex_index) of element `face`. Throws InputError as
+/// read_model does.
 [[nodiscard]] culler::PolygonSoup read_ply(const std::filesystem::path& file);
 
 }  // namespace occlude::render

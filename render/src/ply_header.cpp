@@ -29,10 +29,13 @@ constexpr std::array<ScalarName, 8> kScalars = {{{"char", "int8", Scalar::int8, 
 // Elements of a file and properties of an element; real files have a dozen. It bounds the search for repeated names.
 constexpr std::size_t kMostDeclarations = 1000;
 
+/// The first words of a line: enough to tell a statement, of which the longest has five, from what has more.
 std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view kBlank = " \t";
+  constexpr std::size_t kMostWords = 6;
   std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(kBlank); at != line.npos; at = line.find_first_not_of(kBlank, at)) {
+  for (std::size_t at = line.find_first_not_of(kBlank); at != line.npos && words.size() < kMostWords;
+       at = line.find_first_not_of(kBlank, at)) {
     const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
     words.push_back(line.substr(at, end - at));
     at = end;

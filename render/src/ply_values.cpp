@@ -43,12 +43,24 @@ void ValueReader::expect_room_for(const Element& element) const {
   }
 }
 
-std::string_view ValueReader::token() {
+void ValueReader::expect_end() {
+  if (encoding_ == Encoding::ascii) skip_blanks();
+  if (rest_.empty()) return;
+  const std::string line = encoding_ == Encoding::ascii ? fmt::format(":{}", line_) : "";
+  throw InputError(fmt::format("{}{}: {} bytes follow the last element", file_.string(), line, rest_.size()));
+}
+
+void ValueReader::skip_blanks() {
   std::size_t begin = 0;
   for (; begin < rest_.size() && is_blank(rest_[begin]); ++begin) line_ += rest_[begin] == '\n';
-  std::size_t end = begin;
+  rest_.remove_prefix(begin);
+}
+
+std::string_view ValueReader::token() {
+  skip_blanks();
+  std::size_t end = 0;
   while (end < rest_.size() && !is_blank(rest_[end])) ++end;
-  const std::string_view word = rest_.substr(begin, end - begin);
+  const std::string_view word = rest_.substr(0, end);
   rest_.remove_prefix(end);
   if (word.empty()) fail("the file ends here");
   return word;

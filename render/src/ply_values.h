@@ -24,6 +24,8 @@ class ValueReader {
 
   /// Throws unless the rest of the file can hold `element`. To be called before anything is allocated for it.
   void expect_room_for(const Element& element) const;
+  /// Throws when anything but blanks in text follows.
+  void expect_end();
   /// What is being read, for messages: "face 17".
   void enter(const Element& element, std::size_t index) { element_ = &element, index_ = index; }
   /// The file and the place in it: "model.ply: face 17" or, in text, "model.ply:40: face 17".
@@ -37,6 +39,7 @@ class ValueReader {
   T take_text();
   template <class T>
   T take_binary();
+  void skip_blanks();
   [[nodiscard]] std::string_view token();
 
   const std::filesystem::path& file_;

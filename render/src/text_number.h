@@ -14,7 +14,7 @@ namespace occlude::render {
 /// value, which every range check of the readers refuses.
 template <class T>
 [[nodiscard]] std::optional<T> parse_number(std::string_view token) {
-  if (token.starts_with('+')) token.remove_prefix(1);
+  if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1);
   T value{};
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error == std::errc::invalid_argument || end != token.data() + token.size()) return std::nullopt;

@@ -115,6 +115,16 @@ grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not 
 "$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
 grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in the report"
 
+# Files of any name, in all that names them.
+cp slanting.ply $'odd\377.ply'
+"$occlude" preprocess $'odd\377.ply' --out $'odd\377.pre' >/dev/null || fail "preprocess: a name that is not UTF-8"
+"$occlude" walk $'odd\377.ply' --path path.json --out odd --size 64x36 --preprocess $'odd\377.pre' --witness $'odd\377.jsonl' \
+  >stdout 2>stderr || fail "walk: a name that is not UTF-8: $(cat stderr)"
+grep -qF '"model": "odd\\xff.ply"' odd/summary.json || fail "walk: a name that is not UTF-8: $(cat odd/summary.json)"
+grep -qF '"preprocess": "odd\\xff.pre"' odd/summary.json || fail "walk: a name that is not UTF-8: $(cat odd/summary.json)"
+grep -qF '<h1>A walk through odd\xff.ply</h1>' odd/report.html || fail "walk: a name that is not UTF-8, in the page"
+"$occlude" validate $'odd\377.ply' --path path.json --witness $'odd\377.jsonl' >stdout 2>&1 || fail "odd: $(cat stdout)"
+
 # A preprocess, used and refused.
 "$occlude" preprocess slanting.ply --out slanting.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 >stdout ||
   fail "preprocess: $(cat stdout)"
@@ -207,6 +217,9 @@ grep -q "is culled and shows in 640x360 pixels, moved by -0.375, -0.375: lie.jso
 [ "$(wc -l <failures/failures.jsonl)" -gt 0 ] || fail "no failures"
 grep -q '^{"frame":0,"polygon":[0-9]*,"shows":"in 640x360 pixels.*","witness":"lie.jsonl:[0-9]*","picture":"failure_000000.png"}$' failures/failures.jsonl || fail "failures: $(cat failures/failures.jsonl)"
 [ -s failures/failure_000000.png ] || fail "no picture of the failure"
+cp lie.jsonl $'lie\377.jsonl'
+"$occlude" validate good.ply --path path.json --witness $'lie\377.jsonl' --out odd_failures >stdout 2>stderr
+[ $? -eq 1 ] && grep -qF '"witness":"lie\\xff.jsonl:' odd_failures/failures.jsonl || fail "validate: a name that is not UTF-8: $(cat stderr)"
 "$occlude" validate good.ply --path path.json --witness witness.jsonl >stdout || fail "validate, exactly"
 grep -q "^false culls 0 in [1-9][0-9]* frames, by exact visibility" stdout || fail "validate said: $(cat stdout)"
 "$occlude" validate good.ply --path path.json --witness witness.jsonl --exact-up-to 127 --json >stdout || fail "--exact-up-to"
@@ -422,6 +435,24 @@ done
 expect_error "line.jsonl:1: not JSON, near column 1" timeout 10 "$occlude" classify line.jsonl
 echo '{"eye":[NaN,NaN,NaN,NaN}' >line.jsonl
 expect_error "line.jsonl:1: not JSON, near column 24" "$occlude" classify line.jsonl
+# A line without end is not read to its end, and whoever reads it says how much is read.
+for command in "classify" "fuzz" "validate good.ply --path path.json --witness"; do
+  expect_error "/dev/zero:1: the line is longer than 16 MiB" timeout 60 "$occlude" $command /dev/zero
+done
+for command in "fuzz --merge" "walk good.ply --out out --path" "walk good.ply --path path.json --out out --preprocess" \
+  "walk --path path.json --out out"; do
+  expect_error "/dev/zero: cannot read: it is not a regular file" timeout 60 "$occlude" $command /dev/zero
+done
+# Nor is a case of more sides than the oracle can judge in seconds.
+corners=$(printf '[2,0,0],%.0s' $(seq 1 4096))
+echo "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[$corners[2,1,0]]},$box}" >line.jsonl
+expect_error "line.jsonl:1: \"occluder\": more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
+# A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
+printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
+expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
+for command in "classify" "fuzz" "validate" "walk" "why" "preprocess" "bench culler"; do
+  "$occlude" $command --help | grep -q 'Limits: .* at most 16 MiB, .* 4096 MiB' || fail "$command --help does not tell limits"
+done
 # Who waits for input can be stopped.
 mkfifo pipe
 for command in classify fuzz; do
@@ -459,7 +490,7 @@ cmp -s untrue_findings.jsonl merged_findings.jsonl || fail "fuzz --merge: other 
 echo '{"seed":1}' >bad.json
 expect_error "bad.json: not a result of occlude fuzz --out: \"rounds\" is missing" "$occlude" fuzz --merge part0.json bad.json
 head -c 100 part0.json >bad.json
-expect_error "bad.json: not a result of occlude fuzz --out: not JSON, near column 101" "$occlude" fuzz --merge bad.json
+expect_error "bad.json:$(($(wc -l <bad.json) + 1)): not JSON, near column " "$occlude" fuzz --merge bad.json
 for change in 's/"cases": [0-9]*/"cases": -5/' 's/"cases": [0-9]*/"cases": 1.5/' 's/"cases": [0-9]*/"cases": 1e30/' \
   's/"inside": [0-9]*/"inside": 1000000000/' 's/"seed": 7/"seed": -1/' 's/"shards": 3/"shards": 0/' \
   's/"core_seconds": [0-9.]*/"core_seconds": -1/' 's/"families": /"families": [], "x": /'; do

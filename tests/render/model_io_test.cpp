@@ -2,6 +2,7 @@
 #include "occlude/render/model_io.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 
 namespace occlude::render {
 namespace {
@@ -259,6 +261,13 @@ TEST_F(ModelIoTest, HugeCountsAreRefusedBeforeAnythingIsAllocated) {
             ": no polygons");
 }
 
+TEST_F(ModelIoTest, APlyIsItsElementsAndNothingElse) {
+  EXPECT_EQ(failure("a.ply", text_ply("0 +-5 0\n1 0 0\n0 1 0\n")), ":10: expected a number");
+  EXPECT_EQ(failure("a.ply", text_ply(kCorners) + " \r\n\n"), "no error");
+  EXPECT_EQ(failure("a.ply", text_ply(kCorners) + "0 1 0\n"), ":14: 6 bytes follow the last element");
+  EXPECT_EQ(failure("a.ply", binary_ply(std::endian::little) + "\n"), ": 1 bytes follow the last element");
+}
+
 TEST_F(ModelIoTest, PlyWithoutPolygons) {
   EXPECT_EQ(failure("a.ply",
                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n"
@@ -278,6 +287,21 @@ TEST_F(ModelIoTest, ObjKeepsQuadsAndDoubles) {
   EXPECT_EQ(soup.vertices[0], dvec3(0.1, 0.1 + 0.2, 4000000.000000001));
   EXPECT_EQ(soup.indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 0, 1, 2, 0, 1, 4}));
   EXPECT_EQ(soup.first, (std::vector<std::uint32_t>{0, 4, 7, 10}));
+}
+
+TEST_F(ModelIoTest, ObjLosesNoVertexToMarksAndLineEnds) {
+  const std::string text = "v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n";
+  const PolygonSoup soup = read("a.obj", text);
+  expect_equal(read("a.obj", "\xef\xbb\xbf" + text), soup);
+  for (const char* const end : {"\r", "\r\n"}) {
+    std::string other;
+    for (const char c : text) other += c == '\n' ? end : std::string(1, c);
+    expect_equal(read("a.obj", other), soup);
+    EXPECT_EQ(failure("a.obj", other + "v" + end + "v 1 2"), ":5: expected a number");
+  }
+  std::string wide;
+  for (const char c : text) wide += std::string{c, '\0'};
+  EXPECT_EQ(failure("a.obj", wide), ":1: a zero byte: this is no text");
 }
 
 TEST_F(ModelIoTest, ObjFaultsNameTheLine) {
@@ -349,6 +373,32 @@ TEST_F(ModelIoTest, WhatAssimpCrashesOnIsRefused) {
   EXPECT_EQ(failure("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n40\n0 1 0\n4 0 1 2 3\n")
                 .rfind(": cannot import: the import library ", 0),
             0U);
+}
+
+TEST_F(ModelIoTest, AFileThatRefersToADeviceIsRefused) {
+  const auto scene = [](const std::string& uri) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+      "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" +
+           uri + "\"}]}";
+  };
+  std::string corners;
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) corners += bytes_of(x, std::endian::little);
+  static_cast<void>(store("corners.bin", corners));
+  EXPECT_EQ(read("a.gltf", scene("corners.bin")).size(), 1U);
+  ASSERT_EQ(mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
+  for (const char* const uri : {"pipe.bin", "/dev/zero", ".", "none.bin"}) {
+    EXPECT_EQ(failure("a.gltf", scene(uri)).rfind(": cannot import: ", 0), 0U) << uri;
+  }
+}
+
+TEST_F(ModelIoTest, WhatIsTooLargeIsNotRead) {
+  for (const char* const name : {"a.ply", "a.obj", "a.stl"}) {
+    const fs::path file = store(name, "");
+    fs::resize_file(file, kMostBytes + 1);  // a hole: it takes no room
+    EXPECT_EQ(failure(file), ": cannot read: it is larger than 4096 MiB") << name;
+  }
 }
 
 TEST_F(ModelIoTest, VerticesThatNoPolygonHasAreNotImported) {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "occlude/render/machine.h"
+#include "occlude/render/printable.h"
 
 namespace occlude::render {
 namespace {
@@ -57,7 +58,7 @@ Json options_json(const WalkOptions& options, const culler::BuildConfig& build) 
           {"bounds", build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
           {"shapes", build.occluders.shells ? "polytope" : "polygon"},
           {"unions", options.cull.unions},
-          {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(options.preprocess.string())}};
+          {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(printable(options.preprocess.native()))}};
 }
 
 Json machine_json(const std::string& renderer) {
@@ -166,7 +167,7 @@ std::string summary_text(const WalkResult& result, const WalkOptions& options, c
                         summary["false_culls"].get<std::size_t>(), summary["wrong_pixels"].get<std::size_t>(),
                         summary["wrong_pixels_explained_by_snapping"].get<std::size_t>());
   }
-  if (options.witness) text += fmt::format("witnesses {}: {}\n", result.witnesses, options.witness->string());
+  if (options.witness) text += fmt::format("witnesses {}: {}\n", result.witnesses, printable(options.witness->native()));
   return text;
 }
 

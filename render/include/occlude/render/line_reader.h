@@ -3,18 +3,18 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
 #include <string>
 
 namespace occlude::render {
 
 /// "-" is standard input. The wish to stop ends a read that waits. Throws InputError, naming the file, for what cannot be
-/// opened or read, and Interrupted.
+/// opened or read and for a line longer than kMostJson, and Interrupted.
 class LineReader {
  public:
   explicit LineReader(const std::string& file);
+  ~LineReader();
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
 
   /// Reads the next line, without its break; false at the end.
   [[nodiscard]] bool next(std::string& line);
@@ -28,20 +28,15 @@ class LineReader {
   [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  struct Free {
-    void operator()(char* text) const { std::free(text); }
-  };
-
+  /// Reads what there is, waiting for it if need be; false at the end.
+  bool refill();
   [[noreturn]] void fail(const char* what) const;
 
   std::string name_;
-  std::unique_ptr<std::FILE, Close> opened_;
-  std::FILE* file_ = nullptr;
-  std::unique_ptr<char, Free> buffer_;
-  std::size_t capacity_ = 0, number_ = 0, read_ = 0, size_ = 0;
+  int file_;
+  std::string buffer_;    ///< what was read last,
+  std::size_t used_ = 0;  ///< and how much of it is in lines already
+  std::size_t number_ = 0, read_ = 0, size_ = 0;
 };
 
 }  // namespace occlude::render

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// No input takes the machine down.
+#pragma once
+
+#include <cstdint>
+
+namespace occlude::render {
+
+/// What one process takes at most, bytes: three quarters of the machine's memory, so that there is some left for others.
+[[nodiscard]] std::uint64_t most_memory();
+
+/// From now on this process, and what it starts, has no more than that. What would need more fails as std::bad_alloc.
+void limit_memory();
+
+}  // namespace occlude::render

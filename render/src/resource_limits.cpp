@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "resource_limits.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "occlude/render/memory_limit.h"
+
+namespace occlude::render {
+namespace {
+
+std::uint64_t page() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
+
+}  // namespace
+
+std::uint64_t address_space_in_use() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * page();
+}
+
+void limit_resource(int resource, rlim_t value) {
+  rlimit limit{};
+  getrlimit(resource, &limit);
+  limit.rlim_cur = std::min(value, limit.rlim_max);
+  setrlimit(resource, &limit);
+}
+
+std::uint64_t most_memory() { return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 * page(); }
+
+void limit_memory() {
+  rlimit present{};
+  getrlimit(RLIMIT_AS, &present);
+  limit_resource(RLIMIT_AS, std::min<rlim_t>(present.rlim_cur, address_space_in_use() + most_memory()));
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What the system lets this process have.
+#pragma once
+
+#include <sys/resource.h>
+
+#include <cstdint>
+
+namespace occlude::render {
+
+/// Bytes. More than what is used of it: it counts what is set aside.
+[[nodiscard]] std::uint64_t address_space_in_use();
+
+/// Sets the limit that can be changed again, no higher than the one that cannot.
+void limit_resource(int resource, rlim_t value);
+
+}  // namespace occlude::render
