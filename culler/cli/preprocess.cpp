@@ -2,7 +2,7 @@
 // occlude preprocess: what can be found out about a model once and used by every walk.
 #include "occlude/culler/preprocess.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +13,7 @@
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
@@ -31,20 +32,20 @@ struct Arguments {
 };
 
 void preprocess(Arguments& arguments) {
-  check_distinct({arguments.model, arguments.out});
   culler::BuildConfig config = arguments.build.config();
   config.grid = arguments.grid.grid;
   arguments.samples.seed = whole_number("--seed", arguments.seed);
   arguments.samples.pattern =
       arguments.pattern == "random" ? culler::SampleConfig::Pattern::random : culler::SampleConfig::Pattern::even;
-  const culler::PolygonSoup soup = render::read_model(arguments.model);
   render::OutputFile file(arguments.out);
+  const culler::PolygonSoup soup = render::read_model(arguments.model);
   const auto start = std::chrono::steady_clock::now();
   const culler::Preprocess result = [&] {
     render::Watch watch("region");
     return culler::preprocess(soup, config, arguments.samples, std::ref(watch));
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  render::check_interrupt();
   render::write_preprocess(file, soup, result);
   file.commit();
   const culler::OccluderGrid::Lists& lists = result.lists;
@@ -58,12 +59,13 @@ void preprocess(Arguments& arguments) {
         {"found_to_hide", lists.hidden.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(hide)},
         {"bytes", std::filesystem::file_size(arguments.out)},
         {"seconds", seconds}};
-    fmt::print("{}\n", summary.dump(2));
+    render::print(summary.dump(2) + "\n");
     return;
   }
   const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
-  fmt::print("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out, soup.size(),
-             result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled, seconds);
+  render::print(fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out,
+                            soup.size(), result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled,
+                            seconds));
 }
 
 }  // namespace
@@ -78,8 +80,8 @@ void add_preprocess(CLI::App& app, int&) {
       "\n"
       "Example: occlude preprocess city.ply --out city.pre");
   const auto a = std::make_shared<Arguments>();
-  command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
-  command->add_option("--out", a->out, "file to write")->required();
+  add_input(*command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
+  add_output(*command, "--out", a->out, "file to write")->required();
   a->build.add_to(*command);
   command->add_option("--regions", a->grid.grid.regions, "regions of space aimed at")
       ->capture_default_str()

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // occlude fuzz: the kernel and the culler against the exact oracle, case by case.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "differential/campaign.h"
 #include "differential/minimise.h"
 #include "differential/overlap.h"
+#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/output_file.h"
@@ -190,12 +190,17 @@ FuzzResults results_of(const Arguments& a) {
   return a.files.empty() ? fuzz_families(a) : fuzz_files(a.files);
 }
 
-/// The case lines of the findings, in a file of their own.
+/// The case lines of the findings, in a file of their own; where that cannot be, they are said at least.
 void store(const FuzzResults& results, const std::string& file) {
   if (file.empty()) return;
-  render::OutputFile findings(file);
-  findings.write(case_lines(results));
-  findings.commit();
+  try {
+    render::OutputFile findings(file);
+    findings.write(case_lines(results));
+    findings.commit();
+  } catch (const render::InputError&) {
+    render::say(case_lines(results));
+    throw;
+  }
 }
 
 bool has_defects(const FuzzResults& results) {
@@ -204,37 +209,23 @@ bool has_defects(const FuzzResults& results) {
   });
 }
 
-/// Stored as they are at once, and again when they are small: that takes a while, and the user may not wait.
-void report_findings(FuzzResults& results, const std::string& file) {
-  if (case_lines(results).empty()) {
-    if (std::filesystem::is_regular_file(file)) fmt::print(stderr, "{} is of an earlier run\n", file);
-    return;
-  }
-  store(results, file);
+/// Makes the findings small and stores them again: that takes a while, and the user may not wait.
+void minimise_and_report(FuzzResults& results, const std::string& file) {
   try {
     minimise_findings(results);
     store(results, file);
   } catch (const render::Interrupted&) {
     results.interrupted = true;
   }
-  fmt::print(stderr, "{}", case_lines(results));
-  if (!file.empty()) fmt::print(stderr, "These lines are in {}: occlude fuzz {} judges them again.\n", file, file);
-  if (has_defects(results)) fmt::print(stderr, "A wrong answer of ours is a defect: please report its line.\n");
+  render::say(case_lines(results));
+  if (!file.empty()) render::say(fmt::format("These lines are in {0}: occlude fuzz {0} judges them again.\n", file));
+  if (has_defects(results)) render::say("A wrong answer of ours is a defect: please report its line.\n");
 }
 
 /// The lines of case files are in a file already.
 std::string findings_file(const Arguments& a) { return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : ""); }
 
-void check_files(const Arguments& a) {
-  std::vector<std::string> files{findings_file(a), a.out};
-  files.insert(files.end(), a.files.begin(), a.files.end());
-  files.insert(files.end(), a.merged.begin(), a.merged.end());
-  std::erase(files, "");
-  check_distinct(files);
-}
-
-int fuzz_command(const Arguments& a) {
-  check_files(a);
+void fuzz_command(const Arguments& a, int& exit_code) {
   const std::string file = findings_file(a);
   // Opened before the work: what cannot be written is known at once.
   std::optional<render::OutputFile> findings, out;
@@ -243,20 +234,27 @@ int fuzz_command(const Arguments& a) {
 
   FuzzResults results = results_of(a);
   findings.reset();
-  if (!a.json) fmt::print("{}", table(results));
-  std::fflush(stdout);
-  report_findings(results, file);
-  if (a.json) fmt::print("{}", to_json(results));
+  exit_code = total(results).tally.disagreements == 0 ? kDone : kCheckFailed;
+  const bool has_findings = !case_lines(results).empty();
+  if (has_findings) {
+    store(results, file);
+  } else if (std::filesystem::is_regular_file(file)) {
+    render::say(file + " is of an earlier run\n");
+  }
+  if (!a.json) render::print(table(results));
+  render::finish_printing();
+  if (has_findings) minimise_and_report(results, file);
+  if (a.json) render::print(to_json(results));
   if (results.interrupted) {
-    fmt::print(stderr, "occlude: interrupted; this is what was done till then{}\n",
-               out ? fmt::format(", {} is not written", a.out) : "");
-    return 130;
+    render::say(fmt::format("occlude: interrupted; this is what was done till then{}\n",
+                            out ? fmt::format(", {} is not written", a.out) : ""));
+    if (exit_code == kDone) exit_code = kInterrupted;
+    return;
   }
   if (out) {
     out->write(to_json(results));
     out->commit();
   }
-  return total(results).tally.disagreements == 0 ? 0 : 1;
 }
 
 /// From the least that shows anything to a season.
@@ -288,7 +286,7 @@ void add_fuzz(CLI::App& app, int& exit_code) {
       "Example: occlude fuzz --seconds 30\n"
       "Example: occlude fuzz --cases 100000000 --shard 3/16 --out part3.json     then: occlude fuzz --merge part*.json");
   const auto a = std::make_shared<Arguments>();
-  CLI::Option* files = command->add_option("FILE", a->files, "case files to be judged instead of families");
+  CLI::Option* files = add_inputs(*command, "FILE", a->files, "case files to be judged instead of families");
   CLI::Option* cases = command->add_option(
       "--cases", a->cases,
       fmt::format("at least so many, all families alike, 16 or more of each; default {}", kDefaultCases));
@@ -302,16 +300,16 @@ void add_fuzz(CLI::App& app, int& exit_code) {
       command->add_option("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
           ->capture_default_str()
           ->excludes(seconds);
-  CLI::Option* merged = command->add_option("--merge", a->merged, "results of shards (--out), to be added up");
+  CLI::Option* merged = add_inputs(*command, "--merge", a->merged, "results of shards (--out), to be added up");
   CLI::Option* stop = command->add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding")->excludes(shard);
   command->add_option("--findings", a->findings,
                       "file for the case lines of findings, written when there are any; default fuzz_findings.jsonl, and "
                       "none for case files; an empty name: none");
-  command->add_option("--out", a->out, "file for the results as JSON");
+  add_output(*command, "--out", a->out, "file for the results as JSON");
   command->add_flag("--json", a->json, "print the results as JSON");
   for (CLI::Option* option : {cases, seconds, family, seed, jobs, shard, stop}) option->excludes(files)->excludes(merged);
   files->excludes(merged);
-  command->callback([a, &exit_code] { exit_code = fuzz_command(*a); });
+  command->callback([a, &exit_code] { fuzz_command(*a, exit_code); });
 }
 
 }  // namespace occlude::cli

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <atomic>
+#include <system_error>
 #include <thread>
 
 namespace occlude::fuzz {
@@ -51,7 +52,11 @@ std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> ex
   };
   {
     std::vector<std::jthread> others;
-    for (unsigned t = 1; t < campaign.jobs; ++t) others.emplace_back(work, std::ref(reports[t]));
+    try {
+      for (unsigned t = 1; t < campaign.jobs; ++t) others.emplace_back(work, std::ref(reports[t]));
+    } catch (const std::system_error&) {
+      // The system gives no more threads: fewer do it as well.
+    }
     work(reports[0]);
   }
   std::vector<Report> whole(experiments.size());

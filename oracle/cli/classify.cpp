@@ -3,15 +3,15 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <iostream>
 #include <memory>
 #include <optional>
 
 #include "case_line.h"
+#include "command_arguments.h"
 #include "commands.h"
 #include "differential/to_oracle.h"
 #include "occlude/fuzz/ask.h"
-#include "occlude/render/errors.h"
+#include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 
 namespace occlude::cli {
@@ -60,17 +60,14 @@ bool classify(const CaseLine& line, Json& answer) {
   return answer["certified"] == judged && is_sound && (!line.expect || *line.expect == judged);
 }
 
-int classify_file(const std::string& file) {
-  bool agree = true;
+void classify_file(const std::string& file, int& exit_code) {
   const bool prints_to_terminal = isatty(STDOUT_FILENO) != 0;
   for_each_case(file, prints_to_terminal, [&](std::size_t, const nlohmann::json& object) {
     Json answer;
     answer["id"] = case_id(object);
-    agree = classify(read_case(object), answer) && agree;
-    std::cout << answer.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    if (!classify(read_case(object), answer)) exit_code = kCheckFailed;
+    render::print(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
-  if (!std::cout.flush()) throw render::InputError("standard output: cannot be written");
-  return agree ? 0 : 1;
 }
 
 }  // namespace
@@ -89,8 +86,8 @@ void add_classify(CLI::App& app, int& exit_code) {
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
   const auto file = std::make_shared<std::string>("-");
-  command->add_option("FILE", *file, "case file, - for standard input")->capture_default_str();
-  command->callback([file, &exit_code] { exit_code = classify_file(*file); });
+  add_input(*command, "FILE", *file, "case file, - for standard input")->capture_default_str();
+  command->callback([file, &exit_code] { classify_file(*file, exit_code); });
 }
 
 }  // namespace occlude::cli

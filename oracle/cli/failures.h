@@ -11,6 +11,7 @@
 #include "occlude/culler/hierarchy.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
+#include "occlude/render/picture_set.h"
 #include "visibility_check.h"
 
 namespace occlude::cli {
@@ -26,15 +27,15 @@ using WitnessText = std::function<std::string(std::size_t frame, std::size_t num
 class FailureFiles {
  public:
   /// Throws InputError for a folder that cannot be written to.
-  explicit FailureFiles(const std::string& folder);
+  explicit FailureFiles(const std::filesystem::path& folder);
 
   void write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness,
              const std::function<ItemBuffers&()>& buffers);
 
  private:
   render::OutputFolder folder_;
-  std::filesystem::path path_;
   render::OutputFile lines_;
+  render::PictureSet pictures_;
 };
 
 }  // namespace occlude::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // occlude validate: every cull of a walk proved in exact arithmetic, and of small models held against exact visibility.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -18,6 +18,7 @@
 #include "occlude/culler/missed.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
+#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/line_reader.h"
@@ -69,7 +70,9 @@ struct Place {
 /// Proves witnesses and keeps what they say is culled; the outcome is the same for any number of threads.
 class Proving {
  public:
-  Proving(const Prover& prover, const Shard& shard) : prover_(prover), shard_(shard) {}
+  /// The first failure is told at once, and makes the exit code 1.
+  Proving(const Prover& prover, const Shard& shard, int& exit_code)
+      : prover_(prover), shard_(shard), exit_code_(exit_code) {}
 
   /// Throws InputError for a line that is no witness.
   void prove(const std::vector<Place>& places) {
@@ -97,7 +100,6 @@ class Proving {
 
   [[nodiscard]] const CulledSets& culled() const { return culled_; }
   std::size_t proved = 0, failed = 0;
-  std::string first_failure;  ///< of the lowest line
 
  private:
   void add(const Proof& proof, const Place& place) {
@@ -105,12 +107,14 @@ class Proving {
     if (proof.failure.empty()) {
       ++proved;
     } else if (failed++ == 0) {
-      first_failure = fmt::format("{}: {}", place.name, proof.failure);
+      exit_code_ = kCheckFailed;
+      render::say(render::printable(fmt::format("{}: {}", place.name, proof.failure)) + "\n");
     }
   }
 
   const Prover& prover_;
   const Shard& shard_;
+  int& exit_code_;
   CulledSets culled_;
 };
 
@@ -123,10 +127,9 @@ void prove_file(Proving& proving, const std::string& file) {
   render::LineReader lines(file);
   render::Progress progress("proved MB", lines.size() >> 20U);
   std::vector<Place> places;
-  std::size_t total = 0, bytes = 0;
+  std::size_t bytes = 0;
   const auto prove_batch = [&] {
     proving.prove(places);
-    total += places.size();
     places.clear();
     bytes = 0;
     progress.update(lines.read() >> 20U);
@@ -138,7 +141,6 @@ void prove_file(Proving& proving, const std::string& file) {
     if (places.size() == kBatch || bytes >= kBatchBytes) prove_batch();
   }
   prove_batch();
-  if (total == 0) throw render::InputError(lines.name() + ": no witnesses");
 }
 
 /// The model, the path, and how frames of it are culled anew.
@@ -232,7 +234,7 @@ std::optional<FailureFiles> failure_files(const std::string& folder) {
   return folder.empty() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
 }
 
-int validate(Arguments& arguments) {
+void validate(Arguments& arguments, int& exit_code) {
   const render::WalkOptions options = arguments.walk.options();
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
@@ -245,7 +247,7 @@ int validate(Arguments& arguments) {
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
 
   const Prover prover(hierarchy, path, checked.aspect);
-  Proving proving(prover, shard);
+  Proving proving(prover, shard, exit_code);
   if (is_anew) {
     prove_anew(proving, walked, shard);
   } else {
@@ -255,7 +257,6 @@ int validate(Arguments& arguments) {
   Validation result;
   result.proved = proving.proved;
   result.failed = proving.failed;
-  result.first_failure = proving.first_failure;
   result.is_exact = hierarchy.first_triangle(hierarchy.soup().size()) <= arguments.exact_up_to;
   std::optional<ItemBuffers> made;
   const auto buffers = [&]() -> ItemBuffers& {
@@ -266,14 +267,13 @@ int validate(Arguments& arguments) {
       result.is_exact ? check_exactly(checked, proving.culled()) : check_rendered(checked, proving.culled(), buffers());
   if (is_anew) result.missed = count_missed(walked, result.visibility);
 
-  fmt::print("{}", arguments.json ? to_json(result) : to_text(result));
-  if (result.failed != 0) fmt::print(stderr, "{}\n", render::printable(result.first_failure));
+  if (!passed(result)) exit_code = kCheckFailed;
+  render::print(arguments.json ? to_json(result) : to_text(result));
   const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
   if (!result.visibility.false_culls.empty()) {
-    fmt::print(stderr, "{}\n", describe(result.visibility.false_culls.front(), hierarchy, witness));
+    render::say(describe(result.visibility.false_culls.front(), hierarchy, witness) + "\n");
   }
   if (files) files->write(result.visibility, checked, witness, buffers);
-  return passed(result) ? 0 : 1;
 }
 
 }  // namespace
@@ -287,10 +287,10 @@ void add_validate(CLI::App& app, int& exit_code) {
       "\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
   const auto a = std::make_shared<Arguments>();
-  command->add_option("MODEL", a->model, "the model walked through")->required();
-  command->add_option("--path", a->path, "camera path (JSON)")->required();
-  CLI::Option* witness = command->add_option(
-      "--witness", a->witness, "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  add_input(*command, "MODEL", a->model, "the model walked through")->required();
+  add_input(*command, "--path", a->path, "camera path (JSON)")->required();
+  CLI::Option* witness = add_input(*command, "--witness", a->witness,
+                                   "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   command
       ->add_option("--exact-up-to", a->exact_up_to,
                    "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
@@ -301,12 +301,12 @@ void add_validate(CLI::App& app, int& exit_code) {
           "--shard", a->shard,
           "I/N: of N runs, on one machine or several, the one that takes frames I - 1, I - 1 + N, ...; their counts add up")
       ->capture_default_str();
-  command->add_option("--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
+  add_output(*command, "--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
   a->walk.add_size_to(*command);
   for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
   a->walk.add_preprocess_to(*command)->excludes(witness);
   command->add_flag("--json", a->json, "print the counts as JSON");
-  command->callback([a, &exit_code] { exit_code = validate(*a); });
+  command->callback([a, &exit_code] { validate(*a, exit_code); });
 }
 
 }  // namespace occlude::cli

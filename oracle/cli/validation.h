@@ -19,7 +19,6 @@ struct MissedCounts {
 
 struct Validation {
   std::size_t proved = 0, failed = 0;  ///< witnesses
-  std::string first_failure;           ///< of the lowest line
   bool is_exact = false;               ///< what visibility was found by: exact arithmetic, or item buffers
   std::size_t sizes = 0;               ///< of item buffers
   Visibility visibility;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // occlude bench culler
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
@@ -12,6 +12,7 @@
 #include "experiments_report.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
+#include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
@@ -66,22 +67,18 @@ void bench_culler(Arguments& arguments) {
     throw CLI::ValidationError("--largest", "expected 20000 to 2e7 polygons");
   }
   std::optional<Files> files;
-  if (!arguments.out.empty()) {
-    const std::filesystem::path out = arguments.out;
-    std::vector<std::string> names{out / "culler.json", out / "culler.html"};
-    if (!arguments.model.empty()) names.insert(names.end(), {arguments.model, arguments.path});
-    check_distinct(names);
-    files.emplace(out);
-  }
+  if (!arguments.out.empty()) files.emplace(arguments.out);
   const experiments::Result result = run(subject_of(arguments), options, chosen(arguments));
   if (files) {
     files->json.write(report_json(result, options));
     files->html.write(report_html(result, options));
+    files->json.close();
+    files->html.close();
     files->json.commit();
     files->html.commit();
   }
-  fmt::print("{}", arguments.json ? report_json(result, options) : report_text(result, options));
-  if (files && !arguments.json) fmt::print("report: {}\n", (std::filesystem::path(arguments.out) / "culler.html").string());
+  render::print(arguments.json ? report_json(result, options) : report_text(result, options));
+  if (files && !arguments.json) render::print(fmt::format("report: {}\n", files->html.path().string()));
 }
 
 }  // namespace
@@ -96,8 +93,8 @@ void add_bench_culler(CLI::App& bench, int&) {
       "Example: occlude bench culler --out report\n"
       "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
   const auto a = std::make_shared<Arguments>();
-  CLI::Option* model = command->add_option("MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
-  CLI::Option* path = command->add_option("--path", a->path, "camera path (JSON)");
+  CLI::Option* model = add_input(*command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
+  CLI::Option* path = add_input(*command, "--path", a->path, "camera path (JSON)");
   model->needs(path);
   path->needs(model);
   command->add_option("--polygons", a->polygons, "at least so many polygons in the city")
@@ -125,7 +122,7 @@ void add_bench_culler(CLI::App& bench, int&) {
   command->add_option("--largest", a->largest, "polygons of the largest city of the growth, up to 2e7")
       ->capture_default_str();
   command->add_flag("--no-render", a->no_render, "draw nothing: table 2 without frame times");
-  command->add_option("--out", a->out, "folder to write culler.json and culler.html to");
+  add_output(*command, "--out", a->out, "folder to write culler.json and culler.html to");
   command->add_flag("--json", a->json, "print culler.json instead of tables");
   command->callback([a] { bench_culler(*a); });
 }

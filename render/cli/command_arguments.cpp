@@ -3,11 +3,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <set>
 #include <system_error>
 
-#include "occlude/render/errors.h"
+#include "occlude/render/output_place.h"
 
 namespace occlude::cli {
 namespace {
@@ -29,8 +27,9 @@ std::vector<std::size_t> numbers(const std::string& option, const std::string& t
 }
 
 void parse_frames(const std::string& text, render::WalkOptions& options) {
+  if (text == "all") return;
   const auto values = numbers("--frames", text, ':');
-  if (values.size() < 2 || values.size() > 3) throw CLI::ValidationError("--frames", "expected A:B or A:B:STEP");
+  if (values.size() < 2 || values.size() > 3) throw CLI::ValidationError("--frames", "expected A:B, A:B:STEP or all");
   options.begin = values[0];
   options.end = values[1];
   options.step = values.size() == 3 ? values[2] : 1;
@@ -55,6 +54,9 @@ CLI::Validator number_in(double least, double most) {
   };
   return CLI::Validator(is_number, "") & CLI::Range(least, most);
 }
+
+/// An empty name is a slip, such as a variable that a script never set.
+std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
 
 CLI::Option* choice(CLI::App& command, const char* name, std::string& value, const std::vector<std::string>& choices,
                     const char* text) {
@@ -100,8 +102,7 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   options.insert(
       options.end(),
       {
-          command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B")
-              ->default_str(frames_.empty() ? "all" : frames_),
+          command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all")->capture_default_str(),
           number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
           number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
           choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),
@@ -128,14 +129,14 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
 
 CLI::Option* WalkArguments::add_preprocess_to(CLI::App& command) {
   CLI::Option* preprocess =
-      command.add_option("--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
+      add_input(command, "--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
   for (CLI::Option* option : build_options_) preprocess->excludes(option);
   return preprocess;
 }
 
 render::WalkOptions WalkArguments::options() const {
   render::WalkOptions options;
-  if (!frames_.empty()) parse_frames(frames_, options);
+  parse_frames(frames_, options);
   parse_size(size_, options);
   options.cull = cull_;
   options.cull.margin = pixel_margin_ / options.height;
@@ -161,15 +162,16 @@ std::uint64_t whole_number(const std::string& option, const std::string& text) {
   return static_cast<std::uint64_t>(number);
 }
 
-void check_distinct(const std::vector<std::string>& files) {
-  std::set<std::filesystem::path> seen;
-  for (const std::string& file : files) {
-    std::error_code error;
-    const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
-    if (!std::filesystem::is_regular_file(path, error) && std::filesystem::exists(path, error))
-      continue;  // a device or pipe
-    if (!seen.insert(path).second) throw render::InputError(file + ": named twice");
-  }
+CLI::Option* add_input(CLI::App& command, const char* name, std::string& file, const char* text) {
+  return command.add_option(name, file, text)->check(check_named)->each(render::keep_input);
+}
+
+CLI::Option* add_inputs(CLI::App& command, const char* name, std::vector<std::string>& files, const char* text) {
+  return command.add_option(name, files, text)->check(check_named)->each(render::keep_input);
+}
+
+CLI::Option* add_output(CLI::App& command, const char* name, std::string& path, const char* text) {
+  return command.add_option(name, path, text)->check(check_named);
 }
 
 }  // namespace occlude::cli

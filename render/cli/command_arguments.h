@@ -26,8 +26,8 @@ class BuildArguments {
 /// Which frames, seen how and culled how.
 class WalkArguments {
  public:
-  /// `frames` are taken where the user names none; all if empty.
-  explicit WalkArguments(std::string frames = "") : frames_(std::move(frames)) {}
+  /// `frames` are taken where the user names none.
+  explicit WalkArguments(std::string frames = "all") : frames_(std::move(frames)) {}
 
   void add_size_to(CLI::App& command);
   /// The options that decide what is culled; returns them.
@@ -51,7 +51,11 @@ class WalkArguments {
 /// The whole number in `text`; throws CLI::ValidationError, naming the option, for anything else.
 [[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);
 
-/// Throws InputError when two of these files, inputs and outputs of a command, are one.
-void check_distinct(const std::vector<std::string>& files);
+/// An option, or without dashes an argument, for a file that the command reads; its outputs will not replace it.
+CLI::Option* add_input(CLI::App& command, const char* name, std::string& file, const char* text);
+CLI::Option* add_inputs(CLI::App& command, const char* name, std::vector<std::string>& files, const char* text);
+
+/// The same for a file or folder that it writes.
+CLI::Option* add_output(CLI::App& command, const char* name, std::string& path, const char* text);
 
 }  // namespace occlude::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // occlude generate city
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
+#include "occlude/render/console.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/progress.h"
@@ -23,24 +24,26 @@ struct Arguments {
 };
 
 void generate(const Arguments& arguments) {
-  check_distinct({arguments.out, arguments.path});
-  const render::City city = render::generate_city(arguments.polygons, whole_number("--seed", arguments.seed));
+  const std::uint64_t seed = whole_number("--seed", arguments.seed);
+  render::OutputFile model(arguments.out), path(arguments.path);
+  const render::City city = render::generate_city(arguments.polygons, seed);
   render::check_interrupt();
   const std::string comment =
       fmt::format("occlude generate city --polygons {} --seed {}; metres, Z up", arguments.polygons, arguments.seed);
-  render::OutputFile model(arguments.out), path(arguments.path);
   render::write_ply(model, city.soup, comment);
   render::write_camera_path(path, city.path);
+  model.close();
+  path.close();
   model.commit();
   path.commit();
   if (arguments.json) {
     const nlohmann::ordered_json summary{
         {"polygons", city.soup.size()}, {"vertices", city.soup.vertices.size()}, {"frames", city.path.frames}};
-    fmt::print("{}\n", summary.dump(2));
+    render::print(summary.dump(2) + "\n");
     return;
   }
-  fmt::print("{}: {} polygons, {} vertices\n{}: {} frames\n", arguments.out, city.soup.size(), city.soup.vertices.size(),
-             arguments.path, city.path.frames);
+  render::print(fmt::format("{}: {} polygons, {} vertices\n{}: {} frames\n", arguments.out, city.soup.size(),
+                            city.soup.vertices.size(), arguments.path, city.path.frames));
 }
 
 }  // namespace
@@ -57,8 +60,8 @@ void add_generate(CLI::App& app, int&) {
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{20'000}, std::size_t{20'000'000}));
   city->add_option("--seed", arguments->seed, "whole number; same seed, same bytes, on any machine")->capture_default_str();
-  city->add_option("--out", arguments->out, "PLY file to write")->required();
-  city->add_option("--path", arguments->path, "JSON file to write the camera path to")->required();
+  add_output(*city, "--out", arguments->out, "PLY file to write")->required();
+  add_output(*city, "--path", arguments->path, "JSON file to write the camera path to")->required();
   city->add_flag("--json", arguments->json, "print the counts as JSON");
   city->callback([arguments] { generate(*arguments); });
 }

@@ -2,11 +2,12 @@
 // The command `occlude`: assembles the subcommands and turns what they throw into one line and an exit code.
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 
 #include "commands.h"
+#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/memory_limit.h"
@@ -15,8 +16,8 @@
 
 namespace {
 
-constexpr int kBadInput = 2;
-constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells expect
+using occlude::cli::kBadInput;
+using occlude::cli::kInterrupted;
 
 void add_bench(CLI::App& app, int& exit_code) {
   CLI::App* bench = app.add_subcommand("bench", "Measure how fast the answers come, and how much is culled");
@@ -26,8 +27,7 @@ void add_bench(CLI::App& app, int& exit_code) {
   occlude::cli::add_bench_culler(*bench, exit_code);
 }
 
-int run(int argc, char** argv) {
-  int exit_code = 0;
+void run(int argc, char** argv, int& exit_code) {
   CLI::App app("Occlusion culling with shadow frusta, certified: nothing visible is ever culled.", "occlude");
   app.require_subcommand(0, 1);  // that there is one is checked below, after an unknown word has been named
   app.footer(
@@ -46,36 +46,41 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int code = error.get_exit_code();
-    if (code == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
-    fmt::print(stderr, "occlude: {} (see occlude --help)\n", occlude::render::printable(error.what()));
-    return kBadInput;
+    if (code != static_cast<int>(CLI::ExitCodes::Success)) {
+      throw occlude::render::InputError(fmt::format("{} (see occlude --help)", error.what()));
+    }
+    std::ostringstream text;  // help, or the version
+    app.exit(error, text, text);
+    occlude::render::print(text.str());
+    return occlude::render::finish_printing();
   }
-  if (app.get_subcommands().empty()) {
-    fmt::print(stderr, "occlude: which command? (see occlude --help)\n");
-    return kBadInput;
-  }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw occlude::render::InputError("standard output: cannot be written");
-  return exit_code;
+  if (app.get_subcommands().empty()) throw occlude::render::InputError("which command? (see occlude --help)");
+  occlude::render::finish_printing();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  occlude::render::hold_standard_streams();
   occlude::render::catch_interrupts();
   occlude::render::limit_memory();
+  int exit_code = occlude::cli::kDone;
+  const auto failed = [&](int code, const std::string& what) {
+    occlude::render::say(fmt::format("occlude: {}\n", what));
+    return exit_code == occlude::cli::kDone ? code : exit_code;  // that a check failed stands
+  };
   try {
-    return run(argc, argv);
+    run(argc, argv, exit_code);
+    return exit_code;
   } catch (const occlude::render::Interrupted&) {
-    fmt::print(stderr, "occlude: interrupted, no file written\n");
-    return kInterrupted;
+    return failed(kInterrupted, "interrupted, no file written");
   } catch (const std::bad_alloc&) {
     // What was asked for names the file that is too much.
-    fmt::print(stderr, "occlude: out of memory ({} at most): {}\n",
-               occlude::render::in_mebibytes(occlude::render::most_memory()),
-               occlude::render::printable(fmt::format("{}", fmt::join(argv + 1, argv + argc, " "))));
+    return failed(
+        kBadInput,
+        fmt::format("out of memory ({} at most): {}", occlude::render::in_mebibytes(occlude::render::most_memory()),
+                    occlude::render::printable(fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")))));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "occlude: {}\n", occlude::render::printable(error.what()));
+    return failed(kBadInput, occlude::render::printable(error.what()));
   }
-  return kBadInput;
 }

@@ -2,7 +2,7 @@
 // occlude why
 #include "occlude/render/why.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
@@ -11,6 +11,7 @@
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
@@ -18,6 +19,7 @@
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
 #include "occlude/render/preprocess_file.h"
+#include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
 
 namespace occlude::cli {
@@ -75,7 +77,8 @@ int why(const Arguments& arguments) {
     throw render::InputError(fmt::format("--pixel {}: no polygon shows there", arguments.pixel));
   }
   const render::Account account = render::account_for(frame, polygon, items);
-  fmt::print("{}", arguments.json ? render::to_json(frame, account) : render::to_text(frame, account));
+  render::check_interrupt();
+  render::print(arguments.json ? render::to_json(frame, account) : render::to_text(frame, account));
   if (files) files->write(frame, account);
   return 0;
 }
@@ -89,14 +92,14 @@ void add_why(CLI::App& app, int& exit_code) {
                   "\n"
                   "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
   const auto a = std::make_shared<Arguments>();
-  command->add_option("MODEL", a->model, "the model walked through")->required();
-  command->add_option("--path", a->path, "camera path (JSON)")->required();
+  add_input(*command, "MODEL", a->model, "the model walked through")->required();
+  add_input(*command, "--path", a->path, "camera path (JSON)")->required();
   command->add_option("--frame", a->frame, "number of the frame, from 0")->required();
   auto* which = command->add_option_group("which", "which polygon");
   which->add_option("--polygon", a->polygon, "its number in the model file, from 0");
   which->add_option("--pixel", a->pixel, "X,Y from the top left corner: what shows there, were nothing culled");
   which->require_option(1);
-  command->add_option("--out", a->out, "folder for why.json, and plates from the camera and from outside");
+  add_output(*command, "--out", a->out, "folder for why.json, and plates from the camera and from outside");
   a->walk.add_size_to(*command);
   a->walk.add_culling_to(*command);
   a->walk.add_preprocess_to(*command);

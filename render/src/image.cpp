@@ -2,14 +2,33 @@
 #include "occlude/render/image.h"
 
 #include <png.h>
+#include <zlib.h>
 
+#include <fstream>
 #include <string>
 
 #include "occlude/render/errors.h"
-#include "occlude/render/output_file.h"
 
 namespace occlude::render {
 namespace {
+
+/// Length of what every PNG begins with: 8 bytes of signature, and the 13 of the chunk IHDR with its length, type and
+/// checksum.
+constexpr std::size_t kHead = 8 + 4 + 4 + 13 + 4;
+
+std::string big_endian(std::size_t value) {
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes += static_cast<char>(value >> shift & 0xFFU);
+  return bytes;
+}
+
+/// A chunk of text, which every reader passes over, for the place behind the head. The simplified interface of libpng writes
+/// none.
+std::string marker(const std::filesystem::path& file) {
+  const std::string text = std::string("tEXtSoftware") + '\0' + "occlude, " + file.filename().string();
+  const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
+  return big_endian(text.size() - 4) + text + big_endian(checksum);  // the type is not counted
+}
 
 std::string encode(const std::filesystem::path& file, const Image& picture) {
   png_image png{};
@@ -24,15 +43,18 @@ std::string encode(const std::filesystem::path& file, const Image& picture) {
   if (png_image_write_to_memory(&png, bytes.data(), &size, kAllBits, picture.pixels.data(), kPackedRows, nullptr) == 0)
     throw InputError(file.string() + ": cannot encode the picture: " + png.message);
   bytes.resize(size);
-  return bytes;
+  return bytes.insert(kHead, marker(file));
 }
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Image& image) {
-  OutputFile output(file);
-  output.write(encode(file, image));
-  output.commit();
+void write_png(OutputFile& file, const Image& image) { file.write(encode(file.path(), image)); }
+
+bool is_own_png(const std::filesystem::path& file) {
+  const std::string expected = marker(file);
+  std::string found(expected.size(), '\0');
+  std::ifstream(file, std::ios::binary).seekg(kHead).read(found.data(), static_cast<std::streamsize>(found.size()));
+  return found == expected;
 }
 
 }  // namespace occlude::render

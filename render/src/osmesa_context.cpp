@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <GL/osmesa.h>
 #include <stdlib.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <latch>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "gl.h"
 #include "occlude/render/offscreen_context.h"
@@ -12,12 +18,34 @@
 namespace occlude::render {
 namespace {
 
+constexpr int kKeepWhatTheUserSet = 0;
+
+/// Whether the system gives this process so many threads more.
+bool can_have_threads(std::size_t count) {
+  std::latch seen(1);
+  std::vector<std::jthread> threads;
+  try {
+    while (threads.size() < count) threads.emplace_back([&] { seen.wait(); });
+  } catch (const std::system_error&) {
+    // As many as there are by now.
+  }
+  seen.count_down();
+  return threads.size() == count;
+}
+
+/// llvmpipe starts two threads for each processor, of 16 at most, and waits for ever for one that it could not start.
+/// Without any it draws in the caller's.
+void draw_alone_if_need_be() {
+  const long processors = std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 16L);
+  if (!can_have_threads(2 * static_cast<std::size_t>(processors))) setenv("LP_NUM_THREADS", "0", kKeepWhatTheUserSet);
+}
+
 class OsMesaContext : public OffscreenContext {
  public:
   OsMesaContext() {
     // Mesa would otherwise write compiled shaders to the user's cache folder.
-    constexpr int kKeepWhatTheUserSet = 0;
     setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepWhatTheUserSet);
+    draw_alone_if_need_be();
     constexpr std::array<int, 9> kAttributes = {OSMESA_FORMAT,
                                                 OSMESA_RGBA,
                                                 OSMESA_PROFILE,

@@ -1,52 +1,90 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/output_file.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/progress.h"
 
 namespace occlude::render {
 namespace fs = std::filesystem;
 namespace {
 
-std::string reason(int error) { return std::generic_category().message(error); }
+/// A write for each of so many bytes costs nothing beside making them.
+constexpr std::size_t kBuffer = 1U << 16U;
 
-/// Where the bytes go until commit(). A device or pipe (`--out /dev/stdout`) is written directly: renaming a file over it
-/// would replace it.
-fs::path temporary_name(const fs::path& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return path;
-  return path.parent_path() / ("." + path.filename().string() + ".tmp-" + std::to_string(getpid()));
+/// A new file in the folder, of a name that nobody else has: short, for that of the file may be as long as names can be.
+std::pair<int, fs::path> make_temporary(const fs::path& folder) {
+  for (unsigned number = 0;; ++number) {
+    fs::path file = folder / fmt::format(".occlude.tmp-{}-{}", getpid(), number);
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return {descriptor, std::move(file)};
+  }
 }
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), temporary_(temporary_name(path_)) {
-  const bool is_folder = !path_.has_filename() || fs::is_directory(path_);
-  errno = is_folder ? EISDIR : 0;
-  if (!is_folder) stream_.open(temporary_, std::ios::binary | std::ios::trunc);
-  if (!stream_.is_open()) throw InputError(path_.string() + ": cannot create: " + reason(errno));
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), place_(path_) {
+  if (place_.is_device()) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+  } else {
+    std::tie(descriptor_, temporary_) = make_temporary(place_.path().parent_path());
+  }
+  if (descriptor_ < 0) fail("cannot create", errno);
+  if (place_.permissions()) fchmod(descriptor_, *place_.permissions());
 }
 
 OutputFile::~OutputFile() {
-  if (committed_ || temporary_ == path_) return;
-  stream_.close();
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view text) {
+  if (buffer_.size() + text.size() > kBuffer) flush();
+  if (text.size() > kBuffer) {
+    send(text);
+  } else {
+    buffer_ += text;
+  }
+}
+
+void OutputFile::close() {
+  flush();
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write", errno);
 }
 
 void OutputFile::commit() {
-  errno = 0;
-  stream_.close();
-  if (stream_.fail()) throw InputError(path_.string() + ": cannot write: " + reason(errno != 0 ? errno : EIO));
-  std::error_code error;
-  if (temporary_ != path_) fs::rename(temporary_, path_, error);
-  if (error) throw InputError(path_.string() + ": cannot create: " + error.message());
-  committed_ = true;
+  if (descriptor_ >= 0) close();
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), place_.path().c_str()) != 0) fail("cannot create", errno);
+  temporary_.clear();
+}
+
+void OutputFile::flush() {
+  send(buffer_);
+  buffer_.clear();
+}
+
+void OutputFile::send(std::string_view text) const {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor_, text.data(), text.size());
+    if (written < 0 && errno != EINTR) fail("cannot write", errno);
+    if (written < 0) check_interrupt();
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void OutputFile::fail(const char* what, int error) const {
+  check_interrupt();
+  throw InputError(fmt::format("{}: {}: {}", path_.string(), what, std::generic_category().message(error)));
 }
 
 }  // namespace occlude::render

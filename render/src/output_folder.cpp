@@ -3,23 +3,40 @@
 
 #include <fmt/format.h>
 
+#include <ranges>
 #include <system_error>
-#include <utility>
 
 #include "occlude/render/errors.h"
 
 namespace occlude::render {
+namespace fs = std::filesystem;
+namespace {
 
-OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
-  if (path_.empty()) throw InputError("no folder named to write to");
-  std::error_code error;
-  is_new_ = std::filesystem::create_directories(path_, error);
-  if (error) throw InputError(fmt::format("{}: cannot create the folder: {}", path_.string(), error.message()));
+/// The folder and those it lies in, the outmost first.
+std::vector<fs::path> with_parents(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  fs::path path;
+  for (const fs::path& name : folder) folders.push_back(path /= name);
+  return folders;
 }
 
-OutputFolder::~OutputFolder() {
+void remove_empty(const std::vector<fs::path>& folders) {
   std::error_code not_empty;
-  if (is_new_) std::filesystem::remove(path_, not_empty);
+  for (const fs::path& folder : folders | std::views::reverse) fs::remove(folder, not_empty);
 }
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& path) {
+  for (const fs::path& folder : with_parents(path)) {
+    std::error_code error;
+    if (fs::create_directory(folder, error)) made_.push_back(folder);
+    if (!error) continue;
+    remove_empty(made_);
+    throw InputError(fmt::format("{}: cannot create the folder: {}", path.string(), error.message()));
+  }
+}
+
+OutputFolder::~OutputFolder() { remove_empty(made_); }
 
 }  // namespace occlude::render

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/progress.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 
+#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 
 namespace occlude::render {
@@ -16,13 +16,19 @@ volatile std::sig_atomic_t interrupted = 0;
 
 extern "C" void on_interrupt(int) { interrupted = 1; }
 
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  sigaction(signal, nullptr, &action);
+  return action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 Progress::Progress(std::string label, std::size_t total)
     : label_(std::move(label)), total_(total), start_(Clock::now()), last_(start_), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) say("\r\033[K");
 }
 
 void Progress::update(std::size_t done) {
@@ -32,14 +38,12 @@ void Progress::update(std::size_t done) {
   last_ = now;
   shown_ = true;
   if (total_ == 0) {
-    fmt::print(stderr, "\r\033[K{} {}", label_, done);
-    std::fflush(stderr);
+    say(fmt::format("\r\033[K{} {}", label_, done));
     return;
   }
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = done == 0 ? 0 : elapsed / static_cast<double>(done) * static_cast<double>(total_ - done);
-  fmt::print(stderr, "\r\033[K{} {}/{}  {:.0f} s left", label_, done, total_, left);
-  std::fflush(stderr);
+  say(fmt::format("\r\033[K{} {}/{}  {:.0f} s left", label_, done, total_, left));
 }
 
 void Watch::operator()(std::size_t done, std::size_t total) {
@@ -51,8 +55,9 @@ void Watch::operator()(std::size_t done, std::size_t total) {
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = on_interrupt;  // without SA_RESTART: a read that waits ends
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
+  for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) sigaction(signal, &action, nullptr);
+  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // nohup
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 void check_interrupt() {

@@ -22,7 +22,9 @@ class ImageTest : public testing::Test {
   ~ImageTest() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string written(const Image& image) const {
-    write_png(folder_ / "a.png", image);
+    OutputFile file(folder_ / "a.png");
+    write_png(file, image);
+    file.commit();
     std::ostringstream out;
     out << std::ifstream(folder_ / "a.png", std::ios::binary).rdbuf();
     return out.str();
@@ -52,9 +54,23 @@ TEST_F(ImageTest, EqualPicturesGiveEqualFiles) {
 }
 
 TEST_F(ImageTest, FailuresNameTheFileAndLeaveNothing) {
-  EXPECT_THROW(write_png(folder_ / "none" / "a.png", {1, 1, {Rgba{}}}), InputError);
-  EXPECT_THROW(write_png(folder_ / "a.png", {0, 0, {}}), InputError);
-  EXPECT_TRUE(fs::is_empty(folder_));
+  OutputFile file(folder_ / "a.png");
+  try {
+    write_png(file, {0, 0, {}});
+    FAIL() << "wrote a picture of nothing";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(file.path().string(), 0), 0U) << error.what();
+  }
+}
+
+TEST_F(ImageTest, KnowsItsOwnByTheirNames) {
+  const std::string bytes = written({1, 1, {Rgba{}}});
+  EXPECT_TRUE(is_own_png(folder_ / "a.png"));
+  std::ofstream(folder_ / "copy.png", std::ios::binary) << bytes;
+  std::ofstream(folder_ / "short.png", std::ios::binary) << bytes.substr(0, 40);
+  EXPECT_FALSE(is_own_png(folder_ / "copy.png"));
+  EXPECT_FALSE(is_own_png(folder_ / "short.png"));
+  EXPECT_FALSE(is_own_png(folder_ / "none.png"));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST_F(OutputFileTest, AppearsOnlyOnCommit) {
   const fs::path file = folder_ / "a.txt";
   OutputFile output(file);
   output.write("hello ");
-  output.stream() << 7;
+  output.write("7");
   EXPECT_FALSE(fs::exists(file));
   EXPECT_EQ(files(), 1U);  // the temporary one, beside the target
   output.commit();

@@ -198,7 +198,7 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
   return plates;
 }
 
-std::vector<DrawnPlate> draw_why(const ReplayedFrame& frame, const Account& account) {
+WhyPlates draw_why(const ReplayedFrame& frame, const Account& account) {
   const culler::Culler& culler = frame.culler();
   const culler::CullResult& result = frame.result();
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
@@ -219,18 +219,14 @@ std::vector<DrawnPlate> draw_why(const ReplayedFrame& frame, const Account& acco
   }
   const std::array<Layer, 2> layers{Layer{std::span(&marked, 1), kMarked}, Layer{result.drawn, std::nullopt}};
   renderer.draw(frame.camera(), layers, lines);
-  std::vector<DrawnPlate> plates;
-  plates.push_back(
-      {{"view.png", "What the camera sees, with the polygon (magenta), its node (red) and the occluder (orange)."},
-       renderer.image()});
+  Image view = renderer.image();
 
   double depth = depth_of_scene(culler, frame.camera(), result.drawn);
   depth = std::max(depth, glm::distance(glm::dvec3{loop[0].x, loop[0].y, loop[0].z}, frame.camera().eye));
   add_frustum(lines, frame.camera(), depth);
   for (const AgainstShadow& against : shadows) add_shadow(lines, result.occluders[against.occluder], frame.camera(), depth);
   draw_outside(renderer, culler, frame.camera(), result, depth, std::span(&marked, 1), lines);
-  plates.push_back({{"outside.png", "The same from outside, with what was culled by shadow (red)."}, renderer.image()});
-  return plates;
+  return {std::move(view), renderer.image()};
 }
 
 }  // namespace occlude::render

@@ -22,8 +22,13 @@ struct DrawnPlate {
                                                   const std::vector<FrameRecord>& frames,
                                                   const culler::CullOptions& options);
 
-/// What the camera sees, and the frame from outside, with the polygon, its node and the occluder marked.
+/// What the camera sees, with the polygon (magenta), its node (red) and the occluder (orange); and the same from outside,
+/// with what was culled by shadow (red).
+struct WhyPlates {
+  Image view, outside;
+};
+
 /// REQUIRES: an OffscreenContext current on this thread.
-[[nodiscard]] std::vector<DrawnPlate> draw_why(const ReplayedFrame& frame, const Account& account);
+[[nodiscard]] WhyPlates draw_why(const ReplayedFrame& frame, const Account& account);
 
 }  // namespace occlude::render

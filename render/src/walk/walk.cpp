@@ -7,15 +7,12 @@
 
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/output_file.h"
-#include "occlude/render/output_folder.h"
 #include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/walk_files.h"
 #include "occlude/render/witness.h"
 #include "plates.h"
-#include "report.h"
 #include "stopwatch.h"
-#include "summary.h"
 #include "walker.h"
 
 namespace occlude::render {
@@ -39,16 +36,6 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
   return total;
 }
 
-/// Plates of an earlier walk would be taken for this one's.
-void remove_old_plates(const std::filesystem::path& folder) {
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("frame_") && (name.ends_with("_view.png") || name.ends_with("_outside.png"))) {
-      std::filesystem::remove(entry.path());
-    }
-  }
-}
-
 }  // namespace
 
 std::size_t reference_step(std::size_t frames) {
@@ -68,16 +55,11 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
 }
 
 WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
-                const std::string& model_name, const std::filesystem::path& directory) {
+                const std::string& model_name, WalkFiles& files) {
   if (soup.size() < 2) {
     throw InputError(fmt::format("{}: one polygon only: nothing can hide behind another", model_name));
   }
-  static_cast<void>(frames_of(path, options));  // throws before anything is made
-  const OutputFolder folder(directory), plates_folder(directory / "plates");
-  // All files are opened before the work and committed after it: what cannot be written is known at once.
-  OutputFile csv(directory / "frames.csv"), report(directory / "report.html"), summary_file(directory / "summary.json");
-  std::optional<OutputFile> witness;
-  if (options.witness) witness.emplace(*options.witness);
+  static_cast<void>(frames_of(path, options));  // throws before the work
 
   const Stopwatch stopwatch;
   const culler::Culler culler = make_culler(soup, options.build, options.preprocess);
@@ -89,10 +71,10 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   std::vector<std::string> lines;
   const auto on_frame = [&](const FrameRecord& record, const culler::CullResult& culled, bool is_reference) {
     if (is_reference) operations += visit_shadow_tests(culler, record.frame, culled, options);
-    if (!witness) return;
+    if (!options.witness) return;
     lines.clear();
     append_witnesses(lines, record.frame, path.camera(record.frame, aspect(options)), culler, culled, options.cull.near);
-    for (const std::string& line : lines) witness->stream() << line << '\n';
+    for (const std::string& line : lines) files.add_witness(line);
     witnesses += lines.size();
   };
   WalkResult result = walk_frames(culler, path, options, stage, on_frame);
@@ -100,25 +82,12 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   result.operations = operations;
   result.witnesses = witnesses;
 
-  std::vector<DrawnPlate> plates;
-  if (options.render) {
-    stage.renderer.reset();
-    plates = draw_plates(culler, path, result.frames, options.cull);
-  }
-  check_interrupt();
-  remove_old_plates(directory / "plates");
-  for (const DrawnPlate& drawn : plates) {
-    write_png(directory / "plates" / drawn.plate.file, drawn.image);
+  if (!options.render) return result;
+  stage.renderer.reset();
+  for (const DrawnPlate& drawn : draw_plates(culler, path, result.frames, options.cull)) {
+    files.add_plate(drawn.plate, drawn.image);
     result.plates.push_back(drawn.plate);
   }
-  const nlohmann::ordered_json summary = summarise(result, options, model_name);
-  csv.write(frames_csv(result));
-  report.write(report_html(result, summary));
-  summary_file.write(summary.dump(2) + "\n");
-  if (witness) witness->commit();
-  csv.commit();
-  report.commit();
-  summary_file.commit();
   return result;
 }
 

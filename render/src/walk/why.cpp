@@ -62,12 +62,17 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   return account;
 }
 
-WhyFiles::WhyFiles(const std::filesystem::path& folder) : made_(folder), folder_(folder), json_(folder / "why.json") {}
+WhyFiles::WhyFiles(const std::filesystem::path& folder)
+    : folder_(folder), json_(folder / "why.json"), view_(folder / "view.png"), outside_(folder / "outside.png") {}
 
 void WhyFiles::write(const ReplayedFrame& frame, const Account& account) {
-  for (const DrawnPlate& drawn : draw_why(frame, account)) write_png(folder_ / drawn.plate.file, drawn.image);
+  const WhyPlates plates = draw_why(frame, account);
+  write_png(view_, plates.view);
+  write_png(outside_, plates.outside);
   json_.write(to_json(frame, account));
-  json_.commit();
+  check_interrupt();
+  for (OutputFile* file : {&view_, &outside_, &json_}) file->close();
+  for (OutputFile* file : {&view_, &outside_, &json_}) file->commit();
 }
 
 }  // namespace occlude::render

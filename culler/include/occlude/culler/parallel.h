@@ -7,13 +7,14 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace occlude::culler {
 
-/// Calls work(i) once for every i below `count`, on all processors; returns when all are done. An exception stops what has
-/// not begun and is thrown on to the caller.
+/// Calls work(i) once for every i below `count`, on all processors, or as many as the system gives threads for; returns when
+/// all are done. An exception stops what has not begun and is thrown on to the caller.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work) {
   std::atomic<std::size_t> next = 0;
@@ -31,7 +32,11 @@ void parallel_for(std::size_t count, Work&& work) {
   {
     std::vector<std::jthread> others;
     const std::size_t threads = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count);
-    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(share);
+    try {
+      for (std::size_t t = 1; t < threads; ++t) others.emplace_back(share);
+    } catch (const std::system_error&) {
+      // Fewer do it as well.
+    }
     share();
   }
   if (failure) std::rethrow_exception(failure);

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "occlude/render/output_file.h"
+
 namespace occlude::render {
 
 /// Rows from top to bottom, pixels from left to right.
@@ -31,6 +33,10 @@ using Image = Raster<Rgba>;
 using ItemBuffer = Raster<std::uint32_t>;
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 
-void write_png(const std::filesystem::path& file, const Image& image);
+/// The picture says who made it, and its own name. The caller commits the file.
+void write_png(OutputFile& file, const Image& image);
+
+/// Whether write_png made this file and it has its name still.
+[[nodiscard]] bool is_own_png(const std::filesystem::path& file);
 
 }  // namespace occlude::render

@@ -3,21 +3,22 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace occlude::render {
 
-/// A folder that exists from now on; if it is new and nothing has come into it, it goes again.
+/// A folder that exists from now on, and so do those it lies in; those that are new go again if nothing has come into them.
 class OutputFolder {
  public:
   /// Throws InputError, naming the folder, when it cannot be created.
-  explicit OutputFolder(std::filesystem::path path);
+  explicit OutputFolder(const std::filesystem::path& path);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
  private:
-  std::filesystem::path path_;
-  bool is_new_ = false;
+  /// The outmost first.
+  std::vector<std::filesystem::path> made_;
 };
 
 }  // namespace occlude::render

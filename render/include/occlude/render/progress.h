@@ -42,7 +42,8 @@ class Watch {
   std::optional<Progress> progress_;
 };
 
-/// From now on Ctrl-C (and SIGTERM, SIGHUP) only sets a flag, and a closed pipe is an error of writing.
+/// From now on Ctrl-C (and SIGTERM, SIGHUP, the end of `ulimit -t`) only sets a flag, and a closed pipe and the end of
+/// `ulimit -f` are errors of writing.
 void catch_interrupts();
 
 /// Throws Interrupted when the flag is set. Long work calls it between its steps.

@@ -89,10 +89,11 @@ struct WalkResult {
   std::vector<Plate> plates;
 };
 
-/// Walks the path and writes frames.csv, summary.json, report.html, plates/*.png into `directory` (and the witness file),
-/// all at the end and each file whole. Throws InputError for an unusable folder, fewer than two polygons or an empty frame
-/// range, Interrupted on Ctrl-C.
-WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
-                const std::string& model_name, const std::filesystem::path& directory);
+class WalkFiles;
+
+/// Walks the path; witnesses and plates go to `files`, which the caller commits. Throws InputError for fewer than two
+/// polygons or an empty frame range, Interrupted on Ctrl-C.
+[[nodiscard]] WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
+                              const std::string& model_name, WalkFiles& files);
 
 }  // namespace occlude::render

@@ -75,9 +75,8 @@ class WhyFiles {
   void write(const ReplayedFrame& frame, const Account& account);
 
  private:
-  OutputFolder made_;
-  std::filesystem::path folder_;
-  OutputFile json_;
+  OutputFolder folder_;
+  OutputFile json_, view_, outside_;
 };
 
 }  // namespace occlude::render

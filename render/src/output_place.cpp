@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/output_place.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "occlude/render/errors.h"
+
+namespace occlude::render {
+namespace fs = std::filesystem;
+namespace {
+
+/// Tells files apart whatever they are called.
+using Identity = std::pair<dev_t, ino_t>;
+
+struct stat status_of(int descriptor) {
+  struct stat status {};
+  fstat(descriptor, &status);
+  return status;
+}
+
+Identity identity(const struct stat& status) { return {status.st_dev, status.st_ino}; }
+
+// Of the process, as its signals and standard streams are.
+std::set<Identity>& inputs() {
+  static std::set<Identity> files;
+  return files;
+}
+
+std::set<fs::path>& outputs() {
+  static std::set<fs::path> places;
+  return places;
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
+  throw InputError(file.string() + ": cannot create: " + reason);
+}
+
+[[noreturn]] void refuse(const fs::path& file, int error) { refuse(file, std::generic_category().message(error)); }
+
+/// Where a link ends, also one to what is not there.
+fs::path beyond_links(const fs::path& file) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  fs::path place = file;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
+    if (links == kMostLinks) refuse(file, ELOOP);
+    place = place.parent_path() / fs::read_symlink(place, error);
+  }
+  const fs::path folder = fs::canonical(place.has_parent_path() ? place.parent_path() : ".", error);
+  if (error) refuse(file, error.message());
+  return folder / place.filename();
+}
+
+/// None where there is no such file.
+std::optional<struct stat> find(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0) return status;
+  if (errno != ENOENT) refuse(file, errno);
+  return std::nullopt;
+}
+
+/// Root may write what is read-only; who made it so did not mean that.
+bool is_read_only(const fs::path& file, const struct stat& status) {
+  constexpr mode_t kAnyone = S_IWUSR | S_IWGRP | S_IWOTH;
+  return (status.st_mode & kAnyone) == 0 || access(file.c_str(), W_OK) != 0;
+}
+
+bool is_standard_stream(const struct stat& status) {
+  constexpr std::array kStreams{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO};
+  return std::ranges::any_of(kStreams, [&](int stream) { return identity(status_of(stream)) == identity(status); });
+}
+
+}  // namespace
+
+void keep_input(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode)) inputs().insert(identity(status));
+}
+
+OutputPlace::OutputPlace(const fs::path& file) : path_(file) {
+  if (!file.has_filename()) refuse(file, file.empty() ? ENOENT : EISDIR);
+  if (const std::optional<struct stat> found = find(file)) {
+    if (S_ISDIR(found->st_mode)) refuse(file, EISDIR);
+    is_device_ = !S_ISREG(found->st_mode);
+    if (is_device_) return;
+    if (inputs().contains(identity(*found))) refuse(file, "named twice: it is read as well");
+    if (is_standard_stream(*found)) refuse(file, "named twice: it is standard input, output or error");
+    if (is_read_only(file, *found)) refuse(file, "it is read-only");
+    permissions_ = found->st_mode & 07777;
+  }
+  path_ = beyond_links(file);
+  if (!outputs().insert(path_).second) refuse(file, "named twice: two files would become one");
+}
+
+OutputPlace::~OutputPlace() {
+  if (!is_device_) outputs().erase(path_);
+}
+
+void refuse_used(const fs::path& folder, const std::function<bool(const std::string& name)>& is_such) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!is_such(entry.path().filename().string())) continue;
+    const std::optional<struct stat> found = find(entry.path());
+    if (found && inputs().contains(identity(*found))) refuse(entry.path(), "named twice: it is read as well");
+  }
+  const fs::path place = fs::canonical(folder, error);
+  if (error) refuse(folder, error.message());
+  for (const fs::path& output : outputs()) {
+    if (output.parent_path() == place && is_such(output.filename().string())) {
+      refuse(output, "named twice: two files would become one");
+    }
+  }
+}
+
+}  // namespace occlude::render
