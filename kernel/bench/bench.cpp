@@ -2,11 +2,14 @@
 #include "bench.h"
 
 #include <algorithm>
+#include <array>
+#include <exception>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
 
 #include "batch.h"
 #include "kernel_subjects.h"
-#include "occlude/kernel/overlap.h"
-#include "peers/peers.h"
 #include "subject.h"
 
 namespace occlude::bench {
@@ -14,55 +17,37 @@ namespace {
 
 using kernel::Relation;
 
-std::vector<Relation> exact_answers(const Workload& workload) {
-  std::vector<Relation> answers;
-  answers.reserve(workload.boxes.size());
-  for (const kernel::Aabb& box : workload.boxes) {
-    answers.push_back(kernel::overlap_certified(workload.frustum, box).relation);
-  }
-  return answers;
-}
+constexpr std::array kPeers{"libccd", "FCL", "Bullet", "OpenSceneGraph"};
 
-WorkloadSummary summary(const Workload& workload, const std::vector<Relation>& truth) {
+WorkloadSummary summary(const Workload& workload) {
+  const std::vector<Relation> truth = exact_answers(workload);
   const auto count = [&](Relation relation) { return static_cast<std::size_t>(std::ranges::count(truth, relation)); };
   return {workload.name, workload.about, count(Relation::inside), count(Relation::partial), count(Relation::outside)};
 }
 
-std::size_t count_wrong(Question question, const std::vector<Relation>& answers, const std::vector<Relation>& truth) {
-  std::size_t wrong = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i) wrong += is_wrong(question, answers[i], truth[i]) ? 1 : 0;
-  return wrong;
+PeerResults peer_results(const Options& options, const Progress& progress) {
+  if (options.peers.empty()) return {};
+  return run_peers(
+      {options.peers, std::to_string(options.boxes), std::to_string(options.repetitions), std::to_string(options.seed)},
+      [&](std::size_t round) { progress(options.repetitions + round); });
 }
 
-/// Every subject on every workload, workload by workload.
-std::vector<Trial> make_trials(const std::vector<Workload>& workloads, const std::vector<Subject>& subjects) {
-  std::vector<Trial> trials;
-  for (const Workload& workload : workloads) {
-    for (const Subject& subject : subjects) {
-      trials.push_back({subject.prepare(workload), std::vector<Relation>(workload.boxes.size()), {}});
-    }
+void add_peers(Result& result, PeerResults&& found) {
+  for (const char* name : kPeers) {
+    const auto peer = std::ranges::find(found.peers, name, &PeerSummary::name);
+    result.peers.push_back(peer == found.peers.end() ? PeerSummary{name, ""} : *peer);
   }
-  return trials;
+  std::ranges::move(found.measurements, std::back_inserter(result.measurements));
 }
 
-/// Moves the installed peers' subjects to the others and notes who is there.
-std::vector<PeerSummary> add_peers(std::vector<Subject>& subjects) {
-  std::vector<PeerSummary> summaries;
-  for (Peer& peer : peers()) {
-    summaries.push_back({peer.name, peer.version});
-    std::ranges::move(peer.subjects, std::back_inserter(subjects));
-  }
-  return summaries;
-}
-
-std::string fastest_gjk(const Result& result, const std::vector<Subject>& subjects) {
+std::string fastest_gjk(const Result& result) {
   std::string fastest;
   double least = 0;
-  for (const Subject& subject : subjects) {
-    if (!subject.gjk) continue;
-    const double ns = median(find(result, subject.name, "random")->ns);
+  for (const Measurement& m : result.measurements) {
+    if (!m.gjk || m.workload != "random") continue;
+    const double ns = median(m.ns);
     if (fastest.empty() || ns < least) {
-      fastest = subject.name;
+      fastest = m.subject;
       least = ns;
     }
   }
@@ -77,23 +62,19 @@ Result run(const Options& options, const Progress& progress) {
   const std::vector<Workload> workloads = make_workloads(options.boxes, options.seed);
   std::vector<Subject> subjects = kernel_subjects();
   std::ranges::move(batch_subjects(), std::back_inserter(subjects));
-  result.peers = add_peers(subjects);
-  for (const Subject& subject : subjects) result.subjects.push_back(subject.name);
-
-  std::vector<Trial> trials = make_trials(workloads, subjects);
-  measure(trials, options.repetitions, progress);
-
-  auto trial = trials.begin();
-  for (const Workload& workload : workloads) {
-    const std::vector<Relation> truth = exact_answers(workload);
-    result.workloads.push_back(summary(workload, truth));
-    for (const Subject& subject : subjects) {
-      const std::size_t wrong = count_wrong(subject.question, trial->answers, truth);
-      result.measurements.push_back({subject.name, workload.name, std::move(trial->ns), wrong});
-      ++trial;
-    }
+  std::ranges::transform(workloads, std::back_inserter(result.workloads), summary);
+  result.measurements = measure(workloads, subjects, options.repetitions, progress);
+  PeerResults found;
+  try {
+    found = peer_results(options, progress);
+  } catch (const PeersFault& fault) {
+    result.peers_fault = fault.what();
   }
-  result.fastest_gjk = fastest_gjk(result, subjects);
+  add_peers(result, std::move(found));
+  for (const Measurement& m : result.measurements) {
+    if (m.workload == workloads[0].name) result.subjects.push_back(m.subject);
+  }
+  result.fastest_gjk = fastest_gjk(result);
   result.costs = measured_costs(workloads);
   return result;
 }

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "measure.h"
+#include "measurement.h"
+#include "peer_results.h"
 #include "table1.h"
 #include "workloads.h"
 
@@ -19,13 +20,7 @@ struct Options {
   std::size_t boxes = 32'768;  ///< of each workload
   std::size_t repetitions = 15;
   std::uint64_t seed = kDefaultSeed;
-};
-
-/// A subject on a workload.
-struct Measurement {
-  std::string subject, workload;
-  std::vector<double> ns;  ///< a box, one number a round
-  std::size_t wrong = 0;   ///< boxes answered wrongly
+  std::string peers;  ///< the program that measures other projects' tests; empty: none
 };
 
 struct WorkloadSummary {
@@ -33,20 +28,18 @@ struct WorkloadSummary {
   std::size_t inside = 0, partial = 0, outside = 0;  ///< boxes, by the exact answer
 };
 
-struct PeerSummary {
-  std::string name, version;  ///< no version: not installed
-};
-
 struct Result {
   Options options;
   std::vector<WorkloadSummary> workloads;
   std::vector<std::string> subjects;
   std::vector<Measurement> measurements;
-  std::string fastest_gjk;  ///< of the subjects that are of the GJK kind, on `random`; none where none is installed
-  std::vector<PeerSummary> peers;
+  std::string fastest_gjk;         ///< of the subjects that are of the GJK kind, on `random`; none where none is installed
+  std::vector<PeerSummary> peers;  ///< all that we know of
+  std::string peers_fault;         ///< why their program gave nothing, if there is one
   std::vector<Cost> costs;
 };
 
+/// Tells `progress` the rounds of the kernel's tests, and then those of the peers, as many again.
 [[nodiscard]] Result run(const Options& options, const Progress& progress);
 
 /// The measurement of a subject on a workload, if there is one.

@@ -3,6 +3,7 @@
 
 #include "naive.h"
 #include "occlude/kernel/overlap.h"
+#include "peer_results.h"
 
 namespace occlude::bench {
 namespace {
@@ -24,12 +25,18 @@ Pass prepare_naive(const Workload& workload) {
   });
 }
 
+Subject certified_overlap(const char* name) {
+  return kernel_subject(name, Question::relation,
+                        [](const ShadowFrustum& f, const Aabb& b) { return kernel::overlap_certified(f, b).relation; });
+}
+
 }  // namespace
+
+Subject reference_subject() { return certified_overlap(kReference); }
 
 std::vector<Subject> kernel_subjects() {
   return {
-      kernel_subject("overlap_certified", Question::relation,
-                     [](const ShadowFrustum& f, const Aabb& b) { return kernel::overlap_certified(f, b).relation; }),
+      certified_overlap("overlap_certified"),
       kernel_subject("overlap_plain", Question::relation,
                      [](const ShadowFrustum& f, const Aabb& b) { return kernel::overlap_plain(f, b); }),
       kernel_subject("conservative_certified", Question::conservative,

@@ -10,4 +10,7 @@ namespace occlude::bench {
 
 [[nodiscard]] std::vector<Subject> kernel_subjects();
 
+/// The certified overlap test under the name by which peers are compared to it.
+[[nodiscard]] Subject reference_subject();
+
 }  // namespace occlude::bench

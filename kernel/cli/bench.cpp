@@ -2,14 +2,16 @@
 // occlude bench kernel
 #include "bench.h"
 
-#include <fmt/core.h>
-
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "occlude/render/console.h"
 #include "occlude/render/machine.h"
 #include "occlude/render/progress.h"
 #include "report.h"
@@ -23,19 +25,29 @@ struct Arguments {
   bool json = false;
 };
 
+/// The program that measures other projects' tests, where it was built; it lies beside this one.
+std::string peers_program() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).replace_filename("occlude_peers");
+  return std::filesystem::exists(program, error) ? program.string() : "";
+}
+
 void bench_kernel(Arguments& arguments) {
   arguments.options.seed = whole_number("--seed", arguments.seed);
-  std::optional<render::Progress> progress(std::in_place, "round", arguments.options.repetitions);
+  arguments.options.peers = peers_program();
+  const std::size_t rounds = arguments.options.repetitions * (arguments.options.peers.empty() ? 1 : 2);
+  std::optional<render::Progress> progress(std::in_place, "round", rounds);
   const bench::Result result = bench::run(arguments.options, [&](std::size_t done) {
     render::check_interrupt();
     progress->update(done);
   });
   progress.reset();
+  if (!result.peers_fault.empty()) render::say(result.peers_fault + ": other projects are not measured\n");
   const bench::Machine machine{.processor = render::processor_name(),
                                .compiler = render::compiler_name(),
                                .flags = OCCLUDE_BENCH_FLAGS,
                                .threads = std::thread::hardware_concurrency()};
-  fmt::print("{}", arguments.json ? report_json(result, machine) : report_text(result, machine));
+  render::print(arguments.json ? report_json(result, machine) : report_text(result, machine));
 }
 
 }  // namespace

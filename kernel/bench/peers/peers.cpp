@@ -5,28 +5,20 @@ namespace occlude::bench {
 
 // The build defines the version of each library that it found.
 std::vector<Peer> peers() {
-  return {
+  std::vector<Peer> installed;
 #ifdef OCCLUDE_BENCH_LIBCCD
-      {"libccd", OCCLUDE_BENCH_LIBCCD, libccd_subjects()},
-#else
-      {"libccd", {}, {}},
+  installed.push_back({"libccd", OCCLUDE_BENCH_LIBCCD, libccd_subjects()});
 #endif
 #ifdef OCCLUDE_BENCH_FCL
-      {"FCL", OCCLUDE_BENCH_FCL, fcl_subjects()},
-#else
-      {"FCL", {}, {}},
+  installed.push_back({"FCL", OCCLUDE_BENCH_FCL, fcl_subjects()});
 #endif
 #ifdef OCCLUDE_BENCH_BULLET
-      {"Bullet", OCCLUDE_BENCH_BULLET, bullet_subjects()},
-#else
-      {"Bullet", {}, {}},
+  installed.push_back({"Bullet", OCCLUDE_BENCH_BULLET, bullet_subjects()});
 #endif
 #ifdef OCCLUDE_BENCH_OSG
-      {"OpenSceneGraph", OCCLUDE_BENCH_OSG, osg_subjects()},
-#else
-      {"OpenSceneGraph", {}, {}},
+  installed.push_back({"OpenSceneGraph", OCCLUDE_BENCH_OSG, osg_subjects()});
 #endif
-  };
+  return installed;
 }
 
 }  // namespace occlude::bench

@@ -10,11 +10,11 @@
 namespace occlude::bench {
 
 struct Peer {
-  std::string name, version;      ///< no version: not installed
+  std::string name, version;
   std::vector<Subject> subjects;  ///< the ways in which it can be asked
 };
 
-/// All that we know of, installed or not.
+/// Those that are installed.
 [[nodiscard]] std::vector<Peer> peers();
 
 // One a file, which is compiled where the library was found.
