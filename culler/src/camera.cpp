@@ -16,17 +16,23 @@ namespace {
 /// border (2^-12 of the picture's width at 2048 pixels). The near and far planes move by the same fraction.
 constexpr double kMargin = 0x1p-20;
 
-/// Coefficients below this fraction of the normal's length are dropped so that all stay within the kernel's legal range.
+/// Components of normals and of the line of sight below this fraction of their length are dropped, so that all stay within
+/// the kernel's legal range: far below what rounding turns them by, which is 2^-53.
 constexpr double kNegligible = 0x1p-60;
+
+/// REQUIRES: a length of 1, up to rounding.
+glm::dvec3 without_negligible(glm::dvec3 v) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::fabs(v[axis]) < kNegligible) v[axis] = 0;
+  }
+  return v;
+}
 
 /// The half-space beyond `point` along `inward`, moved outward by more than rounding moves it: the offset sums three
 /// products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient, and a normal off by a few
 /// roundings tilts the plane by as much at `reach` from the point.
 HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double reach) {
-  glm::dvec3 normal = inward / glm::length(inward);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::fabs(normal[axis]) < kNegligible) normal[axis] = 0;
-  }
+  const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
   const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + reach;
   return {normal, -glm::dot(normal, point) + 0x1p-48 * size};
 }
@@ -61,7 +67,7 @@ std::string fault(const Camera& camera) {
 }
 
 Camera::Axes Camera::axes() const {
-  const glm::dvec3 forward = glm::normalize(target - eye);
+  const glm::dvec3 forward = without_negligible(glm::normalize(target - eye));
   const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
   return {right, glm::cross(right, forward), forward};
 }

@@ -12,10 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "bounds.h"
 #include "frames.h"
 #include "occlude/culler/occluder_history.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
+#include "occlude/kernel/validity.h"
 #include "scenes.h"
 #include "view_memory.h"
 
@@ -140,6 +142,24 @@ TEST(Culler, ParallelRaysHideWhatIsBehindAWallAndNotWhatIsBefore) {
   EXPECT_FALSE(is_drawn(culler, frame, 2));
 }
 
+/// A line of sight that is turned from an axis by less than the kernel has numbers for.
+TEST(Culler, ParallelRaysHideThoughTheyAreTurnedByNextToNothing) {
+  PolygonSoup soup;
+  add_wall(soup, 4, -2, 2, -2, 2);
+  add_wall(soup, 6, -1, 1, -1, 1);
+  const Culler culler = one_polygon_leaves(soup);
+  Camera camera;
+  camera.projection = Projection::orthographic;
+  camera.height = 10;
+  for (const double turned : {1e-29, -1e-29, 1e-27, 1e-20, 1e-12, 0.0}) {
+    camera.target = {1000, 0, turned};
+    ASSERT_EQ(fault(camera), "");
+    EXPECT_EQ(camera.viewpoint().value, to_kernel(camera.axes().forward));
+    EXPECT_EQ(kernel::check(camera.viewpoint()), kernel::Refusal::none);
+    EXPECT_FALSE(is_drawn(culler, culler.cull(camera), 1)) << turned;
+  }
+}
+
 TEST(Culler, GapsOfOneUlpBetweenWallsStayOpen) {
   PolygonSoup soup;
   add_wall(soup, 2, -1, 0, -1, 1);
@@ -225,6 +245,30 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
   }
 }
 
+/// Points that parallel rays show at the very edges of the picture, farther and farther away: the axes are (0.6, 0.8, 0) and
+/// (0.8, -0.6, 0), which no double is, and the points whole.
+TEST(ViewFrustum, HoldsWhatParallelRaysShowHoweverFarAway) {
+  Camera camera;
+  camera.projection = Projection::orthographic;
+  camera.target = {3, 4, 0};
+  camera.height = 10;
+  camera.aspect = 1;
+  for (const double away : {1.0, 0x1p20, 0x1p30, 0x1p40, 0x1p50}) {
+    std::vector<HalfSpace> planes;
+    append_view_frustum(camera, 8 * away, planes);
+    for (const double side : {-1.0, 1.0}) {
+      for (const double height : {-5.0, 5.0}) {
+        const kernel::Vec3 shown{3 * away + side * 4, 4 * away - side * 3, height};
+        for (const HalfSpace& h : planes) {
+          EXPECT_EQ(kernel::relation(to_kernel(h), kernel::Aabb{shown, shown}, kernel::Arithmetic::certified),
+                    kernel::Relation::inside)
+              << away;
+        }
+      }
+    }
+  }
+}
+
 TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_EQ(refusal([] { Culler(PolygonSoup{}); }), "the soup has no polygon");
   PolygonSoup soup = random_town(4, 100);
@@ -279,6 +323,22 @@ TEST(Culler, AShellDoesNotHideItself) {
     ASSERT_TRUE(culler.occluders().is_shell(frame.occluders.at(0).index));
     for (std::uint32_t face = 0; face < 6; ++face) EXPECT_TRUE(is_drawn(culler, frame, face));
     EXPECT_FALSE(is_drawn(culler, frame, 6));
+  }
+}
+
+/// The same for one of two that are asked together: the other is a wall that goes on from an edge of its front, and looks
+/// smaller than it or larger, so that each is the second of the two once. The edge has a vertex more in the wall: what three
+/// polygons share is of no shell.
+TEST(Culler, AShellInAPairDoesNotHideItself) {
+  for (const double y : {1.0, 0.1}) {
+    PolygonSoup soup;
+    add_box(soup, {2, -y, -1}, {4, y, 1});
+    add(soup, {{2, y, -1}, {2.1, y + 1, -1}, {2.1, y + 1, 1}, {2, y, 1}, {2, y, 0}});
+    const Culler culler = one_polygon_leaves(soup);
+    const CullResult frame = look(culler, {.occluders = 2, .unions = true});
+    ASSERT_EQ(frame.pairs.size(), 1U);
+    EXPECT_EQ(culler.occluders().is_shell(frame.occluders.at(frame.pairs[0].second).index), y < 1);
+    for (std::uint32_t face = 0; face < 6; ++face) EXPECT_TRUE(is_drawn(culler, frame, face)) << "face " << face;
   }
 }
 

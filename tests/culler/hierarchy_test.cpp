@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <set>
+#include <variant>
 
 #include "occlude/kernel/containment.h"
 #include "scenes.h"
@@ -85,6 +86,35 @@ TEST(Hierarchy, OrientedBoxesHoldTheirPolygonsExactly) {
   const Hierarchy hierarchy = Hierarchy::build(far, {.leaf_size = 4, .bounds = Bounds::obb});
   check(far, hierarchy, 4);
   EXPECT_GT(hierarchy.oriented(), 200U);
+}
+
+/// A town along a street that is parallel to no axis: boxes of any size are worth turning.
+PolygonSoup street() {
+  PolygonSoup soup = random_town(7, 30000);
+  for (glm::dvec3& v : soup.vertices) v = {0.8 * v.x - 0.06 * v.y, 0.6 * v.x + 0.08 * v.y, v.z};
+  return soup;
+}
+
+/// What is stored of a tree gives the same tree, of a large model too.
+TEST(Hierarchy, LargeTreesHoldTheirPolygonsAndAreRestoredAsTheyWere) {
+  const PolygonSoup soup = street();
+  for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
+    const Hierarchy::Config config{.leaf_size = 4, .bounds = bounds};
+    const Hierarchy built = Hierarchy::build(soup, config);
+    check(soup, built, 4);
+    std::size_t large = 0;  // oriented boxes of many polygons
+    for (std::uint32_t n = 0; n < built.nodes().size(); ++n) {
+      const bool is_oriented = std::holds_alternative<occlude::kernel::Obb>(built.volume(n));
+      large += is_oriented && built.nodes()[n].count > 1000 ? 1 : 0;
+    }
+    EXPECT_EQ(large > 10, bounds == Bounds::obb) << large;
+
+    const Hierarchy restored = Hierarchy::restore(soup, config, built.layout());
+    check(soup, restored, 4);
+    ASSERT_EQ(restored.nodes().size(), built.nodes().size());
+    for (std::uint32_t n = 0; n < built.nodes().size(); ++n) ASSERT_EQ(restored.volume(n), built.volume(n)) << "node " << n;
+    for (std::size_t p = 0; p < soup.size(); ++p) ASSERT_EQ(restored.original(p), built.original(p)) << "polygon " << p;
+  }
 }
 
 /// What is parallel to the axes keeps its axis-aligned boxes; turned by 45 degrees a wall's box shrinks to the wall.

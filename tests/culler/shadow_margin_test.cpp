@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "bounds.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"
@@ -73,20 +74,35 @@ class Margin : public testing::TestWithParam<Projection> {
     return kernel::ShadowFrustum::make(viewpoint, loop_, near).frustum.value();
   }
 
+  /// Behind a point near the middle of the pentagon, beyond the near plane by less than a unit.
+  [[nodiscard]] kernel::Vec3 beyond_near_plane(const kernel::ShadowFrustum& shadow, std::mt19937& random) const {
+    const glm::dvec3 middle = camera_.target + glm::dvec3{uniform(random, -0.1, 0.1), uniform(random, -1, 1), 0};
+    const glm::dvec3 ray = GetParam() == Projection::perspective ? middle - camera_.eye : camera_.axes().forward;
+    const kernel::FilterPlane& near = shadow.filter_planes()[0];
+    const glm::dvec3 normal = to_glm(near.normal), from_origin = middle - to_glm(shadow.origin());
+    const double to_plane = -(glm::dot(normal, from_origin) + near.offset) / glm::dot(normal, ray);
+    return to_kernel(middle + (to_plane + uniform(random, 0, 1) / glm::length(ray)) * ray);
+  }
+
   Camera camera_;
   std::vector<kernel::Vec3> loop_;
 };
 
+/// Anywhere behind the pentagon and beside it, or just beyond the near plane of its shadow.
 TEST_P(Margin, KeepsWhatStaysInTheShadowHoweverItIsMoved) {
   const ShadowMargin margin(camera_, kShare, 0);
   for (const kernel::Near near : {kernel::Near::surface, kernel::Near::farthest}) {
     const kernel::ShadowFrustum frustum = shadow(near);
     std::mt19937 random(11);
-    int kept = 0, lost = 0;
-    for (int i = 0; i < 4000; ++i) {
-      const kernel::Vec3 low{uniform(random, 9, 40), uniform(random, -3, 9), uniform(random, -4, 8)};
+    int kept = 0, lost = 0, lost_to_the_near_plane = 0;
+    for (int i = 0; i < 8000; ++i) {
+      const bool is_near = i % 2 == 1;
+      const kernel::Vec3 low = is_near
+                                   ? beyond_near_plane(frustum, random)
+                                   : kernel::Vec3{uniform(random, 9, 40), uniform(random, -3, 9), uniform(random, -4, 8)};
+      const double size = is_near ? 0.01 : 0.5;
       const kernel::Aabb box{
-          low, {low.x + uniform(random, 0, 0.5), low.y + uniform(random, 0, 0.5), low.z + uniform(random, 0, 0.5)}};
+          low, {low.x + uniform(random, 0, size), low.y + uniform(random, 0, size), low.z + uniform(random, 0, size)}};
       if (kernel::overlap_certified(frustum, box).relation != Relation::inside) continue;
       const glm::dvec3 half = 0.5 * glm::dvec3{box.max.x - low.x, box.max.y - low.y, box.max.z - low.z};
       const kernel::Obb same{{low.x + half.x, low.y + half.y, low.z + half.z},
@@ -96,9 +112,13 @@ TEST_P(Margin, KeepsWhatStaysInTheShadowHoweverItIsMoved) {
       // A polygon of moves is less than the circle, by half of the square of its angle.
       EXPECT_EQ(holds_moved(frustum, box, camera_, kShare * (keeps ? 1 - 1e-9 : 1 + 1e-3)), keeps);
       ++(keeps ? kept : lost);
+      lost_to_the_near_plane += is_near && !keeps ? 1 : 0;
     }
     EXPECT_GT(kept, 100);
     EXPECT_GT(lost, 20);
+    // What is farthest along parallel rays is so wherever it is moved in the picture.
+    const bool is_across = near == kernel::Near::farthest && GetParam() == Projection::orthographic;
+    EXPECT_EQ(lost_to_the_near_plane > 100, !is_across) << lost_to_the_near_plane;
   }
 }
 
@@ -111,6 +131,28 @@ TEST_P(Margin, OfNoneIsTheShadowItself) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspective, Projection::orthographic));
+
+/// A wall at distance 10 that hides 10 to each side, and points behind it, for a renderer whose positions are out by 0.01.
+/// Those of the wall move the shadow's border by 0.01 at the wall, and with the distance; those of what is behind, and the
+/// near plane, by as much along the planes' normals on top, twice.
+TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
+  constexpr double kRounding = 0.01, kDepth = 0x1p21 * kRounding, kNone = 1e-12;
+  const std::vector<kernel::Vec3> wall{{10, -10, -10}, {10, 10, -10}, {10, 10, 10}, {10, -10, 10}};
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    const bool perspective = projection == Projection::perspective;
+    Camera camera;
+    camera.projection = projection;
+    const auto shadow = kernel::ShadowFrustum::make(camera.viewpoint(), wall, kernel::Near::surface).frustum.value();
+    const ShadowMargin margin(camera, kNone, kDepth);
+    const auto keeps = [&](double x, double y) { return margin.keeps(shadow, kernel::Aabb{{x, y, 0}, {x, y, 0}}); };
+    // The planes are x = y and y = 10.
+    const double side = perspective ? 20 - 2 * kRounding - 2 * kRounding * std::sqrt(2) : 10 - kRounding - 2 * kRounding;
+    EXPECT_TRUE(keeps(20, side - 1e-6));
+    EXPECT_FALSE(keeps(20, side + 1e-6));
+    EXPECT_TRUE(keeps(10 + 2 * kRounding + 1e-6, 0));
+    EXPECT_FALSE(keeps(10 + 2 * kRounding - 1e-6, 0));
+  }
+}
 
 /// A wall at distance 10 that hides 10 to each side, and one at 20 that reaches to `side`.
 bool is_drawn_behind(double side, const CullOptions& options) {
@@ -127,6 +169,20 @@ TEST(CullOptions, AMarginDrawsWhatIsHiddenByLess) {
   EXPECT_FALSE(is_drawn_behind(20, {}));
   EXPECT_FALSE(is_drawn_behind(20 - 1.01 * margin, {.margin = kShare}));
   EXPECT_TRUE(is_drawn_behind(20 - 0.99 * margin, {.margin = kShare}));
+}
+
+TEST(CullOptions, AMarginHoldsForQueries) {
+  const double margin = kShare * 40 * std::tan(glm::radians(30.0));
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 10, -10, 10);
+  const Culler culler(soup);
+  const auto point_at = [](double y) { return Box(kernel::Aabb{{20, y, 0}, {20, y, 0}}); };
+  View view;
+  culler.cull(Camera{}, {}, view);
+  EXPECT_EQ(view.visibility(point_at(20 - 0.99 * margin)), Visibility::occluded);
+  culler.cull(Camera{}, {.margin = kShare}, view);
+  EXPECT_EQ(view.visibility(point_at(20 - 0.99 * margin)), Visibility::visible);
+  EXPECT_EQ(view.visibility(point_at(20 - 1.01 * margin)), Visibility::occluded);
 }
 
 /// The wall is in two, side by side: only both together hide what is behind.

@@ -454,6 +454,20 @@ inline Rows cube_rows(const std::string& form_name, CubeForm form) {
   return rows;
 }
 
+/// Long to both sides, along the rays: its values at the planes are small differences of numbers as large as it is long, of
+/// planes whose coefficients round. The middle is just beside the shadow.
+inline Rows long_box_rows() {
+  const Vec3 along{-41943040, -41943040, 58720256};
+  const auto box = [](const Vec3& a, const Vec3& b, const Vec3& c) { return Obb{{-496.25, -491, 696}, {a, b, c}}; };
+  return rows_of({"long_box", Viewpoint::direction({-5, -5, 7}),
+                  Loop{{7.000000000000002, 8.000000000000002, -4}, {3, 8, -4}, {6, 12, -3.9999999999999996}}, surface},
+                 {
+                     {"beside_the_shadow_by_its_first_half_edge", box(along, {}, {}), outside, exact},
+                     {"beside_the_shadow_by_its_second_half_edge", box({}, along, {}), outside, exact},
+                     {"beside_the_shadow_by_its_third_half_edge", box({}, {}, along), outside, exact},
+                 });
+}
+
 /// The wall seen along x: the prism |y|, |z| <= 1; along (1, 1, 0): -3 <= y - x <= -1, |z| <= 1, for `farthest` from
 /// (2, 1, -1) on: x + y >= 3.
 inline Rows direction_rows() {
@@ -496,12 +510,26 @@ inline Rows direction_rows() {
 inline std::vector<DegenerateRow> degenerate_rows() {
   using namespace degenerate;
   Rows rows;
-  for (const Rows& group : {wall_rows(), tie_rows(), farthest_rows(), hair_rows(), scaled_rows(), offset_rows(),
-                            many_sided_rows({-31, -1, 0, 20, 31}), short_edge_rows("edge_of_1e_9", 1e-9, false),
-                            short_edge_rows("edge_of_2_to_minus_30", 0x1p-30, true), collinear_rows(), edge_rows(),
-                            ceiling_rows(), rotated_box_rows(), skew_box_rows(), thin_box_rows(),
-                            cube_rows("cube", CubeForm::quadrilaterals), cube_rows("triangulated_cube", CubeForm::triangles),
-                            cube_rows("cube_with_t_junction", CubeForm::with_t_junction), direction_rows()}) {
+  for (const Rows& group : {wall_rows(),
+                            tie_rows(),
+                            farthest_rows(),
+                            hair_rows(),
+                            scaled_rows(),
+                            offset_rows(),
+                            many_sided_rows({-31, -1, 0, 20, 31}),
+                            short_edge_rows("edge_of_1e_9", 1e-9, false),
+                            short_edge_rows("edge_of_2_to_minus_30", 0x1p-30, true),
+                            collinear_rows(),
+                            edge_rows(),
+                            ceiling_rows(),
+                            rotated_box_rows(),
+                            skew_box_rows(),
+                            thin_box_rows(),
+                            cube_rows("cube", CubeForm::quadrilaterals),
+                            cube_rows("triangulated_cube", CubeForm::triangles),
+                            cube_rows("cube_with_t_junction", CubeForm::with_t_junction),
+                            long_box_rows(),
+                            direction_rows()}) {
     rows.insert(rows.end(), group.begin(), group.end());
   }
   return rows;

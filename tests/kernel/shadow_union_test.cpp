@@ -75,6 +75,27 @@ TEST(ShadowUnion, OpenNearBoundaryDrawsWhatIsCoplanar) {
             Relation::inside);
 }
 
+/// A wall and a cube that share an edge, seen from where the cube shows two faces: three near planes, of which the box
+/// reaches the last at one corner.
+TEST(ShadowUnion, EachShadowHasItsOwnNearPlanes) {
+  const Viewpoint eye = Viewpoint::eye({0.5, -5, 0.5});
+  const std::vector<Vec3> loop{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+  Polytope solid{{}, {{0, 2, 6, 4}, {0, 1, 5, 4}, {1, 3, 7, 5}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};  // x = 1 first
+  for (unsigned i = 0; i < 8; ++i) solid.vertices.push_back({i & 1U ? 2.0 : 1.0, i & 2U ? 1.0 : 0.0, i & 4U ? 1.0 : 0.0});
+  const ShadowFrustum wall = *ShadowFrustum::make(eye, loop, Near::surface).frustum;
+  const ShadowFrustum cube = *ShadowFrustum::make(eye, *ConvexPolytope::make(solid).polytope, Near::surface).frustum;
+  ASSERT_EQ(cube.near_count(), 2U);
+  const auto box = [](double y) {
+    return Obb{{1.25, y, 0.5}, {Vec3{0.25, -0.5, 0}, Vec3{-0.25, 0.125, 0}, Vec3{0, 0, 0.125}}};
+  };
+  for (const ShadowUnion& both : {ShadowUnion{wall, cube}, ShadowUnion{cube, wall}}) {
+    EXPECT_EQ(overlap_certified(both, box(0.625), NearBoundary::closed).relation, Relation::inside);
+    EXPECT_EQ(overlap_certified(both, box(0.625), NearBoundary::open).relation, Relation::partial);
+    EXPECT_EQ(overlap_certified(both, box(std::nextafter(0.625, 1)), NearBoundary::open).relation, Relation::inside);
+    EXPECT_EQ(overlap_certified(both, box(std::nextafter(0.625, 0)), NearBoundary::closed).relation, Relation::partial);
+  }
+}
+
 /// Every point of a grid in the box is in one of the shadows when the answer is inside, in none when it is outside; when it
 /// is partial, some point is in one and, mostly, some in none.
 TEST(ShadowUnion, AgreesWithPoints) {

@@ -27,7 +27,8 @@ struct Camera {
   double near = 0.1;           ///< distance of the near plane from the eye, model units
   double far = std::numeric_limits<double>::infinity();
 
-  /// Orthonormal axes of the picture: right, up, forward.
+  /// Orthonormal axes of the picture up to rounding: right, up, forward. Every direction there is of the line of sight is
+  /// `forward`, which the kernel takes for a viewpoint.
   struct Axes {
     glm::dvec3 right, up, forward;
   };
