@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_union.h"
+#include "picture_margin.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {
@@ -60,7 +62,8 @@ void add_wall(Random& random, PolygonSoup& soup, int reach, int size) {
   add_quadrilateral(soup, {corner, corner + along, opposite, last}, is_whole);
 }
 
-/// A closed box, upright or skew, its sides up to `size`, of 6 faces or 12; or some of its faces, which meet in edges.
+/// A closed box, upright or skew, its sides up to `size`, of 6 faces or 12, on its own or with a wall that goes on from an
+/// edge; or some of its faces, which meet in edges.
 void add_block(Random& random, PolygonSoup& soup, int reach, int size) {
   const auto side = [&] { return static_cast<double>(random.integer(1, size)); };
   const dvec3 x{side(), 0, 0}, y{0, side(), 0};
@@ -73,10 +76,24 @@ void add_block(Random& random, PolygonSoup& soup, int reach, int size) {
     if (random.chance(kept)) add_quadrilateral(soup, {low, low + b, low + a + b, low + a}, is_whole);
     if (random.chance(kept)) add_quadrilateral(soup, {high, high - a, high - a - b, high - b}, is_whole);
   }
+  if (random.chance(0.5)) return;
+  // With a vertex more in the edge: what three polygons share is of no closed box.
+  const dvec3 away = lattice_point(random, size);
+  add_loop(soup, {high, high - 0.5 * z, high - z, high - z + away, high + away});
 }
 
 void add_triangle(Random& random, PolygonSoup& soup, int reach) {
   add_loop(soup, {lattice_point(random, reach), lattice_point(random, reach), lattice_point(random, reach)});
+}
+
+/// Parallel to a polygon, half as large and before its middle, or behind it, or in its plane: a hair away along an axis.
+void add_poster(Random& random, PolygonSoup& soup) {
+  const auto loop = soup.loop(random.index(soup.size()));
+  const dvec3 a = soup.vertices[loop[0]], b = soup.vertices[loop[1]], c = soup.vertices[loop[2]];
+  const dvec3 along = 0.5 * (b - a), across = 0.5 * (c - b);
+  dvec3 corner = a + 0.5 * along + 0.5 * across;
+  corner[random.integer(0, 2)] += random.integer(-2, 2) * 0x1p-18;
+  add_quadrilateral(soup, {corner, corner + along, corner + along + across, corner + across}, random.chance(0.5));
 }
 
 /// A loop in a plane along two axes that turns as it likes: its fan folds over.
@@ -127,6 +144,7 @@ PolygonSoup some_soup(Random& random) {
   for (int things = random.integer(15, 30); things > 0; --things) {
     (random.chance(0.95) ? add_wall : add_block)(random, soup, 2 * kReach, 2);
   }
+  for (int posters = random.integer(0, 4); posters > 0; --posters) add_poster(random, soup);
   for (int others = random.integer(0, 4); others > 0; --others) {
     (random.chance(0.5) ? add_triangle : add_occluder_of_case)(random, soup, kReach);
   }
@@ -181,7 +199,7 @@ CullOptions some_options(Random& random) {
   options.unions = random.chance(0.5);
   if (random.chance(0.3)) options.near = kernel::Near::farthest;
   if (random.chance(0.3)) options.test = kernel::Test::overlap;
-  if (random.chance(0.2)) options.margin = std::array{0x1p-20, 0x1p-6, 1.0}[random.index(3)];
+  if (random.chance(0.2)) options.margin = std::array{0x1p-80, 0x1p-20, 0x1p-6, 1.0}[random.index(4)];
   return options;
 }
 
@@ -194,15 +212,49 @@ culler::BuildConfig some_config(Random& random) {
   return config;
 }
 
-/// What a traversal does that asks every half-space, every shadow and every pair of shadows at every node.
+/// Every half-space, every shadow and every pair of shadows of a frame, asked about one box.
+class BruteForce {
+ public:
+  BruteForce(const CullOptions& options, const CullResult& frame, const PictureMargin& margin)
+      : options_(options), frame_(frame), margin_(margin) {}
+
+  template <class AnyBox>
+  [[nodiscard]] bool is_out_of_view(const AnyBox& box) const {
+    return std::ranges::any_of(frame_.view, [&](const culler::HalfSpace& h) {
+      const kernel::HalfSpace plane{{h.normal.x, h.normal.y, h.normal.z}, h.offset};
+      return kernel::relation(plane, box, options_.arithmetic) == kernel::Relation::outside;
+    });
+  }
+
+  /// Occluders that must not hide the box are left out.
+  template <class AnyBox, class MayHide>
+  [[nodiscard]] bool is_hidden(const AnyBox& box, const MayHide& may_hide) const {
+    const auto hides = [&](const culler::Occluder& occluder) {
+      const kernel::Decision decision =
+          kernel::decide(occluder.frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
+      return decision.relation == kernel::Relation::inside && margin_.keeps(occluder.frustum, box) && may_hide(occluder);
+    };
+    const auto hide_together = [&](const culler::ShadowPair& pair) {
+      const culler::Occluder &first = frame_.occluders[pair.first], &second = frame_.occluders[pair.second];
+      const kernel::ShadowUnion both{first.frustum, second.frustum};
+      return may_hide(first) && may_hide(second) &&
+             kernel::overlap_certified(both, box, kernel::NearBoundary::open).relation == kernel::Relation::inside &&
+             margin_.keeps(both, box);
+    };
+    return std::ranges::any_of(frame_.occluders, hides) || std::ranges::any_of(frame_.pairs, hide_together);
+  }
+
+ private:
+  const CullOptions& options_;
+  const CullResult& frame_;
+  const PictureMargin& margin_;
+};
+
+/// What a traversal draws that asks all of that at every node.
 class Twin {
  public:
-  Twin(const Culler& culler, const CullOptions& options, const CullResult& result)
-      : hierarchy_(culler.hierarchy()),
-        occluders_(culler.occluders()),
-        options_(options),
-        result_(result),
-        drawn_(hierarchy_.soup().size()) {
+  Twin(const Culler& culler, const BruteForce& ask)
+      : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), ask_(ask), drawn_(hierarchy_.soup().size()) {
     visit(0);
   }
 
@@ -215,32 +267,11 @@ class Twin {
                                [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
   }
 
-  template <class Volume>
-  bool is_culled(const culler::HierarchyNode& node, const Volume& box) const {
-    for (const culler::HalfSpace& h : result_.view) {
-      const kernel::HalfSpace plane{{h.normal.x, h.normal.y, h.normal.z}, h.offset};
-      if (kernel::relation(plane, box, options_.arithmetic) == kernel::Relation::outside) return true;
-    }
-    for (const culler::Occluder& occluder : result_.occluders) {
-      const kernel::Decision decision =
-          kernel::decide(occluder.frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
-      if (decision.relation == kernel::Relation::inside && result_.margin.keeps(occluder.frustum, box) &&
-          !holds_part(node, occluder)) {
-        return true;
-      }
-    }
-    return std::ranges::any_of(result_.pairs, [&](const culler::ShadowPair& pair) {
-      const culler::Occluder &first = result_.occluders[pair.first], &second = result_.occluders[pair.second];
-      if (holds_part(node, first) || holds_part(node, second)) return false;
-      const kernel::ShadowUnion both{first.frustum, second.frustum};
-      return kernel::overlap_certified(both, box, kernel::NearBoundary::open).relation == kernel::Relation::inside &&
-             result_.margin.keeps(both, box);
-    });
-  }
-
   void visit(std::uint32_t index) {
     const auto& node = hierarchy_.nodes()[index];
-    if (hierarchy_.ask(index, [&](const auto& box) { return is_culled(node, box); })) return;
+    const auto may_hide = [&](const culler::Occluder& occluder) { return !holds_part(node, occluder); };
+    const auto is_culled = [&](const auto& box) { return ask_.is_out_of_view(box) || ask_.is_hidden(box, may_hide); };
+    if (hierarchy_.ask(index, is_culled)) return;
     if (node.is_leaf()) {
       for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) drawn_[p] = true;
       return;
@@ -251,8 +282,7 @@ class Twin {
 
   const culler::Hierarchy& hierarchy_;
   const culler::PotentialOccluders& occluders_;
-  const CullOptions& options_;
-  const CullResult& result_;
+  const BruteForce& ask_;
   std::vector<bool> drawn_;
 };
 
@@ -274,18 +304,51 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
          std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());
 }
 
+/// How far from the eye the model reaches.
+double farthest_vertex(const PolygonSoup& soup, const dvec3& eye) {
+  double result = 0;
+  for (const dvec3& v : soup.vertices) result = std::max(result, glm::distance(v, eye));
+  return result;
+}
+
+/// Whether what the frame's view says of the boxes of the tree is no more than `most` says, and no less than `least`.
+std::string fault_of_queries(const Culler& culler, const culler::View& view, const BruteForce& most,
+                             const BruteForce& least) {
+  const auto all_hide = [](const culler::Occluder&) { return true; };
+  for (std::uint32_t node = 0; node < culler.hierarchy().nodes().size(); ++node) {
+    const culler::Visibility answer = view.visibility(culler.hierarchy().volume(node));
+    const bool is_right = culler.hierarchy().ask(node, [&](const auto& box) {
+      if (most.is_out_of_view(box)) return answer == culler::Visibility::out_of_view;
+      return answer == culler::Visibility::occluded  ? most.is_hidden(box, all_hide)
+             : answer == culler::Visibility::visible ? !least.is_hidden(box, all_hide)
+                                                     : false;
+    });
+    if (!is_right) return "a query about the box of a node is answered wrongly";
+  }
+  return "";
+}
+
 std::string fault_of_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
-                           const CullResult& result) {
+                           const culler::View& view) {
+  const CullResult& result = view.result();
   if (std::string fault = fault_of(culler, camera, options, result); !fault.empty()) return fault;
   for (const culler::Occluder& occluder : result.occluders) {
     if (!is_of_this_frame(culler, camera, options, occluder)) return "a shadow is not the one that its occluder casts";
   }
+  const double farthest = farthest_vertex(culler.hierarchy().soup(), camera.eye);
+  const PictureMargin culls(camera, options.margin, farthest, Doubt::culls);
+  const PictureMargin draws(camera, options.margin, farthest, Doubt::draws);
+  const BruteForce most(options, result, culls), least(options, result, draws);
+  const std::vector<bool> drawn = drawn_of(culler, result);
+  const std::vector<bool> must = Twin(culler, most).drawn();
+  const std::vector<bool> may = options.margin == 0 ? must : Twin(culler, least).drawn();
   // An oriented box sticks out of the one above it, into shadows that were dropped there and that may hide a corner of it.
   const bool may_draw_more = options.unions && culler.hierarchy().oriented() != 0;
-  const bool is_same =
-      std::ranges::equal(Twin(culler, options, result).drawn(), drawn_of(culler, result),
-                         [&](bool by_twin, bool drawn) { return by_twin == drawn || (drawn && may_draw_more); });
-  return is_same ? "" : "a traversal without active sets draws something else";
+  for (std::size_t p = 0; p < drawn.size(); ++p) {
+    if (must[p] && !drawn[p]) return "a traversal without active sets culls less";
+    if (drawn[p] && !may[p] && !may_draw_more) return "a traversal without active sets culls more";
+  }
+  return fault_of_queries(culler, view, most, least);
 }
 
 }  // namespace
@@ -314,7 +377,7 @@ void run_culling(std::uint64_t seed, Report& report) {
   report.tally.relations[1] += stats.drawn_polygons;
   report.tally.relations[2] += stats.view_culled_polygons;
   report.tally.stages[stats.exact_shadow_tests != 0 ? 1 : 0] += soup.size();
-  const std::string wrong = fault_of_frame(culler, camera, options, result);
+  const std::string wrong = fault_of_frame(culler, camera, options, view);
   if (wrong.empty()) return;
   add_finding(report, "culler", seed, "frame", wrong);
 }

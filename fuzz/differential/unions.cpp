@@ -41,15 +41,28 @@ void nudge(Random& random, Polygon& polygon) {
   x = std::nextafter(x, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
 }
 
+/// A parallelogram that goes on from an edge of a face, in its plane.
+Polygon wall_beside(Random& random, const kernel::Polytope& solid) {
+  const auto& face = solid.faces[random.index(solid.faces.size())];
+  const std::size_t i = random.index(face.size());
+  const auto corner = [&](std::size_t k) { return solid.vertices[face[(i + k) % face.size()]]; };
+  const Vec3 a = corner(0), b = corner(1), c = corner(2);
+  const Vec3 away{b.x - c.x, b.y - c.y, b.z - c.z};
+  return {a, b, {b.x + away.x, b.y + away.y, b.z + away.z}, {a.x + away.x, a.y + away.y, a.z + away.z}};
+}
+
 /// The two occluders of a question: each a case of its own, of one viewpoint and near side.
 std::array<Case, 2> halves_of(Random& random, const Case& whole) {
   std::array<Case, 2> halves{whole, whole};
-  if (const auto* const polygon = std::get_if<Polygon>(&whole.occluder); polygon && random.chance(0.8)) {
+  const auto* const polygon = std::get_if<Polygon>(&whole.occluder);
+  if (random.chance(0.2)) {
+    halves[1].occluder = any_case(random).occluder;
+  } else if (polygon) {
     std::array<Polygon, 2> parts = cut(random, *polygon);
     if (random.chance(0.3)) nudge(random, parts[1]);
     for (std::size_t i = 0; i < 2; ++i) halves[i].occluder = std::move(parts[i]);
   } else {
-    halves[1].occluder = any_case(random).occluder;
+    halves[random.index(2)].occluder = wall_beside(random, std::get<kernel::Polytope>(whole.occluder));
   }
   return halves;
 }

@@ -40,6 +40,7 @@ constexpr Placement flat(int axes, std::optional<FrameKind> frame = {}) { return
 constexpr Placement oriented(FrameKind frame, Feature feature = Feature::any) { return {feature, true, 0, frame}; }
 
 constexpr Placement kRealObb{Feature::any, false, 0, FrameKind::real};
+constexpr Placement kFlatRealObb{Feature::any, false, 1, FrameKind::real};
 constexpr Placement kLatticeObb = oriented(FrameKind::lattice);
 constexpr Placement kParallelObb = oriented(FrameKind::parallel);
 constexpr Placement kLatticeObbEdges = oriented(FrameKind::lattice, Feature::edge);
@@ -166,6 +167,8 @@ constexpr std::array kRecipes{
            finish_with<reorder, lengthen>},
     Recipe{Family::edge_at_eye, "edge_at_eye", edge_at_eye_scene, place_box, kReal, leave},
     Recipe{Family::obb_edge_at_eye, "obb_edge_at_eye", edge_at_eye_scene, place_box, kRealObb, leave},
+    Recipe{Family::obb_orthographic_long, "obb_orthographic_long", orthographic_scene, place_box, kFlatRealObb,
+           lengthen_along_rays},
 };
 
 constexpr auto kFamilies = [] {

@@ -121,6 +121,13 @@ void lengthen(Random& random, Case& made) {
   half_edge = half_edge + more;
 }
 
+void lengthen_along_rays(Random& random, Case& made) {
+  const Vec3 along = std::ldexp(1, random.integer(2, 40)) * made.viewpoint.value;
+  for (Vec3& half_edge : std::get<kernel::Obb>(made.box).half_edges) {
+    if (half_edge == Vec3{}) half_edge = along;
+  }
+}
+
 void stretch(Random& random, Case& made) {
   const int all = random.integer(-100, 80);
   Vec3 factor;

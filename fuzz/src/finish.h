@@ -26,6 +26,9 @@ void grow(Random& random, Case& made);
 /// Draws the box out to one side, four to a million million times: what touches with the others still does.
 void lengthen(Random& random, Case& made);
 
+/// Draws a flat oriented box out along the direction of view, to both sides as far: it lies to the sides as it did.
+void lengthen_along_rays(Random& random, Case& made);
+
 /// Scales each axis by itself, exactly, anywhere within the legal range: what touches still touches. Of integers below 2^20,
 /// for an eye.
 void stretch(Random& random, Case& made);

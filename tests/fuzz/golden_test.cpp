@@ -113,6 +113,7 @@ const std::map<std::string_view, std::uint64_t> kHashes{
     {"polytope_long_box", 0x1ea250dbf222c73e},
     {"edge_at_eye", 0x89778db2e213d302},
     {"obb_edge_at_eye", 0xdb35e94f23390a0e},
+    {"obb_orthographic_long", 0x5d33a73bf3504dd8},
 };
 
 std::uint64_t hash_of(Family family) {

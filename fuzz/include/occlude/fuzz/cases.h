@@ -111,6 +111,7 @@ enum class Family {
   polytope_long_box,
   edge_at_eye,
   obb_edge_at_eye,
+  obb_orthographic_long,
 };
 
 [[nodiscard]] std::span<const Family> families();
