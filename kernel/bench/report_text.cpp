@@ -30,11 +30,11 @@ void print_workloads(Text& text, const Result& result) {
 }
 
 void print_times(Text& text, const Result& result) {
-  print(text, "\n{:<24}", "ns a box, % wrong");
+  print(text, "\n{:<30}", "ns a box, % wrong");
   for (const WorkloadSummary& workload : result.workloads) print(text, "{:>20}", workload.name);
   print(text, "\n");
   for (const std::string& subject : result.subjects) {
-    print(text, "{:<24}", subject);
+    print(text, "{:<30}", subject);
     for (const WorkloadSummary& workload : result.workloads) {
       if (const Measurement* m = find(result, subject, workload.name)) {
         print(text, "{:>12.1f}{:>8.2f}", median(m->ns), percent(m->wrong, result.options.boxes));

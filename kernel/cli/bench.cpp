@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/machine.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "report.h"
 
@@ -42,7 +43,8 @@ void bench_kernel(Arguments& arguments) {
     progress->update(done);
   });
   progress.reset();
-  if (!result.peers_fault.empty()) render::say(result.peers_fault + ": other projects are not measured\n");
+  if (!result.peers_fault.empty())
+    render::say(render::printable(result.peers_fault) + ": other projects are not measured\n");
   const bench::Machine machine{.processor = render::processor_name(),
                                .compiler = render::compiler_name(),
                                .flags = OCCLUDE_BENCH_FLAGS,

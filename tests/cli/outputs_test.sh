@@ -289,7 +289,9 @@ few_threads() { # few_threads NUMBER COMMAND...
   [ "$(id -u)" -ne 0 ] || as_nobody=(setpriv --reuid=65534 --clear-groups)
   timeout --kill-after 5 60 "${as_nobody[@]}" bash -c 'ulimit -u $0; exec "$@"' "$@" >stdout 2>stderr
 }
-if [ "$(id -u)" -ne 0 ] || setpriv --reuid=65534 --clear-groups test -x "$occlude" 2>/dev/null; then
+if ldd "$occlude" | grep -qE 'lib[a-z]*san\.'; then
+  echo "A sanitizer has threads of its own: limits to them are not tried"
+elif [ "$(id -u)" -ne 0 ] || setpriv --reuid=65534 --clear-groups test -x "$occlude" 2>/dev/null; then
   # Of what else the user runs nothing may be known: at least as many threads as there are already.
   running=0
   [ "$(id -u)" -eq 0 ] || running=$(ps -L -u "$(id -u)" -o pid= | wc -l)

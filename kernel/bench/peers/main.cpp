@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // occlude_peers BOXES ROUNDS SEED: measures other projects' libraries for `occlude bench kernel`, which runs it.
+#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
@@ -41,8 +42,10 @@ int main(int argc, char** argv) {
     std::fputs("Usage: occlude_peers BOXES ROUNDS SEED, as occlude bench kernel runs it\n", stderr);
     return 2;
   }
+  std::vector<Peer> installed = peers();
+  if (installed.empty()) return 0;
   std::vector<Subject> subjects{reference_subject()};
-  for (Peer& peer : peers()) {
+  for (Peer& peer : installed) {
     print(peer_line({peer.name, peer.version}));
     std::ranges::move(peer.subjects, std::back_inserter(subjects));
   }
