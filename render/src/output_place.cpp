@@ -83,7 +83,11 @@ bool is_standard_stream(const struct stat& status) {
 
 void keep_input(const fs::path& file) {
   struct stat status {};
-  if (stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode)) inputs().insert(identity(status));
+  if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return;
+  if (identity(status) == identity(status_of(STDOUT_FILENO))) {
+    throw InputError(file.string() + ": cannot read: named twice: it is standard output");
+  }
+  inputs().insert(identity(status));
 }
 
 OutputPlace::OutputPlace(const fs::path& file) : path_(file) {
@@ -105,12 +109,10 @@ OutputPlace::~OutputPlace() {
   if (!is_device_) outputs().erase(path_);
 }
 
-void refuse_used(const fs::path& folder, const std::function<bool(const std::string& name)>& is_such) {
+void require_places(const fs::path& folder, const std::function<bool(const std::string& name)>& is_such) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (!is_such(entry.path().filename().string())) continue;
-    const std::optional<struct stat> found = find(entry.path());
-    if (found && inputs().contains(identity(*found))) refuse(entry.path(), "named twice: it is read as well");
+    if (is_such(entry.path().filename().string())) static_cast<void>(OutputPlace(entry.path()));
   }
   const fs::path place = fs::canonical(folder, error);
   if (error) refuse(folder, error.message());

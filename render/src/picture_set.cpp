@@ -11,7 +11,7 @@ namespace occlude::render {
 namespace fs = std::filesystem;
 
 PictureSet::PictureSet(fs::path folder, IsSuch is_such) : folder_(std::move(folder)), is_such_(std::move(is_such)) {
-  refuse_used(folder_, is_such_);
+  require_places(folder_, is_such_);
 }
 
 void PictureSet::add(const std::string& name, const Image& image) {

@@ -90,6 +90,10 @@ rm -r full
 walk --out out --witness printed >>printed 2>stderr
 [ $? -eq 2 ] && grep -q 'named twice' stderr || fail "a witness file where the summary is printed: $(cat stderr)"
 rm -rf out printed
+cp cases.jsonl appended.jsonl
+"$occlude" classify appended.jsonl >>appended.jsonl 2>stderr
+[ $? -eq 2 ] && grep -q 'named twice' stderr || fail "classify reads what it prints: $(cat stderr)"
+cmp -s cases.jsonl appended.jsonl || fail "classify appended to what it reads"
 keeps cases.jsonl bash -c '"$0" fuzz - --out cases.jsonl <cases.jsonl' "$occlude"
 
 # Pictures of an earlier run go; what the program did not make, or is called otherwise now, stays.
@@ -109,6 +113,15 @@ exit_code 1 validate --witness lie.jsonl --exact-up-to 0 --out failures
 validate --witness witness.jsonl --out failures >/dev/null || fail "validate"
 [ ! -e failures/failure_000000.png ] || fail "validate left the picture of a failure that was"
 [ "$(cat failures/failure_holiday.png)" = mine ] || fail "validate removed a picture that it did not make"
+
+# A picture that will not be replaced is known before the work.
+mkdir -p inway/failure_000000.png inway/plates/frame_000000_view.png
+expect_error "Is a directory" validate --witness witness.jsonl --out inway
+expect_error "Is a directory" drawn --out inway
+rmdir inway/*/frame_000000_view.png
+: >inway/plates/frame_000000_view.png
+chmod a-w inway/plates/frame_000000_view.png
+expect_error "it is read-only" drawn --out inway
 
 # Links stay links, permissions stay, what is read-only stays, and names may be as long as the system allows.
 mkdir target
@@ -171,9 +184,10 @@ grep -q '"visibility": null' stdout || fail "a frame of which nothing is said wa
 
 # A check that failed stands, whatever goes wrong after it.
 exit_code 1 validate --witness lie.jsonl --exact-up-to 0
-mkdir -p blocked/failure_000000.png
-exit_code 1 validate --witness lie.jsonl --exact-up-to 0 --out blocked
-grep -q 'failure_000000.png' stderr || fail "a picture in the way is not told: $(cat stderr)"
+exit_code 1 bash -c 'ulimit -f 1; "$0" "$@"' "$occlude" validate good.ply --path path.json --witness lie.jsonl --exact-up-to 0 \
+  --out short
+grep -q 'failure_000000.png: cannot write: File too large' stderr || fail "a picture that is not written is not told: $(cat stderr)"
+[ ! -e short ] || fail "half of the failures are written: $(ls -A short)"
 exit_code 1 bash -c 'cat untrue.jsonl text | "$0" classify' "$occlude"
 echo 'no witness' | cat lie.jsonl - >broken.jsonl
 exit_code 1 validate --witness broken.jsonl

@@ -12,7 +12,7 @@
 namespace occlude::render {
 
 /// From now on no output may replace this file. It is known by device and inode: through links and other spellings as well.
-/// A file that is not there need not be kept.
+/// A file that is not there need not be kept. Throws InputError for the one that standard output goes to.
 void keep_input(const std::filesystem::path& file);
 
 /// The place that an output is written to, its own as long as this lives.
@@ -38,7 +38,7 @@ class OutputPlace {
   std::optional<mode_t> permissions_;
 };
 
-/// Throws InputError when this command reads a file of such a name in the folder, or has an output there.
-void refuse_used(const std::filesystem::path& folder, const std::function<bool(const std::string& name)>& is_such);
+/// Throws InputError unless every file of such a name in the folder can be replaced, and no output is to get such a name.
+void require_places(const std::filesystem::path& folder, const std::function<bool(const std::string& name)>& is_such);
 
 }  // namespace occlude::render

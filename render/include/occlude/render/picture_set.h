@@ -18,8 +18,8 @@ class PictureSet {
  public:
   using IsSuch = std::function<bool(const std::string& name)>;
 
-  /// `is_such` knows the names of the kind. Throws InputError when the command reads a file of such a name in the folder, or
-  /// has another output there.
+  /// `is_such` knows the names of the kind. Throws InputError where a file of such a name cannot be replaced: it is read by
+  /// this command, it is another output, a folder or read-only.
   PictureSet(std::filesystem::path folder, IsSuch is_such);
 
   /// The picture is whole, and has its name once all are there.
