@@ -2,7 +2,9 @@
 #include "silhouette.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "plane_coefficients.h"
 
@@ -18,15 +20,13 @@ ExactPlane side_plane(const Viewpoint& viewpoint, const Vec3& from, const Vec3& 
 
 namespace {
 
-using Loop = std::pmr::vector<Vec3>;
-
 /// Sign of the dot product of the normals of two planes.
 int normals_agree(const ExactPlane& p, const ExactPlane& q) {
   return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(dot(normal<A>(p), normal<A>(q))); });
 }
 
 /// Which way the loop turns at `b` seen from the viewpoint.
-enum class Turn { left, right, straight, back, none };
+enum class Turn : std::uint8_t { left, right, straight, back, none };
 
 /// `none`: two of the three coincide seen from the viewpoint. `back`: the loop reverses its direction.
 Turn turn(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -42,45 +42,121 @@ bool has_three_distinct(std::span<const Vec3> loop) {
   return std::any_of(other, loop.end(), [&](const Vec3& v) { return v != loop[0] && v != *other; });
 }
 
-/// Drops vertices at which the loop does not turn until it turns at each; counts what the remaining turns are.
-struct Turning {
-  Loop corners;
-  std::size_t left = 0, right = 0, back = 0;
-};
-
-Turning drop_straight(const Viewpoint& viewpoint, std::span<const Vec3> loop, std::pmr::memory_resource& memory) {
-  Turning result{.corners = Loop(loop.begin(), loop.end(), &memory)};
-  Loop& corners = result.corners;
-  for (bool changed = true; changed && corners.size() >= 3;) {
-    changed = false;
-    result.left = result.right = result.back = 0;
-    for (std::size_t i = 0; i < corners.size() && corners.size() >= 3;) {
-      const std::size_t n = corners.size();
-      const Turn t = turn(viewpoint, corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]);
-      if (t == Turn::straight || t == Turn::none) {
-        corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
-        changed = true;
-        continue;
-      }
-      ++(t == Turn::left ? result.left : t == Turn::right ? result.right : result.back);
-      ++i;
-    }
-  }
-  return result;
+/// Whether x is seen between a and b, or at one of them. REQUIRES: a and b are seen apart and not opposite each other, x is
+/// not the eye.
+bool is_between(const Viewpoint& viewpoint, const Vec3& a, const Vec3& x, const Vec3& b) {
+  const ExactPlane side = side_plane(viewpoint, a, b);
+  return sign_at(side, x) == 0 && normals_agree(side_plane(viewpoint, a, x), side) >= 0 &&
+         normals_agree(side_plane(viewpoint, x, b), side) >= 0;
 }
 
-/// Whether every vertex of the loop is on the inner side of every side plane, and no corner but its own two on the border:
-/// then the loop is the border of a convex cone and runs round it once.
-bool is_convex(const Viewpoint& viewpoint, const Loop& corners, std::span<const Vec3> loop) {
-  const std::size_t n = corners.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const ExactPlane side = side_plane(viewpoint, corners[i], corners[(i + 1) % n]);
-    for (std::size_t j = 2; j < n; ++j) {
-      if (sign_at(side, corners[(i + j) % n]) <= 0) return false;
+/// The loop without the vertices at which it does not turn. They are dropped in rounds, each from the first to the last,
+/// until the loop turns at all that are left or only two are. Only beside a dropped vertex can a turn have changed: after
+/// the first round only such vertices are asked again, so that rounds cost no more than what they drop.
+class Ring {
+ public:
+  Ring(const Viewpoint& viewpoint, std::span<const Vec3> loop, std::pmr::memory_resource& memory)
+      : viewpoint_(viewpoint),
+        loop_(loop),
+        memory_(memory),
+        next_(loop.size(), &memory),
+        previous_(loop.size(), &memory),
+        turns_(loop.size(), Turn::none, &memory),
+        asked_(loop.size(), &memory),
+        later_(&memory),
+        size_(loop.size()) {
+    const auto n = static_cast<Index>(loop.size());
+    for (Index i = 0; i < n; ++i) {
+      next_[i] = i + 1 < n ? i + 1 : 0;
+      previous_[i] = i > 0 ? i - 1 : n - 1;
+      asked_[i] = i;
     }
-    for (const Vec3& vertex : loop) {
-      if (sign_at(side, vertex) < 0) return false;
+    while (!asked_.empty() && size_ >= 3) ask_round();
+    const Index end = size_ < 3 ? dropped_last_ : n;  // a round that leaves two ends there
+    for (Index i = 0; i < end; ++i) {
+      if (is_left(i)) has_[static_cast<std::size_t>(turns_[i])] = true;
     }
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool has(Turn turn) const { return has_[static_cast<std::size_t>(turn)]; }
+
+  [[nodiscard]] std::pmr::vector<Vec3> corners() const {
+    std::pmr::vector<Vec3> corners(&memory_);
+    corners.reserve(size_);
+    for (Index i = 0; i < loop_.size(); ++i) {
+      if (is_left(i)) corners.push_back(loop_[i]);
+    }
+    return corners;
+  }
+
+  /// Whether every dropped vertex is seen on the edge between the two corners that it was dropped between.
+  [[nodiscard]] bool keeps_to_its_edges() const {
+    const auto n = static_cast<Index>(loop_.size());
+    for (Index from = 0; from < n; ++from) {
+      if (!is_left(from)) continue;
+      const Index to = next_[from];
+      for (Index i = from + 1 < n ? from + 1 : 0; i != to; i = i + 1 < n ? i + 1 : 0) {
+        if (!is_between(viewpoint_, loop_[from], loop_[i], loop_[to])) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  using Index = std::uint32_t;
+
+  [[nodiscard]] bool is_left(Index i) const { return turns_[i] != Turn::straight && turns_[i] != Turn::none; }
+
+  void ask_round() {
+    later_.clear();
+    Index end = 0;  // of those that this round has come past
+    for (std::size_t k = 0; k < asked_.size() && size_ >= 3; ++k) {
+      for (Index i = asked_[k]; i >= end && size_ >= 3; i = next_[i]) {
+        end = i + 1;
+        turns_[i] = turn(viewpoint_, loop_[previous_[i]], loop_[i], loop_[next_[i]]);
+        if (is_left(i)) break;
+        drop(i);
+      }
+    }
+    std::sort(later_.begin(), later_.end());
+    later_.erase(std::unique(later_.begin(), later_.end()), later_.end());
+    asked_.swap(later_);
+  }
+
+  /// Its neighbours have to be asked: those that this round is past in the next.
+  void drop(Index i) {
+    const Index before = previous_[i], after = next_[i];
+    next_[before] = after;
+    previous_[after] = before;
+    --size_;
+    dropped_last_ = i;
+    (before < i ? later_ : asked_).push_back(before);
+    if (after < i) later_.push_back(after);
+  }
+
+  const Viewpoint& viewpoint_;
+  std::span<const Vec3> loop_;
+  std::pmr::memory_resource& memory_;
+  std::pmr::vector<Index> next_, previous_;  ///< of each vertex that is left; of a dropped one those that it had
+  std::pmr::vector<Turn> turns_;             ///< where a vertex is dropped, why
+  std::pmr::vector<Index> asked_, later_;    ///< whom this round asks and whom the next one, ascending
+  std::size_t size_;
+  Index dropped_last_ = 0;
+  std::array<bool, 5> has_{};
+};
+
+/// Whether a loop that turns left at each of its corners is the border of a convex cone and runs round it once.
+///
+/// Seen about the first corner, the others are in order, each less than half a turn from the one before and all on the inner
+/// side of the first edge: within half a turn in all. So some plane has the viewpoint on it and all corners beyond; what is
+/// seen through a plane parallel to that is a plane polygon, which does not meet itself, and which is convex since it turns
+/// left everywhere. All this holds of every convex loop.
+bool is_convex(const Viewpoint& viewpoint, std::span<const Vec3> corners) {
+  const ExactPlane first = side_plane(viewpoint, corners[0], corners[1]);
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    if (sign_at(first, corners[i]) <= 0) return false;
+    if (sign_at(side_plane(viewpoint, corners[i - 1], corners[i]), corners[0]) <= 0) return false;
   }
   return true;
 }
@@ -92,13 +168,14 @@ Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> loop, st
   if (viewpoint.is_eye() && std::find(loop.begin(), loop.end(), viewpoint.value) != loop.end()) {
     return {.corners = {}, .refusal = Refusal::eye_in_plane};
   }
-  auto [corners, left, right, back] = drop_straight(viewpoint, loop, memory);
-  if (left + right == 0) return {.corners = {}, .refusal = Refusal::eye_in_plane};
-  if (corners.size() < 3 || back != 0 || (left != 0 && right != 0)) {
+  const Ring ring(viewpoint, loop, memory);
+  if (!ring.has(Turn::left) && !ring.has(Turn::right)) return {.corners = {}, .refusal = Refusal::eye_in_plane};
+  if (ring.size() < 3 || ring.has(Turn::back) || (ring.has(Turn::left) && ring.has(Turn::right))) {
     return {.corners = {}, .refusal = Refusal::not_convex};
   }
-  if (right != 0) std::reverse(corners.begin(), corners.end());
-  if (!is_convex(viewpoint, corners, loop)) return {.corners = {}, .refusal = Refusal::not_convex};
+  std::pmr::vector<Vec3> corners = ring.corners();
+  if (ring.has(Turn::right)) std::reverse(corners.begin(), corners.end());
+  if (!is_convex(viewpoint, corners) || !ring.keeps_to_its_edges()) return {.corners = {}, .refusal = Refusal::not_convex};
   return {.corners = std::move(corners)};
 }
 

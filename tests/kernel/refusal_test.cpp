@@ -216,6 +216,51 @@ TEST(Silhouette, NeedlessVerticesAreDropped) {
   EXPECT_EQ(made.frustum->silhouette().size(), 4U);
 }
 
+/// On a circle at x = 2 round the x axis.
+Loop disc(int sides) {
+  Loop loop;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = i * 2 * 3.14159265358979 / sides;
+    loop.push_back({2, std::cos(angle), std::sin(angle)});
+  }
+  return loop;
+}
+
+/// So many that work for every pair of them would take minutes.
+constexpr int kVeryMany = 200000;
+
+TEST(Silhouette, OfVeryManySides) {
+  const Loop round = disc(kVeryMany);
+  const auto made = ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), round, Near::surface);
+  ASSERT_TRUE(made.frustum);
+  EXPECT_EQ(made.frustum->silhouette().size(), round.size());
+  Loop dented = round;
+  dented[kVeryMany - 2] = {2, 0.5, 0};
+  EXPECT_EQ(from_origin(dented), Refusal::not_convex);
+  Loop twice = round;
+  twice.insert(twice.end(), round.begin(), round.end());
+  EXPECT_EQ(from_origin(twice), Refusal::not_convex);
+}
+
+TEST(Silhouette, OfVeryManyNeedlessVertices) {
+  Loop loop;
+  for (int i = 0; i < kVeryMany; ++i) loop.push_back({2, -1 + i * 0x1p-17, -1});
+  loop.push_back({2, 1, 1});
+  for (int i = 0; i < kVeryMany; ++i) loop.push_back({2, -1, 1});
+  const auto made = ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), loop, Near::surface);
+  ASSERT_TRUE(made.frustum);
+  EXPECT_EQ(made.frustum->silhouette().size(), 4U);
+}
+
+/// To and fro in a plane with the eye, across which two steps on make one back: every vertex dropped lets the one before it
+/// go in the next round.
+TEST(Silhouette, DroppedOneByOneFromTheEnd) {
+  Loop loop;
+  for (int i = 0; i < kVeryMany; ++i) loop.push_back(i % 2 == 0 ? Vec3{1, 0, 0} : Vec3{-1, 5, 0});
+  loop.push_back({-2, -5, 0});
+  EXPECT_EQ(from_origin(loop), Refusal::eye_in_plane);
+}
+
 TEST(SupportPlane, LiesBehindAPolygonThatIsNotFlat) {
   const Loop bent{{2, -1, -1}, {2.5, 1, -1}, {2, 1, 1}, {2.25, -1, 1}};
   const auto made = ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), bent, Near::surface);
