@@ -2,8 +2,6 @@
 #include "loop.h"
 
 #include <algorithm>
-#include <span>
-#include <vector>
 
 #include "half_spaces.h"
 
@@ -16,44 +14,92 @@ bool has_three_distinct(const Loop& loop) {
   return std::any_of(second, loop.end(), [&](const Point& p) { return p != loop[0] && p != *second; });
 }
 
-/// Whether the sides on which one edge has the vertices, `sides`, are those of a once-wound convex loop: one sign beside
-/// zeros, and the edge's own line left only once in the whole turn.
-bool supports(std::span<const CGAL::Sign> sides, CGAL::Sign turn) {
-  int departures = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (sides[i] == -turn) return false;
-    if (sides[i] == CGAL::ZERO && sides[(i + 1) % sides.size()] != CGAL::ZERO) ++departures;
+/// Whether a and b are seen as one point, or opposite each other.
+bool are_in_one_sight(const Viewpoint& view, const Point& a, const Point& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sign_of([&]<class N>() { return N(SidePlane{view, a, b}.operator()<N>().normal[axis]); }) != CGAL::ZERO)
+      return false;
   }
-  return departures <= 1;
+  return true;
 }
 
-/// On which side of the plane of the edge each vertex lies.
-void find_sides(const SidePlane& edge, const Loop& loop, std::span<CGAL::Sign> sides) {
-  Plane plane(edge);
-  std::ranges::transform(loop, sides.begin(), [&](const Point& vertex) { return plane.side(vertex); });
+/// The loop without vertices that are seen where the one before is.
+Loop without_repeats(const Viewpoint& view, const Loop& loop) {
+  Loop result;
+  for (const Point& vertex : loop) {
+    if (result.empty() || !are_in_one_sight(view, result.back(), vertex)) result.push_back(vertex);
+  }
+  while (result.size() > 1 && are_in_one_sight(view, result.back(), result.front())) result.pop_back();
+  return result;
+}
+
+/// Whether the way from a over b to c goes to the side `turn`, or straight on.
+bool turns(const Viewpoint& view, const Point& a, const Point& b, const Point& c, CGAL::Sign turn) {
+  const SidePlane first{view, a, b}, second{view, b, c};
+  const CGAL::Sign side = Plane(first).side(c);
+  if (side != CGAL::ZERO) return side == turn;
+  return sign_of([&]<class N>() { return N(first.operator()<N>().normal * second.operator()<N>().normal); }) ==
+         CGAL::POSITIVE;
+}
+
+/// The side on which the first edge has the other vertices, if the loop turns to it at every vertex or goes straight on:
+/// ZERO when all are on its line.
+std::optional<CGAL::Sign> turn_everywhere(const Viewpoint& view, const Loop& seen) {
+  if (seen.size() < 3) return CGAL::ZERO;
+  CGAL::Sign turn = CGAL::ZERO;
+  Plane first(SidePlane{view, seen[0], seen[1]});
+  for (const Point& vertex : seen) {
+    const CGAL::Sign side = first.side(vertex);
+    if (side == CGAL::ZERO) continue;
+    if (side == -turn) return std::nullopt;
+    turn = side;
+  }
+  const std::size_t n = seen.size();
+  for (std::size_t i = 0; i < n && turn != CGAL::ZERO; ++i) {
+    if (!turns(view, seen[i], seen[(i + 1) % n], seen[(i + 2) % n], turn)) return std::nullopt;
+  }
+  return turn;
+}
+
+/// Whether a loop that turns to one side everywhere runs round once: each time round it goes away from the line of its first
+/// edge and comes back. Seen from an eye that is so on a plane parallel to `across`, on which it is at its height over the
+/// line's plane divided by that over `across`. REQUIRES: all of these are of one sign.
+bool winds_once(const Viewpoint& view, const Loop& seen, Plane<MeanPlane>& across) {
+  Plane line(SidePlane{view, seen[0], seen[1]});
+  const auto lead = [&](const Point& a, const Point& b) {
+    return sign_of([&]<class N>() -> N {
+      const N of_a = line.template in<N>().height(a), of_b = line.template in<N>().height(b);
+      if (view.at_infinity) return of_b - of_a;
+      return of_b * across.template in<N>().height(a) - of_a * across.template in<N>().height(b);
+    });
+  };
+  CGAL::Sign away = CGAL::ZERO;
+  bool comes_back = false;
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    const CGAL::Sign sign = lead(seen[i], seen[(i + 1) % seen.size()]);
+    if (sign == CGAL::ZERO) continue;
+    if (away == CGAL::ZERO) away = sign;
+    if (sign == away && comes_back) return false;
+    comes_back = sign != away;
+  }
+  return true;
 }
 
 /// Whether every vertex lies strictly ahead of the eye, so that the eye is not in the hull of the polygon. (A convex loop
 /// for which this fails is folded around a line through the eye.)
-bool lies_ahead(const Point& eye, const Loop& loop, CGAL::Sign turn) {
-  Plane across(MeanPlane{loop, eye});
+bool lies_ahead(Plane<MeanPlane>& across, const Loop& loop, CGAL::Sign turn) {
   return std::ranges::all_of(loop, [&](const Point& vertex) { return across.side(vertex) == turn; });
 }
 
 }  // namespace
 
-std::optional<CGAL::Sign> turn_of(const Viewpoint& view, const Loop& loop) {
-  std::vector<CGAL::Sign> sides(loop.size());
-  CGAL::Sign turn = CGAL::ZERO;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    find_sides({view, loop[i], loop[(i + 1) % loop.size()]}, loop, sides);
-    if (turn == CGAL::ZERO) {
-      const auto off = std::ranges::find_if(sides, [](CGAL::Sign side) { return side != CGAL::ZERO; });
-      if (off != sides.end()) turn = *off;
-    }
-    if (turn != CGAL::ZERO && !supports(sides, turn)) return std::nullopt;
-  }
-  return turn;
+std::optional<CGAL::Sign> turn_along(const Point& direction, const Loop& loop) {
+  const Viewpoint view{direction, true};
+  const Loop seen = without_repeats(view, loop);
+  const std::optional<CGAL::Sign> turn = turn_everywhere(view, seen);
+  if (!turn || *turn == CGAL::ZERO) return turn;
+  Plane across(MeanPlane{loop, direction});
+  return winds_once(view, seen, across) ? turn : std::nullopt;
 }
 
 bool is_coplanar(const Loop& loop) {
@@ -65,10 +111,13 @@ bool is_coplanar(const Loop& loop) {
 
 Seen see(const Viewpoint& view, const Loop& loop) {
   if (!has_three_distinct(loop)) return {"fewer than 3 distinct vertices", CGAL::ZERO};
-  const std::optional<CGAL::Sign> turn = turn_of(view, loop);
+  const Loop seen = without_repeats(view, loop);
+  const std::optional<CGAL::Sign> turn = turn_everywhere(view, seen);
   if (!turn) return {"the loop is not convex seen from the eye", CGAL::ZERO};
   if (*turn == CGAL::ZERO) return {"the eye lies in the polygon's plane", CGAL::ZERO};
-  if (!view.at_infinity && !lies_ahead(view.value, loop, *turn)) return {"the eye lies in the polygon", CGAL::ZERO};
+  Plane across(MeanPlane{loop, view.value});
+  if (!view.at_infinity && !lies_ahead(across, loop, *turn)) return {"the eye lies in the polygon", CGAL::ZERO};
+  if (!winds_once(view, seen, across)) return {"the loop is not convex seen from the eye", CGAL::ZERO};
   return {"", *turn};
 }
 

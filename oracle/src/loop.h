@@ -9,9 +9,9 @@
 
 namespace occlude::oracle {
 
-/// The sign that every edge's side plane has on the inner side of a loop that is seen as a convex polygon wound once; ZERO
-/// for a loop seen edge-on, none for one that is not convex.
-[[nodiscard]] std::optional<CGAL::Sign> turn_of(const Viewpoint& view, const Loop& loop);
+/// The sign that every edge's side plane has on the inner side of a loop that is seen along the direction as a convex
+/// polygon wound once; ZERO for a loop seen edge-on, none for one that is not convex.
+[[nodiscard]] std::optional<CGAL::Sign> turn_along(const Point& direction, const Loop& loop);
 
 /// Whether all vertices lie in the plane of a loop that is convex from somewhere.
 [[nodiscard]] bool is_coplanar(const Loop& loop);

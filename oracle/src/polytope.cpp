@@ -25,7 +25,7 @@ std::vector<Point> distinct(std::vector<Point> points) {
 /// not convex.
 std::optional<CGAL::Sign> turn_along_an_axis(const Loop& loop) {
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
-    const std::optional<CGAL::Sign> turn = turn_of({axis, true}, loop);
+    const std::optional<CGAL::Sign> turn = turn_along(axis, loop);
     if (turn != CGAL::ZERO) return turn;
   }
   return CGAL::ZERO;

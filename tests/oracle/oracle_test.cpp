@@ -194,6 +194,28 @@ TEST(Oracle, RefusesWithAReason) {
   }
 }
 
+/// So many that work for every pair of them would take minutes.
+TEST(Oracle, LoopsOfVeryManyVertices) {
+  constexpr int kSides = 100000;
+  Loop disc;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = i * 2 * 3.14159265358979 / kSides;
+    disc.push_back({std::cos(angle), std::sin(angle), 1});
+  }
+  const Aabb box{{-0.5, -0.5, 3}, {0.5, 0.5, 4}};
+  const auto answer = [&](const Viewpoint& view, const Loop& loop) { return relation(view, loop, kFarthest, box); };
+  const Viewpoint along{{0, 0, 1}, true};
+  EXPECT_EQ(answer(kOrigin, disc).relation, Relation::inside);
+  EXPECT_EQ(answer(along, disc).relation, Relation::inside);
+  Loop twice = disc, dented = disc;
+  twice.insert(twice.end(), disc.begin(), disc.end());
+  dented[kSides - 2] = {0.5, 0, 1};
+  for (const Viewpoint& view : {kOrigin, along}) {
+    EXPECT_EQ(answer(view, twice).refusal, "the loop is not convex seen from the eye");
+    EXPECT_EQ(answer(view, dented).refusal, "the loop is not convex seen from the eye");
+  }
+}
+
 TEST(Oracle, TakesTheEndsOfTheRange) {
   for (const double unit : {0x1p-100, 0x1p99}) {
     Loop loop = kSquare;
