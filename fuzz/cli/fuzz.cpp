@@ -280,7 +280,7 @@ void add_fuzz(CLI::App& app, int& exit_code) {
       "makes a finding's group again. Exit code 0 when nothing is wrong, 1 for a finding (its case line is printed and "
       "stored),\n"
       "2 for bad input.\n" +
-      fmt::format("An occluder in a case file has at most {} vertices, those of all faces counted.\n", kMostCorners) +
+      fmt::format("A polytope in a case file has at most {} vertices, those of its faces counted.\n", kMostCorners) +
       render::limits_help() +
       "\n"
       "Example: occlude fuzz --seconds 30\n"

@@ -22,18 +22,18 @@ kernel::Near near_of(const nlohmann::json& object) {
   throw LineError("\"near\": expected \"farthest\" or \"surface\"");
 }
 
-/// Vertices of a polygon, or of all faces.
-std::size_t corners(const Occluder& occluder) {
-  if (const auto* polygon = std::get_if<Polygon>(&occluder)) return polygon->size();
-  std::size_t sum = 0;
-  for (const auto& face : std::get<kernel::Polytope>(occluder).faces) sum += face.size();
+std::size_t corners(const kernel::Polytope& polytope) {
+  std::size_t sum = polytope.vertices.size();
+  for (const auto& face : polytope.faces) sum += face.size();
   return sum;
 }
 
 Occluder occluder_of(const nlohmann::json& object) {
   Occluder result = occluder(member(object, "occluder"));
-  if (corners(result) > kMostCorners) {
-    throw LineError(fmt::format("\"occluder\": more than {} vertices, those of all faces counted", kMostCorners));
+  const auto* polytope = std::get_if<kernel::Polytope>(&result);
+  if (polytope && corners(*polytope) > kMostCorners) {
+    throw LineError(
+        fmt::format("\"occluder\": a polytope with more than {} vertices, those of its faces counted", kMostCorners));
   }
   return result;
 }

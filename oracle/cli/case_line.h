@@ -12,8 +12,8 @@
 
 namespace occlude::cli {
 
-/// Vertices of an occluder, those of all faces counted. The oracle holds each edge against each vertex: so many take it
-/// seconds.
+/// Vertices of a polytope and of all its faces together. The oracle holds the plane through each two vertices against each
+/// vertex: so many take it seconds. (A polygon takes it time in proportion.)
 inline constexpr std::size_t kMostCorners = 4096;
 
 /// A question, and the answer that its line says is right, if it says.

@@ -81,7 +81,7 @@ void add_classify(CLI::App& app, int& exit_code) {
       "\"expect\";\n"
       "2 for a line that is not a case. Members that a case does not need are ignored.\n"
       "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}.\n" +
-      fmt::format("An occluder has at most {} vertices, those of all faces counted.\n", kMostCorners) +
+      fmt::format("A polytope has at most {} vertices, those of its faces counted.\n", kMostCorners) +
       render::limits_help() +
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
