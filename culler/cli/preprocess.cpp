@@ -42,11 +42,12 @@ void preprocess(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const culler::Preprocess result = [&] {
     render::Watch watch("region");
-    return culler::preprocess(soup, config, arguments.samples, std::ref(watch));
+    return culler::preprocess(soup, config, arguments.samples, std::ref(watch), render::check_interrupt);
   }();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   render::check_interrupt();
   render::write_preprocess(file, soup, result);
+  render::check_interrupt();
   file.commit();
   const culler::OccluderGrid::Lists& lists = result.lists;
   const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
@@ -89,6 +90,11 @@ void add_preprocess(CLI::App& app, int&) {
   command->add_option("--threshold", a->grid.grid.threshold, "steradians above which a region lists an occluder")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 10.0));
+  command
+      ->add_option("--entries", a->grid.grid.entries,
+                   "most entries of all lists together; where there would be more, the longest keep what looks largest")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30U));
   command->add_option("--samples", a->samples.viewpoints, "viewpoints sampled in each region: minutes for a large model")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{1000}));

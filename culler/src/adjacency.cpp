@@ -3,26 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "parallel_sort.h"
+
 namespace occlude::culler {
 namespace {
-
-/// Of each vertex the first with the same coordinates.
-std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size()), result(vertices.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto coordinates = [&](std::uint32_t i) { return std::array{vertices[i].x, vertices[i].y, vertices[i].z}; };
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair{coordinates(i), i}; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_same = i > 0 && coordinates(order[i]) == coordinates(order[i - 1]);
-    result[order[i]] = is_same ? result[order[i - 1]] : order[i];
-  }
-  return result;
-}
 
 struct Side {
   std::uint32_t low, high;  ///< welded vertices
@@ -32,11 +21,11 @@ struct Side {
   auto operator<=>(const Side&) const = default;
 };
 
-std::vector<Side> sides_of(const PolygonSoup& soup) {
-  const std::vector<std::uint32_t> weld = welded(soup.vertices);
+std::vector<Side> sides_of(const PolygonSoup& soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
   std::vector<Side> sides;
   sides.reserve(soup.indices.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
+    checkpoint.at(p);
     const std::uint32_t first = soup.first[p], end = soup.first[p + 1];
     for (std::uint32_t s = first; s < end; ++s) {
       const std::uint32_t a = weld[soup.indices[s]], b = weld[soup.indices[s + 1 < end ? s + 1 : first]];
@@ -45,6 +34,36 @@ std::vector<Side> sides_of(const PolygonSoup& soup) {
   }
   return sides;
 }
+
+/// The corners of a polygon in an order that neither where its loop begins nor which way round it goes changes: from the
+/// least on, to the lesser of its neighbours.
+class Corners {
+ public:
+  Corners(std::span<const std::uint32_t> loop, std::span<const std::uint32_t> weld) : loop_(loop), weld_(weld) {
+    const auto at = [&](std::uint32_t i) { return weld[i]; };
+    first_ = static_cast<std::size_t>(std::ranges::min_element(loop, {}, at) - loop.begin());
+    goes_back_ = vertex(1) > vertex(size() - 1);
+  }
+
+  [[nodiscard]] std::size_t size() const { return loop_.size(); }
+  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return vertex(goes_back_ && i != 0 ? size() - i : i); }
+
+ private:
+  [[nodiscard]] std::uint32_t vertex(std::size_t i) const { return weld_[loop_[(first_ + i) % size()]]; }
+
+  std::span<const std::uint32_t> loop_, weld_;
+  std::size_t first_ = 0;
+  bool goes_back_ = false;
+};
+
+/// What nearly always tells polygons apart.
+struct PolygonKey {
+  std::array<std::uint32_t, 3> corners;
+  std::uint32_t sides, polygon;
+
+  [[nodiscard]] bool is_like(const PolygonKey& other) const { return corners == other.corners && sides == other.sides; }
+  auto operator<=>(const PolygonKey&) const = default;
+};
 
 }  // namespace
 
@@ -56,9 +75,23 @@ std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup) {
   return polygon_of;
 }
 
-std::vector<SidePair> find_adjacency(const PolygonSoup& soup) {
-  std::vector<Side> sides = sides_of(soup);
-  std::ranges::sort(sides);
+std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices, const Checkpoint& checkpoint) {
+  std::vector<std::uint32_t> order(vertices.size()), result(vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto coordinates = [&](std::uint32_t i) { return std::array{vertices[i].x, vertices[i].y, vertices[i].z}; };
+  parallel_sort(order, checkpoint, [&](std::uint32_t a, std::uint32_t b) { return coordinates(a) < coordinates(b); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    checkpoint.at(i);
+    const bool is_same = i > 0 && coordinates(order[i]) == coordinates(order[i - 1]);
+    result[order[i]] = is_same ? result[order[i - 1]] : order[i];
+  }
+  return result;
+}
+
+std::vector<SidePair> find_adjacency(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
+                                     const Checkpoint& checkpoint) {
+  std::vector<Side> sides = sides_of(soup, weld, checkpoint);
+  parallel_sort(sides, checkpoint);
   std::vector<SidePair> pairs;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     const Side& side = sides[i];
@@ -67,8 +100,38 @@ std::vector<SidePair> find_adjacency(const PolygonSoup& soup) {
     const glm::dvec3 edge = soup.vertices[side.high] - soup.vertices[side.low];
     pairs.push_back({glm::dot(edge, edge), side.side, sides[i + 1].side});
   }
-  std::ranges::stable_sort(pairs, std::ranges::greater(), &SidePair::length);
+  parallel_sort(pairs, checkpoint, [](const SidePair& a, const SidePair& b) { return a.length > b.length; });
   return pairs;
+}
+
+std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
+  std::vector<PolygonKey> keys(soup.size());
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    checkpoint.at(p);
+    const Corners corners(soup.loop(p), weld);
+    keys[p] = {{corners[0], corners[1], corners[2]}, static_cast<std::uint32_t>(corners.size()), p};
+  }
+  parallel_sort(keys, checkpoint);
+  // Of those that are alike so far, by the corners left; the first of equals stays the first.
+  const auto compare = [&](const PolygonKey& a, const PolygonKey& b) {
+    const Corners left(soup.loop(a.polygon), weld), right(soup.loop(b.polygon), weld);
+    std::size_t i = 3;
+    while (i < left.size() && left[i] == right[i]) ++i;
+    return i == left.size() ? std::strong_ordering::equal : left[i] <=> right[i];
+  };
+  std::vector<bool> is_repeated(soup.size());
+  for (std::size_t i = 0, end = 0; i < keys.size(); i = end) {
+    while (end < keys.size() && keys[end].is_like(keys[i])) ++end;
+    const std::span alike = std::span(keys).subspan(i, end - i);
+    std::ranges::stable_sort(alike, [&](const PolygonKey& a, const PolygonKey& b) {
+      checkpoint();
+      return compare(a, b) < 0;
+    });
+    for (std::size_t k = 1; k < alike.size(); ++k) {
+      if (compare(alike[k - 1], alike[k]) == 0) is_repeated[alike[k].polygon] = true;
+    }
+  }
+  return is_repeated;
 }
 
 }  // namespace occlude::culler

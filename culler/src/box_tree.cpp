@@ -27,6 +27,7 @@ struct Builder {
   std::vector<HierarchyNode>& nodes;
   std::vector<std::uint32_t>& spare;
   std::uint32_t leaf_size;
+  const Checkpoint& checkpoint;
 
   double centre(std::uint32_t item, int axis) const { return boxes[item].min[axis] / 2 + boxes[item].max[axis] / 2; }
 
@@ -64,6 +65,7 @@ struct Builder {
 
   /// Cheapest split on an axis by the surface area heuristic: items times area, left plus right.
   Split best_split(std::uint32_t first, std::uint32_t count, int axis) const {
+    checkpoint();
     const Binning bin = binning(first, count, axis);
     Split best{.axis = axis};
     if (bin.scale == 0) return best;
@@ -127,9 +129,10 @@ struct Builder {
 
 }  // namespace
 
-void BoxTree::append(std::span<const Aabb> boxes, std::uint32_t first, std::uint32_t count, std::uint32_t leaf_size) {
+void BoxTree::append(std::span<const Aabb> boxes, std::uint32_t first, std::uint32_t count, std::uint32_t leaf_size,
+                     const Checkpoint& checkpoint) {
   spare.reserve(order.size());
-  Builder{boxes, order, nodes, spare, leaf_size}.build(first, count);
+  Builder{boxes, order, nodes, spare, leaf_size, checkpoint}.build(first, count);
 }
 
 void BoxTree::refit(std::span<const Aabb> boxes, std::size_t from) {

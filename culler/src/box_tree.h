@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/types.h"
 
@@ -21,7 +22,8 @@ struct BoxTree {
   /// Appends the nodes of a tree over order[first, first + count) and brings these items into the order of its leaves, each
   /// of at most `leaf_size`. Top-down, splitting where the surface area heuristic (Goldsmith and Salmon 1987) estimates the
   /// least cost. REQUIRES: count > 0, leaf_size > 0.
-  void append(std::span<const kernel::Aabb> boxes, std::uint32_t first, std::uint32_t count, std::uint32_t leaf_size);
+  void append(std::span<const kernel::Aabb> boxes, std::uint32_t first, std::uint32_t count, std::uint32_t leaf_size,
+              const Checkpoint& checkpoint = {});
 
   /// Fits the nodes from this one on to their items once more, bottom-up; the shape of the tree stays.
   void refit(std::span<const kernel::Aabb> boxes, std::size_t from);

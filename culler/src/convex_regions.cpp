@@ -18,7 +18,7 @@ constexpr double kFlat = 1 - 0x1p-21;
 /// corner that rounding may turn the other way would make the region useless from half of all viewpoints.
 constexpr double kTurn = 0x1p-20;
 /// Planes of a shadow cost time at every test; few walls have more sides.
-constexpr std::uint32_t kMostSides = 32;
+constexpr std::uint32_t kMostJoined = 32;
 
 /// The loops, their sides linked.
 class Sides {
@@ -73,7 +73,7 @@ bool turns_with(const PolygonSoup& soup, std::span<const std::uint32_t> loop, co
 /// Polygons joined so far, each set known by one of them.
 class Merging {
  public:
-  Merging(const PolygonSoup& soup, std::span<const SidePair> adjacency)
+  Merging(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
       : soup_(soup),
         sides_(soup),
         joined_(soup.size()),
@@ -81,12 +81,16 @@ class Merging {
         is_convex_(soup.size()),
         polygon_of_(polygon_of_sides(soup)) {
     for (std::uint32_t p = 0; p < soup.size(); ++p) {
+      checkpoint.at(p);
       const auto loop = soup.loop(p);
       const glm::dvec3 area = doubled_area(soup, loop);
       is_convex_[p] = turns_with(soup, loop, area);
       sets_[p] = {static_cast<std::uint32_t>(loop.size()), soup.first[p], is_convex_[p] ? area : glm::dvec3{0, 0, 0}};
     }
-    for (const auto& [length, side, twin] : adjacency) try_to_join(side, twin);
+    for (std::size_t i = 0; i < adjacency.size(); ++i) {
+      checkpoint.at(i);
+      try_to_join(adjacency[i].side, adjacency[i].twin);
+    }
   }
 
   /// Calls visit(polygons) for every set.
@@ -119,7 +123,7 @@ class Merging {
 
   void try_to_join(std::uint32_t side, std::uint32_t twin) {
     const std::uint32_t a = joined_.find(polygon_of_[side]), b = joined_.find(polygon_of_[twin]);
-    if (a == b || sets_[a].sides + sets_[b].sides > kMostSides + 2) return;
+    if (a == b || sets_[a].sides + sets_[b].sides > kMostJoined + 2) return;
     const glm::dvec3 &area = sets_[a].area, &other = sets_[b].area, sum = area + other;
     if (!(glm::dot(area, other) > kFlat * glm::length(area) * glm::length(other))) return;
     if (!turns(sides_.previous(side), sides_.next(twin), sum)) return;
@@ -137,15 +141,15 @@ class Merging {
   std::vector<std::uint32_t> polygon_of_;  ///< of each side
 };
 
-/// The runs of triangles (v0, vi, vi+1), ..., (v0, vj-1, vj) of the fan of a polygon that is not convex for which the loop
-/// (v0, vi, ..., vj) is.
-std::vector<FanRun> convex_runs(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+/// The runs of triangles (v0, vi, vi+1), ..., (v0, vj-1, vj) of the fan of a polygon for which the loop (v0, vi, ..., vj) is
+/// convex and has no more sides than `most`.
+std::vector<FanRun> convex_runs(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std::uint32_t most) {
   const auto count = static_cast<std::uint32_t>(loop.size() - 2);
   std::vector<FanRun> runs;
   std::vector<std::uint32_t> piece;
   for (std::uint32_t first = 0, length = 0; first < count; first += length) {
     piece = {loop[0], loop[first + 1], loop[first + 2]};
-    for (length = 1; first + length < count && length + 2 < kMostSides; ++length) {
+    for (length = 1; first + length < count && length + 2 < most; ++length) {
       piece.push_back(loop[first + length + 2]);
       const glm::dvec3 area = doubled_area(soup, piece);
       if (area == glm::dvec3{0, 0, 0} || !turns_with(soup, piece, area)) break;
@@ -169,7 +173,8 @@ void ConvexRegions::end_region() {
   first_polygon_.push_back(static_cast<std::uint32_t>(polygons_.size()));
 }
 
-ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SidePair> adjacency) {
+ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
+                                  const Checkpoint& checkpoint) {
   const auto count = static_cast<std::uint32_t>(soup.size());
   ConvexRegions result;
   result.vertices_ = soup.indices;
@@ -180,9 +185,10 @@ ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SideP
   std::iota(result.first_polygon_.begin(), result.first_polygon_.end(), 0U);
   result.whole_ = result.polygons_;
 
-  Merging merging(soup, adjacency);
+  Merging merging(soup, adjacency, checkpoint);
   merging.for_each_set([&](std::span<const std::uint32_t> polygons) {
     if (polygons.size() == 1) return;
+    checkpoint();
     for (const std::uint32_t p : polygons) {
       result.whole_[p] = static_cast<std::uint32_t>(result.size());
       result.polygons_.push_back(p);
@@ -193,8 +199,10 @@ ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SideP
 
   result.first_piece_ = static_cast<std::uint32_t>(result.size());
   for (std::uint32_t p = 0; p < count; ++p) {
-    if (merging.is_convex(p) || soup.loop(p).size() == 3) continue;
-    for (const FanRun& run : convex_runs(soup, soup.loop(p))) {
+    checkpoint.at(p);
+    const std::size_t sides = soup.loop(p).size();
+    if (sides == 3 || (merging.is_convex(p) && sides <= kMostSides)) continue;
+    for (const FanRun& run : convex_runs(soup, soup.loop(p), merging.is_convex(p) ? kMostSides : kMostJoined)) {
       const auto piece = piece_of(soup.loop(p), run);
       result.vertices_.insert(result.vertices_.end(), piece.begin(), piece.end());
       result.polygons_.push_back(p);

@@ -11,18 +11,22 @@ namespace occlude::culler {
 namespace {
 
 /// Every face turned to the eye is a plane of the shadow and costs time at every test; the check that a solid is convex
-/// takes faces times vertices.
+/// takes faces times vertices, and sides times vertices.
 constexpr std::size_t kMostFaces = 64;
+/// A prism with so many faces has six times as many sides; this is twice that.
+constexpr std::size_t kMostSides = 768;
 /// A tetrahedron.
 constexpr std::size_t kLeastFaces = 4;
 
 /// What holds together edge to edge.
 class Parts {
  public:
-  Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency) : sets_(soup.size()), paired_(soup.size()) {
+  Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
+      : sets_(soup.size()), paired_(soup.size()) {
     const std::vector<std::uint32_t> polygon_of = polygon_of_sides(soup);
-    for (const auto& [length, side, twin] : adjacency) {
-      const std::uint32_t p = polygon_of[side], q = polygon_of[twin];
+    for (std::size_t i = 0; i < adjacency.size(); ++i) {
+      checkpoint.at(i);
+      const std::uint32_t p = polygon_of[adjacency[i].side], q = polygon_of[adjacency[i].twin];
       ++paired_[p];
       ++paired_[q];
       if (const std::uint32_t a = sets_.find(p), b = sets_.find(q); a != b) sets_.join(a, b);
@@ -61,11 +65,15 @@ kernel::Polytope polytope_of(const PolygonSoup& soup, std::span<const std::uint3
   return solid;
 }
 
-ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePair> adjacency) {
+ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint) {
   ConvexShells result;
-  Parts parts(soup, adjacency);
+  Parts parts(soup, adjacency, checkpoint);
   parts.for_each([&](std::span<const std::uint32_t> polygons) {
     if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return;
+    checkpoint();
+    std::size_t sides = 0;
+    for (const std::uint32_t p : polygons) sides += soup.loop(p).size();
+    if (sides > kMostSides) return;
     const auto is_closed = [&](std::uint32_t p) { return parts.paired(p) == soup.loop(p).size(); };
     if (!std::ranges::all_of(polygons, is_closed)) return;
     auto [polytope, refusal] = kernel::ConvexPolytope::make(polytope_of(soup, polygons));

@@ -37,16 +37,16 @@ auto parts_in(const Hierarchy& hierarchy, const PotentialOccluders& occluders) {
 
 }  // namespace
 
-Culler::Culler(const PolygonSoup& soup, const BuildConfig& config)
+Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
     : config_(config),
-      hierarchy_(Hierarchy::build(checked(soup), config.hierarchy)),
-      occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders)),
-      grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid)) {}
+      hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
+      occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders, checkpoint)),
+      grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid, checkpoint)) {}
 
-Culler::Culler(const PolygonSoup& soup, Preprocess preprocess)
+Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
-      hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout)),
-      occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders)),
+      hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
+      occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders, checkpoint)),
       grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid,
                                   std::move(preprocess.lists))) {}
 

@@ -2,7 +2,6 @@
 // Union-find over 0, ..., n - 1.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -29,13 +28,15 @@ class DisjointSets {
   /// Calls visit(members) for every set, of the least root first, with its members in ascending order.
   template <class Visit>
   void for_each_set(Visit&& visit) {
-    std::vector<std::uint32_t> order(parent_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return find(i); });
-    for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
-      const std::uint32_t root = find(order[first]);
-      while (end < order.size() && find(order[end]) == root) ++end;
-      visit(std::span<const std::uint32_t>(order).subspan(first, end - first));
+    const auto size = static_cast<std::uint32_t>(parent_.size());
+    std::vector<std::uint32_t> end(size + std::size_t{1}), order(size);  // a set of root r ends at end[r + 1]
+    for (std::uint32_t i = 0; i < size; ++i) ++end[find(i) + std::size_t{1}];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<std::uint32_t> next(end.begin(), end.end() - 1);
+    for (std::uint32_t i = 0; i < size; ++i) order[next[find(i)]++] = i;
+    for (std::uint32_t root = 0; root < size; ++root) {
+      const std::size_t first = end[root], count = end[root + std::size_t{1}] - first;
+      if (count != 0) visit(std::span<const std::uint32_t>(order).subspan(first, count));
     }
   }
 

@@ -16,18 +16,24 @@ namespace {
 
 using kernel::Aabb;
 
-std::vector<Aabb> polygon_boxes(const PolygonSoup& soup) {
+std::vector<Aabb> polygon_boxes(const PolygonSoup& soup, const Checkpoint& checkpoint) {
   std::vector<Aabb> boxes(soup.size());
-  for (std::size_t p = 0; p < soup.size(); ++p) boxes[p] = soup.box(p);
+  for (std::size_t p = 0; p < soup.size(); ++p) {
+    checkpoint.at(p);
+    boxes[p] = soup.box(p);
+  }
   return boxes;
 }
 
-PolygonSoup reordered(const PolygonSoup& soup, const std::vector<std::uint32_t>& order) {
+PolygonSoup reordered(const PolygonSoup& soup, const std::vector<std::uint32_t>& order, const Checkpoint& checkpoint) {
   PolygonSoup result;
   result.vertices = soup.vertices;
   result.indices.reserve(soup.indices.size());
   result.first.reserve(soup.first.size());
-  for (const std::uint32_t polygon : order) result.add_polygon(soup.loop(polygon));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    checkpoint.at(i);
+    result.add_polygon(soup.loop(order[i]));
+  }
   return result;
 }
 
@@ -75,18 +81,18 @@ std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, st
 
 }  // namespace
 
-Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree)
-    : soup_(reordered(soup, tree.order)), order_(std::move(tree.order)), nodes_(std::move(tree.nodes)) {
-  if (config.bounds == Bounds::obb) fit_oriented_boxes();
+Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
+    : soup_(reordered(soup, tree.order, checkpoint)), order_(std::move(tree.order)), nodes_(std::move(tree.nodes)) {
+  if (config.bounds == Bounds::obb) fit_oriented_boxes(checkpoint);
 }
 
-Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config) {
-  const std::vector<Aabb> boxes = polygon_boxes(soup);
+Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint) {
+  const std::vector<Aabb> boxes = polygon_boxes(soup, checkpoint);
   BoxTree tree;
   tree.order.resize(soup.size());
   std::iota(tree.order.begin(), tree.order.end(), 0U);
-  tree.append(boxes, 0, static_cast<std::uint32_t>(soup.size()), std::max(1U, config.leaf_size));
-  return Hierarchy(soup, config, std::move(tree));
+  tree.append(boxes, 0, static_cast<std::uint32_t>(soup.size()), std::max(1U, config.leaf_size), checkpoint);
+  return Hierarchy(soup, config, std::move(tree), checkpoint);
 }
 
 Hierarchy::Layout Hierarchy::layout() const {
@@ -95,11 +101,12 @@ Hierarchy::Layout Hierarchy::layout() const {
   return layout;
 }
 
-Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, const Layout& layout) {
+Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, const Layout& layout,
+                             const Checkpoint& checkpoint) {
   if (!is_permutation(layout.order, soup.size())) throw std::invalid_argument("the order is not one of this model");
   BoxTree tree{layout.order, nodes_of(layout.left, static_cast<std::uint32_t>(soup.size()))};
-  tree.refit(polygon_boxes(soup), 0);
-  return Hierarchy(soup, config, std::move(tree));
+  tree.refit(polygon_boxes(soup, checkpoint), 0);
+  return Hierarchy(soup, config, std::move(tree), checkpoint);
 }
 
 /// An oriented box costs about twice as many operations as an axis-aligned one; below this share of its surface it is
@@ -107,10 +114,11 @@ Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, cons
 constexpr double kWorthwhile = 0.8;
 
 /// Bottom-up: a leaf tries the edges of its largest polygon, an inner node the axes of both its children.
-void Hierarchy::fit_oriented_boxes() {
+void Hierarchy::fit_oriented_boxes(const Checkpoint& checkpoint) {
   std::vector<BoxAxes> axes(nodes_.size());
   oriented_.assign(nodes_.size(), kNone);
   for (std::size_t i = nodes_.size(); i-- > 0;) {
+    checkpoint();
     const Node& node = nodes_[i];
     const PolygonRange polygons{node.first, node.count};
     Fit best = node.is_leaf() ? fit_along_largest(soup_, polygons) : fit_along(axes[i + 1], soup_, polygons);

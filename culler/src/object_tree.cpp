@@ -27,7 +27,7 @@ void require_legal(const Box& box, const char* kind, std::size_t id) {
 
 }  // namespace
 
-ObjectTree::ObjectTree(std::span<const Box> statics, std::span<const Box> dynamics)
+ObjectTree::ObjectTree(std::span<const Box> statics, std::span<const Box> dynamics, const Checkpoint& checkpoint)
     : statics_(statics.size()), next_(dynamics.begin(), dynamics.end()) {
   add(statics, "static");
   add(dynamics, "dynamic");
@@ -36,9 +36,9 @@ ObjectTree::ObjectTree(std::span<const Box> statics, std::span<const Box> dynami
   const auto count = static_cast<std::uint32_t>(boxes_.size());
   const bool has_both = !statics.empty() && !dynamics.empty();
   if (has_both) tree_.nodes.push_back({.box = {}, .first = 0, .count = count});
-  if (!statics.empty()) tree_.append(outer_, 0, static_cast<std::uint32_t>(statics_), 1);
+  if (!statics.empty()) tree_.append(outer_, 0, static_cast<std::uint32_t>(statics_), 1, checkpoint);
   first_moving_ = tree_.nodes.size();
-  if (!dynamics.empty()) append_dynamics();
+  if (!dynamics.empty()) append_dynamics(checkpoint);
   if (!has_both) return;
   tree_.nodes[0].right = static_cast<std::uint32_t>(first_moving_);
   tree_.join_children(0);
@@ -52,8 +52,8 @@ void ObjectTree::add(std::span<const Box> boxes, const char* kind) {
   }
 }
 
-void ObjectTree::append_dynamics() {
-  tree_.append(outer_, static_cast<std::uint32_t>(statics_), static_cast<std::uint32_t>(next_.size()), 1);
+void ObjectTree::append_dynamics(const Checkpoint& checkpoint) {
+  tree_.append(outer_, static_cast<std::uint32_t>(statics_), static_cast<std::uint32_t>(next_.size()), 1, checkpoint);
   least_cost_ = tree_.cost(first_moving_);
 }
 
@@ -73,7 +73,7 @@ void ObjectTree::update() {
   const double cost = tree_.cost(first_moving_);
   if (cost > kLoose * least_cost_) {
     tree_.nodes.resize(first_moving_);
-    append_dynamics();
+    append_dynamics({});
   } else {
     least_cost_ = std::min(least_cost_, cost);
   }

@@ -10,6 +10,7 @@
 
 #include "box_tree.h"
 #include "occlude/culler/box.h"
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
@@ -20,7 +21,7 @@ namespace occlude::culler {
 class ObjectTree {
  public:
   /// Throws std::invalid_argument, with the object and the reason, for a box with a refusal_of().
-  ObjectTree(std::span<const Box> statics, std::span<const Box> dynamics);
+  ObjectTree(std::span<const Box> statics, std::span<const Box> dynamics, const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t statics() const { return statics_; }
   [[nodiscard]] std::size_t dynamics() const { return next_.size(); }
@@ -43,7 +44,7 @@ class ObjectTree {
 
  private:
   void add(std::span<const Box> boxes, const char* kind);
-  void append_dynamics();
+  void append_dynamics(const Checkpoint& checkpoint);
 
   std::size_t statics_;
   std::vector<Box> boxes_;           ///< of the items

@@ -51,14 +51,27 @@ double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
 
 double PotentialOccluder::area() const { return glm::length(area_normal) + round_area; }
 
-PotentialOccluders PotentialOccluders::find(const PolygonSoup& soup, const Config& config) {
-  const std::vector<SidePair> adjacency = find_adjacency(soup);
+PotentialOccluders PotentialOccluders::find(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint) {
+  const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
+  const std::vector<SidePair> adjacency = find_adjacency(soup, weld, checkpoint);
   PotentialOccluders result;
-  result.regions_ = ConvexRegions::find(soup, adjacency);
-  if (config.shells) result.shells_ = ConvexShells::find(soup, adjacency);
-  result.known_.reserve(result.regions_.size() + result.shells_.size());
-  for (std::size_t i = 0; i < result.regions_.size(); ++i) result.known_.push_back(region(soup, result.regions_.loop(i)));
-  for (std::size_t i = 0; i < result.shells_.size(); ++i) result.known_.push_back(shell(soup, result.shells_.parts(i)));
+  result.regions_ = ConvexRegions::find(soup, adjacency, checkpoint);
+  if (config.shells) result.shells_ = ConvexShells::find(soup, adjacency, checkpoint);
+  const ConvexRegions& regions = result.regions_;
+  const std::vector<bool> is_repeated = find_repeated(soup, weld, checkpoint);
+  const auto is_left_out = [&](std::uint32_t i) {
+    if (regions.loop(i).size() > ConvexRegions::kMostSides) return true;
+    // A part of something larger stands for that in a list.
+    return i < soup.size() && is_repeated[i] && result.container(i) == i;
+  };
+  result.known_.resize(regions.size() + result.shells_.size());
+  for (std::uint32_t i = 0; i < regions.size(); ++i) {
+    checkpoint.at(i);
+    if (!is_left_out(i)) result.known_[i] = region(soup, regions.loop(i));
+  }
+  for (std::size_t i = 0; i < result.shells_.size(); ++i) {
+    result.known_[regions.size() + i] = shell(soup, result.shells_.parts(i));
+  }
   return result;
 }
 

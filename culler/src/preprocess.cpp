@@ -39,10 +39,12 @@ glm::dvec3 viewpoint(const SampleConfig& samples, std::size_t region, std::size_
 }
 
 /// What the occluders listed by a region hide on average, in the order of its list.
-void sample(const Culler& culler, const SampleConfig& samples, std::size_t region, std::span<float> hidden) {
+void sample(const Culler& culler, const SampleConfig& samples, std::size_t region, std::span<float> hidden,
+            const Checkpoint& checkpoint) {
   const OccluderGrid& grid = culler.grid();
   const auto listed = grid.list(region).occluders;
   for (std::size_t n = 0; n < samples.viewpoints; ++n) {
+    checkpoint();
     const glm::dvec3 eye = grid.corner(region) + grid.edge() * viewpoint(samples, region, n);
     for (const auto& [occluder, polygons] : best_together(culler.hierarchy(), culler.occluders(), listed, eye)) {
       const auto at = static_cast<std::size_t>(std::ranges::lower_bound(listed, occluder) - listed.begin());
@@ -54,8 +56,8 @@ void sample(const Culler& culler, const SampleConfig& samples, std::size_t regio
 }  // namespace
 
 Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
-                      const std::function<void(std::size_t done, std::size_t all)>& progress) {
-  const Culler culler(soup, config);
+                      const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
+  const Culler culler(soup, config, checkpoint);
   const OccluderGrid& grid = culler.grid();
   Preprocess result{config, culler.hierarchy().layout(), grid.lists()};
   if (samples.viewpoints == 0) return result;
@@ -64,7 +66,7 @@ Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const 
   std::size_t done = 0;
   parallel_for(grid.regions(), [&](std::size_t region) {
     const std::size_t first = result.lists.first[region], count = result.lists.first[region + 1] - first;
-    if (count != 0) sample(culler, samples, region, std::span(result.lists.hidden).subspan(first, count));
+    if (count != 0) sample(culler, samples, region, std::span(result.lists.hidden).subspan(first, count), checkpoint);
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, grid.regions());

@@ -44,11 +44,11 @@ void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn
 
 }  // namespace
 
-Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config)
-    : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics)),
+Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config, const Checkpoint& checkpoint)
+    : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics, checkpoint)),
       soup_(checked(std::move(occluders))),
-      occluders_(PotentialOccluders::find(soup_, config.occluders)),
-      grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid)) {}
+      occluders_(PotentialOccluders::find(soup_, config.occluders, checkpoint)),
+      grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid, checkpoint)) {}
 
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;

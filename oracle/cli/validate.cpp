@@ -81,13 +81,14 @@ class Proving {
       std::string unreadable;
     };
     std::vector<Verdict> verdicts(places.size());
-    culler::parallel_for(places.size(), [&](std::size_t i) {
+    const auto prove_one = [&](std::size_t i) {
       try {
         verdicts[i].proof = prover_.prove(places[i].line, [&](auto frame) { return shard_.has(frame); });
       } catch (const LineError& error) {
         verdicts[i].unreadable = error.what();
       }
-    });
+    };
+    culler::parallel_for(places.size(), prove_one, render::check_interrupt);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto& [proof, unreadable] = verdicts[i];
       if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
@@ -196,8 +197,7 @@ MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
                 if (found == shows.end()) return;
                 ++missed.frames;
                 const culler::MissedReasons reasons(walked.culler, camera, walked.options.cull, culled);
-                const auto counts = reasons.count(*found->second);
-                for (std::size_t r = 0; r < counts.size(); ++r) missed.polygons[r] += counts[r];
+                missed.counts += reasons.count(*found->second, render::check_interrupt);
               });
   return missed;
 }

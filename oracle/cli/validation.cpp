@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "item_buffers.h"
 
@@ -39,10 +38,6 @@ struct Totals {
   std::size_t frames, in_view = 0, drawn = 0, visible = 0, false_culls = 0, wrong_pixels = 0, hidden = 0, hidden_culled = 0;
 };
 
-std::size_t sum(const MissedCounts& missed) {
-  return std::accumulate(missed.polygons.begin(), missed.polygons.end(), std::size_t{0});
-}
-
 constexpr std::array<const char*, culler::kMissedReasons> kReasons{
     "it is out of view, and its leaf is not",
     "its leaf is too coarse: its own box is in the shadow of an occluder",
@@ -72,10 +67,13 @@ std::string to_text(const Validation& v) {
       "for each visible polygon {:.3g} hidden ones drawn (overestimate), {:.3g} visible ones not (underestimate)\n",
       t.overestimate(), t.underestimate());
   if (!v.missed) return text;
-  text += fmt::format("without a pixel and drawn in {} of the frames, {:.0f} a frame, because\n", v.missed->frames,
-                      t.share(sum(*v.missed), v.missed->frames));
+  const auto& [frames, counts] = *v.missed;
+  const std::string of_some =
+      counts.asked() == counts.missed ? "" : fmt::format(" (of {} of {} that were asked)", counts.asked(), counts.missed);
+  text += fmt::format("without a pixel and drawn in {} of the frames, {:.0f} a frame, because{}\n", frames,
+                      t.share(counts.missed, frames), of_some);
   for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
-    text += fmt::format("{:>7.1f} %  {}\n", 100 * t.share(v.missed->polygons[r], sum(*v.missed)), kReasons[r]);
+    text += fmt::format("{:>7.1f} %  {}\n", 100 * t.share(counts.reasons[r], counts.asked()), kReasons[r]);
   }
   return text;
 }
@@ -105,9 +103,10 @@ std::string to_json(const Validation& v) {
   Json missed;
   if (v.missed) {
     missed["frames"] = v.missed->frames;
-    missed["polygons"] = sum(*v.missed);
+    missed["polygons"] = v.missed->counts.missed;
+    missed["asked"] = v.missed->counts.asked();
     for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
-      missed[std::string(to_string(static_cast<culler::Missed>(r)))] = v.missed->polygons[r];
+      missed[std::string(to_string(static_cast<culler::Missed>(r)))] = v.missed->counts.reasons[r];
     }
   }
   return Json{{"witnesses", v.proved + v.failed},

@@ -14,7 +14,7 @@ namespace occlude::cli {
 /// Of the hidden polygons that some frames drew, how many for which reason.
 struct MissedCounts {
   std::size_t frames = 0;
-  culler::MissedReasons::Counts polygons{};
+  culler::MissedReasons::Counts counts;
 };
 
 struct Validation {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "occlude/culler/culler.h"
+#include "occlude/render/progress.h"
 #include "stopwatch.h"
 #include "walk/walker.h"
 
@@ -13,7 +14,7 @@ namespace {
 /// A walk, of which nothing is written.
 render::WalkResult measure_table2(const Subject& subject, const Options& options) {
   const render::Stopwatch stopwatch;
-  const culler::Culler culler(subject.soup, options.walk.build);
+  const culler::Culler culler(subject.soup, options.walk.build, render::check_interrupt);
   const double preprocess_s = stopwatch.seconds();
   const render::Stage stage(culler, options.walk);
   render::WalkResult result = walk_frames(culler, subject.path, options.walk, stage);

@@ -51,7 +51,7 @@ std::vector<Mix> mixes(bool are_sampled) {
 culler::Culler sampled(const Subject& subject, const Options& options, const culler::BuildConfig& config) {
   const culler::SampleConfig samples{.viewpoints = options.samples};
   render::Watch watch("figure 4: sampled regions");
-  return {subject.soup, culler::preprocess(subject.soup, config, samples, std::ref(watch))};
+  return {subject.soup, culler::preprocess(subject.soup, config, samples, std::ref(watch), render::check_interrupt)};
 }
 
 }  // namespace
@@ -69,7 +69,8 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   culler::BuildConfig config = options.walk.build;
   config.grid.regions = static_cast<double>(options.regions);
   // One for all curves: those that do not ask for depth complexity give it no weight.
-  const culler::Culler culler = are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config);
+  const culler::Culler culler =
+      are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config, render::check_interrupt);
   figure.regions = culler.grid().regions();
   if (are_sampled) figure.sampling_s = stopwatch.seconds();
 

@@ -44,7 +44,7 @@ void run(Trial& trial, const Options& options) {
   const std::size_t polygons = city.soup.size();
   const PeakMemory memory;
   const render::Stopwatch stopwatch;
-  const culler::Culler culler(city.soup, options.walk.build);
+  const culler::Culler culler(city.soup, options.walk.build, render::check_interrupt);
   trial.build_s.push_back(stopwatch.seconds());
   note(trial.peak_bytes, memory.peak_bytes(), polygons);
   note(trial.held_bytes, memory.held_bytes(), polygons);

@@ -98,7 +98,7 @@ Sorting measure_sorting(const Subject& subject, const Options& options) {
   for (const double threshold : kThresholds) {
     culler::BuildConfig config = options.walk.build;
     config.grid.threshold = threshold;
-    const culler::Culler culler(subject.soup, config);
+    const culler::Culler culler(subject.soup, config, render::check_interrupt);
     Counter counter;
     static_cast<void>(pass_along(culler, subject.path, options.walk, cull,
                                  [&](const auto& camera, const auto& culled) { counter.count(culler, camera, culled); }));

@@ -15,6 +15,7 @@
 
 #include "input_file.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/progress.h"
 
 namespace occlude::render {
 namespace {
@@ -150,10 +151,10 @@ culler::Preprocess read_preprocess(const std::filesystem::path& file, const cull
 
 culler::Culler make_culler(const culler::PolygonSoup& soup, const culler::BuildConfig& config,
                            const std::filesystem::path& preprocess_file) {
-  if (preprocess_file.empty()) return culler::Culler(soup, config);
+  if (preprocess_file.empty()) return culler::Culler(soup, config, check_interrupt);
   culler::Preprocess preprocess = read_preprocess(preprocess_file, soup);
   try {
-    return culler::Culler(soup, std::move(preprocess));
+    return culler::Culler(soup, std::move(preprocess), check_interrupt);
   } catch (const std::invalid_argument& error) {
     throw InputError(preprocess_file.string() + ": " + error.what());
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 
 #include "occlude/render/console.h"
@@ -12,9 +13,10 @@
 namespace occlude::render {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> interrupted = false;  // any thread asks
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal may come while it is asked");
 
-extern "C" void on_interrupt(int) { interrupted = 1; }
+extern "C" void on_interrupt(int) { interrupted = true; }
 
 bool is_ignored(int signal) {
   struct sigaction action {};

@@ -314,6 +314,14 @@ kill -INT $!
 wait $!
 [ $? -eq 130 ] || fail "Ctrl-C: exit code, said: $(cat stderr)"
 [ ! -e stopped ] && [ ! -e stopped.jsonl ] || fail "Ctrl-C left files behind"
+# So does what is stopped while it prepares a model: here with lists that take many times as long.
+echo old >city.pre
+for signal in INT TERM; do
+  timeout --preserve-status --signal $signal --kill-after 20 1 \
+    "$occlude" preprocess city.ply --regions 1e6 --threshold 1e-6 --out city.pre 2>stderr >stdout
+  [ $? -eq 130 ] || fail "preprocess: exit code after SIG$signal, said: $(cat stderr)"
+  [ "$(cat city.pre)" = old ] || fail "preprocess: SIG$signal did not spare the file that was there"
+done
 "$occlude" generate city --polygons 5000000 --out big.ply --path big.json 2>stderr >stdout &
 sleep 0.5
 kill -INT $!
@@ -415,10 +423,13 @@ for command in "fuzz --merge" "walk good.ply --out out --path" "walk good.ply --
   "walk --path path.json --out out"; do
   expect_error "/dev/zero: cannot read: it is not a regular file" timeout 60 "$occlude" $command /dev/zero
 done
-# Nor is a case of more sides than the oracle can judge in seconds.
+# A polygon may have very many sides, a polytope no more vertices than the oracle can judge in seconds.
+corners=$(awk 'BEGIN { n = 100000; for (i = 0; i < n; i++) printf "%s[2,%.17g,%.17g]", i ? "," : "", cos(6.283185307179586 * i / n), sin(6.283185307179586 * i / n) }')
+echo "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[$corners]},\"near\":\"surface\",\"box\":{\"min\":[4,0,0],\"max\":[5,1,1]},\"expect\":\"inside\"}" >line.jsonl
+timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a polygon of 100000 sides: $(head -c 300 stdout stderr)"
 corners=$(printf '[2,0,0],%.0s' $(seq 1 4096))
-echo "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[$corners[2,1,0]]},$box}" >line.jsonl
-expect_error "line.jsonl:1: \"occluder\": more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
+echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[$corners[2,1,0]],\"faces\":[]},$box}" >line.jsonl
+expect_error "line.jsonl:1: \"occluder\": a polytope with more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
 # A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
 expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,7 @@ Sides paired(const std::vector<Loop>& polygons) {
   PolygonSoup soup;
   for (const Loop& polygon : polygons) add(soup, polygon);
   Sides sides;
-  for (const auto& [length, side, twin] : find_adjacency(soup)) sides.emplace_back(side, twin);
+  for (const auto& [length, side, twin] : find_adjacency(soup, welded(soup.vertices))) sides.emplace_back(side, twin);
   return sides;
 }
 
@@ -56,12 +58,37 @@ TEST(Adjacency, WithinOnePolygon) { EXPECT_EQ(paired({{a, b, a, d}}), (Sides{{0,
 TEST(Adjacency, TheLongestFirst) {
   PolygonSoup soup;
   add_box(soup, {0, 0, 0}, {2, 3, 5}, true);
-  const std::vector<SidePair> pairs = find_adjacency(soup);
+  const std::vector<SidePair> pairs = find_adjacency(soup, welded(soup.vertices));
   ASSERT_EQ(pairs.size(), 18U);
   std::vector<double> lengths;
   for (const SidePair& pair : pairs) lengths.push_back(pair.length);
   EXPECT_EQ(lengths, (std::vector<double>{34, 34, 29, 29, 25, 25, 25, 25, 13, 13, 9, 9, 9, 9, 4, 4, 4, 4}));
   for (const auto& [length, side, twin] : pairs) EXPECT_NE(side / 3, twin / 3);
+}
+
+std::vector<bool> repeated(const std::vector<Loop>& polygons) {
+  PolygonSoup soup;
+  for (const Loop& polygon : polygons) add(soup, polygon);
+  return find_repeated(soup, welded(soup.vertices));
+}
+
+TEST(Repeated, WhereverTheLoopBeginsAndWhicheverWayRound) {
+  EXPECT_EQ(repeated({{a, b, c}, {b, c, a}, {c, b, a}, {a, b, d}}), (std::vector{false, true, true, false}));
+  EXPECT_EQ(repeated({{a, b, c, d}, {c, b, a, d}, {a, c, b, d}, {a, b, c}}), (std::vector{false, true, false, false}));
+  EXPECT_EQ(repeated({{{-0.0, 0, 0}, b, c}, {a, b, c}}), (std::vector{false, true})) << "-0 is 0";
+}
+
+TEST(Repeated, WhatDiffersInItsLastCorners) {
+  const glm::dvec3 e{2, 0, 5}, f{2, 0, 6};
+  EXPECT_EQ(repeated({{a, b, c, e, d}, {a, b, c, f, d}, {d, e, c, b, a}}), (std::vector{false, false, true}));
+}
+
+/// More than are sorted in one piece.
+TEST(Repeated, OneOfVeryMany) {
+  constexpr std::size_t kCopies = 100000;
+  const std::vector<bool> is_repeated = repeated(std::vector<Loop>(kCopies, {c, a, b}));
+  EXPECT_EQ(std::count(is_repeated.begin(), is_repeated.end(), true), std::ptrdiff_t{kCopies - 1});
+  EXPECT_FALSE(is_repeated[0]);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/potential_occluders.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"
 
@@ -20,7 +21,9 @@ namespace {
 using namespace occlude::culler;
 using Loop = std::vector<glm::dvec3>;
 
-ConvexRegions find_regions(const PolygonSoup& soup) { return ConvexRegions::find(soup, find_adjacency(soup)); }
+ConvexRegions find_regions(const PolygonSoup& soup) {
+  return ConvexRegions::find(soup, find_adjacency(soup, welded(soup.vertices)));
+}
 
 /// The corners of region r, from the least on.
 Loop corners(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t r) {
@@ -253,6 +256,29 @@ bool has_area(const std::vector<occlude::kernel::Vec3>& loop) {
     doubled += (loop[i].x - loop[0].x) * (loop[i + 1].z - loop[0].z) - (loop[i].z - loop[0].z) * (loop[i + 1].x - loop[0].x);
   }
   return doubled != 0;
+}
+
+/// Convex, and yet too many planes for one shadow.
+TEST(ConvexRegions, PiecesOfAPolygonWithVeryManySides) {
+  constexpr std::uint32_t kSides = 1000;
+  Loop disc;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = i * 2 * 3.14159265358979 / kSides;
+    disc.push_back({2, std::cos(angle), std::sin(angle)});
+  }
+  const PolygonSoup soup = soup_of({disc});
+  const ConvexRegions regions = find_regions(soup);
+  ASSERT_EQ(regions.size(), 5U) << "itself, and four pieces of at most 254 triangles";
+  std::uint32_t next = 0;
+  for (std::size_t r = 1; r < regions.size(); ++r) {
+    EXPECT_LE(regions.loop(r).size(), ConvexRegions::kMostSides);
+    EXPECT_EQ(regions.piece(r)->first, next);
+    next += regions.piece(r)->count;
+  }
+  EXPECT_EQ(next, kSides - 2);
+  const PotentialOccluders occluders = PotentialOccluders::find(soup, {});
+  EXPECT_EQ(occluders[0].area(), 0);
+  for (std::size_t r = 1; r < regions.size(); ++r) EXPECT_GT(occluders[r].area(), 0.1);
 }
 
 /// Whatever the loop, and the pieces that are large enough to hide are occluders of the kernel from before them.

@@ -17,7 +17,9 @@ using Indices = std::vector<std::uint32_t>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-ConvexShells find_shells(const PolygonSoup& soup) { return ConvexShells::find(soup, find_adjacency(soup)); }
+ConvexShells find_shells(const PolygonSoup& soup) {
+  return ConvexShells::find(soup, find_adjacency(soup, welded(soup.vertices)));
+}
 
 Indices parts(const ConvexShells& shells, std::size_t s) {
   const auto span = shells.parts(s);
@@ -138,7 +140,7 @@ TEST(ConvexShells, NotWhatIsNotConvex) {
   soup.add_polygon(Indices{5, 4, 3, 2, 1, 0});
   soup.add_polygon(Indices{6, 7, 8, 9, 10, 11});
   for (std::uint32_t i = 0; i < 6; ++i) soup.add_polygon(Indices{i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
-  EXPECT_EQ(find_adjacency(soup).size(), 18U) << "closed it is";
+  EXPECT_EQ(find_adjacency(soup, welded(soup.vertices)).size(), 18U) << "closed it is";
   EXPECT_EQ(find_shells(soup).size(), 0U);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "frames.h"
@@ -29,7 +30,8 @@ MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, co
     std::vector<bool> shows(polygons, true);
     shows[p] = false;
     const auto counts = reasons.count(shows);
-    for (std::size_t r = 0; r < kMissedReasons; ++r) EXPECT_EQ(counts[r], r == static_cast<std::size_t>(answer.reason));
+    for (std::size_t r = 0; r < kMissedReasons; ++r)
+      EXPECT_EQ(counts.reasons[r], r == static_cast<std::size_t>(answer.reason));
     return answer;
   }
   ADD_FAILURE() << "no such polygon";
@@ -114,6 +116,42 @@ TEST(Missed, OfWhatTheMarginDraws) {
   add_wall(soup, 20, 18, 19.99, -1, 1);
   EXPECT_TRUE(is_drawn(with_leaves(soup, 1), look(with_leaves(soup, 1), {.margin = 0.01}), 1));
   EXPECT_EQ(why_drawn(with_leaves(soup, 1), 1, {.margin = 0.01}).reason, Missed::no_single_one);
+}
+
+/// Each wider than the shadow of the one before it by less than a pixel.
+PolygonSoup peeking_walls(std::size_t count) {
+  PolygonSoup soup;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = 10 + static_cast<double>(i) / 100, half = x / 2 * (1 + static_cast<double>(i) * 1e-9);
+    add_wall(soup, x, -half, half, -half, half);
+  }
+  return soup;
+}
+
+TEST(Missed, AsFarAsTheLooksGo) {
+  const PolygonSoup soup = peeking_walls(500);
+  const Culler culler = with_leaves(soup, 4);
+  const CullResult frame = culler.cull(Camera{});
+  const MissedReasons reasons(culler, Camera{}, {}, frame);
+  const std::vector<bool> shows(soup.size());  // nothing does
+  const MissedReasons::Counts all = reasons.count(shows);
+  EXPECT_EQ(all.missed, frame.stats.drawn_polygons);
+  EXPECT_EQ(all.asked(), all.missed);
+  constexpr std::size_t kLooks = 50000;  // a fifth of 500 polygons times 500 shadows
+  const MissedReasons::Counts some = reasons.count(shows, {}, kLooks);
+  EXPECT_EQ(some.missed, all.missed);
+  EXPECT_LT(some.asked(), all.missed / 2);
+  EXPECT_GT(some.asked(), 0U);
+  EXPECT_EQ(reasons.count(shows, {}, kLooks).reasons, some.reasons);
+}
+
+TEST(Missed, StopsWhenItsCheckpointThrows) {
+  const PolygonSoup soup = peeking_walls(50);
+  const Culler culler = with_leaves(soup, 4);
+  const CullResult frame = culler.cull(Camera{});
+  const MissedReasons reasons(culler, Camera{}, {}, frame);
+  const auto stop = [] { throw std::runtime_error("stopped"); };
+  EXPECT_THROW(static_cast<void>(reasons.count(std::vector<bool>(soup.size()), stop)), std::runtime_error);
 }
 
 TEST(Clearance, IsTheDistanceToTheNearestPlane) {

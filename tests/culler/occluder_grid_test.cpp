@@ -71,4 +71,66 @@ TEST(OccluderGrid, FlatAndDegenerateModels) {
   EXPECT_EQ(Model(point).grid().lists().occluders.size(), 0U);
 }
 
+/// Each as large as the model.
+PolygonSoup large_triangles(std::size_t count) {
+  std::mt19937 random(17);
+  const auto corner = [&] {
+    return glm::dvec3{uniform(random, -10, 10), uniform(random, -10, 10), uniform(random, -10, 10)};
+  };
+  PolygonSoup soup;
+  while (soup.size() < count) add(soup, {corner(), corner(), corner()});
+  return soup;
+}
+
+TEST(OccluderGrid, KeepsToItsBudgetLargestFirst) {
+  const Model model(large_triangles(500));
+  const OccluderGrid all = model.grid({.regions = 512});
+  constexpr std::size_t kEntries = 20000;
+  const OccluderGrid some = model.grid({.regions = 512, .entries = kEntries});
+  ASSERT_GT(all.lists().occluders.size(), 3 * kEntries);
+  EXPECT_LE(some.lists().occluders.size(), kEntries);
+  EXPECT_GT(some.lists().occluders.size(), kEntries * 9 / 10);
+  std::size_t largest_listed = 0, listed = 0;
+  for (std::size_t region = 0; region < some.regions(); ++region) {
+    const auto before = all.list(region).occluders, kept = some.list(region).occluders;
+    EXPECT_TRUE(std::ranges::includes(before, kept));
+    EXPECT_GT(kept.size(), 20U) << "no list is cut more than others";
+    if (before.empty()) continue;
+    const glm::dvec3 middle = some.corner(region) + some.edge() / 2;
+    const auto looks = [&](std::uint32_t i) { return model.occluders[i].area_angle(middle); };
+    const auto largest = *std::ranges::max_element(before, {}, looks);
+    if (!kept.empty()) ++listed;
+    if (std::ranges::binary_search(kept, largest)) ++largest_listed;
+  }
+  EXPECT_GT(largest_listed, listed * 9 / 10) << "by what looks largest from somewhere in the region, not from its middle";
+}
+
+TEST(OccluderGrid, OfABudgetThatIsNotSpentNothingIsCut) {
+  const Model model(random_town_of_houses(4, 1500));
+  const OccluderGrid grid = model.grid();
+  const std::size_t entries = grid.lists().occluders.size();
+  ASSERT_LT(entries, OccluderGrid::Config{}.entries);
+  EXPECT_EQ(model.grid({.entries = entries}).lists().occluders, grid.lists().occluders);
+  EXPECT_LT(model.grid({.entries = entries - 1}).lists().occluders.size(), entries);
+}
+
+/// The number of threads is the machine's own: that it does not count shows in repeated runs.
+TEST(OccluderGrid, IsTheSameInEveryRun) {
+  const Model model(large_triangles(300));
+  const OccluderGrid::Config config{.regions = 4096, .entries = 50000};
+  const OccluderGrid first = model.grid(config);
+  for (int run = 0; run < 5; ++run) {
+    const OccluderGrid other = model.grid(config);
+    ASSERT_EQ(other.lists().first, first.lists().first);
+    ASSERT_EQ(other.lists().occluders, first.lists().occluders);
+  }
+}
+
+TEST(OccluderGrid, RepeatedPolygonsShare) {
+  PolygonSoup soup;
+  for (int i = 0; i < 100; ++i) add_wall(soup, 1, 0, 1, 0, 1);
+  add_wall(soup, 2, 0, 1, 0, 1);
+  EXPECT_EQ(Model(soup).grid().list({1.5, 0.5, 0.5}).occluders.size(), 2U);
+}
+
 }  // namespace

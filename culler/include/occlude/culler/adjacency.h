@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {
@@ -18,7 +20,17 @@ struct SidePair {
 /// The polygon of each side.
 [[nodiscard]] std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup);
 
-/// Sides along one edge in opposite directions, with no third there, by equal coordinates: the longest first.
-[[nodiscard]] std::vector<SidePair> find_adjacency(const PolygonSoup& soup);
+/// Of each vertex the first with the same coordinates.
+[[nodiscard]] std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices, const Checkpoint& checkpoint = {});
+
+/// Sides along one edge in opposite directions, with no third there, by equal coordinates: the longest first. `weld` is what
+/// welded() makes of the vertices.
+[[nodiscard]] std::vector<SidePair> find_adjacency(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
+                                                   const Checkpoint& checkpoint = {});
+
+/// Of each polygon whether one before it has the same corners in the same order, either way round: it hides what that one
+/// hides.
+[[nodiscard]] std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
+                                              const Checkpoint& checkpoint = {});
 
 }  // namespace occlude::culler

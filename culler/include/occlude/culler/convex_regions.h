@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What can hide: the convex regions of the soup (section 4). A wall comes as two triangles, a roof as ten; joined they are
 // one occluder, which hides what each of them does and what only some of them do together. Joined for hiding, never for
-// drawing. A polygon that is not convex hides as the convex pieces of the fan that it is drawn as. Reading order: 4.
+// drawing. A polygon that is not convex, or has very many sides, hides as convex pieces of the fan that it is drawn as.
+// Reading order: 4.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "occlude/culler/adjacency.h"
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {
@@ -23,8 +25,8 @@ struct FanRun {
 };
 
 /// Region r below the number of polygons is polygon r; those after them are joined of several, edge to edge; the last are
-/// pieces of polygons that are not convex. A joined region is convex and nearly flat up to rounding: whether its loop is an
-/// occluder for a viewpoint the kernel decides exactly.
+/// pieces of polygons that are not convex or have more sides than kMostSides. A joined region is convex and nearly flat up
+/// to rounding: whether its loop is an occluder for a viewpoint the kernel decides exactly.
 ///
 /// Two things hold exactly of the parts of a region: every edge but those of the loop is run through as often one way as the
 /// other, and all their corners are corners of the loop. So a loop that is convex from a viewpoint hides no more than its
@@ -32,8 +34,13 @@ struct FanRun {
 /// on one side of a plane with all corners of the loop is so with all of the triangles.
 class ConvexRegions {
  public:
+  /// Every side is a plane of the shadow, at which every test of a box may have to look: with so many a frame of some
+  /// thousands of tests stays within milliseconds for each occluder. No region but a polygon of the soup has more.
+  static constexpr std::uint32_t kMostSides = 256;
+
   /// REQUIRES: finite coordinates, and the adjacency of this soup.
-  [[nodiscard]] static ConvexRegions find(const PolygonSoup& soup, std::span<const SidePair> adjacency);
+  [[nodiscard]] static ConvexRegions find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
+                                          const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return first_vertex_.size() - 1; }
   /// The largest region that the polygon is part of: a joined one, or itself.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "occlude/culler/adjacency.h"
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/convex_polytope.h"
 
@@ -21,7 +22,8 @@ class ConvexShells {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   /// REQUIRES: finite coordinates, and the adjacency of this soup.
-  [[nodiscard]] static ConvexShells find(const PolygonSoup& soup, std::span<const SidePair> adjacency);
+  [[nodiscard]] static ConvexShells find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
+                                         const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return shells_.size(); }
   [[nodiscard]] const kernel::ConvexPolytope& polytope(std::size_t s) const { return shells_[s].polytope; }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "occlude/culler/box.h"
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
 
@@ -48,10 +49,11 @@ class Hierarchy {
 
   /// Builds top-down, splitting where the surface area heuristic (Goldsmith and Salmon 1987) estimates the least cost.
   /// REQUIRES: soup is not empty and its coordinates are in the kernel's legal range.
-  [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config);
+  [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint = {});
 
   /// The same tree from its layout. Throws std::invalid_argument when it cannot be a layout of this soup.
-  [[nodiscard]] static Hierarchy restore(const PolygonSoup& soup, const Config& config, const Layout& layout);
+  [[nodiscard]] static Hierarchy restore(const PolygonSoup& soup, const Config& config, const Layout& layout,
+                                         const Checkpoint& checkpoint = {});
   [[nodiscard]] Layout layout() const;
 
   /// The polygons in the order of the leaves.
@@ -80,9 +82,9 @@ class Hierarchy {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree);
+  Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint);
 
-  void fit_oriented_boxes();
+  void fit_oriented_boxes(const Checkpoint& checkpoint);
 
   PolygonSoup soup_;
   std::vector<std::uint32_t> order_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -31,9 +32,15 @@ inline constexpr std::size_t kMissedReasons = 6;
 }
 
 /// Shadows are taken less the frame's margin, strictly beyond their near planes, and decided exactly. Makes the shadows of
-/// all that the region lists: for analysis, not for every frame.
+/// what the region lists: for analysis, not for every frame.
 class MissedReasons {
  public:
+  /// Of a list that is longer, what looks largest from the eye is asked. Nearly all lists of the models tried are shorter.
+  static constexpr std::size_t kMostListed = 4096;
+  /// Shadows looked at for all nodes and polygons of a frame, a second or two of one processor: beyond, polygons are not
+  /// asked. Of the models tried a frame takes less than 2^19.
+  static constexpr std::size_t kMostLooks = std::size_t{1} << 24U;
+
   /// `frame` is what the culler made of this camera with these options, and must outlive this.
   MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame);
 
@@ -44,10 +51,17 @@ class MissedReasons {
   /// Why polygon p of the tree, which is hidden and drawn, was not culled.
   [[nodiscard]] Answer answer(std::uint32_t p) const;
 
-  /// How many of the polygons that are hidden and drawn were missed for each reason. `shows` tells of each polygon of the
-  /// tree whether the frame shows it.
-  using Counts = std::array<std::size_t, kMissedReasons>;
-  [[nodiscard]] Counts count(const std::vector<bool>& shows) const;
+  struct Counts {
+    std::size_t missed = 0;                             ///< polygons that are hidden and drawn
+    std::array<std::size_t, kMissedReasons> reasons{};  ///< how many of them were missed for each, of those that were asked
+
+    [[nodiscard]] std::size_t asked() const { return std::accumulate(reasons.begin(), reasons.end(), std::size_t{0}); }
+    Counts& operator+=(const Counts& other);
+  };
+  /// Asks all that the frame missed, as far as `looks` go; on all processors, the same for any number of them. `shows` tells
+  /// of each polygon of the tree whether the frame shows it.
+  [[nodiscard]] Counts count(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
+                             std::size_t looks = kMostLooks) const;
 
  private:
   struct Shadow {
@@ -63,14 +77,11 @@ class MissedReasons {
     std::uint32_t node;
     Near near;
   };
+  class Asking;
 
   void keep_others(const Culler& culler, const Camera& camera, const CullOptions& options);
   [[nodiscard]] Near all() const;
   [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node) const;
-  template <class OnSubtree>
-  void descend(const Subtree& above, std::uint32_t polygons, const std::vector<bool>& missed,
-               const OnSubtree& on_subtree) const;
-  void count_leaf(const Subtree& leaf, const std::vector<bool>& missed, Counts& counts) const;
   [[nodiscard]] Answer answer(std::uint32_t p, const Near& near) const;
   [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p) const;
   [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box) const;

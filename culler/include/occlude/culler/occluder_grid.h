@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/potential_occluders.h"
 #include "occlude/kernel/types.h"
 
@@ -23,6 +24,9 @@ class OccluderGrid {
     double threshold = 0.01;
     /// Number of regions aimed at, from 1 to 2^30.
     double regions = 32768;
+    /// Most entries of all lists together. Where there would be more, the longest lists are cut to one length and keep what
+    /// looks largest from their regions. 2^25 entries take 128 MiB, and no list of the models tried is cut (README.md).
+    std::size_t entries = std::size_t{1} << 25U;
   };
 
   /// The lists of all regions, one after another, ascending within each: what a preprocess stores.
@@ -39,10 +43,11 @@ class OccluderGrid {
     std::span<const float> hidden;  ///< of each, or empty
   };
 
-  /// A grid over `model`, which lists the occluders; degenerate ones are left out. The lists are conservative: the
-  /// area-angle is bounded from above over each region of the grid. Throws std::invalid_argument for a config out of range.
+  /// A grid over `model`, which lists the occluders that have an area. The lists are conservative as far as the budget goes:
+  /// the area-angle is bounded from above over each region of the grid. Throws std::invalid_argument for a config out of
+  /// range.
   [[nodiscard]] static OccluderGrid build(const PotentialOccluders& occluders, const kernel::Aabb& model,
-                                          const Config& config);
+                                          const Config& config, const Checkpoint& checkpoint = {});
 
   /// The grid that has these lists. Throws std::invalid_argument when they cannot be lists of these occluders and regions.
   [[nodiscard]] static OccluderGrid restore(const PotentialOccluders& occluders, const kernel::Aabb& model,
@@ -68,8 +73,6 @@ class OccluderGrid {
   [[nodiscard]] std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * size_[1] + y) * size_[0] + x;
   }
-  template <class Visit>
-  void for_each_region(const PotentialOccluder& occluder, double threshold, Visit&& visit) const;
 
   glm::dvec3 origin_{0, 0, 0};
   double edge_ = 1;  ///< of a region, model units

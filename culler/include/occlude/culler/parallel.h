@@ -11,18 +11,23 @@
 #include <thread>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
+
 namespace occlude::culler {
 
-/// Calls work(i) once for every i below `count`, on all processors, or as many as the system gives threads for; returns when
-/// all are done. An exception stops what has not begun and is thrown on to the caller.
+/// Calls work(i) once for every i below `count`, on all processors, or as many as the system gives threads for, `checkpoint`
+/// before each; returns when all are done. An exception stops what has not begun and is thrown on to the caller.
 template <class Work>
-void parallel_for(std::size_t count, Work&& work) {
+void parallel_for(std::size_t count, Work&& work, const Checkpoint& checkpoint = {}) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
   const auto share = [&] {
     try {
-      for (std::size_t i = next++; i < count; i = next++) work(i);
+      for (std::size_t i = next++; i < count; i = next++) {
+        checkpoint();
+        work(i);
+      }
     } catch (...) {
       next = count;
       const std::lock_guard lock(mutex);

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/convex_regions.h"
 #include "occlude/culler/convex_shells.h"
 #include "occlude/culler/polygon_soup.h"
@@ -16,7 +17,8 @@
 
 namespace occlude::culler {
 
-/// What the choice of occluders knows about one of them.
+/// What the choice of occluders knows about one of them. A polygon that repeats another and is no part of anything larger,
+/// or has so many sides that it hides as pieces, has no area: it is in no list.
 struct PotentialOccluder {
   glm::dvec3 centre{0, 0, 0};
   glm::dvec3 area_normal{0, 0, 0};  ///< of a region: unit normal times area
@@ -40,7 +42,8 @@ class PotentialOccluders {
   };
 
   /// REQUIRES: finite coordinates.
-  [[nodiscard]] static PotentialOccluders find(const PolygonSoup& soup, const Config& config);
+  [[nodiscard]] static PotentialOccluders find(const PolygonSoup& soup, const Config& config,
+                                               const Checkpoint& checkpoint = {});
 
   /// Occluders 0, ..., size() - 1: first the regions, then the shells.
   [[nodiscard]] std::size_t size() const { return known_.size(); }

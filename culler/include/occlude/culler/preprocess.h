@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_grid.h"
 #include "occlude/culler/potential_occluders.h"
@@ -40,9 +41,10 @@ struct Preprocess {
 };
 
 /// Prepares the model and samples what its occluders hide, on all processors; the same for any number of them. Calls
-/// progress(done, all), if given, now and then from any thread, one call at a time; what it throws stops the work and comes
-/// out. Throws std::invalid_argument as Culler does.
+/// progress(done, all), if given, after each region that is sampled, from any thread, one call at a time. What it or
+/// `checkpoint` throws stops the work and comes out. Throws std::invalid_argument as Culler does.
 [[nodiscard]] Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
-                                    const std::function<void(std::size_t done, std::size_t all)>& progress = {});
+                                    const std::function<void(std::size_t done, std::size_t all)>& progress = {},
+                                    const Checkpoint& checkpoint = {});
 
 }  // namespace occlude::culler

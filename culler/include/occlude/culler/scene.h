@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "occlude/culler/box.h"
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/occluder_grid.h"
 #include "occlude/culler/polygon_soup.h"
@@ -74,8 +75,9 @@ class Scene {
   using Config = SceneConfig;
 
   /// Any of the three may be empty. Throws std::invalid_argument, with the place and the reason, for a vertex that is not
-  /// legal and for a box that the kernel refuses, or, of an oriented one, the axis-aligned box around it.
-  Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config = {});
+  /// legal and for a box that the kernel refuses, or, of an oriented one, the axis-aligned box around it. What
+  /// `checkpoint` throws while the scene is prepared comes out.
+  Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config = {}, const Checkpoint& checkpoint = {});
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;

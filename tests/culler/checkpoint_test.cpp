@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Whoever waits for a model to be prepared can stop it.
+#include "occlude/culler/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "occlude/culler/culler.h"
+#include "occlude/culler/scene.h"
+#include "parallel_sort.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude::culler;
+
+/// Throws at its call number `last`, counted from 1.
+struct Stop {
+  std::size_t last;
+  std::atomic<std::size_t> calls = 0;
+
+  Checkpoint checkpoint() {
+    return [this] {
+      if (++calls == last) throw std::runtime_error("stopped");
+    };
+  }
+};
+
+constexpr std::size_t kNever = 0;
+
+/// However far it was.
+template <class Prepare>
+void expect_stops_anywhere(const Prepare& prepare) {
+  Stop never{kNever};
+  EXPECT_NO_THROW(prepare(never.checkpoint()));
+  ASSERT_GT(never.calls, 100U);
+  for (std::size_t last = 1; last <= never.calls; last += never.calls / 50) {
+    Stop stop{last};
+    EXPECT_THROW(prepare(stop.checkpoint()), std::runtime_error) << "at call " << last << " of " << never.calls;
+  }
+}
+
+TEST(Checkpoint, StopsACuller) {
+  const PolygonSoup soup = random_town_of_houses(3, 500);
+  for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
+    const BuildConfig config{.hierarchy = {.bounds = bounds}, .grid = {.regions = 64}};
+    expect_stops_anywhere([&](const Checkpoint& checkpoint) { const Culler culler(soup, config, checkpoint); });
+    expect_stops_anywhere([&](const Checkpoint& checkpoint) {
+      static_cast<void>(preprocess(soup, config, {.viewpoints = 1}, {}, checkpoint));
+    });
+    const Preprocess known = preprocess(soup, config, {});
+    Stop stop{1};
+    EXPECT_THROW(Culler(soup, known, stop.checkpoint()), std::runtime_error);
+  }
+}
+
+TEST(Checkpoint, StopsAScene) {
+  const PolygonSoup soup = random_town_of_houses(3, 300);
+  std::vector<Box> boxes;
+  for (std::size_t p = 0; p < soup.size(); ++p) boxes.emplace_back(soup.box(p));
+  expect_stops_anywhere([&](const Checkpoint& checkpoint) {
+    const Scene scene({.statics = boxes, .dynamics = boxes}, soup, {.grid = {.regions = 64}}, checkpoint);
+  });
+}
+
+TEST(ParallelSort, IsStable) {
+  std::mt19937 random(2);
+  std::vector<std::uint32_t> order(500000), keys(order.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::uint32_t& key : keys) key = random() % 1000;
+  const auto less = [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; };
+  std::vector<std::uint32_t> expected = order;
+  std::stable_sort(expected.begin(), expected.end(), less);
+  parallel_sort(order, {}, less);
+  EXPECT_EQ(order, expected);
+}
+
+}  // namespace
