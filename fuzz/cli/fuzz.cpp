@@ -218,7 +218,8 @@ void minimise_and_report(FuzzResults& results, const std::string& file) {
     results.interrupted = true;
   }
   render::say(case_lines(results));
-  if (!file.empty()) render::say(fmt::format("These lines are in {0}: occlude fuzz {0} judges them again.\n", file));
+  if (!file.empty())
+    render::say(fmt::format("These lines are in {0}: occlude fuzz {0} judges them again.\n", render::printable(file)));
   if (has_defects(results)) render::say("A wrong answer of ours is a defect: please report its line.\n");
 }
 
@@ -239,7 +240,7 @@ void fuzz_command(const Arguments& a, int& exit_code) {
   if (has_findings) {
     store(results, file);
   } else if (std::filesystem::is_regular_file(file)) {
-    render::say(file + " is of an earlier run\n");
+    render::say(render::printable(file) + " is of an earlier run\n");
   }
   if (!a.json) render::print(table(results));
   render::finish_printing();

@@ -227,7 +227,7 @@ def without(random, data):
 def repeated(random, data):
     i = place(random, data)
     piece = data[i:i + random.randint(1, 300)]
-    return data[:i] + piece * min(10 ** random.randint(1, 5), 1 + 500_000 // max(1, len(piece))) + data[i:]
+    return data[:i] + piece * min(10 ** random.randint(1, 5), 1 + 10_000 // max(1, len(piece))) + data[i:]
 
 
 def flipped(random, data):
@@ -302,7 +302,7 @@ def other_value(random, value):
     if isinstance(value, list) and value and random.random() < 0.9:
         i = random.randrange(len(value))
         if random.random() < 0.1:
-            return value[:i] + value[i:i + 1] * random.choice([0, 2, 1000]) + value[i + 1:]
+            return value[:i] + value[i:i + 1] * random.choice([0, 2, 20]) + value[i + 1:]
         return value[:i] + [other_value(random, value[i])] + value[i + 1:]
     return random.choice([None, True, -1, 0, 1, 5, 2 ** 31, 2 ** 32 - 1, 2 ** 63, 2 ** 64, 1e300, -1e30, 1e-31, 0.1,
                           "", "x", "nan", "1", [], {},
@@ -364,7 +364,7 @@ def obj_bombs(random):
         lambda: ("line", corners + b"f " + b"x" * (8 * MIB)),
         lambda: ("number", b"v " + numbers_without_end(random) + b" 0 0\n"),
         lambda: ("continued", b"\\\n" * (2 * MIB)), lambda: ("joined", corners + b"f 1 2 \\\n3 " * 300_000),
-        lambda: ("vertices", b"v 0 0 0\n" * MIB), lambda: ("same faces", corners + b"f 1 2 3\n" * 2000),
+        lambda: ("vertices", b"v 0 0 0\n" * MIB), lambda: ("same faces", corners + b"f 1 2 3\n" * 100),
         lambda: ("loop", corners + b"f" + b" 1 2 3" * 300), lambda: ("index", corners + b"f 1 2 " + b"9" * MIB),
         lambda: ("short faces", corners + b"f 1 2 3\n" + b"f\n" * MIB), lambda: ("zeros", b"\0" * (8 * MIB)),
         lambda: ("carriage returns", b"\r" * (8 * MIB)),
@@ -418,7 +418,7 @@ def gltf_scene_bomb(random):
     if kind == "nodes":  # each the parent of the next, twice
         scene["nodes"] = [{"children": [i + 1, i + 1]} for i in range(40)] + [{"mesh": 0}]
     if kind == "indices":
-        scene["meshes"][0]["primitives"] = scene["meshes"][0]["primitives"] * random.choice([100, 2000])
+        scene["meshes"][0]["primitives"] = scene["meshes"][0]["primitives"] * random.choice([10, 40])
     if kind == "kind":
         accessor["componentType"], accessor["type"] = random.choice([0, 5120, 5130, huge]), random.choice(["MAT4",
                                                                                                            "SCALAR",
@@ -467,7 +467,7 @@ def collada_bombs(random):
         lambda: ("offset", files.replace(b'offset="0"', b'offset="%d"' % huge)),
         lambda: ("attributes", b"<COLLADA " + b" ".join(b'a%d="x"' % i for i in range(100_000)) + b"/>"),
         lambda: ("text", files.replace(b"<p>", b"<p>" + b"0 " * (2 * MIB))),
-        lambda: ("geometries", collada('<node><instance_geometry url="#g"/></node>' * 100)),
+        lambda: ("geometries", collada('<node><instance_geometry url="#g"/></node>' * 10)),
     ])()
 
 

@@ -23,8 +23,8 @@ import time
 import formats
 
 MIB = 1 << 20
-# Resident with a small model: mostly the libraries that the command is linked with.
-FLOOR = 128 * MIB
+# Whatever the file: the libraries that the command is linked with, and what culling a few hundred polygons needs.
+FLOOR = 256 * MIB
 # What the READMEs state: memory for each byte of an input, and the import library's own limits.
 JSON_FACTOR, MODEL_FACTOR = 60, 40
 IMPORT_MEMORY, IMPORT_FACTOR = 256 * MIB, 128

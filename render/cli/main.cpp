@@ -76,10 +76,10 @@ int main(int argc, char** argv) {
     return failed(kInterrupted, "interrupted, no file written");
   } catch (const std::bad_alloc&) {
     // What was asked for names the file that is too much.
-    return failed(
-        kBadInput,
-        fmt::format("out of memory ({} at most): {}", occlude::render::in_mebibytes(occlude::render::most_memory()),
-                    occlude::render::printable(fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")))));
+    const std::string command = fmt::format("{}", fmt::join(argv + 1, argv + argc, " "));
+    const std::string limit = occlude::render::in_mebibytes(occlude::render::memory_limit());
+    return failed(kBadInput,
+                  occlude::render::printable(fmt::format("out of memory, of which there are {}: {}", limit, command)));
   } catch (const std::exception& error) {
     return failed(kBadInput, occlude::render::printable(error.what()));
   }

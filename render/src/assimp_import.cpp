@@ -166,8 +166,11 @@ PolygonSoup import(const std::filesystem::path& file) {
     throw;
   } catch (...) {
   }
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw InputError(file.string() + ": cannot import: " + printable(importer.GetErrorString()));
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    const std::string reason = printable(importer.GetErrorString());
+    throw InputError(file.string() +
+                     ": cannot import: " + (reason.empty() ? "the import library does not say why" : reason));
+  }
   return SceneReader(file, *scene).read();
 }
 

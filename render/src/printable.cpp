@@ -27,7 +27,7 @@ std::size_t length_of_character(std::string_view text) {
   // lead bytes that are none.
   const std::uint32_t least = length == 2 ? 0xa0 : length == 3 ? 0x800 : 0x10000;
   const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
-  return lead < 0xf8 && code >= least && code <= 0x10ffff && !is_surrogate ? length : 0;
+  return lead >= 0xc0 && lead < 0xf8 && code >= least && code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
 }  // namespace

@@ -30,10 +30,12 @@ void limit_resource(int resource, rlim_t value) {
 
 std::uint64_t most_memory() { return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 * page(); }
 
-void limit_memory() {
+void limit_memory() { limit_resource(RLIMIT_AS, std::min(memory_limit(), address_space_in_use() + most_memory())); }
+
+std::uint64_t memory_limit() {
   rlimit present{};
   getrlimit(RLIMIT_AS, &present);
-  limit_resource(RLIMIT_AS, std::min<rlim_t>(present.rlim_cur, address_space_in_use() + most_memory()));
+  return present.rlim_cur;
 }
 
 }  // namespace occlude::render

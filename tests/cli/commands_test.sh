@@ -430,6 +430,14 @@ timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a polygon of
 corners=$(printf '[2,0,0],%.0s' $(seq 1 4096))
 echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[$corners[2,1,0]],\"faces\":[]},$box}" >line.jsonl
 expect_error "line.jsonl:1: \"occluder\": a polytope with more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
+# Nor do more polygons fit than memory holds; what is too large is named.
+awk 'BEGIN { for (i = 1; i <= 2e6; ++i) print "v", i, 0, 0; for (i = 1; i <= 1e6; ++i) print "f", i, i + 1, i + 2 }' >many.obj
+with_little_memory() { (ulimit -v 400000 && timeout 60 "$occlude" "$@"); }
+if with_little_memory --version >/dev/null 2>&1; then # a sanitizer needs more to begin with
+  expect_error "many.obj" with_little_memory walk many.obj --path path.json --no-render --out out
+  grep -q 'out of memory' stderr || fail "out of memory: $(cat stderr)"
+fi
+rm many.obj
 # A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
 expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
