@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bounds.h"
@@ -326,19 +327,20 @@ TEST(Culler, AShellDoesNotHideItself) {
   }
 }
 
-/// The same for one of two that are asked together: the other is a wall that goes on from an edge of its front, and looks
-/// smaller than it or larger, so that each is the second of the two once. The edge has a vertex more in the wall: what three
-/// polygons share is of no shell.
+/// The same for one of two that are asked together: the other is a wall across half of its front, from an edge, and looks
+/// smaller than it or larger, so that each is the second of the two once. The far side lies in both shadows, across the
+/// border of the wall's. The edge has a vertex more in the wall: what three polygons share is of no shell.
 TEST(Culler, AShellInAPairDoesNotHideItself) {
-  for (const double y : {1.0, 0.1}) {
+  for (const auto& [y, height] : {std::pair{1.0, 1.0}, {0.1, 20.0}}) {
     PolygonSoup soup;
     add_box(soup, {2, -y, -1}, {4, y, 1});
-    add(soup, {{2, y, -1}, {2.1, y + 1, -1}, {2.1, y + 1, 1}, {2, y, 1}, {2, y, 0}});
+    add(soup, {{2, y, -1}, {1.95, 0, -height}, {1.95, 0, height}, {2, y, 1}, {2, y, 0}});
     const Culler culler = one_polygon_leaves(soup);
     const CullResult frame = look(culler, {.occluders = 2, .unions = true});
     ASSERT_EQ(frame.pairs.size(), 1U);
     EXPECT_EQ(culler.occluders().is_shell(frame.occluders.at(frame.pairs[0].second).index), y < 1);
-    for (std::uint32_t face = 0; face < 6; ++face) EXPECT_TRUE(is_drawn(culler, frame, face)) << "face " << face;
+    EXPECT_GT(frame.stats.union_tests, 0U);
+    EXPECT_TRUE(is_drawn(culler, frame, 1)) << "the far side";
   }
 }
 
