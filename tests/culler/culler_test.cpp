@@ -89,9 +89,13 @@ TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
   std::mt19937 random(77);
   for (int i = 0; i < 50; ++i) {
     const CullResult frame = culler.cull(random_camera(random), {});
+    for (const auto [first, count] : frame.drawn) {
+      for (std::uint32_t p = first; p < first + count; ++p) ASSERT_EQ(culler.cull_of(frame, p), nullptr);
+    }
     for (const Culled& culled : frame.culled) {
-      if (culled.by != Culled::By::shadow) continue;
       const Hierarchy::Node& node = culler.hierarchy().nodes()[culled.node];
+      for (std::uint32_t p = node.first; p < node.first + node.count; ++p) ASSERT_EQ(culler.cull_of(frame, p), &culled);
+      if (culled.by != Culled::By::shadow) continue;
       const Occluder& occluder = frame.occluders[culled.index];
       ASSERT_FALSE(holds_part(culler, node, occluder)) << "hides itself";
       for (std::uint32_t p = node.first; p < node.first + node.count; ++p) {
@@ -372,6 +376,8 @@ TEST(Culler, TwoHideTogetherWhereAsked) {
     culler.visit_shadow_tests(frame, options, [&](const Occluder&, const Box&) { ++visited; });
     ASSERT_EQ(visited, frame.stats.shadow_tests);
   }
+  options.unions = false;
+  EXPECT_TRUE(culler.cull(camera, options, view).pairs.empty()) << "the pairs are those of the frame";
 }
 
 /// A wall of two triangles beside the line of sight, the first with a corner at x = `nearest`, and a thing behind the

@@ -30,6 +30,8 @@ void check(const PolygonSoup& soup, const Hierarchy& hierarchy, std::uint32_t le
     originals.insert(hierarchy.original(p));
     const auto mine = hierarchy.soup().loop(p), given = soup.loop(hierarchy.original(p));
     ASSERT_TRUE(std::equal(mine.begin(), mine.end(), given.begin(), given.end()));
+    const Hierarchy::Node& leaf = hierarchy.nodes()[hierarchy.leaf_of(static_cast<std::uint32_t>(p))];
+    ASSERT_TRUE(leaf.is_leaf() && p >= leaf.first && p - leaf.first < leaf.count) << "polygon " << p;
   }
   ASSERT_EQ(originals.size(), soup.size());
   ASSERT_EQ(std::set<std::uint32_t>(originals.begin(), originals.end()).size(), soup.size());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bounds.h"
+#include "cull_frame.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"
@@ -48,6 +49,17 @@ bool holds_moved(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box, c
     }
   }
   return true;
+}
+
+TEST(Depth, IsNoLessThanThatOfAnyCorner) {
+  const kernel::Aabb box{{-1, -2, -3}, {3, 2, 1}};
+  for (const glm::dvec3& eye : {glm::dvec3{0, 0, 0}, {10, 10, 10}, {-5, 0, 7}, {0, 9, 0}}) {
+    for (unsigned i = 0; i < 8; ++i) {
+      const glm::dvec3 corner{i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y,
+                              i & 4U ? box.max.z : box.min.z};
+      EXPECT_GE(depth(box, eye), glm::distance(corner, eye));
+    }
+  }
 }
 
 class Margin : public testing::TestWithParam<Projection> {
@@ -132,12 +144,12 @@ TEST_P(Margin, OfNoneIsTheShadowItself) {
 
 INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspective, Projection::orthographic));
 
-/// A wall at distance 10 that hides 10 to each side, and points behind it, for a renderer whose positions are out by 0.01.
-/// Those of the wall move the shadow's border by 0.01 at the wall, and with the distance; those of what is behind, and the
-/// near plane, by as much along the planes' normals on top, twice.
+/// A slanted wall, the nearest of it 10 away and the farthest 20, and points behind it, for a renderer whose positions are
+/// out by 0.01. Those of the wall move the shadow in the picture, most where it is nearest; those of what is behind, and
+/// the planes, move by as much along the planes' normals on top.
 TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
   constexpr double kRounding = 0.01, kDepth = 0x1p21 * kRounding, kNone = 1e-12;
-  const std::vector<kernel::Vec3> wall{{10, -10, -10}, {10, 10, -10}, {10, 10, 10}, {10, -10, 10}};
+  const std::vector<kernel::Vec3> wall{{10, -10, -10}, {20, 20, -20}, {20, 20, 20}, {10, -10, 10}};
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     const bool perspective = projection == Projection::perspective;
     Camera camera;
@@ -145,12 +157,16 @@ TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
     const auto shadow = kernel::ShadowFrustum::make(camera.viewpoint(), wall, kernel::Near::surface).frustum.value();
     const ShadowMargin margin(camera, kNone, kDepth);
     const auto keeps = [&](double x, double y) { return margin.keeps(shadow, kernel::Aabb{{x, y, 0}, {x, y, 0}}); };
-    // The planes are x = y and y = 10.
-    const double side = perspective ? 20 - 2 * kRounding - 2 * kRounding * std::sqrt(2) : 10 - kRounding - 2 * kRounding;
-    EXPECT_TRUE(keeps(20, side - 1e-6));
-    EXPECT_FALSE(keeps(20, side + 1e-6));
-    EXPECT_TRUE(keeps(10 + 2 * kRounding + 1e-6, 0));
-    EXPECT_FALSE(keeps(10 + 2 * kRounding - 1e-6, 0));
+    // The sides are x >= y and 20 >= y.
+    const double side =
+        perspective ? 40 - 40 * kRounding / 10 - 2 * kRounding * std::sqrt(2) : 20 - kRounding - 2 * kRounding;
+    EXPECT_TRUE(keeps(40, side - 1e-6));
+    EXPECT_FALSE(keeps(40, side + 1e-6));
+    // The near plane is 3 x - y >= 40.
+    const double before = 40 + 2 * kRounding * std::sqrt(10);
+    const double near = perspective ? before / (3 - kRounding / 10) : (before + kRounding) / 3;
+    EXPECT_TRUE(keeps(near + 1e-6, 0));
+    EXPECT_FALSE(keeps(near - 1e-6, 0));
   }
 }
 
@@ -180,6 +196,9 @@ TEST(CullOptions, AMarginHoldsForQueries) {
   View view;
   culler.cull(Camera{}, {}, view);
   EXPECT_EQ(view.visibility(point_at(20 - 0.99 * margin)), Visibility::occluded);
+  Camera wide;
+  wide.fov_y_deg = 120;
+  culler.cull(wide, {.margin = kShare}, view);  // the margin is the frame's own
   culler.cull(Camera{}, {.margin = kShare}, view);
   EXPECT_EQ(view.visibility(point_at(20 - 0.99 * margin)), Visibility::visible);
   EXPECT_EQ(view.visibility(point_at(20 - 1.01 * margin)), Visibility::occluded);
