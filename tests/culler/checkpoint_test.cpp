@@ -73,7 +73,7 @@ TEST(ParallelSort, IsStable) {
   std::mt19937 random(2);
   std::vector<std::uint32_t> order(500000), keys(order.size());
   std::iota(order.begin(), order.end(), 0U);
-  for (std::uint32_t& key : keys) key = random() % 1000;
+  for (std::uint32_t& key : keys) key = static_cast<std::uint32_t>(random()) % 1000;
   const auto less = [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; };
   std::vector<std::uint32_t> expected = order;
   std::stable_sort(expected.begin(), expected.end(), less);
