@@ -28,14 +28,26 @@ glm::dvec3 without_negligible(glm::dvec3 v) {
   return v;
 }
 
+/// The same half-space, or one little larger, in numbers that are legal for the kernel: coordinates up to 2^100 have offsets
+/// up to 2^103, and what is left of an offset that cancels may be as small as any number.
+HalfSpace legal(const glm::dvec3& normal, double offset) {
+  if (std::fabs(offset) > kernel::kMaxMagnitude) return {normal * 0x1p-4, offset * 0x1p-4};
+  if (offset != 0 && std::fabs(offset) < kernel::kMinMagnitude) return {normal, kernel::kMinMagnitude};
+  return {normal, offset};
+}
+
 /// The half-space beyond `point` along `inward`, moved outward by more than rounding moves it: the offset sums three
 /// products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient, and a normal off by a few
 /// roundings tilts the plane by as much at `reach` from the point.
 HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double reach) {
   const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
   const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + reach;
-  return {normal, -glm::dot(normal, point) + 0x1p-48 * size};
+  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size);
 }
+
+/// The tangent of half the opening, made wider by the margin and by more than rounding tilts the plane: a few roundings of a
+/// normal 1 + tangent long, against points that are up to `reach` from a point one unit along the line of sight.
+double opened(double tangent, double reach) { return tangent * (1 + kMargin) + 0x1p-48 * (1 + tangent) * reach; }
 
 bool is_legal(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }
 
@@ -43,6 +55,9 @@ bool is_legal_length(double x) { return x > 0 && kernel::check(x) == kernel::Ref
 
 /// Sine of the least angle between the line of sight and `up`: below it rounding decides which way the picture is turned.
 constexpr double kLeastSine = 1e-9;
+
+/// Far more than any picture has. The planes of one side tilt by what rounding does at the far end of the other.
+constexpr double kLargestAspect = 65536;
 
 bool has_line_of_sight(const Camera& camera) {
   const glm::dvec3 sight = camera.target - camera.eye;
@@ -61,8 +76,9 @@ std::string fault(const Camera& camera) {
   if (!is_legal_length(camera.near)) return "the near plane must be before the eye and in range";
   if (!(camera.far > camera.near) || (std::isfinite(camera.far) && !is_legal_length(camera.far)))
     return "the far plane must be beyond the near plane";
-  if (!is_legal_length(camera.height) || !is_legal_length(camera.aspect))
-    return "the picture must have a height and a width";
+  if (!is_legal_length(camera.height)) return "the picture must have a height";
+  if (!(camera.aspect >= 1 / kLargestAspect && camera.aspect <= kLargestAspect))
+    return "the picture must not be more than 65536 times as wide as high, or as high as wide";
   return "";
 }
 
@@ -80,10 +96,11 @@ kernel::Viewpoint Camera::viewpoint() const {
 void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes) {
   const auto [right, up, forward] = camera.axes();
   if (camera.projection == Projection::perspective) {
-    const double y = std::tan(glm::radians(camera.fov_y_deg) / 2) * (1 + kMargin);
-    const double x = y * camera.aspect;
-    for (const glm::dvec3& inward : {x * forward + right, x * forward - right, y * forward + up, y * forward - up}) {
-      planes.push_back(half_space(inward, camera.eye, 0));  // what rounding tilts, kMargin has opened further
+    const double y = std::tan(glm::radians(camera.fov_y_deg) / 2), x = y * camera.aspect;
+    const double wide_x = opened(x, 1 + x + y), wide_y = opened(y, 1 + x + y);
+    for (const glm::dvec3& inward :
+         {wide_x * forward + right, wide_x * forward - right, wide_y * forward + up, wide_y * forward - up}) {
+      planes.push_back(half_space(inward, camera.eye, 0));  // what rounding tilts it is opened by
     }
   } else {
     const double y = camera.height / 2 * (1 + kMargin);

@@ -2,15 +2,15 @@
 #include "cull_judge.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "border.h"
+#include "camera_picture.h"
 #include "to_oracle.h"
 
 namespace occlude::fuzz {
@@ -25,22 +25,20 @@ using glm::dvec3;
 
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Corners of what the camera shows within `reach` of the line of sight and along it: where the model ends. None when it
-/// ends before the near plane.
-std::vector<dvec3> corners_of_view(const Camera& camera, double reach) {
-  const auto [right, up, forward] = camera.axes();
-  const bool perspective = camera.projection == culler::Projection::perspective;
-  const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
-  std::vector<dvec3> corners;
-  if (reach < camera.near) return corners;
-  for (const double along : {camera.near, std::min(camera.far, reach)}) {
-    const double size = perspective ? along * half : half;
-    const double width = std::min(size * camera.aspect, reach), height = std::min(size, reach);
-    for (const double x : {-width, width}) {
-      for (const double y : {-height, height}) corners.push_back(camera.eye + along * forward + x * right + y * up);
+/// Apart from the tree's own boxes.
+oracle::Aabb box_of(const culler::PolygonSoup& soup) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  oracle::Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (std::size_t p = 0; p < soup.size(); ++p) {
+    for (const std::uint32_t index : soup.loop(p)) {
+      const oracle::Point v = to_oracle(to_kernel(soup.vertices[index]));
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.min[axis] = std::min(box.min[axis], v[axis]);
+        box.max[axis] = std::max(box.max[axis], v[axis]);
+      }
     }
   }
-  return corners;
+  return box;
 }
 
 class CullJudge {
@@ -52,7 +50,8 @@ class CullJudge {
         options_(options),
         result_(result),
         shadows_(result.occluders.size()),
-        is_drawn_(hierarchy_.soup().size()) {}
+        is_drawn_(hierarchy_.soup().size()),
+        model_(box_of(hierarchy_.soup())) {}
 
   /// First of all the ranges are marked: the other checks take them to be sound.
   std::string fault_of_ranges() {
@@ -128,12 +127,9 @@ class CullJudge {
 
   std::string fault_of_view_cull(const Culled& culled) const {
     const auto& [normal, offset] = result_.view[culled.index];
-    // In doubles, as the renderer itself computes what it shows: the planes keep a margin far above rounding.
-    for (const dvec3& corner : corners_of_view(camera_, reach())) {
-      if (!(glm::dot(normal, corner) + offset >= 0)) return "a plane of the view cuts off what the camera shows";
-    }
-    const std::string refuted =
-        oracle::refute_view_cull({normal.x, normal.y, normal.z, offset}, to_oracle(hierarchy_.volume(culled.node)));
+    const std::array<double, 4> plane{normal.x, normal.y, normal.z, offset};
+    if (proof::may_draw_beyond(plane, camera_, model_)) return "a plane of the view cuts off what the camera shows";
+    const std::string refuted = oracle::refute_view_cull(plane, to_oracle(hierarchy_.volume(culled.node)));
     return refuted.empty() ? "" : "culled by view: " + refuted;
   }
 
@@ -182,17 +178,14 @@ class CullJudge {
         parts.push_back({loop[0], loop[t + 1], loop[t + 2]});
       }
     }
-    return have_border(parts, polygon(occluders_.loop(occluder)));
+    return proof::have_border(parts, polygon(occluders_.loop(occluder)));
   }
 
   bool is_clipped(std::uint32_t occluder) const {
-    const dvec3 forward = camera_.axes().forward;
-    const culler::PolygonSoup& soup = hierarchy_.soup();
+    const auto piece = occluders_.is_shell(occluder) ? std::nullopt : occluders_.regions().piece(occluder);
     return std::ranges::any_of(occluders_.parts(occluder), [&](std::uint32_t part) {
-      const auto piece = occluders_.regions().size() > occluder ? occluders_.regions().piece(occluder) : std::nullopt;
-      const auto loop = piece ? occluders_.loop(occluder) : soup.loop(part);
-      return std::ranges::any_of(
-          loop, [&](std::uint32_t index) { return glm::dot(soup.vertices[index] - camera_.eye, forward) < camera_.near; });
+      const auto loop = piece ? occluders_.loop(occluder) : hierarchy_.soup().loop(part);
+      return proof::may_clip(camera_, to_oracle(polygon(loop)));
     });
   }
 
@@ -206,13 +199,6 @@ class CullJudge {
                                    to_oracle(options_.near, {occluder.frustum}));
   }
 
-  /// How far from the eye the model reaches.
-  double reach() const {
-    double result = 0;
-    for (const dvec3& v : hierarchy_.soup().vertices) result = std::max(result, glm::distance(v, camera_.eye));
-    return result;
-  }
-
   const Hierarchy& hierarchy_;
   const culler::PotentialOccluders& occluders_;
   const Camera& camera_;
@@ -220,6 +206,7 @@ class CullJudge {
   const CullResult& result_;
   std::vector<std::optional<oracle::Shadow>> shadows_;  ///< of the occluders, made when first needed
   std::vector<char> is_drawn_;                          ///< by polygon
+  oracle::Aabb model_;
 };
 
 }  // namespace

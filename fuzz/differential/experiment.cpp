@@ -2,6 +2,7 @@
 #include "experiment.h"
 
 #include "culling.h"
+#include "forgery.h"
 #include "frustum_batches.h"
 #include "overlap.h"
 #include "refusals.h"
@@ -25,6 +26,7 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"cones", run_cones});
     list.push_back({"occludees", run_occludees});
     list.push_back({"culler", run_culling});
+    list.push_back({"forgery", run_forgeries});
     return list;
   }();
   return all;

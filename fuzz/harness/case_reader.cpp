@@ -12,14 +12,14 @@ namespace occlude::harness {
 namespace {
 
 void read(std::string_view line) {
-  const nlohmann::json object = cli::parse_object(line);
+  const nlohmann::json object = proof::parse_object(line);
   const cli::CaseLine taken = cli::read_case(object);
   const std::string id = cli::case_id(object).dump();
   const std::string text = cli::write_case(id, taken.question, taken.expect.value_or(""));
   try {
-    const cli::CaseLine again = cli::read_case(cli::parse_object(text));
+    const cli::CaseLine again = cli::read_case(proof::parse_object(text));
     if (cli::write_case(id, again.question, again.expect.value_or("")) != text) finding("reads back as another: " + text);
-  } catch (const cli::LineError& error) {
+  } catch (const proof::LineError& error) {
     finding(std::string(error.what()) + ", in a case that was written: " + text);
   }
 }
@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   try {
     harness::read({reinterpret_cast<const char*>(data), size});
-  } catch (const cli::LineError&) {
+  } catch (const proof::LineError&) {
     // The one way to refuse a line.
   }
   return 0;

@@ -27,11 +27,15 @@ culler::PolygonSoup small_model() {
   return soup;
 }
 
-const cli::Prover& prover() {
+const proof::Prover& prover() {
   static const auto hierarchy = culler::Hierarchy::build(small_model(), {2});
-  static const render::CameraPath path{
-      .frames = 2, .keyframes = {{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0, 0}}}, .far = 100};
-  static const cli::Prover instance(hierarchy, path, 1);
+  static const proof::Prover instance(hierarchy, {2, [](std::size_t frame) {
+                                                    culler::Camera camera;
+                                                    camera.eye = {0, 0, static_cast<double>(frame)};
+                                                    camera.aspect = 1;
+                                                    camera.far = 100;
+                                                    return camera;
+                                                  }});
   return instance;
 }
 
@@ -42,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   try {
     static_cast<void>(harness::prover().prove({reinterpret_cast<const char*>(data), size}));
-  } catch (const cli::LineError&) {
+  } catch (const proof::LineError&) {
     // The one way to refuse a line.
   }
   return 0;

@@ -29,7 +29,7 @@ std::size_t corners(const kernel::Polytope& polytope) {
 }
 
 Occluder occluder_of(const nlohmann::json& object) {
-  Occluder result = occluder(member(object, "occluder"));
+  Occluder result = proof::occluder(member(object, "occluder"));
   const auto* polytope = std::get_if<kernel::Polytope>(&result);
   if (polytope && corners(*polytope) > kMostCorners) {
     throw LineError(
@@ -62,7 +62,7 @@ Json json_of_all(const Points& points) {
   return result;
 }
 
-Json json(const Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
+Json json(const fuzz::Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
 Json json(const kernel::Polytope& polytope) {
   return {{"vertices", json_of_all(polytope.vertices)}, {"faces", polytope.faces}};
 }
@@ -78,7 +78,7 @@ Json case_id(const nlohmann::json& object) {
 }
 
 CaseLine read_case(const nlohmann::json& object) {
-  return {{viewpoint(object), occluder_of(object), near_of(object), box(object)}, expect_of(object)};
+  return {{proof::viewpoint(object), occluder_of(object), near_of(object), proof::box(object)}, expect_of(object)};
 }
 
 void for_each_case(const std::string& file, bool silence,

@@ -14,7 +14,6 @@
 #include "commands.h"
 #include "failures.h"
 #include "item_buffers.h"
-#include "json_input.h"
 #include "occlude/culler/missed.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
@@ -71,20 +70,20 @@ struct Place {
 class Proving {
  public:
   /// The first failure is told at once, and makes the exit code 1.
-  Proving(const Prover& prover, const Shard& shard, int& exit_code)
+  Proving(const proof::Prover& prover, const Shard& shard, int& exit_code)
       : prover_(prover), shard_(shard), exit_code_(exit_code) {}
 
   /// Throws InputError for a line that is no witness.
   void prove(const std::vector<Place>& places) {
     struct Verdict {
-      std::optional<Proof> proof;  ///< none of other shards
+      std::optional<proof::Proof> proof;  ///< none of other shards
       std::string unreadable;
     };
     std::vector<Verdict> verdicts(places.size());
     const auto prove_one = [&](std::size_t i) {
       try {
         verdicts[i].proof = prover_.prove(places[i].line, [&](auto frame) { return shard_.has(frame); });
-      } catch (const LineError& error) {
+      } catch (const proof::LineError& error) {
         verdicts[i].unreadable = error.what();
       }
     };
@@ -103,7 +102,7 @@ class Proving {
   std::size_t proved = 0, failed = 0;
 
  private:
-  void add(const Proof& proof, const Place& place) {
+  void add(const proof::Proof& proof, const Place& place) {
     if (proof.count != 0) culled_[proof.frame].push_back({proof.first, proof.count, proof.by_view, place.number});
     if (proof.failure.empty()) {
       ++proved;
@@ -113,7 +112,7 @@ class Proving {
     }
   }
 
-  const Prover& prover_;
+  const proof::Prover& prover_;
   const Shard& shard_;
   int& exit_code_;
   CulledSets culled_;
@@ -246,7 +245,8 @@ void validate(Arguments& arguments, int& exit_code) {
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
 
-  const Prover prover(hierarchy, path, checked.aspect);
+  const proof::Prover prover(hierarchy,
+                             {path.frames, [&](std::size_t frame) { return path.camera(frame, checked.aspect); }});
   Proving proving(prover, shard, exit_code);
   if (is_anew) {
     prove_anew(proving, walked, shard);

@@ -51,19 +51,6 @@ void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const s
   if (walk.turns.is_reference(frame)) counts.shows = shown(pixels);
 }
 
-std::vector<culler::PolygonRange> not_out_of_view(const std::vector<Fate>& fates) {
-  std::vector<culler::PolygonRange> ranges;
-  for (std::uint32_t p = 0; p < fates.size(); ++p) {
-    if (fates[p] == Fate::out_of_view) continue;
-    if (!ranges.empty() && ranges.back().first + ranges.back().count == p) {
-      ++ranges.back().count;
-    } else {
-      ranges.push_back({p, 1});
-    }
-  }
-  return ranges;
-}
-
 /// Of each polygon 1 where a triangle of its fan shows.
 std::vector<std::uint32_t> polygons_with(const culler::Hierarchy& hierarchy, const std::vector<bool>& triangles) {
   std::vector<std::uint32_t> shows;
@@ -109,9 +96,8 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
     const std::size_t turn = walk.turns.turn(frame);
     const std::vector<Fate> fates = fates_of(hierarchy, runs);
     const culler::PolygonRange all{0, static_cast<std::uint32_t>(fates.size())};
-    const auto ranges = walk.turns.is_reference(frame) ? std::vector{all} : not_out_of_view(fates);
     std::vector<std::uint32_t> pixels(fates.size());
-    for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), ranges).pixels) {
+    for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), std::span(&all, 1)).pixels) {
       if (p != render::kNothing) ++pixels[p];
     }
     add(result, walk, frame, runs, fates, pixels, "in " + buffers.describe(turn));

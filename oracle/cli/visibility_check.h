@@ -49,7 +49,7 @@ struct CheckedWalk {
 /// In exact arithmetic, on all processors; a polygon shows where any of its triangles does.
 [[nodiscard]] Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled);
 
-/// By an item buffer of each frame: of the whole model on reference frames, and of what is not culled by view on the others.
+/// By an item buffer of each frame, of the whole model: what culls it has no say in what is drawn.
 [[nodiscard]] Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, ItemBuffers& buffers);
 
 }  // namespace occlude::cli

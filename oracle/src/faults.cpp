@@ -13,9 +13,11 @@ constexpr double kSmallest = 0x1p-100, kLargest = 0x1p100;
 
 bool is_in_range(double value) { return value == 0 || (std::abs(value) >= kSmallest && std::abs(value) <= kLargest); }
 
-bool is_finite(const Point& p) {
-  return std::ranges::all_of(p, [](double value) { return std::isfinite(value); });
+bool are_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
+
+bool is_finite(const Point& p) { return are_finite(p); }
 
 std::string range_fault(const Point& p) {
   if (!is_finite(p)) return "a number is not finite";
@@ -73,6 +75,11 @@ std::string number_fault(const Viewpoint& view, std::span<const Point> vertices)
 std::string setting_fault(const Viewpoint& view, const Near& near) {
   if (!is_finite(near.normal) || !is_finite(near.point)) return "a number is not finite";
   return view.at_infinity && view.value == Point{} ? "the direction of view is zero" : "";
+}
+
+std::string plane_fault(const std::array<double, 4>& coefficients) {
+  if (!are_finite(coefficients)) return "a number is not finite";
+  return std::ranges::all_of(coefficients, is_in_range) ? "" : "a number of the plane is out of range";
 }
 
 std::string plane_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near) {

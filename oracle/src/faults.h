@@ -25,6 +25,9 @@ namespace occlude::oracle {
 /// A number of the near plane is not finite, or the direction of view is zero.
 [[nodiscard]] std::string setting_fault(const Viewpoint& view, const Near& near);
 
+/// A coefficient of a plane is not finite or out of the range of coordinates.
+[[nodiscard]] std::string plane_fault(const std::array<double, 4>& coefficients);
+
 /// A given near plane is not sound for an occluder with these vertices.
 [[nodiscard]] std::string plane_fault(const Viewpoint& view, std::span<const Point> vertices, const Near& near);
 

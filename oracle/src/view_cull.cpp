@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
 #include "box.h"
 #include "faults.h"
@@ -10,7 +9,7 @@ namespace occlude::oracle {
 
 std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box, double margin) {
   const RoundUpward rounding;
-  if (!std::ranges::all_of(plane, [](double value) { return std::isfinite(value); })) return "a number is not finite";
+  if (std::string fault = plane_fault(plane); !fault.empty()) return fault;
   if (std::string fault = box_fault(box); !fault.empty()) return fault;
   Plane definition(CoefficientPlane{plane});
   const auto is_beyond = [](CGAL::Sign side) { return side == CGAL::NEGATIVE; };

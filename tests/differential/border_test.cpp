@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "differential/border.h"
+#include "border.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace occlude::fuzz {
+namespace occlude::proof {
 namespace {
 
+using fuzz::Polygon;
 using Parts = std::vector<Polygon>;
 
 const kernel::Vec3 a{0, 0, 0}, b{1, 0, 0}, c{1, 1, 0}, d{0, 1, 0}, e{0.5, 0.5, 0}, f{2, 0, 0};
@@ -32,4 +33,4 @@ TEST(Border, OfPartsThatDoNot) {
 }
 
 }  // namespace
-}  // namespace occlude::fuzz
+}  // namespace occlude::proof

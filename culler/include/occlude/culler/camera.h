@@ -47,11 +47,12 @@ struct HalfSpace {
 
 /// Appends the half-spaces whose intersection holds everything that the renderer can draw within `depth` of the eye: left,
 /// right, bottom, top, near and, where the camera has one, far. Each lies outside the renderer's own clip plane by more than
-/// rounding can move it.
+/// rounding can move it, and its numbers are legal for the kernel. REQUIRES: the camera has no fault().
 void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes);
 
 /// Why the camera cannot be used: a number that is not finite or out of the kernel's legal range, an eye on its target, up
-/// along the line of sight, an opening outside of [0.001, 179] degrees, near <= 0, far <= near. Empty when it can.
+/// along the line of sight, an opening outside of [0.001, 179] degrees, an aspect outside of [1/65536, 65536], near <= 0,
+/// far <= near. Empty when it can.
 [[nodiscard]] std::string fault(const Camera& camera);
 
 }  // namespace occlude::culler

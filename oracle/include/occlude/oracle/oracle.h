@@ -103,8 +103,8 @@ class Shadow {
 [[nodiscard]] std::string refute_shadow_cull(const Viewpoint& view, const Occluder& occluder, const Near& near,
                                              const Box& box);
 
-/// Proof that every point of `box` has a*x + b*y + c*z + d < 0, and that none is nearer than `margin` to that plane. Empty
-/// when proved, else what failed. REQUIRES: margin >= 0, finite.
+/// Proof that every point of `box` has a*x + b*y + c*z + d < 0, and that none is nearer than `margin` to that plane, whose
+/// numbers are 0 or of a magnitude in [2^-100, 2^100]. Empty when proved, else what failed. REQUIRES: margin >= 0, finite.
 [[nodiscard]] std::string refute_view_cull(const std::array<double, 4>& plane, const Box& box, double margin = 0);
 
 /// Whether `point` lies in `box`, exactly. Nothing lies in a box with min > max or a number that is not finite. REQUIRES:

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace occlude::fuzz {
+namespace occlude::proof {
 namespace {
 
 using Corner = std::array<double, 3>;
@@ -46,4 +46,4 @@ bool have_border(std::span<const Polygon> parts, const Polygon& loop) {
   return edges.cancel();
 }
 
-}  // namespace occlude::fuzz
+}  // namespace occlude::proof

@@ -10,7 +10,7 @@
 
 #include "occlude/fuzz/case.h"
 
-namespace occlude::cli {
+namespace occlude::proof {
 
 using fuzz::Box;
 using fuzz::Occluder;
@@ -43,4 +43,4 @@ struct LineError : std::runtime_error {
 /// An occluder: "polygon", or "vertices" and "faces". An index too large for any vertex stays too large.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
-}  // namespace occlude::cli
+}  // namespace occlude::proof

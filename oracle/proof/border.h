@@ -6,7 +6,9 @@
 
 #include "occlude/fuzz/case.h"
 
-namespace occlude::fuzz {
+namespace occlude::proof {
+
+using fuzz::Polygon;
 
 /// Whether the parts have the loop as their common border, with every edge but those of the loop run through as often one
 /// way as the other, and no vertex that is not the loop's. Then they hide what the loop does as an occluder: seen from a
@@ -14,4 +16,4 @@ namespace occlude::fuzz {
 /// corners on one side of a plane they lie there too.
 [[nodiscard]] bool have_border(std::span<const Polygon> parts, const Polygon& loop);
 
-}  // namespace occlude::fuzz
+}  // namespace occlude::proof

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
 #include <mutex>
 
-#include "differential/border.h"
+#include "border.h"
+#include "camera_picture.h"
 #include "differential/to_oracle.h"
-#include "json_input.h"
 
-namespace occlude::cli {
+namespace occlude::proof {
 namespace {
 
 using fuzz::to_oracle;
@@ -26,46 +24,6 @@ bool contains(const kernel::Aabb& outer, const kernel::Aabb& inner) {
     if (inner.min[axis] < outer.min[axis] || inner.max[axis] > outer.max[axis]) return false;
   }
   return true;
-}
-
-/// How far from the eye the model reaches.
-double reach_of(const kernel::Aabb& model, const culler::Camera& camera) {
-  double reach = 0;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 corner{i & 1 ? model.max.x : model.min.x, i & 2 ? model.max.y : model.min.y,
-                            i & 4 ? model.max.z : model.min.z};
-    reach = std::max(reach, glm::distance(corner, camera.eye));
-  }
-  return reach;
-}
-
-/// Whether all that the camera can show of the model is on the inner side of the plane: the corners of its near face and
-/// those of its far face, no farther along the line of sight or from it than the model reaches. In doubles: the renderer's
-/// own planes are rounded too, and the culler keeps a margin far above either rounding.
-bool is_outside_of_view(const std::array<double, 4>& plane, const culler::Camera& camera, const kernel::Aabb& model) {
-  const auto [right, up, forward] = camera.axes();
-  const glm::dvec3 normal{plane[0], plane[1], plane[2]};
-  const bool perspective = camera.projection == culler::Projection::perspective;
-  const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
-  const double reach = reach_of(model, camera);
-  if (reach < camera.near) return true;
-  for (const double along : {camera.near, std::min(camera.far, reach)}) {
-    const double size = perspective ? along * half : half;
-    const double width = std::min(size * camera.aspect, reach), height = std::min(size, reach);
-    for (const double x : {-width, width}) {
-      for (const double y : {-height, height}) {
-        if (glm::dot(normal, camera.eye + along * forward + x * right + y * up) + plane[3] < 0) return false;
-      }
-    }
-  }
-  return true;
-}
-
-bool is_clipped(const Polygon& loop, const culler::Camera& camera) {
-  const glm::dvec3 forward = camera.axes().forward;
-  return std::any_of(loop.begin(), loop.end(), [&](const kernel::Vec3& v) {
-    return glm::dot(glm::dvec3{v.x, v.y, v.z} - camera.eye, forward) < camera.near;
-  });
 }
 
 oracle::Near near_of(const Json& near) {
@@ -86,7 +44,7 @@ const Json& occluders_of(const Json& object) {
 /// The shadow of one of the line's occluders. Its near side is its own, or else the line's.
 oracle::Shadow shadow_of(const kernel::Viewpoint& view, const Json& described, const Json& line) {
   const Json& near = member(described.contains("near") ? described : line, "near");
-  return {to_oracle(view), to_oracle(cli::occluder(described)), near_of(near)};
+  return {to_oracle(view), to_oracle(occluder(described)), near_of(near)};
 }
 
 /// The polygons that are drawn of the occluder.
@@ -134,43 +92,41 @@ std::uint64_t key(std::size_t first, std::size_t count) { return (static_cast<st
 
 }  // namespace
 
-Prover::Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect)
-    : hierarchy_(hierarchy), path_(path), aspect_(aspect) {
+Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
   const culler::PolygonSoup& soup = hierarchy.soup();
   for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
   for (std::size_t p = 0; p < soup.size(); ++p) {
     by_first_vertex_.emplace_back(key(soup.vertices[soup.loop(p)[0]]), static_cast<std::uint32_t>(p));
   }
   std::sort(by_first_vertex_.begin(), by_first_vertex_.end());
+  model_ = to_oracle(box_of_triangles(0, first_triangle_.back()));
 }
 
 std::optional<Proof> Prover::prove(std::string_view line,
                                    const std::function<bool(std::optional<std::size_t>)>& is_wanted) const {
   const Json object = parse_object(line);
   const Json& frame = member(object, "frame");
-  const bool exists = frame.is_number_unsigned() && frame.get<std::size_t>() < path_.frames;
+  const bool exists = frame.is_number_unsigned() && frame.get<std::size_t>() < cameras_.frames;
   if (is_wanted && !is_wanted(exists ? std::optional(frame.get<std::size_t>()) : std::nullopt)) return std::nullopt;
   if (!exists) return Proof{.failure = "no such frame"};
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return Proof{.failure = "no such triangles"};
   const auto number = frame.get<std::size_t>();
-  return Proof{fault(object, path_.camera(number, aspect_), first, count), number, first, count,
-               member(object, "by") == "view"};
+  return Proof{fault(object, cameras_.at(number), first, count), number, first, count, member(object, "by") == "view"};
 }
 
 std::string Prover::fault(const Json& object, const culler::Camera& camera, std::size_t first, std::size_t count) const {
-  const Box box = cli::box(object);
+  const Box box = proof::box(object);
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
   const Json& by = member(object, "by");
   const double margin = margin_of(object);
   if (by == "view") {
     const auto plane = plane_of(object);
-    if (!is_outside_of_view(plane, camera, hierarchy_.nodes()[0].box)) {
-      return "the plane cuts what the camera shows (is --size that of the walk?)";
-    }
-    return oracle::refute_view_cull(plane, to_oracle(box), margin);
+    if (std::string fault = oracle::refute_view_cull(plane, to_oracle(box), margin); !fault.empty()) return fault;
+    return may_draw_beyond(plane, camera, model_) ? "the plane cuts what the camera shows (is --size that of the walk?)"
+                                                  : "";
   }
   if (by != "shadow") return "\"by\": expected \"view\" or \"shadow\"";
 
@@ -192,14 +148,14 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
 
 std::string Prover::fault_of_occluder(const Json& described, const culler::Camera& camera, std::size_t first,
                                       std::size_t count) const {
-  const Occluder occluder = cli::occluder(described);
+  const Occluder occluder = proof::occluder(described);
   const bool is_joined = described.contains("parts");
   if (is_joined && !std::holds_alternative<Polygon>(occluder)) throw LineError("\"parts\": only a polygon has them");
   for (const Polygon& polygon : polygons_of(occluder)) {
     const bool is_drawn = is_joined ? is_joined_outside(polygon, described["parts"], first, count)
                                     : is_model_polygon_outside(polygon, first, count);
     if (!is_drawn) return "the occluder is not of the model outside the subtree";
-    if (is_clipped(polygon, camera)) return "the renderer clips the occluder";
+    if (may_clip(camera, to_oracle(polygon))) return "the renderer clips the occluder";
   }
   return "";
 }
@@ -297,7 +253,7 @@ bool Prover::is_joined_outside(const Polygon& loop, const Json& parts, std::size
     const auto p = static_cast<std::size_t>(end - first_triangle_.begin()) - 1;
     polygons.push_back(polygon(p, from - first_triangle_[p], length));
   }
-  return fuzz::have_border(polygons, loop);
+  return have_border(polygons, loop);
 }
 
-}  // namespace occlude::cli
+}  // namespace occlude::proof

@@ -10,7 +10,7 @@
 
 #include "occlude/render/json_text.h"
 
-namespace occlude::cli {
+namespace occlude::proof {
 
 using Json = nlohmann::json;
 
@@ -93,4 +93,4 @@ Occluder occluder(const Json& value) {
   return kernel::Polytope{vec3s(member(value, "vertices"), "vertices"), faces(member(value, "faces"))};
 }
 
-}  // namespace occlude::cli
+}  // namespace occlude::proof

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The proof of one witness: everything that culling promises about one culled subtree. Where the box lies is proved exactly;
-// what the renderer clips is compared in doubles, as the renderer itself computes it.
+// The proof of one witness: everything that culling promises about one culled subtree, in exact arithmetic.
 #pragma once
 
 #include <array>
@@ -15,10 +14,11 @@
 #include <vector>
 
 #include "json_input.h"
+#include "occlude/culler/camera.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/render/camera_path.h"
+#include "occlude/oracle/oracle.h"
 
-namespace occlude::cli {
+namespace occlude::proof {
 
 /// What became of a witness.
 struct Proof {
@@ -28,15 +28,22 @@ struct Proof {
   bool by_view = false;
 };
 
-/// Checks witnesses against the model and path they claim to be of. prove() may run on several threads at once.
+/// The cameras of a walk.
+struct Cameras {
+  std::size_t frames = 0;
+  std::function<culler::Camera(std::size_t frame)> at;  ///< may be called on several threads at once
+};
+
+/// Checks witnesses against the model and walk they claim to be of. prove() may run on several threads at once.
 class Prover {
  public:
-  /// `hierarchy` gives the order in which a witness counts triangles; `aspect` is the picture's width over height.
-  Prover(const culler::Hierarchy& hierarchy, const render::CameraPath& path, double aspect);
+  /// `hierarchy` gives the order in which a witness counts triangles. REQUIRES: it outlives the prover.
+  Prover(const culler::Hierarchy& hierarchy, Cameras cameras);
 
   /// Proves the witness on this line (LineError when it is no witness at all):
   /// - the triangles named exist and lie in the box named, which keeps the margin named, if any, to the planes that cull it;
-  /// - by view: the box is exactly beyond the plane, and the plane is outside of what the frame's camera shows;
+  /// - by view: the box is exactly beyond the plane, whose numbers are legal, and of what the renderer may draw of the model
+  ///   (camera_picture.h) nothing is on the plane or beyond it;
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
   ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
   ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
@@ -66,8 +73,8 @@ class Prover {
   [[nodiscard]] Polygon polygon(std::size_t p, std::size_t first, std::size_t count) const;
 
   const culler::Hierarchy& hierarchy_;
-  const render::CameraPath& path_;
-  double aspect_;
+  Cameras cameras_;
+  oracle::Aabb model_;
   std::vector<std::size_t> first_triangle_;                                       ///< of each polygon, and the total
   std::vector<std::pair<std::array<double, 3>, std::uint32_t>> by_first_vertex_;  ///< polygons, sorted by their first vertex
   /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
@@ -76,4 +83,4 @@ class Prover {
   mutable std::unordered_map<std::uint64_t, kernel::Obb> holding_;  ///< the last oriented box found to hold the run
 };
 
-}  // namespace occlude::cli
+}  // namespace occlude::proof

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// What the prover takes and what it does not, worked out by hand: culls by the view above all.
+#include "proof.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "camera_picture.h"
+#include "culler/scenes.h"
+#include "occlude/culler/culler.h"
+
+namespace occlude::proof {
+namespace {
+
+using culler::Camera;
+using culler::PolygonSoup;
+using glm::dvec3;
+
+constexpr const char* kCuts = "the plane cuts what the camera shows (is --size that of the walk?)";
+
+Camera looking_along_x(double fov_y_deg, double aspect) {
+  Camera camera;
+  camera.target = {1, 0, 0};
+  camera.fov_y_deg = fov_y_deg;
+  camera.aspect = aspect;
+  return camera;
+}
+
+/// A square of this size before the camera, beside the middle by `y`, and a triangle ten units away, where the model ends.
+PolygonSoup scene(double y, double size) {
+  PolygonSoup soup;
+  culler::add(soup, {{5, y, 0}, {5, y + size, 0}, {5, y + size, size}, {5, y, size}});
+  culler::add(soup, {{10, 0, 0}, {10, 0.1, 0}, {10, 0, 0.1}});
+  return soup;
+}
+
+/// What is said of a line that has all triangles of a polygon culled by this plane.
+class ViewCull {
+ public:
+  ViewCull(const PolygonSoup& soup, const Camera& camera)
+      : hierarchy_(culler::Hierarchy::build(soup, {.leaf_size = 1})),
+        prover_(hierarchy_, {1, [camera](std::size_t) { return camera; }}) {}
+
+  std::string fault(std::uint32_t polygon, const std::string& plane) const {
+    std::uint32_t p = 0;
+    while (hierarchy_.original(p) != polygon) ++p;
+    const std::size_t first = hierarchy_.first_triangle(p), count = hierarchy_.first_triangle(p + 1) - first;
+    const kernel::Aabb box = hierarchy_.soup().box(p);
+    return prover_
+        .prove(fmt::format(
+            R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[{},{},{}],"max":[{},{},{}]}},"triangles":[{},{}],"by":"view","plane":{}}})",
+            box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z, first, count, plane))
+        ->failure;
+  }
+
+ private:
+  culler::Hierarchy hierarchy_;
+  Prover prover_;
+};
+
+TEST(ViewProof, TakesPlanesOutsideOfTheView) {
+  const ViewCull aside(scene(60, 1), looking_along_x(60, 16.0 / 9));
+  EXPECT_EQ(aside.fault(0, "[0,-1,0,50]"), "");  // the view ends at y = 10.3, where the model ends
+  EXPECT_EQ(aside.fault(0, "[2,-1,0,0]"), "");   // tan 45.7 is 1.03
+  EXPECT_EQ(aside.fault(0, "[1,-1,0,0]"), kCuts);
+  EXPECT_EQ(aside.fault(0, "[2,-1,0,50]"), "the box reaches the plane");
+}
+
+/// In doubles the terms of such a plane are infinite, and their sum is not a number, at every corner of the view.
+TEST(ViewProof, RefusesPlanesThatOverflow) {
+  PolygonSoup soup = scene(-1, 2);
+  for (dvec3& v : soup.vertices) v += dvec3{10, 10, 10};
+  Camera camera = looking_along_x(60, 1);
+  camera.eye = {10, 10, 10};
+  camera.target = {11, 10, 10};
+  const ViewCull before(soup, camera);
+  for (const char* plane : {"[-1.7e308,1.6e308,0,0]", "[-1.7e308,1.7e308,1.7e308,-1.7e308]", "[-1e308,0,0,1e308]"}) {
+    EXPECT_EQ(before.fault(0, plane), "a number of the plane is out of range") << plane;
+  }
+  EXPECT_EQ(before.fault(0, "[-1e30,0,0,0]"), kCuts);
+}
+
+TEST(ViewProof, RefusesPlanesThatUnderflow) {
+  const ViewCull before(scene(-1, 0.25), looking_along_x(60, 1));
+  for (const char* plane : {"[-5e-324,0,0,0]", "[-1e-300,0,0,0]", "[0,0,0,-5e-324]"}) {
+    EXPECT_EQ(before.fault(0, plane), "a number of the plane is out of range") << plane;
+  }
+  EXPECT_EQ(before.fault(0, "[-1e-30,0,0,0]"), kCuts);
+  EXPECT_EQ(before.fault(0, "[0,0,0,-1e-30]"), kCuts);
+}
+
+/// A hull of the view whose far corners lie no farther aside than the model reaches lacks what is between it and the border
+/// of a wide picture: ordinary planes pass between.
+TEST(ViewProof, RefusesPlanesWithinTheBorderOfAWidePicture) {
+  const ViewCull usual(scene(5.06, 0.06), looking_along_x(60, 16.0 / 9));
+  EXPECT_EQ(usual.fault(0, "[11.13,-11.14,0,0.113]"), kCuts);
+  const ViewCull wide(scene(12, 1), looking_along_x(120, 16.0 / 9));
+  EXPECT_EQ(wide.fault(0, "[1,-1,0,0.3]"), kCuts);
+}
+
+TEST(ViewProof, TakesEveryPlaneThatTheCullerMakes) {
+  for (const double fov : {0.001, 1.0, 60.0, 120.0, 179.0}) {
+    for (const double aspect : {1.0, 16.0 / 9, 8192.0, 1 / 8192.0, 65536.0, 1 / 65536.0}) {
+      for (const dvec3& away : {dvec3{0, 0, 0}, dvec3{1e6, -3e5, 0.1}, dvec3{4e9, 0, 4e9}}) {
+        for (const auto projection : {culler::Projection::perspective, culler::Projection::orthographic}) {
+          Camera camera = looking_along_x(fov, aspect);
+          camera.projection = projection;
+          camera.height = fov;
+          camera.eye += away;
+          camera.target = camera.eye + dvec3{0.3, 0.7, -0.2};
+          camera.far = 1e4;
+          ASSERT_EQ(culler::fault(camera), "");
+          const oracle::Aabb model{{away.x - 100, away.y - 100, away.z - 100}, {away.x + 100, away.y + 100, away.z + 100}};
+          std::vector<culler::HalfSpace> planes;
+          culler::append_view_frustum(camera, 300, planes);
+          for (const auto& [n, offset] : planes) {
+            EXPECT_FALSE(may_draw_beyond({n.x, n.y, n.z, offset}, camera, model))
+                << fov << " degrees, " << aspect << " wide, at " << away.x << ", plane " << n.x << ' ' << n.y << ' ' << n.z;
+            EXPECT_EQ(oracle::refute_view_cull({n.x, n.y, n.z, offset}, model), "the box reaches the plane");
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(NearPlaneProof, IsExact) {
+  const Camera camera = looking_along_x(60, 1);  // near 0.1
+  const auto clips = [&](double x) { return may_clip(camera, std::vector<oracle::Point>{{5, 0, 0}, {x, 1, 1}}); };
+  EXPECT_FALSE(clips(0.101));
+  EXPECT_FALSE(clips(0.1 * (1 + 0x1p-20)));
+  EXPECT_TRUE(clips(0.1 * (1 + 0x1p-22)));
+  EXPECT_TRUE(clips(0.1));
+  EXPECT_TRUE(clips(-1));
+}
+
+}  // namespace
+}  // namespace occlude::proof
