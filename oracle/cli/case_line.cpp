@@ -13,6 +13,8 @@
 namespace occlude::cli {
 namespace {
 
+using fuzz::Occluder;
+using fuzz::Polygon;
 using Json = nlohmann::ordered_json;
 
 kernel::Near near_of(const nlohmann::json& object) {
@@ -62,7 +64,7 @@ Json json_of_all(const Points& points) {
   return result;
 }
 
-Json json(const fuzz::Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
+Json json(const Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
 Json json(const kernel::Polytope& polytope) {
   return {{"vertices", json_of_all(polytope.vertices)}, {"faces", polytope.faces}};
 }
