@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kGroup = 16;
 
 struct Experiment {
   std::string name;
-  /// Makes the cases of this seed, kGroup or a few more, the same on every machine, and adds what they gave to the report.
+  /// Makes the cases of this seed, kGroup or more, the same on every machine, and adds what they gave to the report.
   std::function<void(std::uint64_t seed, Report& report)> run;
 };
 
