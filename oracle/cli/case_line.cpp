@@ -13,7 +13,6 @@
 namespace occlude::cli {
 namespace {
 
-using fuzz::Occluder;
 using fuzz::Polygon;
 using Json = nlohmann::ordered_json;
 
@@ -22,22 +21,6 @@ kernel::Near near_of(const nlohmann::json& object) {
   if (object["near"] == "farthest") return kernel::Near::farthest;
   if (object["near"] == "surface") return kernel::Near::surface;
   throw LineError("\"near\": expected \"farthest\" or \"surface\"");
-}
-
-std::size_t corners(const kernel::Polytope& polytope) {
-  std::size_t sum = polytope.vertices.size();
-  for (const auto& face : polytope.faces) sum += face.size();
-  return sum;
-}
-
-Occluder occluder_of(const nlohmann::json& object) {
-  Occluder result = proof::occluder(member(object, "occluder"));
-  const auto* polytope = std::get_if<kernel::Polytope>(&result);
-  if (polytope && corners(*polytope) > kMostCorners) {
-    throw LineError(
-        fmt::format("\"occluder\": a polytope with more than {} vertices, those of its faces counted", kMostCorners));
-  }
-  return result;
 }
 
 std::optional<std::string> expect_of(const nlohmann::json& object) {
@@ -80,7 +63,8 @@ Json case_id(const nlohmann::json& object) {
 }
 
 CaseLine read_case(const nlohmann::json& object) {
-  return {{proof::viewpoint(object), occluder_of(object), near_of(object), proof::box(object)}, expect_of(object)};
+  return {{proof::viewpoint(object), proof::occluder(member(object, "occluder")), near_of(object), proof::box(object)},
+          expect_of(object)};
 }
 
 void for_each_case(const std::string& file, bool silence,

@@ -12,14 +12,11 @@
 
 namespace occlude::cli {
 
+using proof::kMostCorners;
 using proof::LineError;
 using proof::member;
 using proof::number;
 using proof::parse_object;
-
-/// Vertices of a polytope and of all its faces together. The oracle holds the plane through each two vertices against each
-/// vertex: so many take it seconds. (A polygon takes it time in proportion.)
-inline constexpr std::size_t kMostCorners = 4096;
 
 /// A question, and the answer that its line says is right, if it says.
 struct CaseLine {

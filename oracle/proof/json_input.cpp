@@ -33,6 +33,12 @@ std::vector<std::vector<std::uint32_t>> faces(const Json& value) {
   return result;
 }
 
+std::size_t corners(const kernel::Polytope& polytope) {
+  std::size_t sum = polytope.vertices.size();
+  for (const auto& face : polytope.faces) sum += face.size();
+  return sum;
+}
+
 }  // namespace
 
 Json parse_object(std::string_view line) {
@@ -90,7 +96,12 @@ Occluder occluder(const Json& value) {
   const bool has_faces = value.contains("vertices") || value.contains("faces");
   if (has_faces && value.contains("polygon")) throw LineError("both \"polygon\" and \"vertices\"");
   if (!has_faces) return vec3s(member(value, "polygon"), "polygon");
-  return kernel::Polytope{vec3s(member(value, "vertices"), "vertices"), faces(member(value, "faces"))};
+  kernel::Polytope polytope{vec3s(member(value, "vertices"), "vertices"), faces(member(value, "faces"))};
+  if (corners(polytope) > kMostCorners) {
+    throw LineError(
+        fmt::format("\"occluder\": a polytope with more than {} vertices, those of its faces counted", kMostCorners));
+  }
+  return polytope;
 }
 
 }  // namespace occlude::proof

@@ -40,7 +40,12 @@ struct LineError : std::runtime_error {
 /// The member "box": "min" and "max", or "center" and "half_edges".
 [[nodiscard]] Box box(const nlohmann::json& object);
 
-/// An occluder: "polygon", or "vertices" and "faces". An index too large for any vertex stays too large.
+/// Vertices of a polytope and of all its faces together. The oracle holds the plane through each two vertices against each
+/// vertex: so many take it seconds. (A polygon takes it time in proportion.)
+inline constexpr std::size_t kMostCorners = 4096;
+
+/// An occluder: "polygon", or "vertices" and "faces". An index too large for any vertex stays too large. LineError for a
+/// polytope with more than kMostCorners.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
 }  // namespace occlude::proof

@@ -127,6 +127,21 @@ TEST(ViewProof, TakesEveryPlaneThatTheCullerMakes) {
   }
 }
 
+/// The oracle takes time with the square of a polytope's vertices: more than kMostCorners are not even looked at.
+TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
+  const auto hierarchy = culler::Hierarchy::build(scene(-1, 2), {.leaf_size = 1});
+  const Prover prover(hierarchy, {1, [](std::size_t) { return looking_along_x(60, 1); }});
+  const auto prove = [&](std::size_t vertices) {
+    std::string list = "[5,0,0]";
+    for (std::size_t i = 1; i < vertices; ++i) list += ",[5,0,0]";
+    return prover.prove(fmt::format(
+        R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[5,-9,-9],"max":[10,9,9]}},"triangles":[0,1],"by":"shadow","near":"surface","occluders":[{{"vertices":[{}],"faces":[]}}]}})",
+        list));
+  };
+  EXPECT_NO_THROW(prove(kMostCorners));
+  EXPECT_THROW(prove(kMostCorners + 1), LineError);
+}
+
 TEST(NearPlaneProof, IsExact) {
   const Camera camera = looking_along_x(60, 1);  // near 0.1
   const auto clips = [&](double x) { return may_clip(camera, std::vector<oracle::Point>{{5, 0, 0}, {x, 1, 1}}); };
