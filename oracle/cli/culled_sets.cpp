@@ -5,22 +5,17 @@
 
 namespace occlude::cli {
 
-std::vector<Fate> fates_of(const culler::Hierarchy& hierarchy, const std::vector<CulledRun>& culled) {
+std::vector<bool> drawn_polygons(const culler::Hierarchy& hierarchy, const std::vector<CulledRun>& culled) {
   const std::size_t polygons = hierarchy.soup().size();
-  std::vector<Fate> of_triangle(hierarchy.first_triangle(polygons), Fate::drawn);
-  for (const CulledRun& run : culled) {
-    const Fate fate = run.by_view ? Fate::out_of_view : Fate::in_shadow;
-    std::fill_n(of_triangle.begin() + static_cast<std::ptrdiff_t>(run.first), run.count, fate);
-  }
-  std::vector<Fate> fates;
-  fates.reserve(polygons);
+  std::vector<bool> is_drawn(hierarchy.first_triangle(polygons), true);
+  const auto at = [&](std::size_t triangle) { return is_drawn.begin() + static_cast<std::ptrdiff_t>(triangle); };
+  for (const CulledRun& run : culled) std::fill(at(run.first), at(run.first + run.count), false);
+  std::vector<bool> result(polygons);
   for (std::size_t p = 0; p < polygons; ++p) {
-    const auto begin = of_triangle.begin() + static_cast<std::ptrdiff_t>(hierarchy.first_triangle(p));
-    const auto end = of_triangle.begin() + static_cast<std::ptrdiff_t>(hierarchy.first_triangle(p + 1));
-    const auto has = [&](Fate fate) { return std::find(begin, end, fate) != end; };
-    fates.push_back(has(Fate::drawn) ? Fate::drawn : has(Fate::out_of_view) ? Fate::out_of_view : Fate::in_shadow);
+    const auto end = at(hierarchy.first_triangle(p + 1));
+    result[p] = std::find(at(hierarchy.first_triangle(p)), end, true) != end;
   }
-  return fates;
+  return result;
 }
 
 std::size_t witness_of(const culler::Hierarchy& hierarchy, const std::vector<CulledRun>& culled, std::size_t p) {

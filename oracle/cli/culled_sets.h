@@ -13,17 +13,13 @@ namespace occlude::cli {
 /// Triangles [first, first + count) in the order of the culler's tree.
 struct CulledRun {
   std::size_t first = 0, count = 0;
-  bool by_view = false;
   std::size_t witness = 0;  ///< number of its line, from 1
 };
 
 using CulledSets = std::map<std::size_t, std::vector<CulledRun>>;  ///< by frame
 
-/// What becomes of a polygon.
-enum class Fate : unsigned char { drawn, out_of_view, in_shadow };
-
-/// Of each polygon of the tree: culled is one whose triangles all are, by the view if any of them is.
-[[nodiscard]] std::vector<Fate> fates_of(const culler::Hierarchy& hierarchy, const std::vector<CulledRun>& culled);
+/// Of each polygon of the tree whether any of its triangles is drawn.
+[[nodiscard]] std::vector<bool> drawn_polygons(const culler::Hierarchy& hierarchy, const std::vector<CulledRun>& culled);
 
 /// The witness that has culled polygon p of the tree; 0 if none has.
 [[nodiscard]] std::size_t witness_of(const culler::Hierarchy& hierarchy, const std::vector<CulledRun>& culled,

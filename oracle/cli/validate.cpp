@@ -103,7 +103,7 @@ class Proving {
 
  private:
   void add(const proof::Proof& proof, const Place& place) {
-    if (proof.count != 0) culled_[proof.frame].push_back({proof.first, proof.count, proof.by_view, place.number});
+    if (proof.count != 0) culled_[proof.frame].push_back({proof.first, proof.count, place.number});
     if (proof.failure.empty()) {
       ++proved;
     } else if (failed++ == 0) {

@@ -30,12 +30,12 @@ std::vector<bool> in_view(const culler::Culler& culler, const culler::Camera& ca
 
 /// Counts a frame whose polygons show in so many pixels.
 void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const std::vector<CulledRun>& culled,
-         const std::vector<Fate>& fates, const std::vector<std::uint32_t>& pixels, const std::string& where) {
+         const std::vector<bool>& drawn, const std::vector<std::uint32_t>& pixels, const std::string& where) {
   FrameVisibility& counts = result.frames.emplace_back();
   counts.frame = frame;
   const std::vector<bool> viewed = in_view(walk.culler, walk.path.camera(frame, walk.aspect));
-  for (std::uint32_t p = 0; p < fates.size(); ++p) {
-    const bool is_drawn = fates[p] == Fate::drawn, is_hidden = viewed[p] && pixels[p] == 0;
+  for (std::uint32_t p = 0; p < drawn.size(); ++p) {
+    const bool is_drawn = drawn[p], is_hidden = viewed[p] && pixels[p] == 0;
     counts.in_view += viewed[p];
     counts.drawn += is_drawn;
     counts.hidden += is_hidden;
@@ -82,7 +82,7 @@ Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled) {
   Visibility result;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto& [frame, runs] = frames[i];
-    add(result, walk, frame, *runs, fates_of(hierarchy, *runs), shows[i], "in exact arithmetic");
+    add(result, walk, frame, *runs, drawn_polygons(hierarchy, *runs), shows[i], "in exact arithmetic");
   }
   return result;
 }
@@ -94,13 +94,13 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
   for (const auto& [frame, runs] : culled) {
     render::check_interrupt();
     const std::size_t turn = walk.turns.turn(frame);
-    const std::vector<Fate> fates = fates_of(hierarchy, runs);
-    const culler::PolygonRange all{0, static_cast<std::uint32_t>(fates.size())};
-    std::vector<std::uint32_t> pixels(fates.size());
+    const std::size_t polygons = hierarchy.soup().size();
+    const culler::PolygonRange all{0, static_cast<std::uint32_t>(polygons)};
+    std::vector<std::uint32_t> pixels(polygons);
     for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), std::span(&all, 1)).pixels) {
       if (p != render::kNothing) ++pixels[p];
     }
-    add(result, walk, frame, runs, fates, pixels, "in " + buffers.describe(turn));
+    add(result, walk, frame, runs, drawn_polygons(hierarchy, runs), pixels, "in " + buffers.describe(turn));
     progress.update(result.frames.size());
   }
   return result;

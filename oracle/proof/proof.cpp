@@ -113,14 +113,14 @@ std::optional<Proof> Prover::prove(std::string_view line,
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return Proof{.failure = "no such triangles"};
   const auto number = frame.get<std::size_t>();
-  return Proof{fault(object, cameras_.at(number), first, count), number, first, count, member(object, "by") == "view"};
+  return Proof{fault(object, cameras_.at(number), first, count), number, first, count};
 }
 
 std::string Prover::fault(const Json& object, const culler::Camera& camera, std::size_t first, std::size_t count) const {
   const Box box = proof::box(object);
+  const Json& by = member(object, "by");
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
 
-  const Json& by = member(object, "by");
   const double margin = margin_of(object);
   if (by == "view") {
     const auto plane = plane_of(object);

@@ -25,7 +25,6 @@ struct Proof {
   std::string failure;               ///< empty when it is proved, else what is wrong with it
   std::size_t frame = 0;             ///< of the path
   std::size_t first = 0, count = 0;  ///< the triangles it says are culled; none where the line names none of the model
-  bool by_view = false;
 };
 
 /// The cameras of a walk.
