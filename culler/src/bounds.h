@@ -34,6 +34,15 @@ inline void grow(kernel::Aabb& box, const kernel::Aabb& other) {
 
 inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kernel::Aabb{point, point}); }
 
+/// No point of the box is farther from the eye than this, in the sum of the axes.
+[[nodiscard]] inline double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
+  glm::dvec3 farthest{};
+  for (int axis = 0; axis < 3; ++axis) {
+    farthest[axis] = std::max(std::fabs(box.min[axis] - eye[axis]), std::fabs(box.max[axis] - eye[axis]));
+  }
+  return farthest.x + farthest.y + farthest.z;
+}
+
 /// Half the surface of a non-empty box.
 [[nodiscard]] inline double half_area(const kernel::Aabb& box) {
   const double x = box.max.x - box.min.x, y = box.max.y - box.min.y, z = box.max.z - box.min.z;

@@ -4,17 +4,19 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "bounds.h"
 #include "occlude/kernel/validity.h"
+#include "single_precision.h"
 
 namespace occlude::culler {
 namespace {
 
-/// How much wider the planes are than the renderer's: a relative margin far above what single precision does to a point on
-/// the border of the picture (2^-22 of its distance) and far below half a pixel, which is as near as a sample comes to the
-/// border (2^-12 of the picture's width at 2048 pixels). The near and far planes move by the same fraction.
+/// The share of the depth by which each plane lies outside of the camera's: more than what single precision has points out
+/// by, half as much again, for those who hold the planes against it.
 constexpr double kMargin = 0x1p-20;
+static_assert(kMargin > 1.5 * kSinglePrecision);
 
 /// Components of normals and of the line of sight below this fraction of their length are dropped, so that all stay within
 /// the kernel's legal range: far below what rounding turns them by, which is 2^-53.
@@ -36,18 +38,14 @@ HalfSpace legal(const glm::dvec3& normal, double offset) {
   return {normal, offset};
 }
 
-/// The half-space beyond `point` along `inward`, moved outward by more than rounding moves it: the offset sums three
-/// products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient, and a normal off by a few
-/// roundings tilts the plane by as much at `reach` from the point.
-HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double reach) {
+/// The half-space beyond `point` along `inward`, moved outward by the margin and by more than its offset is rounded by: three
+/// products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient. The few roundings of a normal
+/// tilt the plane by far less at `depth` than the margin.
+HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double depth) {
   const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
-  const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + reach;
-  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size);
+  const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z);
+  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size + kMargin * depth);
 }
-
-/// The tangent of half the opening, made wider by the margin and by more than rounding tilts the plane: a few roundings of a
-/// normal 1 + tangent long, against points that are up to `reach` from a point one unit along the line of sight.
-double opened(double tangent, double reach) { return tangent * (1 + kMargin) + 0x1p-48 * (1 + tangent) * reach; }
 
 bool is_legal(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }
 
@@ -95,25 +93,21 @@ kernel::Viewpoint Camera::viewpoint() const {
 
 void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes) {
   const auto [right, up, forward] = camera.axes();
-  if (camera.projection == Projection::perspective) {
-    const double y = std::tan(glm::radians(camera.fov_y_deg) / 2), x = y * camera.aspect;
-    const double wide_x = opened(x, 1 + x + y), wide_y = opened(y, 1 + x + y);
-    for (const glm::dvec3& inward :
-         {wide_x * forward + right, wide_x * forward - right, wide_y * forward + up, wide_y * forward - up}) {
-      planes.push_back(half_space(inward, camera.eye, 0));  // what rounding tilts it is opened by
+  const auto append = [&](const glm::dvec3& inward, const glm::dvec3& point) {
+    planes.push_back(half_space(inward, point, depth));
+  };
+  const bool perspective = camera.projection == Projection::perspective;
+  const double y = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
+  const double x = y * camera.aspect;
+  for (const auto& [half, across] : {std::pair{x, right}, {x, -right}, {y, up}, {y, -up}}) {
+    if (perspective) {
+      append(half * forward + across, camera.eye);
+    } else {
+      append(across, camera.eye - half * across);
     }
-  } else {
-    const double y = camera.height / 2 * (1 + kMargin);
-    const double x = y * camera.aspect;
-    planes.push_back(half_space(right, camera.eye - x * right, depth));
-    planes.push_back(half_space(-right, camera.eye + x * right, depth));
-    planes.push_back(half_space(up, camera.eye - y * up, depth));
-    planes.push_back(half_space(-up, camera.eye + y * up, depth));
   }
-  planes.push_back(half_space(forward, camera.eye + camera.near * (1 - kMargin) * forward, depth));
-  if (std::isfinite(camera.far)) {
-    planes.push_back(half_space(-forward, camera.eye + camera.far * (1 + kMargin) * forward, depth));
-  }
+  append(forward, camera.eye + camera.near * forward);
+  if (std::isfinite(camera.far)) append(-forward, camera.eye + camera.far * forward);
 }
 
 }  // namespace occlude::culler

@@ -2,14 +2,13 @@
 // A frame from the camera to what is drawn: half-spaces, occluders, one descent of the tree, what to remember.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <stdexcept>
 #include <string>
 
+#include "bounds.h"
 #include "node_tests.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
@@ -18,15 +17,6 @@
 #include "view_memory.h"
 
 namespace occlude::culler {
-
-/// No point of the box is farther from the eye than this.
-[[nodiscard]] inline double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
-  glm::dvec3 farthest{};
-  for (int axis = 0; axis < 3; ++axis) {
-    farthest[axis] = std::max(std::fabs(box.min[axis] - eye[axis]), std::fabs(box.max[axis] - eye[axis]));
-  }
-  return farthest.x + farthest.y + farthest.z;
-}
 
 /// Fills memory.result. `ask` and `holds_part` as in NodeTests; of no nodes nothing is drawn. Throws
 /// std::invalid_argument for a camera with a fault(), and leaves the last frame as it was.
@@ -38,7 +28,7 @@ void cull_frame(std::span<const HierarchyNode> nodes, const Ask& ask, const Hold
   const double reach = nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
   append_view_frustum(camera, reach, memory.result.view);
   memory.result.margin = ShadowMargin(camera, options.margin, reach);
-  choose_occluders(source, camera, options, memory);
+  choose_occluders(source, camera, reach, options, memory);
   const auto unwatched = [](const Occluder&, const auto&) {};
   if (!nodes.empty()) traverse(nodes, ask, holds_part, unwatched, options, memory);
   memory.history.record(source.occluders.size(), memory.result.occluders, memory.probes);

@@ -39,11 +39,12 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 /// Of the region's list what may occlude from here and is not chosen.
 void MissedReasons::keep_others(const Culler& culler, const Camera& camera, const CullOptions& options) {
   const PolygonSoup& soup = hierarchy_.soup();
+  const double reach = depth(hierarchy_.nodes()[0].box, camera.eye);
   std::vector<kernel::Vec3> vertices;
   for (const std::uint32_t i : largest_of(culler.grid().list(camera.eye).occluders, occluders_, camera.eye)) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
     occluders_.vertices(soup, i, vertices);
-    if (may_be_clipped(camera, vertices)) continue;
+    if (may_be_clipped(camera, reach, vertices)) continue;
     auto [frustum, refusal] = occluders_.shadow(soup, i, camera.viewpoint(), options.near);
     if (frustum) others_.push_back({i, std::move(*frustum)});
   }

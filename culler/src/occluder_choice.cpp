@@ -24,10 +24,9 @@ double weighted(double criterion, double weight) {
   return weight == 0 ? 1 : weight == 1 ? criterion : std::pow(criterion, weight);
 }
 
-/// Shares of the near plane's distance and of a vertex's own by which the vertex must be beyond the near plane, so that the
-/// renderer is sure not to clip it: a sum of three products of the vertex in single precision is out by up to 2^-21 of its
-/// distance, and what it is compared with by 2^-23 of the near plane's.
-constexpr double kNearMargin = 0x1p-10, kDepthMargin = 0x1p-20;
+/// The share of the model's depth by which a vertex must be beyond the near plane, so that the renderer is sure not to clip
+/// it: as far as the planes of the view lie outside.
+constexpr double kNearMargin = 0x1p-20;
 
 /// Frusta go from one occluder to another, and would grow again and again until each of them has been the largest. Nearly
 /// all have no more planes, those of the profile included.
@@ -42,9 +41,10 @@ constexpr double kNear = 0.8, kNeighbour = 10;
 
 class Choice {
  public:
-  Choice(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory)
+  Choice(const OccluderSource& source, const Camera& camera, double depth, const CullOptions& options, View::Memory& memory)
       : source_(source),
         camera_(camera),
+        depth_(depth),
         options_(options),
         memory_(memory),
         forward_(camera.axes().forward),
@@ -163,7 +163,7 @@ class Choice {
     if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) return is_in(chosen(), i) || is_in(memory_.probes, i);
     memory_.tried.push_back(i);
     source_.occluders.vertices(source_.soup, i, memory_.loop);
-    if (may_be_clipped(camera_, memory_.loop) || is_in_shadow()) return false;
+    if (may_be_clipped(camera_, depth_, memory_.loop) || is_in_shadow()) return false;
     return add(i);
   }
 
@@ -198,6 +198,7 @@ class Choice {
 
   const OccluderSource& source_;
   const Camera& camera_;
+  const double depth_;  ///< of the model
   const CullOptions& options_;
   View::Memory& memory_;
   glm::dvec3 forward_;
@@ -222,18 +223,17 @@ void pair_neighbours(std::span<const Occluder> occluders, std::vector<ShadowPair
 
 }  // namespace
 
-bool may_be_clipped(const Camera& camera, std::span<const kernel::Vec3> vertices) {
+bool may_be_clipped(const Camera& camera, double depth, std::span<const kernel::Vec3> vertices) {
   const glm::dvec3 forward = camera.axes().forward;
-  const double least = camera.near + kNearMargin * camera.near;
-  return std::ranges::any_of(vertices, [&](const kernel::Vec3& v) {
-    const glm::dvec3 from_eye = to_glm(v) - camera.eye;
-    return glm::dot(from_eye, forward) < least + kDepthMargin * glm::length(from_eye);
-  });
+  const double least = camera.near + kNearMargin * depth;
+  return std::ranges::any_of(vertices,
+                             [&](const kernel::Vec3& v) { return glm::dot(to_glm(v) - camera.eye, forward) < least; });
 }
 
-void choose_occluders(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory) {
+void choose_occluders(const OccluderSource& source, const Camera& camera, double depth, const CullOptions& options,
+                      View::Memory& memory) {
   if (options.occluders == 0) return;
-  Choice(source, camera, options, memory).run();
+  Choice(source, camera, depth, options, memory).run();
   if (options.unions) pair_neighbours(memory.result.occluders, memory.result.pairs);
 }
 

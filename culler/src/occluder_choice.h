@@ -20,13 +20,15 @@ struct OccluderSource {
   const OccluderGrid& grid;
 };
 
-/// Whether the renderer may clip something of the vertices' convex hull at its near plane: then it must not occlude.
-[[nodiscard]] bool may_be_clipped(const Camera& camera, std::span<const kernel::Vec3> vertices);
+/// Whether the renderer may clip something of the vertices' convex hull at its near plane: then it must not occlude. `depth`
+/// as append_view_frustum() takes it.
+[[nodiscard]] bool may_be_clipped(const Camera& camera, double depth, std::span<const kernel::Vec3> vertices);
 
 /// Fills memory.result.occluders and memory.pairs for a frame whose view is known, best first: those that hid something in
 /// the frames before, then those that were not tried lately, and where these run out the rest; and memory.probes. Left out
 /// are occluders that the kernel refuses from this viewpoint, those that reach before the renderer's near plane (what is
 /// clipped away must not occlude), and those that lie in the shadow of a better one: their shadow is part of its shadow.
-void choose_occluders(const OccluderSource& source, const Camera& camera, const CullOptions& options, View::Memory& memory);
+void choose_occluders(const OccluderSource& source, const Camera& camera, double depth, const CullOptions& options,
+                      View::Memory& memory);
 
 }  // namespace occlude::culler

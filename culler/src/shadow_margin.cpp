@@ -10,17 +10,9 @@
 #include "bounds.h"
 #include "occlude/kernel/overlap.h"
 #include "outer_box.h"
+#include "single_precision.h"
 
 namespace occlude::culler {
-
-namespace {
-
-/// A renderer in single precision has positions out by less than this share of what the model measures: relative to its
-/// middle each coordinate rounds to 2^-24 of that, the vector to sqrt(3) 2^-24; the eye is taken away and the rest
-/// multiplied by a matrix with a few roundings of as much.
-constexpr double kSinglePrecision = 0x1p-21;
-
-}  // namespace
 
 ShadowMargin::ShadowMargin(const Camera& camera, double share, double depth)
     : eye_(camera.eye),

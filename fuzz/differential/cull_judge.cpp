@@ -185,7 +185,7 @@ class CullJudge {
     const auto piece = occluders_.is_shell(occluder) ? std::nullopt : occluders_.regions().piece(occluder);
     return std::ranges::any_of(occluders_.parts(occluder), [&](std::uint32_t part) {
       const auto loop = piece ? occluders_.loop(occluder) : hierarchy_.soup().loop(part);
-      return proof::may_clip(camera_, to_oracle(polygon(loop)));
+      return proof::may_clip(camera_, model_, to_oracle(polygon(loop)));
     });
   }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "differential/exact_visibility.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <glm/geometric.hpp>
 
 #include "camera_picture.h"
 
@@ -16,20 +18,22 @@ oracle::Viewpoint viewpoint(const culler::Camera& camera) {
   return {point(camera.axes().forward), true};
 }
 
-/// Far more than the numbers of the camera are rounded by, 2^-53, and far less than anybody sees.
-constexpr double kWider = -0x1p-40;
+/// The share of the model's depth by which the picture is smaller: far less than anybody sees.
+constexpr double kSmaller = 0x1p-40;
 
 }  // namespace
 
 std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera) {
   std::vector<oracle::Triangle> triangles;
+  double depth = 0;
+  for (const glm::dvec3& v : soup.vertices) depth = std::max(depth, glm::distance(v, camera.eye));
   for (std::size_t p = 0; p < soup.size(); ++p) {
     const auto loop = soup.loop(p);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
       triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
     }
   }
-  return oracle::visible_triangles(viewpoint(camera), triangles, proof::picture_of(camera, kWider));
+  return oracle::visible_triangles(viewpoint(camera), triangles, proof::picture_of(camera, -kSmaller * depth));
 }
 
 }  // namespace occlude::fuzz

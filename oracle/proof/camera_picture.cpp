@@ -22,19 +22,18 @@ constexpr double kRounded = 0x1p-50;
 
 double sum_of_magnitudes(const dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-/// {x : normal . (x - eye) + ahead >= 0}, moved by what its offset is rounded by: outward, or inward for a negative
-/// `rounded`.
-HalfSpaceCoefficients half_space(const dvec3& normal, const dvec3& eye, double ahead, double rounded) {
-  const double size = sum_of_magnitudes(normal) * sum_of_magnitudes(eye) + std::fabs(ahead);
-  return {normal.x, normal.y, normal.z, ahead - glm::dot(normal, eye) + rounded * size};
+/// {x : normal . (x - eye) + ahead >= 0}, moved by `outward` and by more than its offset is rounded by.
+HalfSpaceCoefficients half_space(const dvec3& normal, const dvec3& eye, double ahead, double outward) {
+  const double moved = outward * glm::length(normal);
+  const double size = sum_of_magnitudes(normal) * sum_of_magnitudes(eye) + std::fabs(ahead) + std::fabs(moved);
+  return {normal.x, normal.y, normal.z, ahead - glm::dot(normal, eye) + moved + std::copysign(kRounded, outward) * size};
 }
 
 }  // namespace
 
-oracle::Picture picture_of(const culler::Camera& camera, double wider) {
+oracle::Picture picture_of(const culler::Camera& camera, double outward) {
   const auto [right, up, forward] = camera.axes();
-  const double rounded = std::copysign(kRounded, wider);
-  const auto within = [&](const dvec3& normal, double ahead) { return half_space(normal, camera.eye, ahead, rounded); };
+  const auto within = [&](const dvec3& normal, double ahead) { return half_space(normal, camera.eye, ahead, outward); };
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double y = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
   const double x = y * camera.aspect;
@@ -43,24 +42,32 @@ oracle::Picture picture_of(const culler::Camera& camera, double wider) {
   for (const auto& [half, across] : {std::pair{x, right}, {x, -right}, {y, up}, {y, -up}}) {
     // The tangent and the sum that is the normal are rounded by less than 2^-50 (1 + half) in each coordinate, which moves
     // a point one unit along the line of sight, and so no farther than 1 + x + y from it, by less than this.
-    const double wide = half * (1 + wider) + (perspective ? rounded * (1 + half) * (1 + x + y) : 0);
-    picture.sides.push_back(perspective ? within(wide * forward - across, 0) : within(-across, wide));
+    const double tilted = std::copysign(kRounded, outward) * (1 + half) * (1 + x + y);
+    picture.sides.push_back(perspective ? within((half + tilted) * forward - across, 0) : within(-across, half));
   }
-  picture.depth.push_back(within(forward, -camera.near * (1 - wider)));
-  if (std::isfinite(camera.far)) picture.depth.push_back(within(-forward, camera.far * (1 + wider)));
+  picture.depth.push_back(within(forward, -camera.near));
+  if (std::isfinite(camera.far)) picture.depth.push_back(within(-forward, camera.far));
   return picture;
 }
 
+double depth_of(const oracle::Aabb& model, const culler::Camera& camera) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    sum += std::max(std::fabs(model.min[axis] - camera.eye[axis]), std::fabs(model.max[axis] - camera.eye[axis]));
+  }
+  return sum;
+}
+
 bool may_draw_beyond(const std::array<double, 4>& plane, const culler::Camera& camera, const oracle::Aabb& model) {
-  const oracle::Picture picture = picture_of(camera, kRendererWider);
+  const oracle::Picture picture = picture_of(camera, kRendererRounds * depth_of(model, camera));
   std::vector<HalfSpaceCoefficients> both{{-plane[0], -plane[1], -plane[2], -plane[3]}};
   both.insert(both.end(), picture.sides.begin(), picture.sides.end());
   both.insert(both.end(), picture.depth.begin(), picture.depth.end());
   return oracle::relation_to_half_spaces(both, model).relation != Relation::outside;
 }
 
-bool may_clip(const culler::Camera& camera, std::span<const oracle::Point> points) {
-  const HalfSpaceCoefficients near = picture_of(camera, -kRendererWider).depth.front();
+bool may_clip(const culler::Camera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points) {
+  const HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera)).depth.front();
   return !std::ranges::all_of(points, [&](const oracle::Point& p) {
     return oracle::relation_to_half_spaces(std::span(&near, 1), oracle::Aabb{p, p}).relation == Relation::inside;
   });

@@ -155,7 +155,7 @@ std::string Prover::fault_of_occluder(const Json& described, const culler::Camer
     const bool is_drawn = is_joined ? is_joined_outside(polygon, described["parts"], first, count)
                                     : is_model_polygon_outside(polygon, first, count);
     if (!is_drawn) return "the occluder is not of the model outside the subtree";
-    if (may_clip(camera, to_oracle(polygon))) return "the renderer clips the occluder";
+    if (may_clip(camera, model_, to_oracle(polygon))) return "the renderer clips the occluder";
   }
   return "";
 }

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "bounds.h"
-#include "cull_frame.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"

@@ -144,10 +144,11 @@ TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
 
 TEST(NearPlaneProof, IsExact) {
   const Camera camera = looking_along_x(60, 1);  // near 0.1
-  const auto clips = [&](double x) { return may_clip(camera, std::vector<oracle::Point>{{5, 0, 0}, {x, 1, 1}}); };
+  const oracle::Aabb model{{-500, -8, -4}, {5, 8, 4}};  // 512 deep
+  const auto clips = [&](double x) { return may_clip(camera, model, std::vector<oracle::Point>{{5, 0, 0}, {x, 1, 1}}); };
   EXPECT_FALSE(clips(0.101));
-  EXPECT_FALSE(clips(0.1 * (1 + 0x1p-20)));
-  EXPECT_TRUE(clips(0.1 * (1 + 0x1p-22)));
+  EXPECT_FALSE(clips(0.1 + 512 * 0x1p-20));
+  EXPECT_TRUE(clips(0.1 + 512 * 0x1p-21));
   EXPECT_TRUE(clips(0.1));
   EXPECT_TRUE(clips(-1));
 }
