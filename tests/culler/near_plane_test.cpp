@@ -298,7 +298,7 @@ TEST(PictureEdge, OrthographicOccludersThatTouchHideNoMoreThanEach) {
 /// Panda3D: comparisons with NaN cull everything behind the occluder.
 TEST(FarPlane, AtInfinityIsNoPlane) {
   PolygonSoup soup;
-  add_wall(soup, 2, -1, 1, -1, 1);
+  add_wall(soup, 2e4, -1e4, 1e4, -1e4, 1e4);
   const auto hidden = static_cast<std::uint32_t>(soup.size());
   add_wall(soup, 1e9, -1e8, 1e8, -1e8, 1e8);
   const auto beside = static_cast<std::uint32_t>(soup.size());

@@ -15,6 +15,7 @@
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"
 #include "scenes.h"
+#include "single_precision.h"
 
 namespace {
 
@@ -147,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspe
 /// out by 0.01. Those of the wall move the shadow in the picture, most where it is nearest; those of what is behind, and
 /// the planes, move by as much along the planes' normals on top.
 TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
-  constexpr double kRounding = 0.01, kDepth = 0x1p21 * kRounding, kNone = 1e-12;
+  constexpr double kRounding = 0.01, kDepth = kRounding / kSinglePrecision, kNone = 1e-12;
   const std::vector<kernel::Vec3> wall{{10, -10, -10}, {20, 20, -20}, {20, 20, 20}, {10, -10, 10}};
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     const bool perspective = projection == Projection::perspective;
