@@ -70,6 +70,23 @@ grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(ca
 head -n 4 again | cmp -s stdout - || fail "culling anew proves something else: $(cat again)"
 grep -q "^without a pixel and drawn in 4 of the frames" again || fail "no reasons: $(cat again)"
 
+# Squares that are a hair's breadth before the near plane in a model so deep that single precision draws them.
+vertices= faces= i=0
+for y in $(seq 0 7); do
+  for z in $(seq 0 7); do
+    corner() { echo "0.099999 $((($1 - 4) * 125))e-4 $((($2 - 4) * 125))e-4\\n"; }
+    vertices+="$(corner $y $z)$(corner $((y + 1)) $z)$(corner $((y + 1)) $((z + 1)))$(corner $y $((z + 1)))"
+    faces+="4 $i $((i + 1)) $((i + 2)) $((i + 3))\n"
+    i=$((i + 4))
+  done
+done
+vertices+="5 -9 -9\n5 9 -9\n5 9 9\n5 -9 9\n-1000 -1 -1\n-1000 1 -1\n-1000 1 1\n-1000 -1 1\n"
+faces+="4 $i $((i + 1)) $((i + 2)) $((i + 3))\n4 $((i + 4)) $((i + 5)) $((i + 6)) $((i + 7))\n"
+ply deep.ply $((i + 8)) 66 "$vertices$faces"
+echo '{"frames":2,"near":0.1,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[2,0,0]}]}' >still.json
+"$occlude" walk deep.ply --path still.json --out deep --size 64x64 >stdout || fail "walk deep.ply"
+grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk deep.ply said: $(cat stdout)"
+
 # A wall, and behind it a slanting one of 64 tiles, in a tree of oriented boxes.
 vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n' faces='4 0 1 2 3\n' i=4
 for along in $(seq 0 7); do

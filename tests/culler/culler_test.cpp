@@ -274,6 +274,25 @@ TEST(ViewFrustum, HoldsWhatParallelRaysShowHoweverFarAway) {
   }
 }
 
+/// Within a share of 2^-21 of the model's depth beside the view: nobody who draws in single precision knows that it is not
+/// in the picture.
+TEST(ViewFrustum, HoldsWhatSinglePrecisionMovesIntoThePicture) {
+  constexpr double kDepth = 0x1p20;
+  Camera camera;
+  camera.fov_y_deg = 90;
+  camera.aspect = 1;
+  camera.height = 2;
+  camera.far = 3;
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    camera.projection = projection;
+    std::vector<HalfSpace> planes;
+    append_view_frustum(camera, kDepth, planes);
+    for (const glm::dvec3& beside : {glm::dvec3{1, 1.5, 0}, {1, -1.5, 0}, {1, 0, 1.5}, {1, 0, -1.5}, {-0.4, 0, 0}, {3.5, 0, 0}}) {
+      for (const HalfSpace& h : planes) EXPECT_GT(glm::dot(h.normal, beside) + h.offset, 0);
+    }
+  }
+}
+
 TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_EQ(refusal([] { Culler(PolygonSoup{}); }), "the soup has no polygon");
   PolygonSoup soup = random_town(4, 100);

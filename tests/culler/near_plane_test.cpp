@@ -82,8 +82,22 @@ TEST(NearPlane, APolygonThatRoundingMayCutHidesNothing) {
     const Culler culler = far_reaching(soup);
     return !is_drawn(culler, look(culler), 1);
   };
-  EXPECT_FALSE(hides(0.11));
-  EXPECT_TRUE(hides(0.13)) << "2^-20 of the distance beyond the near plane";
+  EXPECT_FALSE(hides(0.12));
+  EXPECT_TRUE(hides(0.13)) << "2^-20 of the depth beyond the near plane";
+}
+
+/// A renderer in single precision knows where a vertex is to within a share of the model's depth, here to 1e-4: what is a
+/// hair's breadth before the near plane may be drawn, and what is as much beyond it may be clipped.
+TEST(NearPlane, RoundingGrowsWithTheModel) {
+  for (const double off : {1e-6, 1e-5, 1e-4}) {
+    PolygonSoup soup;
+    add_wall(soup, 0.1 - off, -0.01, 0.01, -0.01, 0.01);
+    add_wall(soup, -1000, -1, 1, -1, 1);
+    EXPECT_TRUE(is_drawn(far_reaching(soup), look(far_reaching(soup)), 0)) << off << " before the near plane";
+    add_wall(soup, 0.1 + off, -5, 5, -5, 5);
+    add_wall(soup, 5, -1, 1, -1, 1);
+    EXPECT_TRUE(is_drawn(far_reaching(soup), look(far_reaching(soup)), 3)) << off << " beyond the near plane";
+  }
 }
 
 /// A prism along y over a triangle in x and z that has one corner at (tip, tip).

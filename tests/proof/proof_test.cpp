@@ -101,6 +101,20 @@ TEST(ViewProof, RefusesPlanesWithinTheBorderOfAWidePicture) {
   EXPECT_EQ(wide.fault(0, "[1,-1,0,0.3]"), kCuts);
 }
 
+/// Right of the picture's border by less than single precision moves a point of a model 2^20 deep, and before near.
+TEST(ViewProof, RefusesPlanesWithinWhatTheRendererRounds) {
+  Camera camera = looking_along_x(90, 1);
+  const oracle::Aabb model{{-0x1p19, -0x1p18, -0x1p18}, {8, 0x1p18, 0x1p18}};
+  for (const auto projection : {culler::Projection::perspective, culler::Projection::orthographic}) {
+    camera.projection = projection;
+    camera.height = 2;
+    EXPECT_TRUE(may_draw_beyond({1, 0, 0, 0.3}, camera, model)) << "0.4 before the near plane";
+    EXPECT_FALSE(may_draw_beyond({1, 0, 0, 0.6}, camera, model));
+  }
+  EXPECT_TRUE(may_draw_beyond({0, -1, 0, 1.5}, camera, model)) << "0.5 aside of parallel rays";
+  EXPECT_FALSE(may_draw_beyond({0, -1, 0, 1.7}, camera, model));
+}
+
 TEST(ViewProof, TakesEveryPlaneThatTheCullerMakes) {
   for (const double fov : {0.001, 1.0, 60.0, 120.0, 179.0}) {
     for (const double aspect : {1.0, 16.0 / 9, 8192.0, 1 / 8192.0, 65536.0, 1 / 65536.0}) {
