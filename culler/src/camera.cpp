@@ -38,9 +38,9 @@ HalfSpace legal(const glm::dvec3& normal, double offset) {
   return {normal, offset};
 }
 
-/// The half-space beyond `point` along `inward`, moved outward by the margin and by more than its offset is rounded by: three
-/// products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient. The few roundings of a normal
-/// tilt the plane by far less at `depth` than the margin.
+/// The half-space beyond `point` along `inward`, moved outward by the margin and by more than its offset is rounded by:
+/// three products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient. The few roundings of a
+/// normal tilt the plane by far less at `depth` than the margin.
 HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double depth) {
   const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
   const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z);

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
     return exit_code == occlude::cli::kDone ? code : exit_code;  // that a check failed stands
   };
   try {
+    occlude::render::require_stack();
     run(argc, argv, exit_code);
     return exit_code;
   } catch (const occlude::render::Interrupted&) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <latch>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -14,6 +15,7 @@
 
 #include "gl.h"
 #include "occlude/render/offscreen_context.h"
+#include "resource_limits.h"
 
 namespace occlude::render {
 namespace {
@@ -33,11 +35,19 @@ bool can_have_threads(std::size_t count) {
   return threads.size() == count;
 }
 
+/// What llvmpipe takes besides models and pictures: it crashes when it gets no more. A compiled shader takes some MiB, its
+/// compiler 100 or so.
+constexpr std::uint64_t kForDrawing = std::uint64_t{256} << 20U;
+
+/// What a thread sets aside: a stack of 8 MiB and a heap of 64.
+constexpr std::uint64_t kForThread = std::uint64_t{72} << 20U;
+
 /// llvmpipe starts two threads for each processor, of 16 at most, and waits for ever for one that it could not start.
 /// Without any it draws in the caller's.
 void draw_alone_if_need_be() {
-  const long processors = std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 16L);
-  if (!can_have_threads(2 * static_cast<std::size_t>(processors))) setenv("LP_NUM_THREADS", "0", kKeepWhatTheUserSet);
+  const auto threads = 2 * static_cast<std::size_t>(std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 16L));
+  if (can_have_memory(kForDrawing + threads * kForThread) && can_have_threads(threads)) return;
+  setenv("LP_NUM_THREADS", "0", kKeepWhatTheUserSet);
 }
 
 class OsMesaContext : public OffscreenContext {
@@ -46,6 +56,7 @@ class OsMesaContext : public OffscreenContext {
     // Mesa would otherwise write compiled shaders to the user's cache folder.
     setenv("MESA_SHADER_CACHE_DISABLE", "true", kKeepWhatTheUserSet);
     draw_alone_if_need_be();
+    if (!can_have_memory(kForDrawing)) throw std::bad_alloc();
     constexpr std::array<int, 9> kAttributes = {OSMESA_FORMAT,
                                                 OSMESA_RGBA,
                                                 OSMESA_PROFILE,

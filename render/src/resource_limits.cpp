@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "resource_limits.h"
 
+#include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 
+#include "occlude/render/errors.h"
 #include "occlude/render/memory_limit.h"
 
 namespace occlude::render {
@@ -21,6 +24,13 @@ std::uint64_t address_space_in_use() {
   return pages * page();
 }
 
+bool can_have_memory(std::uint64_t bytes) {
+  void* const memory = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) return false;
+  munmap(memory, bytes);
+  return true;
+}
+
 void limit_resource(int resource, rlim_t value) {
   rlimit limit{};
   getrlimit(resource, &limit);
@@ -31,6 +41,15 @@ void limit_resource(int resource, rlim_t value) {
 std::uint64_t most_memory() { return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 * page(); }
 
 void limit_memory() { limit_resource(RLIMIT_AS, std::min(memory_limit(), address_space_in_use() + most_memory())); }
+
+void require_stack() {
+  constexpr rlim_t kLeast = rlim_t{1} << 20U;
+  rlimit present{};
+  getrlimit(RLIMIT_STACK, &present);
+  if (present.rlim_cur >= kLeast) return;
+  throw InputError(
+      fmt::format("the stack is limited to {} KiB, which is not enough: 1024 are (ulimit -s)", present.rlim_cur >> 10U));
+}
 
 std::uint64_t memory_limit() {
   rlimit present{};

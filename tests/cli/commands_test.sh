@@ -453,7 +453,17 @@ with_little_memory() { (ulimit -v 400000 && timeout 60 "$occlude" "$@"); }
 if with_little_memory --version >/dev/null 2>&1; then # a sanitizer needs more to begin with
   expect_error "many.obj" with_little_memory walk many.obj --path path.json --no-render --out out
   grep -q 'out of memory' stderr || fail "out of memory: $(cat stderr)"
+  # Drawing takes more, and says so before the OpenGL library crashes for want of it.
+  for kib in 250000 300000 350000 450000; do
+    (ulimit -v $kib && exec timeout 60 "$occlude" walk deep.ply --path still.json --out little --size 640x360) >/dev/null 2>stderr
+    code=$?
+    [ $code -eq 127 ] && continue # not even its libraries are loaded
+    [ $code -eq 0 ] || { [ $code -eq 2 ] && grep -q 'out of memory' stderr; } || fail "$kib KiB: exit $code: $(cat stderr)"
+    rm -rf little
+  done
 fi
+(ulimit -s 64 && exec "$occlude" walk deep.ply --path still.json --out little) >/dev/null 2>stderr
+[ $? -eq 2 ] && grep -q 'the stack is limited to 64 KiB' stderr || fail "little stack: $(cat stderr)"
 rm many.obj
 # A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'

@@ -287,7 +287,8 @@ TEST(ViewFrustum, HoldsWhatSinglePrecisionMovesIntoThePicture) {
     camera.projection = projection;
     std::vector<HalfSpace> planes;
     append_view_frustum(camera, kDepth, planes);
-    for (const glm::dvec3& beside : {glm::dvec3{1, 1.5, 0}, {1, -1.5, 0}, {1, 0, 1.5}, {1, 0, -1.5}, {-0.4, 0, 0}, {3.5, 0, 0}}) {
+    for (const glm::dvec3& beside :
+         {glm::dvec3{1, 1.5, 0}, {1, -1.5, 0}, {1, 0, 1.5}, {1, 0, -1.5}, {-0.4, 0, 0}, {3.5, 0, 0}}) {
       for (const HalfSpace& h : planes) EXPECT_GT(glm::dot(h.normal, beside) + h.offset, 0);
     }
   }

@@ -157,7 +157,7 @@ TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
 }
 
 TEST(NearPlaneProof, IsExact) {
-  const Camera camera = looking_along_x(60, 1);  // near 0.1
+  const Camera camera = looking_along_x(60, 1);         // near 0.1
   const oracle::Aabb model{{-500, -8, -4}, {5, 8, 4}};  // 512 deep
   const auto clips = [&](double x) { return may_clip(camera, model, std::vector<oracle::Point>{{5, 0, 0}, {x, 1, 1}}); };
   EXPECT_FALSE(clips(0.101));

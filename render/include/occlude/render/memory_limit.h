@@ -16,4 +16,7 @@ void limit_memory();
 /// What it has, bytes of address space.
 [[nodiscard]] std::uint64_t memory_limit();
 
+/// Throws InputError where a thread gets less than a MiB of stack (ulimit -s): the OpenGL library crashes with much less.
+void require_stack();
+
 }  // namespace occlude::render
