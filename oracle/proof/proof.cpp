@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 
 #include "border.h"
 #include "camera_picture.h"
@@ -88,6 +89,25 @@ std::array<std::size_t, 2> run_of(const Json& triangles, const char* name) {
 
 std::array<double, 3> key(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
+std::array<double, 3> key(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// Compares polygons of a soup, or given in full, vertex by vertex.
+struct LessByVertices {
+  const culler::PolygonSoup& soup;
+
+  bool operator()(std::uint32_t a, std::uint32_t b) const { return less(soup.loop(a), soup.loop(b)); }
+  bool operator()(std::uint32_t a, const Polygon& b) const { return less(soup.loop(a), b); }
+  bool operator()(const Polygon& a, std::uint32_t b) const { return less(a, soup.loop(b)); }
+
+ private:
+  [[nodiscard]] std::array<double, 3> corner(std::uint32_t index) const { return key(soup.vertices[index]); }
+  [[nodiscard]] static std::array<double, 3> corner(const kernel::Vec3& v) { return key(v); }
+  [[nodiscard]] bool less(const auto& a, const auto& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [this](const auto& v, const auto& w) { return corner(v) < corner(w); });
+  }
+};
+
 std::uint64_t key(std::size_t first, std::size_t count) { return (static_cast<std::uint64_t>(first) << 32U) | count; }
 
 }  // namespace
@@ -95,10 +115,9 @@ std::uint64_t key(std::size_t first, std::size_t count) { return (static_cast<st
 Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
   const culler::PolygonSoup& soup = hierarchy.soup();
   for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
-  for (std::size_t p = 0; p < soup.size(); ++p) {
-    by_first_vertex_.emplace_back(key(soup.vertices[soup.loop(p)[0]]), static_cast<std::uint32_t>(p));
-  }
-  std::sort(by_first_vertex_.begin(), by_first_vertex_.end());
+  by_vertices_.resize(soup.size());
+  std::iota(by_vertices_.begin(), by_vertices_.end(), std::uint32_t{0});
+  std::stable_sort(by_vertices_.begin(), by_vertices_.end(), LessByVertices{soup});
   model_ = to_oracle(box_of_triangles(0, first_triangle_.back()));
 }
 
@@ -211,23 +230,13 @@ kernel::Aabb Prover::box_of_triangles(std::size_t first, std::size_t count) cons
 }
 
 bool Prover::is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const {
-  if (loop.empty()) return false;
-  const culler::PolygonSoup& soup = hierarchy_.soup();
-  const auto is_polygon = [&](std::uint32_t p) {
-    const auto indices = soup.loop(p);
-    return std::equal(indices.begin(), indices.end(), loop.begin(), loop.end(),
-                      [&](std::uint32_t index, const kernel::Vec3& v) {
-                        return soup.vertices[index] == glm::dvec3{v.x, v.y, v.z};
-                      });
+  const LessByVertices less{hierarchy_.soup()};
+  const auto [begin, end] = std::equal_range(by_vertices_.begin(), by_vertices_.end(), loop, less);
+  // The triangles' polygons are a run, and so are those of them that are equal: it is all of these, or one end is outside.
+  const auto is_outside = [&](std::uint32_t p) {
+    return first_triangle_[p + 1] <= first || first_triangle_[p] >= first + count;
   };
-  const std::array<double, 3> wanted{loop[0].x, loop[0].y, loop[0].z};
-  auto candidate = std::lower_bound(by_first_vertex_.begin(), by_first_vertex_.end(), std::pair{wanted, std::uint32_t{0}});
-  for (; candidate != by_first_vertex_.end() && candidate->first == wanted; ++candidate) {
-    const std::uint32_t p = candidate->second;
-    const bool outside = first_triangle_[p + 1] <= first || first_triangle_[p] >= first + count;
-    if (outside && is_polygon(p)) return true;
-  }
-  return false;
+  return begin != end && (is_outside(*begin) || is_outside(*std::prev(end)));
 }
 
 Polygon Prover::polygon(std::size_t p, std::size_t first, std::size_t count) const {

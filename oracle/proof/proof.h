@@ -74,8 +74,8 @@ class Prover {
   const culler::Hierarchy& hierarchy_;
   Cameras cameras_;
   oracle::Aabb model_;
-  std::vector<std::size_t> first_triangle_;                                       ///< of each polygon, and the total
-  std::vector<std::pair<std::array<double, 3>, std::uint32_t>> by_first_vertex_;  ///< polygons, sorted by their first vertex
+  std::vector<std::size_t> first_triangle_;  ///< of each polygon, and the total
+  std::vector<std::uint32_t> by_vertices_;   ///< polygons, sorted by their vertices, equal ones by their place
   /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
   mutable std::shared_mutex mutex_;
   mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;
