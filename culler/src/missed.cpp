@@ -2,6 +2,7 @@
 #include "occlude/culler/missed.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bounds.h"
@@ -50,22 +51,48 @@ void MissedReasons::keep_others(const Culler& culler, const Camera& camera, cons
   }
 }
 
+/// What may still be asked. When it runs out, what is being found out remains unknown.
+class MissedReasons::Work {
+ public:
+  Work(std::size_t most, const Checkpoint& checkpoint) : left_(most), checkpoint_(checkpoint) {}
+
+  [[nodiscard]] bool is_left() const { return left_ > 0; }
+  [[nodiscard]] std::size_t left() const { return left_; }
+  void take(std::size_t planes) {
+    checkpoint_();
+    left_ -= std::min(left_, planes);
+  }
+  void take(const Shadow& shadow, kernel::Stage stage) {
+    take(shadow.frustum.plane_count() + (stage == kernel::Stage::exact ? kExactWork : 0));
+  }
+
+ private:
+  std::size_t left_;
+  const Checkpoint& checkpoint_;
+};
+
+/// To the shadow less the margin; `partial` where no work is left.
+template <class AnyBox>
+kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box, Work& work) const {
+  if (!work.is_left()) return kernel::Relation::partial;
+  const kernel::Decision found = kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open);
+  work.take(shadow, found.stage);
+  const bool is_lost = found.relation == kernel::Relation::inside && !frame_.margin.keeps(shadow.frustum, box);
+  return is_lost ? kernel::Relation::partial : found.relation;
+}
+
 /// Of the shadows above the node those that meet it. Where one of the others has all of it, the rest of them are not asked.
-MissedReasons::Near MissedReasons::narrowed(const Near& above, std::uint32_t node) const {
-  const auto relation = [&](const Shadow& shadow) {
-    return hierarchy_.ask(node, [&](const auto& box) {
-      const auto found = kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open).relation;
-      return found == kernel::Relation::inside && !frame_.margin.keeps(shadow.frustum, box) ? kernel::Relation::partial
-                                                                                            : found;
-    });
+MissedReasons::Near MissedReasons::narrowed(const Near& above, std::uint32_t node, Work& work) const {
+  const auto relation_to = [&](const Shadow& shadow) {
+    return hierarchy_.ask(node, [&](const auto& box) { return relation(shadow, box, work); });
   };
   Near here;
   for (const Shadow* shadow : above.chosen) {
-    if (relation(*shadow) != kernel::Relation::outside) here.chosen.push_back(shadow);
+    if (relation_to(*shadow) != kernel::Relation::outside) here.chosen.push_back(shadow);
   }
   here.holder = above.holder;
   for (const Shadow* shadow : above.others) {
-    const kernel::Relation found = relation(*shadow);
+    const kernel::Relation found = relation_to(*shadow);
     if (found == kernel::Relation::inside) {
       here.holder = shadow;
       here.others.clear();
@@ -83,54 +110,56 @@ MissedReasons::Near MissedReasons::all() const {
   return result;
 }
 
-bool MissedReasons::hides(const Shadow& shadow, const kernel::Aabb& box) const {
-  return kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open).relation ==
-             kernel::Relation::inside &&
-         frame_.margin.keeps(shadow.frustum, box);
+bool MissedReasons::hides(const Shadow& shadow, const kernel::Aabb& box, Work& work) const {
+  return relation(shadow, box, work) == kernel::Relation::inside;
 }
 
-bool MissedReasons::is_out_of_view(std::uint32_t p) const {
+bool MissedReasons::is_out_of_view(std::uint32_t p, Work& work) const {
   return std::ranges::any_of(frame_.view, [&](const HalfSpace& h) {
     return std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
+      work.take(1);
       const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
-      return kernel::relation({to_kernel(h.normal), h.offset}, kernel::Aabb{corner, corner},
-                              kernel::Arithmetic::certified) == kernel::Relation::outside;
+      return work.is_left() && kernel::relation({to_kernel(h.normal), h.offset}, kernel::Aabb{corner, corner},
+                                                kernel::Arithmetic::certified) == kernel::Relation::outside;
     });
   });
 }
 
 /// A shadow is convex: it has a polygon when it has its corners. What an occluder is drawn as is drawn.
-bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p) const {
+bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) const {
   return !std::ranges::binary_search(occluders_.parts(shadow.occluder), p) &&
          std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
            const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
-           return hides(shadow, kernel::Aabb{corner, corner});
+           return hides(shadow, kernel::Aabb{corner, corner}, work);
          });
 }
 
-MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near) const {
-  if (is_out_of_view(p)) return {Missed::out_of_view, Culled::kNone};
+MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near, Work& work) const {
+  if (is_out_of_view(p, work)) return {Missed::out_of_view, Culled::kNone};
   const kernel::Aabb box = hierarchy_.soup().box(p);
   for (const Shadow* shadow : near.chosen) {
-    if (hides(*shadow, p) && hides(*shadow, box)) return {Missed::coarse_node, shadow->occluder};
+    if (hides(*shadow, p, work) && hides(*shadow, box, work)) return {Missed::coarse_node, shadow->occluder};
   }
   for (const Shadow* shadow : near.chosen) {
-    if (hides(*shadow, p)) return {Missed::straddling_box, shadow->occluder};
+    if (hides(*shadow, p, work)) return {Missed::straddling_box, shadow->occluder};
   }
   const bool is_in_several = std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
     const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
-    return std::ranges::any_of(near.chosen, [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}); });
+    return std::ranges::any_of(near.chosen,
+                               [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}, work); });
   });
   if (is_in_several) return {Missed::several, Culled::kNone};
-  if (near.holder != nullptr && hides(*near.holder, p)) return {Missed::not_chosen, near.holder->occluder};
+  if (near.holder != nullptr && hides(*near.holder, p, work)) return {Missed::not_chosen, near.holder->occluder};
   for (const Shadow* shadow : near.others) {
-    if (hides(*shadow, p)) return {Missed::not_chosen, shadow->occluder};
+    if (hides(*shadow, p, work)) return {Missed::not_chosen, shadow->occluder};
   }
   return {Missed::no_single_one, Culled::kNone};
 }
 
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const {
-  return answer(p, narrowed(all(), hierarchy_.leaf_of(p)));
+  const Checkpoint none;
+  Work unbounded(std::numeric_limits<std::size_t>::max(), none);
+  return answer(p, narrowed(all(), hierarchy_.leaf_of(p), unbounded), unbounded);
 }
 
 MissedReasons::Counts& MissedReasons::Counts::operator+=(const Counts& other) {
@@ -139,19 +168,19 @@ MissedReasons::Counts& MissedReasons::Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-/// A descent of a part of the tree, which ends when it has looked at so many shadows.
+/// A descent of a part of the tree, which ends when its work does.
 class MissedReasons::Asking {
  public:
-  Asking(const MissedReasons& reasons, const std::vector<bool>& missed, const Checkpoint& checkpoint, std::size_t looks)
-      : reasons_(reasons), missed_(missed), checkpoint_(checkpoint), looks_left_(looks) {}
+  Asking(const MissedReasons& reasons, const std::vector<bool>& missed, Work& work)
+      : reasons_(reasons), missed_(missed), work_(work) {}
 
   /// Descends, with the shadows that meet the nodes, to those of at most so many polygons and to leaves, but for subtrees
   /// without a missed polygon.
   template <class OnSubtree>
   void descend(const Subtree& above, std::uint32_t polygons, const OnSubtree& on_subtree) {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[above.node];
-    if (missed_in(n) == 0 || !looks_at(above.near)) return;
-    Subtree here{above.node, reasons_.narrowed(above.near, above.node)};
+    if (!work_.is_left() || missed_in(n) == 0) return;
+    Subtree here{above.node, reasons_.narrowed(above.near, above.node, work_)};
     if (n.is_leaf() || n.count <= polygons) return on_subtree(std::move(here));
     here.node = above.node + 1;
     descend(here, polygons, on_subtree);
@@ -162,8 +191,9 @@ class MissedReasons::Asking {
   void count_leaf(const Subtree& leaf, Counts& counts) {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[leaf.node];
     for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
-      if (missed_[p] && looks_at(leaf.near))
-        ++counts.reasons[static_cast<std::size_t>(reasons_.answer(p, leaf.near).reason)];
+      if (!missed_[p] || !work_.is_left()) continue;
+      const Answer answer = reasons_.answer(p, leaf.near, work_);
+      if (work_.is_left()) ++counts.reasons[static_cast<std::size_t>(answer.reason)];
     }
   }
 
@@ -173,38 +203,33 @@ class MissedReasons::Asking {
   }
 
  private:
-  bool looks_at(const Near& near) {
-    checkpoint_();
-    const std::size_t shadows = near.chosen.size() + near.others.size();
-    if (shadows > looks_left_) return false;
-    looks_left_ -= shadows;
-    return true;
-  }
-
   const MissedReasons& reasons_;
   const std::vector<bool>& missed_;
-  const Checkpoint& checkpoint_;
-  std::size_t looks_left_;
+  Work& work_;
 };
 
 MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const Checkpoint& checkpoint,
-                                           std::size_t looks) const {
+                                           std::size_t most_work) const {
   std::vector<bool> missed = polygons_of(frame_.drawn, hierarchy_.soup().size());
   for (std::size_t p = 0; p < missed.size(); ++p) missed[p] = missed[p] && !shows[p];
   // Subtrees of a share of the model each, so that all processors have some.
   constexpr std::uint32_t kShares = 64;
   const HierarchyNode& root = hierarchy_.nodes()[0];
   std::vector<Subtree> subtrees;
-  Asking asking(*this, missed, checkpoint, looks);
+  Work work(most_work, checkpoint);
+  Asking asking(*this, missed, work);
   asking.descend({0, all()}, root.count / kShares, [&](Subtree&& s) { subtrees.push_back(std::move(s)); });
   Counts total{.missed = asking.missed_in(root)};
   std::vector<Counts> counts(subtrees.size());
   parallel_for(subtrees.size(), [&](std::size_t i) {
-    // Each its share of the looks, by what is missed in it.
-    const double share =
+    // Of half of the work that is left each has the same, for the way down; of the other half its share of what is missed.
+    const double even = 1 / static_cast<double>(subtrees.size());
+    const double of_missed =
         static_cast<double>(asking.missed_in(hierarchy_.nodes()[subtrees[i].node])) / static_cast<double>(total.missed);
-    Asking part(*this, missed, checkpoint, static_cast<std::size_t>(share * static_cast<double>(looks)));
-    part.descend(subtrees[i], 0, [&](const Subtree& leaf) { part.count_leaf(leaf, counts[i]); });
+    const double share = (even + of_missed) / 2;
+    Work part(static_cast<std::size_t>(share * static_cast<double>(work.left())), checkpoint);
+    Asking below(*this, missed, part);
+    below.descend(subtrees[i], 0, [&](const Subtree& leaf) { below.count_leaf(leaf, counts[i]); });
   });
   for (const Counts& some : counts) total += some;
   return total;

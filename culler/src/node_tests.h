@@ -61,6 +61,10 @@ class NodeTests {
     });
   }
 
+  std::size_t pair_work(std::uint32_t first, std::uint32_t second) const {
+    return frame_.occluders[first].frustum.plane_count() * frame_.occluders[second].frustum.plane_count();
+  }
+
   kernel::Relation pair(std::uint32_t first, std::uint32_t second, std::uint32_t node) {
     const kernel::ShadowUnion both{frame_.occluders[first].frustum, frame_.occluders[second].frustum};
     const kernel::Relation relation = counted(

@@ -213,10 +213,14 @@ bool share_an_edge(const kernel::ShadowFrustum& a, const kernel::ShadowFrustum& 
          }) >= 2;
 }
 
+/// Pairs among the best occluders come before pairs with the next.
 void pair_neighbours(std::span<const Occluder> occluders, std::vector<ShadowPair>& pairs) {
-  for (std::uint32_t i = 0; i < occluders.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < occluders.size(); ++j) {
-      if (share_an_edge(occluders[i].frustum, occluders[j].frustum)) pairs.push_back({i, j});
+  const std::size_t most = ShadowPair::kMostOfEach * occluders.size();
+  for (std::uint32_t second = 1; second < occluders.size(); ++second) {
+    for (std::uint32_t first = 0; first < second; ++first) {
+      if (!share_an_edge(occluders[first].frustum, occluders[second].frustum)) continue;
+      pairs.push_back({first, second});
+      if (pairs.size() == most) return;
     }
   }
 }

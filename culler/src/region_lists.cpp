@@ -115,6 +115,7 @@ class Descent {
       if (reach_[i] > 0 && std::isfinite(reach_[i])) blocks_.occluders.push_back(i);
     }
     listed_ = blocks_.occluders.size();
+    entries_ = std::min(config.entries, OccluderGrid::Config::kEntriesOfEach * std::max(grid.regions(), listed_));
     const auto& [x, y, z] = grid.size();
     blocks_.end_block(
         {{0, 0, 0}, {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)}, 0});
@@ -194,8 +195,8 @@ class Descent {
   [[nodiscard]] std::size_t budget() const {
     constexpr double kFew = 4;
     const double share = static_cast<double>(blocks_.blocks.size()) / static_cast<double>(grid_.regions());
-    const double budget = kFew * static_cast<double>(listed_) + std::sqrt(share) * static_cast<double>(config_.entries);
-    return std::min(config_.entries, static_cast<std::size_t>(budget));
+    const double budget = kFew * static_cast<double>(listed_) + std::sqrt(share) * static_cast<double>(entries_);
+    return std::min(entries_, static_cast<std::size_t>(budget));
   }
 
   /// Leaves of lists that are too long what looks largest; of equals the first.
@@ -240,6 +241,7 @@ class Descent {
   const Checkpoint& checkpoint_;
   std::vector<double> reach_;  ///< of each occluder, how far from its centre it is listed
   std::size_t listed_ = 0;     ///< occluders that the whole grid lists
+  std::size_t entries_ = 0;    ///< of all lists together at most
   Blocks blocks_;
 };
 

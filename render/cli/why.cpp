@@ -32,12 +32,21 @@ struct Arguments {
   bool json = false;
 };
 
-/// The polygon of the tree that is polygon `original` of the model.
-std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t original, const std::string& model) {
-  for (std::uint32_t p = 0; p < hierarchy.soup().size(); ++p) {
-    if (hierarchy.original(p) == original) return p;
+/// The model, which has the polygon that was asked for.
+culler::PolygonSoup read_model(const Arguments& arguments) {
+  culler::PolygonSoup soup = render::read_model(arguments.model);
+  if (arguments.polygon && *arguments.polygon >= soup.size()) {
+    throw render::InputError(
+        fmt::format("{}: no polygon {}: it has {}", arguments.model, *arguments.polygon, soup.size()));
   }
-  throw render::InputError(fmt::format("{}: no polygon {}: it has {}", model, original, hierarchy.soup().size()));
+  return soup;
+}
+
+/// The polygon of the tree that is polygon `original` of the model.
+std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t original) {
+  std::uint32_t p = 0;
+  while (hierarchy.original(p) != original) ++p;
+  return p;
 }
 
 struct Pixel {
@@ -63,9 +72,9 @@ int why(const Arguments& arguments) {
   const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
+  const culler::Culler culler = render::make_culler(read_model(arguments), options.build, options.preprocess);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon, arguments.model) : 0;
+  std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);
 
   const auto context = render::make_offscreen_context();

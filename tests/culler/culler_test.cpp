@@ -20,6 +20,7 @@
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
+#include "traverse.h"
 #include "view_memory.h"
 
 namespace {
@@ -398,6 +399,40 @@ TEST(Culler, TwoHideTogetherWhereAsked) {
   }
   options.unions = false;
   EXPECT_TRUE(culler.cull(camera, options, view).pairs.empty()) << "the pairs are those of the frame";
+}
+
+/// Triangles that share one edge, like the pages of a book: each makes a pair with every other.
+PolygonSoup book(std::size_t pages) {
+  PolygonSoup soup;
+  for (std::size_t i = 0; i < pages; ++i) {
+    const double turn = 0.1 + 6.28 * static_cast<double>(i) / static_cast<double>(pages);
+    add(soup, {{6, 0, -1}, {6, 0, 1}, {6 + 3 * std::cos(turn), 3 * std::sin(turn), 0}});
+  }
+  return soup;
+}
+
+TEST(Culler, PairsOfAnEdgeOfManyAreBounded) {
+  const Culler culler = one_polygon_leaves(book(500));
+  std::size_t occluders = 0;
+  for (const std::size_t most : {8U, 64U}) {
+    const CullResult frame = look(culler, {.occluders = most, .unions = true});
+    occluders = frame.occluders.size();
+    ASSERT_EQ(occluders, most);
+    EXPECT_EQ(frame.pairs.size(), std::min(most * (most - 1) / 2, ShadowPair::kMostOfEach * most));
+    for (std::size_t i = 1; i < frame.pairs.size(); ++i) {
+      EXPECT_LE(frame.pairs[i - 1].second, frame.pairs[i].second) << "the best together first";
+    }
+  }
+}
+
+/// However many nodes there are across the shadows.
+TEST(Culler, TheWorkOfPairsIsBounded) {
+  constexpr std::size_t kPlanesOfATriangle = 4;
+  constexpr std::size_t kMost = kPairWorkOfEach * 8 / (kPlanesOfATriangle * kPlanesOfATriangle);
+  for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
+    const Culler culler(book(4000), {.hierarchy = {.leaf_size = 1, .bounds = bounds}, .grid = {.regions = 1}});
+    EXPECT_EQ(look(culler, {.unions = true}).stats.union_tests, kMost);
+  }
 }
 
 /// A wall of two triangles beside the line of sight, the first with a corner at x = `nearest`, and a thing behind the

@@ -107,11 +107,21 @@ TEST(OccluderGrid, KeepsToItsBudgetLargestFirst) {
 
 TEST(OccluderGrid, OfABudgetThatIsNotSpentNothingIsCut) {
   const Model model(random_town_of_houses(4, 1500));
-  const OccluderGrid grid = model.grid();
+  constexpr double kThreshold = 0.1;  // of a lower one the budget of so small a model is spent
+  const OccluderGrid grid = model.grid({.threshold = kThreshold});
   const std::size_t entries = grid.lists().occluders.size();
-  ASSERT_LT(entries, OccluderGrid::Config{}.entries);
-  EXPECT_EQ(model.grid({.entries = entries}).lists().occluders, grid.lists().occluders);
-  EXPECT_LT(model.grid({.entries = entries - 1}).lists().occluders.size(), entries);
+  ASSERT_LT(entries, OccluderGrid::Config::kEntriesOfEach * grid.regions());
+  EXPECT_EQ(model.grid({.threshold = kThreshold, .entries = entries}).lists().occluders, grid.lists().occluders);
+  EXPECT_LT(model.grid({.threshold = kThreshold, .entries = entries - 1}).lists().occluders.size(), entries);
+}
+
+TEST(OccluderGrid, OfASmallModelItsBudgetIsSmall) {
+  const Model model(large_triangles(500));
+  constexpr double kRegions = 4096;
+  const OccluderGrid grid = model.grid({.regions = kRegions});
+  const std::size_t entries = OccluderGrid::Config::kEntriesOfEach * grid.regions();
+  EXPECT_LE(grid.lists().occluders.size(), entries);
+  EXPECT_GT(grid.lists().occluders.size(), entries * 9 / 10);
 }
 
 /// The number of threads is the machine's own: that it does not count shows in repeated runs.

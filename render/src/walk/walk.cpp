@@ -24,6 +24,7 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
   kernel::Operations total;
   culler.visit_shadow_tests(culled, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
+    check_interrupt();
     total += std::visit(
         [&](const auto& kind) {
           return kernel::count_operations(occluder.frustum, kind, options.cull.arithmetic, options.cull.test);

@@ -64,6 +64,7 @@ class Walker {
 
   /// Keeps the witnesses as well, outside of the frame time.
   Timing timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, Picture& picture) {
+    check_interrupt();
     Timing timing;
     const Stopwatch culling;
     const culler::CullResult& result = culler_.cull(camera, options, view);
@@ -123,7 +124,6 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   culler::View view;
   Progress progress("frame", frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    check_interrupt();
     const bool is_reference = i % step == 0;
     result.frames.push_back(walker.frame(frames[i], is_reference, view));
     if (is_reference && options.render) ++result.reference_frames;

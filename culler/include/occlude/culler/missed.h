@@ -37,9 +37,11 @@ class MissedReasons {
  public:
   /// Of a list that is longer, what looks largest from the eye is asked. Nearly all lists of the models tried are shorter.
   static constexpr std::size_t kMostListed = 4096;
-  /// Shadows looked at for all nodes and polygons of a frame, a second or two of one processor: beyond, polygons are not
-  /// asked. Of the models tried a frame takes less than 2^19.
-  static constexpr std::size_t kMostLooks = std::size_t{1} << 24U;
+  /// Work is counted in planes of shadows that boxes and corners are held against, some ten nanoseconds each. An answer of the
+  /// exact stage takes up to twenty microseconds, as much as so many planes.
+  static constexpr std::size_t kExactWork = 2048;
+  /// For all nodes and polygons of a frame, a second or so of one processor: beyond, polygons are not asked.
+  static constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
   /// `frame` is what the culler made of this camera with these options, and must outlive this.
   MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame);
@@ -58,10 +60,10 @@ class MissedReasons {
     [[nodiscard]] std::size_t asked() const { return std::accumulate(reasons.begin(), reasons.end(), std::size_t{0}); }
     Counts& operator+=(const Counts& other);
   };
-  /// Asks all that the frame missed, as far as `looks` go; on all processors, the same for any number of them. `shows` tells
-  /// of each polygon of the tree whether the frame shows it.
+  /// Asks all that the frame missed, as far as `most_work` goes; on all processors, the same for any number of them. `shows`
+  /// tells of each polygon of the tree whether the frame shows it.
   [[nodiscard]] Counts count(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
-                             std::size_t looks = kMostLooks) const;
+                             std::size_t most_work = kMostWork) const;
 
  private:
   struct Shadow {
@@ -78,14 +80,17 @@ class MissedReasons {
     Near near;
   };
   class Asking;
+  class Work;
 
   void keep_others(const Culler& culler, const Camera& camera, const CullOptions& options);
   [[nodiscard]] Near all() const;
-  [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node) const;
-  [[nodiscard]] Answer answer(std::uint32_t p, const Near& near) const;
-  [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p) const;
-  [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box) const;
-  [[nodiscard]] bool is_out_of_view(std::uint32_t p) const;
+  [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node, Work& work) const;
+  [[nodiscard]] Answer answer(std::uint32_t p, const Near& near, Work& work) const;
+  template <class AnyBox>
+  [[nodiscard]] kernel::Relation relation(const Shadow& shadow, const AnyBox& box, Work& work) const;
+  [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p, Work& work) const;
+  [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box, Work& work) const;
+  [[nodiscard]] bool is_out_of_view(std::uint32_t p, Work& work) const;
 
   const Hierarchy& hierarchy_;
   const PotentialOccluders& occluders_;
