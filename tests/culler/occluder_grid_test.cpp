@@ -116,10 +116,10 @@ TEST(OccluderGrid, OfABudgetThatIsNotSpentNothingIsCut) {
 }
 
 TEST(OccluderGrid, OfASmallModelItsBudgetIsSmall) {
-  const Model model(large_triangles(500));
-  constexpr double kRegions = 4096;
+  const Model model(large_triangles(2000));
+  constexpr double kRegions = 512;
   const OccluderGrid grid = model.grid({.regions = kRegions});
-  const std::size_t entries = OccluderGrid::Config::kEntriesOfEach * grid.regions();
+  const std::size_t entries = OccluderGrid::Config::kEntriesOfEach * std::max(grid.regions(), model.occluders.size());
   EXPECT_LE(grid.lists().occluders.size(), entries);
   EXPECT_GT(grid.lists().occluders.size(), entries * 9 / 10);
 }
