@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment.h"
 
+#include "covers.h"
 #include "culling.h"
 #include "forgery.h"
 #include "frustum_batches.h"
@@ -25,6 +26,7 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"view_frustum", run_view_frusta});
     list.push_back({"cones", run_cones});
     list.push_back({"occludees", run_occludees});
+    list.push_back({"cover", run_covers});
     list.push_back({"culler", run_culling});
     list.push_back({"forgery", run_forgeries});
     return list;

@@ -67,6 +67,19 @@ CaseLine read_case(const nlohmann::json& object) {
           expect_of(object)};
 }
 
+bool is_cover(const nlohmann::json& object) {
+  const auto occluder = object.find("occluder");
+  return occluder != object.end() && occluder->is_object() && occluder->contains("cover");
+}
+
+CoverLine read_cover(const nlohmann::json& object) {
+  const nlohmann::json& occluder = object["occluder"];
+  for (const char* other : {"polygon", "vertices", "faces"}) {
+    if (occluder.contains(other)) throw LineError(fmt::format("both \"cover\" and \"{}\"", other));
+  }
+  return {proof::viewpoint(object), proof::cover(occluder["cover"]), proof::box(object), expect_of(object)};
+}
+
 void for_each_case(const std::string& file, bool silence,
                    const std::function<void(std::size_t number, const nlohmann::json&)>& take) {
   render::LineReader lines(file);

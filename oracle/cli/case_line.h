@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "json_input.h"
 
@@ -28,6 +29,19 @@ struct CaseLine {
 [[nodiscard]] nlohmann::ordered_json case_id(const nlohmann::json& object);
 
 [[nodiscard]] CaseLine read_case(const nlohmann::json& object);
+
+/// A question about the joined shadow of several polygons. Its answers are "inside" and "partial".
+struct CoverLine {
+  kernel::Viewpoint viewpoint;
+  std::vector<fuzz::Polygon> polygons;
+  fuzz::Box box;
+  std::optional<std::string> expect;
+};
+
+/// Whether the object's occluder is a "cover".
+[[nodiscard]] bool is_cover(const nlohmann::json& object);
+
+[[nodiscard]] CoverLine read_cover(const nlohmann::json& object);
 
 /// Calls `take` with the object on every line that is not blank, in order; "-" is standard input. Throws InputError, naming
 /// file and line, for what cannot be read and for the LineErrors of `take`, and Interrupted. Who prints while it works asks

@@ -5,12 +5,16 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
+#include <vector>
 
 #include "case_line.h"
 #include "command_arguments.h"
 #include "commands.h"
 #include "differential/to_oracle.h"
 #include "occlude/fuzz/ask.h"
+#include "occlude/kernel/cover.h"
+#include "occlude/oracle/cover.h"
 #include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 
@@ -22,6 +26,8 @@ using fuzz::Case;
 using fuzz::to_oracle;
 
 std::string text(kernel::Relation relation) { return std::string(kernel::to_string(relation)); }
+
+std::string text(kernel::Stage stage) { return stage == kernel::Stage::filter ? "filter" : "exact"; }
 
 std::string text(const oracle::Answer& answer) {
   if (!answer.refusal.empty()) return "refused: " + answer.refusal;
@@ -50,7 +56,7 @@ bool classify(const CaseLine& line, Json& answer) {
   if (!made.frustum) return refuse(line, made.refusal, answer);
   const kernel::Decision certified = fuzz::overlap(*made.frustum, c.box);
   answer["certified"] = text(certified.relation);
-  answer["stage"] = certified.stage == kernel::Stage::filter ? "filter" : "exact";
+  answer["stage"] = text(certified.stage);
   answer["plain"] = text(fuzz::overlap_plain(*made.frustum, c.box));
   const std::string conservative = text(fuzz::conservative(*made.frustum, c.box).relation);
   answer["conservative"] = conservative;
@@ -60,12 +66,33 @@ bool classify(const CaseLine& line, Json& answer) {
   return answer["certified"] == judged && is_sound && (!line.expect || *line.expect == judged);
 }
 
+/// The same of a question about a joined shadow, which has no arithmetic and no test but the exact one.
+bool classify(const CoverLine& line, Json& answer) {
+  std::vector<oracle::Loop> polygons;
+  for (const fuzz::Polygon& polygon : line.polygons) polygons.push_back(to_oracle(polygon));
+  const oracle::Answer truth = oracle::relation_to_cover(to_oracle(line.viewpoint), polygons, to_oracle(line.box));
+  const auto [cover, refused] = kernel::Cover::make(line.viewpoint, line.polygons);
+  const kernel::Refusal refusal = refused != kernel::Refusal::none ? refused : fuzz::check(line.box);
+  if (refusal != kernel::Refusal::none) {
+    answer["error"] = kernel::to_string(refusal);
+    if (truth.refusal.empty()) answer["oracle"] = text(truth);
+    return !truth.refusal.empty() && !line.expect;
+  }
+  const kernel::Decision certified =
+      std::visit([&](const auto& box) { return kernel::overlap_certified(*cover, box); }, line.box);
+  answer["certified"] = text(certified.relation);
+  answer["stage"] = text(certified.stage);
+  answer["oracle"] = text(truth);
+  return answer["certified"] == answer["oracle"] && (!line.expect || *line.expect == text(truth));
+}
+
 void classify_file(const std::string& file, int& exit_code) {
   const bool prints_to_terminal = isatty(STDOUT_FILENO) != 0;
   for_each_case(file, prints_to_terminal, [&](std::size_t, const nlohmann::json& object) {
     Json answer;
     answer["id"] = case_id(object);
-    if (!classify(read_case(object), answer)) exit_code = kCheckFailed;
+    const bool agree = is_cover(object) ? classify(read_cover(object), answer) : classify(read_case(object), answer);
+    if (!agree) exit_code = kCheckFailed;
     render::print(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
 }
@@ -80,8 +107,12 @@ void add_classify(CLI::App& app, int& exit_code) {
       "Exit code 0; 1 when the oracle differs from `certified`, refutes `conservative` or is not what a case has in "
       "\"expect\";\n"
       "2 for a line that is not a case. Members that a case does not need are ignored.\n"
-      "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}.\n" +
-      fmt::format("A polytope has at most {} vertices, those of its faces counted.\n", kMostCorners) +
+      "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}; "
+      "or\n"
+      "{\"cover\":[polygon, ...]}, polygons that hide together: then the box is `inside` their joined shadow or `partial`,\n"
+      "and there is neither `plain` nor `conservative`.\n" +
+      fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", kMostCorners,
+                  proof::kMostCoverVertices) +
       render::limits_help() +
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");

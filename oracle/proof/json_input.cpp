@@ -93,6 +93,7 @@ Box box(const Json& object) {
 
 Occluder occluder(const Json& value) {
   if (!value.is_object()) throw LineError("expected an occluder to be an object");
+  if (value.contains("cover")) throw LineError("\"cover\": an occluder of several polygons is for occlude classify");
   const bool has_faces = value.contains("vertices") || value.contains("faces");
   if (has_faces && value.contains("polygon")) throw LineError("both \"polygon\" and \"vertices\"");
   if (!has_faces) return vec3s(member(value, "polygon"), "polygon");
@@ -102,6 +103,18 @@ Occluder occluder(const Json& value) {
         fmt::format("\"occluder\": a polytope with more than {} vertices, those of its faces counted", kMostCorners));
   }
   return polytope;
+}
+
+std::vector<Polygon> cover(const Json& value) {
+  if (!value.is_array()) throw LineError("\"cover\": expected an array of polygons");
+  std::vector<Polygon> polygons;
+  std::size_t vertices = 0;
+  for (const Json& polygon : value) {
+    polygons.push_back(vec3s(polygon, "cover"));
+    vertices += polygons.back().size();
+    if (vertices > kMostCoverVertices) throw LineError(fmt::format("\"cover\": more than {} vertices", kMostCoverVertices));
+  }
+  return polygons;
 }
 
 }  // namespace occlude::proof

@@ -48,4 +48,10 @@ inline constexpr std::size_t kMostCorners = 4096;
 /// polytope with more than kMostCorners.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
+/// Vertices of a cover's polygons together: a mesh of so many, all of them needed, takes the oracle seconds.
+inline constexpr std::size_t kMostCoverVertices = 2048;
+
+/// The polygons of an occluder "cover". LineError for more vertices than kMostCoverVertices.
+[[nodiscard]] std::vector<Polygon> cover(const nlohmann::json& value);
+
 }  // namespace occlude::proof

@@ -32,13 +32,6 @@ Tuple<N, D - 1> without(const Tuple<N, D>& tuple, std::size_t k) {
   return rest;
 }
 
-/// The point with the coordinates x[i] / w. REQUIRES: w > 0.
-template <class N, std::size_t D>
-struct Ratios {
-  Tuple<N, D> x;
-  N w;
-};
-
 /// Whether the point satisfies the inequality.
 template <class N, std::size_t D>
 bool satisfies(const Ratios<N, D>& point, const Inequality<N, D>& row) {
@@ -152,7 +145,32 @@ bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequ
   return lowest(bounds, std::span<const Inequality<N, 3>>(inequalities), cost).has_value();
 }
 
+template <class N>
+std::optional<Ratios<N, 3>> feasible_point(const Bounds<N, 3>& bounds, const std::vector<Inequality<N, 3>>& inequalities,
+                                           const std::vector<Inequality<N, 3>>& strict) {
+  // The most that all strict ones can be satisfied by at once is a fourth variable.
+  std::vector<Inequality<N, 4>> rows;
+  const auto append = [&](const Inequality<N, 3>& row, int gap) {
+    rows.push_back({{row.a[0], row.a[1], row.a[2], N(gap)}, row.b});
+  };
+  for (const Inequality<N, 3>& row : inequalities) append(row, 0);
+  for (const Inequality<N, 3>& row : strict) append(row, 1);
+  std::shuffle(rows.begin(), rows.end(), std::minstd_rand(1));
+  const Bounds<N, 4> with_gap{{bounds.low[0], bounds.low[1], bounds.low[2], N(0)},
+                              {bounds.high[0], bounds.high[1], bounds.high[2], N(1)}};
+  const Tuple<N, 4> cost{N(0), N(0), N(0), N(-1)};
+  const auto point = lowest(with_gap, std::span<const Inequality<N, 4>>(rows), cost);
+  if (!point || (!strict.empty() && certain_sign(point->x[3]) != CGAL::POSITIVE)) return std::nullopt;
+  return Ratios<N, 3>{{point->x[0], point->x[1], point->x[2]}, point->w};
+}
+
 template bool is_feasible<Interval>(const Bounds<Interval, 3>&, std::vector<Inequality<Interval, 3>>);
 template bool is_feasible<Exact>(const Bounds<Exact, 3>&, std::vector<Inequality<Exact, 3>>);
+template std::optional<Ratios<Interval, 3>> feasible_point<Interval>(const Bounds<Interval, 3>&,
+                                                                     const std::vector<Inequality<Interval, 3>>&,
+                                                                     const std::vector<Inequality<Interval, 3>>&);
+template std::optional<Ratios<Exact, 3>> feasible_point<Exact>(const Bounds<Exact, 3>&,
+                                                               const std::vector<Inequality<Exact, 3>>&,
+                                                               const std::vector<Inequality<Exact, 3>>&);
 
 }  // namespace occlude::oracle

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "numbers.h"
@@ -26,5 +27,18 @@ struct Bounds {
 /// Whether some x within `bounds` satisfies all of `inequalities`. Closed: touching is a common point.
 template <class N>
 [[nodiscard]] bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequalities);
+
+/// The point with the coordinates x[i] / w, w > 0.
+template <class N, std::size_t D>
+struct Ratios {
+  std::array<N, D> x;
+  N w;
+};
+
+/// Some x that satisfies `inequalities` and, without equality, all of `strict`; none where there is none.
+template <class N>
+[[nodiscard]] std::optional<Ratios<N, 3>> feasible_point(const Bounds<N, 3>& bounds,
+                                                         const std::vector<Inequality<N, 3>>& inequalities,
+                                                         const std::vector<Inequality<N, 3>>& strict);
 
 }  // namespace occlude::oracle

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "covers.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "any_case.h"
+#include "experiment.h"
+#include "occlude/fuzz/neighbours.h"
+#include "occlude/kernel/cover.h"
+#include "occlude/oracle/cover.h"
+#include "to_oracle.h"
+#include "verdict.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using kernel::Vec3;
+
+struct Question {
+  kernel::Viewpoint viewpoint;
+  std::vector<Polygon> polygons;
+  std::optional<kernel::HalfSpace> drawn;
+  Box box;
+};
+
+/// The oracle takes long for more.
+constexpr std::size_t kMostTriangles = 8;
+
+std::size_t triangles_of(const std::vector<Polygon>& polygons) {
+  std::size_t sum = 0;
+  for (const Polygon& polygon : polygons) sum += polygon.size() - 2;
+  return sum;
+}
+
+Vec3 between(const Vec3& a, const Vec3& b, double share) {
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
+}
+
+/// Adds the polygon in two pieces, with a point of an edge between them: where it is rounded, or the other side of the edge
+/// has it not, they leave a gap of some ulp or overlap by as much.
+void add_halves(Random& random, const Polygon& whole, std::vector<Polygon>& pieces) {
+  const std::size_t count = whole.size(), across = random.index(count);
+  const auto corner = [&](std::size_t i) { return whole[(across + i) % count]; };
+  const std::size_t edge = 1 + random.index(count - 2);
+  const Vec3 middle = between(corner(edge), corner(edge + 1), random.chance(0.7) ? 0.5 : random.real(0, 1));
+  Polygon first, second;
+  for (std::size_t i = 0; i <= edge; ++i) first.push_back(corner(i));
+  first.push_back(middle);
+  second = {corner(0), middle};
+  for (std::size_t i = edge + 1; i < count; ++i) second.push_back(corner(i));
+  pieces.push_back(std::move(first));
+  pieces.push_back(std::move(second));
+}
+
+void spoil(Random& random, std::vector<Polygon>& pieces) {
+  Polygon& one = pieces[random.index(pieces.size())];
+  switch (random.index(5)) {
+    case 0: {  // by an ulp
+      double& x = one[random.index(one.size())][random.integer(0, 2)];
+      x = std::nextafter(x, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
+      break;
+    }
+    case 1:  // twice
+      pieces.push_back(Polygon(one));
+      break;
+    case 2:  // a hole
+      one = {one[0], one[1], one[0]};
+      break;
+    case 3:  // an edge three times, and a flap
+      pieces.push_back({one[0], one[1], between(one[0], pieces[0][0], random.real(-1, 1))});
+      break;
+    default:  // the other way round
+      one = Polygon(one.rbegin(), one.rend());
+      break;
+  }
+}
+
+/// An occluder of any family in pieces, and a box that it touches.
+std::optional<Question> pieces_of_a_polygon(Random& random) {
+  Case whole = any_case(random);
+  auto* const polygon = std::get_if<Polygon>(&whole.occluder);
+  if (!polygon || polygon->size() < 3 || polygon->size() > kMostTriangles) return std::nullopt;
+  std::vector<Polygon> pieces{std::move(*polygon)};
+  while (triangles_of(pieces) + 2 <= kMostTriangles && random.chance(0.7)) {
+    const std::size_t i = random.index(pieces.size());
+    const Polygon one = pieces[i];
+    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+    add_halves(random, one, pieces);
+  }
+  if (random.chance(0.5)) spoil(random, pieces);
+  return Question{whole.viewpoint, std::move(pieces), {}, whole.box};
+}
+
+Vec3 lattice_point(Random& random, int low_x, int reach) {
+  return {static_cast<double>(random.integer(low_x, reach)), static_cast<double>(random.integer(-reach, reach)),
+          static_cast<double>(random.integer(-reach, reach))};
+}
+
+Box lattice_box(Random& random, int low_x, int reach) {
+  Vec3 at = lattice_point(random, 1, 1);
+  at.x = random.integer(low_x, 2 * reach);
+  const auto half = [&] { return 0.5 * random.integer(-1, 1); };
+  if (random.chance(0.6)) {
+    return kernel::Aabb{at, {at.x + random.integer(0, 2), at.y + random.integer(0, 1), at.z + random.integer(0, 1)}};
+  }
+  kernel::Obb box{at, {}};
+  for (Vec3& edge : box.half_edges) {
+    if (random.chance(0.75)) edge = {half(), half(), half()};
+  }
+  return box;
+}
+
+/// A handful of polygons on a small lattice, some of them neighbours, some edge-on, about the eye or before it.
+std::optional<Question> lattice_polygons(Random& random) {
+  const int reach = random.integer(1, 4), low_x = random.chance(0.3) ? -1 : 1;
+  Question question;
+  question.viewpoint = random.chance(0.25)  ? kernel::Viewpoint::direction({1, 1.0 * random.integer(-1, 1), 0})
+                       : random.chance(0.2) ? kernel::Viewpoint::eye(lattice_point(random, -1, 1))
+                                            : kernel::Viewpoint::eye({0, 0, 0});
+  std::vector<Polygon>& polygons = question.polygons;
+  for (std::size_t count = 1 + random.index(5); polygons.size() < count;) {
+    Polygon polygon;
+    for (std::size_t corners = random.chance(0.25) ? 4 : 3; polygon.size() < corners;) {
+      polygon.push_back(lattice_point(random, low_x, reach));
+    }
+    if (!polygons.empty() && random.chance(0.5)) {
+      polygon[0] = polygons.back()[1];
+      polygon[1] = polygons.back()[2];
+    }
+    if (random.chance(0.12)) {
+      for (Vec3& v : polygon) v.z = 0;
+    }
+    polygons.push_back(std::move(polygon));
+  }
+  if (random.chance(0.25)) {
+    question.drawn = kernel::HalfSpace{{1, 1.0 * random.integer(-1, 1), 0}, -1.0 * random.integer(0, 2)};
+  }
+  question.box = lattice_box(random, low_x, reach);
+  return question;
+}
+
+std::optional<Question> some_question(Random& random) {
+  auto question = random.chance(0.5) ? pieces_of_a_polygon(random) : lattice_polygons(random);
+  if (!question || triangles_of(question->polygons) > kMostTriangles + 2) return std::nullopt;
+  const bool is_legal = kernel::Cover::make(question->viewpoint, question->polygons, question->drawn).cover.has_value() &&
+                        check(question->box) == kernel::Refusal::none;
+  return is_legal ? question : std::nullopt;
+}
+
+std::optional<oracle::HalfSpaceCoefficients> to_oracle(const std::optional<kernel::HalfSpace>& drawn) {
+  if (!drawn) return std::nullopt;
+  return oracle::HalfSpaceCoefficients{drawn->normal.x, drawn->normal.y, drawn->normal.z, drawn->offset};
+}
+
+}  // namespace
+
+void run_covers(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  const Question question = first_legal([&] { return some_question(random); });
+  const kernel::Cover cover = *kernel::Cover::make(question.viewpoint, question.polygons, question.drawn).cover;
+  std::vector<oracle::Loop> polygons;
+  for (const Polygon& polygon : question.polygons) polygons.push_back(to_oracle(polygon));
+  for (std::uint64_t i = 0; i < kGroup; ++i) {
+    const Box box = i == 0 ? question.box : legal_neighbour(random, question.box);
+    const kernel::Decision decision =
+        std::visit([&](const auto& kind) { return kernel::overlap_certified(cover, kind); }, box);
+    judge(report, "cover", seed, "box " + std::to_string(i), decision.relation, decision.stage,
+          oracle::relation_to_cover(to_oracle(question.viewpoint), polygons, to_oracle(box), to_oracle(question.drawn)));
+  }
+}
+
+}  // namespace occlude::fuzz

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Integers of any size: the exact numbers of expressions too long for expansions, which would underflow.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace occlude::kernel {
+
+/// Sign and magnitude, or a small number as it is. Every operation is exact; the time of a product grows with the product of
+/// the lengths.
+class BigInteger {
+ public:
+  BigInteger() = default;
+  BigInteger(std::int64_t small) : small_(small) {}  // NOLINT(google-explicit-constructor): numbers like any other
+  /// x 2^shift. REQUIRES: x is finite, and that is an integer.
+  static BigInteger scaled(double x, int shift);
+
+  [[nodiscard]] int sign() const {
+    if (is_small()) return (small_ > 0) - (small_ < 0);
+    return is_negative_ ? -1 : 1;
+  }
+
+  BigInteger operator-() const;
+  friend BigInteger operator+(const BigInteger& a, const BigInteger& b) {
+    return a.is_below(kSummand) && b.is_below(kSummand) ? BigInteger(a.small_ + b.small_) : sum(a, b);
+  }
+  friend BigInteger operator-(const BigInteger& a, const BigInteger& b) { return a + -b; }
+  friend BigInteger operator*(const BigInteger& a, const BigInteger& b) {
+    return a.is_below(kFactor) && b.is_below(kFactor) ? BigInteger(a.small_ * b.small_) : product(a, b);
+  }
+
+ private:
+  using Limbs = std::vector<std::uint32_t>;  ///< the lowest first, the highest not 0; none: a small number
+
+  /// Below these in magnitude small numbers have a small sum, or product.
+  static constexpr std::int64_t kSummand = std::int64_t{1} << 62U, kFactor = std::int64_t{1} << 31U;
+
+  BigInteger(bool is_negative, Limbs limbs);
+  static BigInteger sum(const BigInteger& a, const BigInteger& b);
+  static BigInteger product(const BigInteger& a, const BigInteger& b);
+
+  [[nodiscard]] bool is_small() const { return limbs_.empty(); }
+  [[nodiscard]] bool is_below(std::int64_t limit) const { return is_small() && small_ < limit && small_ > -limit; }
+  [[nodiscard]] bool is_negative() const { return is_small() ? small_ < 0 : is_negative_; }
+  [[nodiscard]] Limbs magnitude() const;
+
+  std::int64_t small_ = 0;
+  bool is_negative_ = false;
+  Limbs limbs_;
+};
+
+/// Of a finite x other than 0: the exponent of its lowest bit, so that x 2^-exponent is an odd integer.
+[[nodiscard]] int lowest_exponent(double x);
+
+}  // namespace occlude::kernel

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Signs of numbers with a running error bound whose expressions may underflow.
+#pragma once
+
+#include "running_error.h"
+
+namespace occlude::kernel {
+
+/// Numbers of about 1 and less underflow in products of many factors, and their error bounds with them. What is lost then is
+/// less than 2^-1022 each time, and some hundred such losses are less than this.
+inline constexpr double kLostToUnderflow = 0x1p-900;
+
+/// 0 where the bound does not tell, nor after an overflow.
+[[nodiscard]] inline int certain_sign(const RunningError& x) {
+  const double doubtful = x.error + kLostToUnderflow;
+  return x.value > doubtful ? 1 : x.value < -doubtful ? -1 : 0;
+}
+
+}  // namespace occlude::kernel

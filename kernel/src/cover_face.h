@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Whether a cover hides one face of a box: the face less one triangle after another, in the plane of rays, where all pieces
+// are convex.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cover_hidden.h"
+#include "cover_parts.h"
+
+namespace occlude::kernel {
+
+/// The corners of a parallelogram not seen edge-on, counter-clockwise in the plane of rays.
+template <class Number>
+using Face = std::array<RayPoint<Number>, 4>;
+
+class CoverFace {
+ public:
+  /// `face` in the units of `parts`; both must outlive this, as must `cover`.
+  CoverFace(const CoverParts& parts, ExactCover& cover, const Face<RunningError>& face, const Face<BigInteger>& exact_face);
+
+  /// Whether every point of the face has something of the cover before it.
+  [[nodiscard]] bool is_hidden();
+
+  /// Whether exact numbers had a part in it.
+  [[nodiscard]] bool was_exact() const { return was_exact_; }
+
+ private:
+  enum class Kind : std::uint8_t { face_side, side, drawn, nearer };
+  struct Line {
+    Kind kind;
+    std::uint32_t triangle, corner;  ///< whose, and from which corner
+    Vector3<RunningError> rounded;
+    std::optional<ExactRay> exact;
+  };
+  /// One side of a line.
+  struct Side {
+    std::uint32_t line;
+    bool is_opposite;
+  };
+  /// Convex, and not empty: what is positive on all its sides, which are in order. Corner i is between sides i and i + 1.
+  struct Piece {
+    std::vector<Side> sides;
+    std::vector<Vector3<RunningError>> corners;
+  };
+  void add_triangle(std::uint32_t i);
+  [[nodiscard]] bool is_apart(const CoverTriangle& triangle) const;
+  [[nodiscard]] Vector3<RunningError> rounded(const Side& side) const;
+  [[nodiscard]] ExactRay exact(const Side& side);
+  [[nodiscard]] ExactRay exact(const Line& line);
+  /// The sign of each corner of the piece on that side.
+  [[nodiscard]] std::vector<int> signs(const Piece& piece, const Side& side);
+  /// What of the piece is on that side. REQUIRES: some of it is, and the signs of its corners.
+  [[nodiscard]] Piece part(const Piece& piece, const Side& side, const std::vector<int>& signs) const;
+  /// What of the piece the triangle leaves over; none where it hides nothing of its inside.
+  [[nodiscard]] std::optional<std::vector<Piece>> less(const Piece& piece, std::span<const Side> triangle);
+  /// What the triangles leave of the piece less one of them; none where no triangle hides any of its inside.
+  [[nodiscard]] std::optional<std::vector<Piece>> less_one(const Piece& piece);
+  [[nodiscard]] bool is_inside_hidden();
+  [[nodiscard]] bool is_border_hidden();
+  [[nodiscard]] bool may_touch(std::uint32_t triangle, const Vector3<RunningError>& nearer) const;
+
+  const CoverParts& parts_;
+  ExactCover& cover_;
+  const Face<RunningError>& face_;
+  const Face<BigInteger>& exact_face_;
+  PlaneForm<RunningError> plane_;
+  std::optional<PlaneForm<BigInteger>> exact_plane_;
+  std::vector<Line> lines_;
+  std::vector<std::uint32_t> triangles_;        ///< those that may be before the face
+  std::vector<std::vector<Side>> of_triangle_;  ///< the sides of each of these, the last: nearer than the face
+  bool was_exact_ = false;
+};
+
+}  // namespace occlude::kernel

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Single rays, and the rays between two, behind a cover: what is left where only the border of a face is in doubt. Exact
+// numbers alone; hardly any box needs it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cover_parts.h"
+
+namespace occlude::kernel {
+
+using ExactRay = Vector3<BigInteger>;
+
+/// The cover in exact numbers, as far as it is asked for.
+class ExactCover {
+ public:
+  ExactCover(const CoverParts& parts, int shift);
+
+  [[nodiscard]] const IntegerUnits& units() const { return units_; }
+  [[nodiscard]] const TriangleForms<BigInteger>& triangle(std::size_t i);
+  /// Not negative where the triangle is drawn. REQUIRES: a cover that is cut.
+  [[nodiscard]] ExactRay drawn(std::size_t i);
+
+  /// From now on only these of the triangles count; at first all of them do.
+  void consider(std::span<const std::uint32_t> triangles) { considered_.assign(triangles.begin(), triangles.end()); }
+
+  /// Whether what is in the plane at this ray has something of the cover before it.
+  [[nodiscard]] bool hides(const ExactRay& ray, const PlaneForm<BigInteger>& plane);
+
+  /// Whether it has so at all rays of `line` that are not negative on any of `sides`, which leave no more than half of it.
+  [[nodiscard]] bool hides_all(const ExactRay& line, std::span<const ExactRay> sides, const PlaneForm<BigInteger>& plane);
+
+ private:
+  struct Arc {
+    RayPoint<BigInteger> from, to;
+    ExactRay line;                ///< 0 where all is one ray
+    PlaneForm<BigInteger> plane;  ///< through the arc
+    bool is_at_viewpoint = false;
+  };
+
+  [[nodiscard]] const std::vector<Arc>& arcs();
+  [[nodiscard]] bool hides(std::size_t triangle, const ExactRay& ray, const PlaneForm<BigInteger>& plane);
+  [[nodiscard]] static bool hides(const Arc& arc, const ExactRay& ray, const PlaneForm<BigInteger>& plane);
+  /// All lines at which what hides may change along another line.
+  [[nodiscard]] std::vector<ExactRay> lines(const PlaneForm<BigInteger>& plane);
+
+  const CoverParts& parts_;
+  IntegerUnits units_;
+  std::vector<std::optional<TriangleForms<BigInteger>>> triangles_;
+  std::vector<std::uint32_t> considered_;
+  std::optional<std::vector<Arc>> arcs_;
+};
+
+[[nodiscard]] inline bool is_zero(const ExactRay& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
+
+/// A plane through two points, in directions between which it does not matter which: `line` is the cross product of their
+/// rays. REQUIRES: not 0.
+[[nodiscard]] PlaneForm<BigInteger> plane_through(const RayPoint<BigInteger>& a, const RayPoint<BigInteger>& b,
+                                                  const ExactRay& line);
+
+}  // namespace occlude::kernel

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// A set of polygons in the plane of rays: triangles with an extent there, and arcs, all that is seen of what is edge-on.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "occlude/kernel/half_space.h"
+#include "rays.h"
+
+namespace occlude::kernel {
+
+/// Of the plane of a triangle: what is in it at a ray has the nearness of_ray . ray / unit, unit > 0.
+template <class Number>
+struct PlaneForm {
+  Vector3<Number> of_ray;
+  Number unit;
+};
+
+/// A triangle whose corners turn counter-clockwise in the plane of rays: its rays are not negative on any of its sides.
+template <class Number>
+struct TriangleForms {
+  std::array<RayPoint<Number>, 3> corners;
+  std::array<Vector3<Number>, 3> sides;  ///< from each corner to the next
+  PlaneForm<Number> plane;
+};
+
+template <class Number>
+[[nodiscard]] TriangleForms<Number> triangle_forms(const std::array<RayPoint<Number>, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const std::array<Vector3<Number>, 3> sides{cross(a.ray, b.ray), cross(b.ray, c.ray), cross(c.ray, a.ray)};
+  const Vector3<Number> of_ray = a.nearness * sides[1] + b.nearness * sides[2] + c.nearness * sides[0];
+  return {corners, sides, {of_ray, dot(sides[0], c.ray)}};
+}
+
+/// Not negative where the plane of the triangle lies on that side.
+template <class Number>
+[[nodiscard]] Vector3<Number> side_of(const PlaneForm<Number>& plane, const RayForm<Number>& half_space) {
+  return plane.unit * half_space.of_ray + half_space.of_nearness * plane.of_ray;
+}
+
+/// Positive where the first plane is nearer.
+template <class Number>
+[[nodiscard]] Vector3<Number> nearer(const PlaneForm<Number>& first, const PlaneForm<Number>& second) {
+  return second.unit * first.of_ray - first.unit * second.of_ray;
+}
+
+struct CoverTriangle {
+  std::array<Vec3, 3> corners;  ///< counter-clockwise in the plane of rays
+  TriangleForms<RunningError> forms;
+  Vector3<RunningError> drawn;  ///< of a cover that is cut: not negative where the triangle is drawn
+};
+
+/// The rays between two points. What is seen of a triangle edge-on are those of its edges.
+struct CoverArc {
+  Vec3 from, to;
+  bool is_at_viewpoint;  ///< an edge of a triangle that holds the viewpoint, and hides all of those rays
+};
+
+[[nodiscard]] inline double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+/// The bits behind the point of a number: shifted by so many it is an integer.
+[[nodiscard]] inline int shift_for(double x) { return x == 0 ? 0 : -lowest_exponent(x); }
+[[nodiscard]] inline int shift_for(const Vec3& v) { return std::max({shift_for(v.x), shift_for(v.y), shift_for(v.z)}); }
+
+struct CoverParts {
+  Rays rays;
+  double factor = 1;  ///< of RoundedUnits
+  int shift = 0;      ///< of IntegerUnits, at least
+  std::optional<HalfSpace> drawn;
+  std::vector<CoverTriangle> triangles;
+  std::vector<CoverArc> arcs;
+};
+
+/// The same in units that make lengths of `extent` about 1.
+[[nodiscard]] CoverParts in_units_for(const CoverParts& parts, double extent);
+
+}  // namespace occlude::kernel

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+//
+// Look at some point of the box. Where no piece of the shadow holds it, it is seen. Else all other points that are seen are
+// beyond one of the bounds of a piece that holds it: look there, beyond one bound after another.
+#include "occlude/oracle/cover.h"
+
+#include <algorithm>
+
+#include "box.h"
+#include "cover_pieces.h"
+#include "faults.h"
+#include "feasibility.h"
+
+namespace occlude::oracle {
+namespace {
+
+/// Half-spaces in the box's own coordinates.
+template <class N>
+struct System {
+  std::vector<Inequality<N, 3>> closed, strict;
+};
+
+template <class N>
+Inequality<N, 3> negated(const Inequality<N, 3>& row) {
+  return {{-row.a[0], -row.a[1], -row.a[2]}, -row.b};
+}
+
+template <class N>
+class Search {
+ public:
+  Search(const Box& box, const std::vector<ShadowPiece<N>>& pieces) : bounds_(own_bounds<N>(box)) {
+    const auto own = [&](const std::vector<HalfSpace<N>>& half_spaces) {
+      std::vector<Inequality<N, 3>> rows;
+      for (const HalfSpace<N>& h : half_spaces) rows.push_back(in_own_coordinates(h, box));
+      return rows;
+    };
+    for (const ShadowPiece<N>& piece : pieces) pieces_.push_back({own(piece.closed), own(piece.open)});
+  }
+
+  /// Whether a point of the system is in none of the pieces.
+  [[nodiscard]] bool has_point_outside() {
+    const auto point = feasible_point(bounds_, system_.closed, system_.strict);
+    if (!point) return false;
+    const auto piece = std::ranges::find_if(pieces_, [&](const System<N>& p) { return holds(p, *point); });
+    if (piece == pieces_.end()) return true;
+    const std::size_t closed = system_.closed.size(), strict = system_.strict.size();
+    const bool found = has_point_beyond(*piece);
+    system_.closed.resize(closed);
+    system_.strict.resize(strict);
+    return found;
+  }
+
+ private:
+  static bool holds(const System<N>& piece, const Ratios<N, 3>& point) {
+    const auto slack = [&](const Inequality<N, 3>& row) {
+      const auto& [x, w] = point;
+      return certain_sign(N(row.b * w - row.a[0] * x[0] - row.a[1] * x[1] - row.a[2] * x[2]));
+    };
+    return std::ranges::all_of(piece.closed, [&](const auto& row) { return slack(row) != CGAL::NEGATIVE; }) &&
+           std::ranges::all_of(piece.strict, [&](const auto& row) { return slack(row) == CGAL::POSITIVE; });
+  }
+
+  /// Of points beyond several bounds each is looked for beyond the first of these alone.
+  bool has_point_beyond(const System<N>& piece) {
+    for (const Inequality<N, 3>& row : piece.closed) {
+      system_.strict.push_back(negated(row));
+      if (has_point_outside()) return true;
+      system_.strict.pop_back();
+      system_.closed.push_back(row);
+    }
+    for (const Inequality<N, 3>& row : piece.strict) {
+      system_.closed.push_back(negated(row));
+      if (has_point_outside()) return true;
+      system_.closed.pop_back();
+      system_.strict.push_back(row);
+    }
+    return false;
+  }
+
+  Bounds<N, 3> bounds_;
+  std::vector<System<N>> pieces_;
+  System<N> system_;
+};
+
+std::string fault(const Viewpoint& view, const std::vector<Loop>& polygons, const Box& box,
+                  const std::optional<HalfSpaceCoefficients>& drawn) {
+  for (const Loop& polygon : polygons) {
+    if (std::string reason = number_fault(view, polygon); !reason.empty()) return reason;
+    if (polygon.size() < 3) return "a polygon has fewer than 3 vertices";
+  }
+  if (std::string reason = setting_fault(view, {}); !reason.empty()) return reason;
+  if (drawn) {
+    if (std::string reason = plane_fault(*drawn); !reason.empty()) return reason;
+  }
+  return strict_box_fault(box);
+}
+
+}  // namespace
+
+Answer relation_to_cover(const Viewpoint& view, const std::vector<Loop>& polygons, const Box& box,
+                         const std::optional<HalfSpaceCoefficients>& drawn) {
+  const RoundUpward rounding;
+  if (std::string reason = fault(view, polygons, box, drawn); !reason.empty()) return {std::move(reason), Relation::partial};
+  const bool is_visible =
+      decide([&]<class N>() { return Search<N>(box, pieces_of<N>(view, polygons, drawn)).has_point_outside(); });
+  return {"", is_visible ? Relation::partial : Relation::inside};
+}
+
+}  // namespace occlude::oracle
