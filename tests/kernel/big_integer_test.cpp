@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Integers of any size against identities and against numbers that fit a double.
+#include "big_integer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using occlude::kernel::BigInteger;
+using occlude::kernel::lowest_exponent;
+
+bool is_equal(const BigInteger& a, const BigInteger& b) { return (a - b).sign() == 0; }
+
+BigInteger some_number(std::mt19937_64& random) {
+  const double mantissa = std::uniform_real_distribution<double>(-1, 1)(random);
+  return BigInteger::scaled(mantissa, 60 + static_cast<int>(random() % 300)) +
+         BigInteger(static_cast<int>(random() % 3) - 1);
+}
+
+TEST(BigInteger, LowestBitOfADouble) {
+  EXPECT_EQ(lowest_exponent(1), 0);
+  EXPECT_EQ(lowest_exponent(-12), 2);
+  EXPECT_EQ(lowest_exponent(0x1.8p-100), -101);
+  EXPECT_EQ(lowest_exponent(0.1), -55);
+}
+
+TEST(BigInteger, SmallNumbersAndTheirSums) {
+  for (const std::int64_t a : {-3L, 0L, 7L, (1L << 31U) - 1, 1L << 31U, -(1L << 31U), (1L << 62U) - 1, 1L << 62U}) {
+    for (const std::int64_t b : {-1L, 0L, 2L, 1L << 31U, -(1L << 62U), (1L << 62U) + 1}) {
+      const auto exactly = [](std::int64_t x) {
+        return BigInteger::scaled(static_cast<double>(x >> 32U), 32) + BigInteger(x & 0xffffffff);
+      };
+      EXPECT_TRUE(is_equal(BigInteger(a), exactly(a))) << a;
+      EXPECT_TRUE(is_equal(BigInteger(a) + BigInteger(b), exactly(a) + exactly(b))) << a << ' ' << b;
+      EXPECT_TRUE(is_equal(BigInteger(a) * BigInteger(b), exactly(a) * exactly(b))) << a << ' ' << b;
+      EXPECT_EQ((BigInteger(a) - BigInteger(b)).sign(), (a > b) - (a < b)) << a << ' ' << b;
+      EXPECT_EQ((BigInteger(a) * BigInteger(b)).sign(), ((a > 0) - (a < 0)) * ((b > 0) - (b < 0))) << a << ' ' << b;
+    }
+  }
+}
+
+TEST(BigInteger, SumsAndProductsOfAnySizeAreExact) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const BigInteger a = some_number(random), b = some_number(random), c = some_number(random);
+    ASSERT_TRUE(is_equal((a + b) * (a - b), a * a - b * b));
+    ASSERT_TRUE(is_equal((a + b) * c, a * c + b * c));
+    ASSERT_TRUE(is_equal((a + b) + c, a + (b + c)));
+    ASSERT_TRUE(is_equal(-(-a), a));
+    ASSERT_EQ((a * b).sign(), a.sign() * b.sign());
+    ASSERT_FALSE(is_equal(a, a + BigInteger(1)));
+    ASSERT_EQ((a + BigInteger(1) - a).sign(), 1);
+  }
+}
+
+/// Products and sums that a long double holds.
+TEST(BigInteger, AgreesWithFloatingPointWhereThatIsExact) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const auto part = [&] { return static_cast<double>(static_cast<std::int64_t>(random() >> 34U) - (1 << 29U)); };
+    const double a = part(), b = part(), c = part(), d = part();
+    const long double determinant = static_cast<long double>(a) * d - static_cast<long double>(b) * c;
+    const BigInteger exactly =
+        BigInteger::scaled(a, 3) * BigInteger::scaled(d, 97) - BigInteger::scaled(b, 50) * BigInteger::scaled(c, 50);
+    ASSERT_EQ(exactly.sign(), (determinant > 0) - (determinant < 0));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The oracle's joined shadows: by hand, and against exact visibility, which shares nothing with them.
+#include "occlude/oracle/cover.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "occlude/fuzz/random.h"
+#include "occlude/oracle/visibility.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::oracle;
+
+const Viewpoint kOrigin{{0, 0, 0}};
+
+Loop wall(double x, double y0, double y1) { return {{x, y0, -1}, {x, y1, -1}, {x, y1, 1}, {x, y0, 1}}; }
+
+TEST(OracleCover, WallsHideTogether) {
+  const Box box = Aabb{{4, -1, -1}, {5, 1, 1}};
+  const auto relation = [&](const std::vector<Loop>& polygons, const Viewpoint& view = kOrigin) {
+    return relation_to_cover(view, polygons, box).relation;
+  };
+  EXPECT_EQ(relation({wall(2, -1, 0), wall(2, 0, 1)}), Relation::inside);
+  EXPECT_EQ(relation({wall(2, -1, 0), wall(2, 0, 1)}, {{1, 0, 0}, true}), Relation::inside);
+  EXPECT_EQ(relation({wall(2, -1, 0)}), Relation::partial);
+  EXPECT_EQ(relation({}), Relation::partial);
+  EXPECT_EQ(relation({wall(2, -1, 0), wall(2, std::nextafter(0.0, 1) + 0x1p-60, 1)}), Relation::partial);
+  EXPECT_EQ(relation_to_cover(kOrigin, {wall(4, -2, 2)}, box).relation, Relation::partial) << "it touches";
+  EXPECT_EQ(relation_to_cover(kOrigin, {wall(2, -1, 1)}, Aabb{{4, -2, 0}, {5, 2, 0}}).relation, Relation::inside);
+  EXPECT_EQ(relation_to_cover(kOrigin, {{{-1, -1, 0}, {1, -1, 0}, {0, 2, 0}}}, Aabb{{4, -2, 0}, {5, 2, 0}}).relation,
+            Relation::inside)
+      << "in the plane of one that holds the eye";
+  EXPECT_EQ(relation_to_cover(kOrigin, {wall(2, -1, 1)}, box, HalfSpaceCoefficients{1, 0, 0, -2}).relation,
+            Relation::inside);
+  EXPECT_EQ(relation_to_cover(kOrigin, {wall(2, -1, 1)}, box, HalfSpaceCoefficients{1, 0, 0, -2.5}).relation,
+            Relation::partial);
+}
+
+TEST(OracleCover, RefusesWithTheReason) {
+  const Box box = Aabb{{4, -1, -1}, {5, 1, 1}};
+  EXPECT_NE(relation_to_cover(kOrigin, {{{1, 1, 1}, {2, 2, 2}}}, box).refusal, "");
+  EXPECT_NE(relation_to_cover({{0, 0, 0}, true}, {}, box).refusal, "");
+  EXPECT_NE(relation_to_cover(kOrigin, {wall(0x1p101, 0, 1)}, box).refusal, "");
+  EXPECT_NE(relation_to_cover(kOrigin, {}, Aabb{{5, 0, 0}, {4, 1, 1}}).refusal, "");
+}
+
+/// Of a box inside the shadow no face shows. Where one shows the box is not inside; where none does it may still touch what
+/// is before it.
+TEST(OracleCover, AgreesWithExactVisibility) {
+  int hidden = 0, shown = 0, touching = 0;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    fuzz::Random random(seed);
+    const auto point = [&] {
+      return Point{1.0 * random.integer(1, 3), 1.0 * random.integer(-3, 3), 1.0 * random.integer(-3, 3)};
+    };
+    std::vector<Loop> polygons;
+    for (std::size_t count = 1 + random.index(5); polygons.size() < count;) {
+      polygons.push_back({point(), point(), point()});
+      if (polygons.size() > 1 && random.chance(0.6)) {
+        polygons.back()[0] = polygons[polygons.size() - 2][1];
+        polygons.back()[1] = polygons[polygons.size() - 2][2];
+      }
+    }
+    const Point low{1.0 * random.integer(2, 6), 1.0 * random.integer(-1, 1), 1.0 * random.integer(-1, 1)};
+    const Aabb box{low, {low[0] + 1, low[1] + 1, low[2] + 1}};
+    std::vector<Triangle> scene;
+    for (const Loop& p : polygons) scene.push_back({p[0], p[1], p[2]});
+    const auto corner = [&](unsigned i) {
+      return Point{(i & 1U ? box.max : box.min)[0], (i & 2U ? box.max : box.min)[1], (i & 4U ? box.max : box.min)[2]};
+    };
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned u = 1U << (axis + 1) % 3, v = 1U << (axis + 2) % 3;
+      for (const unsigned base : {0U, 1U << axis}) {
+        scene.push_back({corner(base), corner(base | u), corner(base | u | v)});
+        scene.push_back({corner(base), corner(base | u | v), corner(base | v)});
+      }
+    }
+    const std::vector<bool> visible = visible_triangles(kOrigin, scene, {});
+    bool shows = false;
+    for (std::size_t i = polygons.size(); i < visible.size(); ++i) shows = shows || visible[i];
+    const bool is_inside = relation_to_cover(kOrigin, polygons, box).relation == Relation::inside;
+    ASSERT_FALSE(is_inside && shows) << seed;
+    ++(is_inside ? hidden : shows ? shown : touching);
+  }
+  EXPECT_GT(hidden, 50);
+  EXPECT_GT(shown, 500);
+  EXPECT_GT(touching, 5);
+}
+
+}  // namespace
