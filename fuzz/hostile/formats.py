@@ -364,8 +364,8 @@ def obj_bombs(random):
         lambda: ("line", corners + b"f " + b"x" * (8 * MIB)),
         lambda: ("number", b"v " + numbers_without_end(random) + b" 0 0\n"),
         lambda: ("continued", b"\\\n" * (2 * MIB)), lambda: ("joined", corners + b"f 1 2 \\\n3 " * 300_000),
-        lambda: ("vertices", b"v 0 0 0\n" * MIB), lambda: ("same faces", corners + b"f 1 2 3\n" * 100),
-        lambda: ("loop", corners + b"f" + b" 1 2 3" * 300), lambda: ("index", corners + b"f 1 2 " + b"9" * MIB),
+        lambda: ("vertices", b"v 0 0 0\n" * MIB), lambda: ("same faces", corners + b"f 1 2 3\n" * 100_000),
+        lambda: ("loop", corners + b"f 1 2 3\nf" + b" 1 2 3" * 30_000), lambda: ("index", corners + b"f 1 2 " + b"9" * MIB),
         lambda: ("short faces", corners + b"f 1 2 3\n" + b"f\n" * MIB), lambda: ("zeros", b"\0" * (8 * MIB)),
         lambda: ("carriage returns", b"\r" * (8 * MIB)),
         lambda: ("control", corners + b"f \x1b[2J\n")])()
@@ -418,7 +418,7 @@ def gltf_scene_bomb(random):
     if kind == "nodes":  # each the parent of the next, twice
         scene["nodes"] = [{"children": [i + 1, i + 1]} for i in range(40)] + [{"mesh": 0}]
     if kind == "indices":
-        scene["meshes"][0]["primitives"] = scene["meshes"][0]["primitives"] * random.choice([10, 40])
+        scene["meshes"][0]["primitives"] = scene["meshes"][0]["primitives"] * random.choice([10, 1000])
     if kind == "kind":
         accessor["componentType"], accessor["type"] = random.choice([0, 5120, 5130, huge]), random.choice(["MAT4",
                                                                                                            "SCALAR",
@@ -467,7 +467,7 @@ def collada_bombs(random):
         lambda: ("offset", files.replace(b'offset="0"', b'offset="%d"' % huge)),
         lambda: ("attributes", b"<COLLADA " + b" ".join(b'a%d="x"' % i for i in range(100_000)) + b"/>"),
         lambda: ("text", files.replace(b"<p>", b"<p>" + b"0 " * (2 * MIB))),
-        lambda: ("geometries", collada('<node><instance_geometry url="#g"/></node>' * 10)),
+        lambda: ("geometries", collada('<node><instance_geometry url="#g"/></node>' * 1000)),
     ])()
 
 
