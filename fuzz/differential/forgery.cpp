@@ -154,10 +154,24 @@ class Forger {
       add_plane(line, random_.chance(0.3)   ? plane_of_the_view()
                       : random_.chance(0.3) ? plane_before_the_box()
                                             : plane_through_the_view());
-    } else {
+    } else if (random_.chance(0.5)) {
       add_shadow(line, some_occluder(), some_near());
+    } else {
+      add_cover(line);
     }
     return line;
+  }
+
+  /// Some polygons of the model, or nearly all.
+  void add_cover(Json& line) {
+    line["by"] = "cover";
+    line["margin"] = 0.0;
+    line["polygons"] = Json::array();
+    const double share = std::array{0.1, 0.5, 0.95}[random_.index(3)];
+    for (std::size_t i = 0; i < input_.size(); ++i) {
+      if (random_.chance(share)) line["polygons"].push_back(i);
+    }
+    if (lies(0.05)) line["polygons"].push_back(random_.index(2 * input_.size()));
   }
 
   /// All but what culls.

@@ -66,8 +66,19 @@ bool may_draw_beyond(const std::array<double, 4>& plane, const culler::Camera& c
   return oracle::relation_to_half_spaces(both, model).relation != Relation::outside;
 }
 
+HalfSpaceCoefficients drawn(const culler::Camera& camera, const oracle::Aabb& model) {
+  constexpr double kLeast = 0x1p-100, kMost = 0x1p100;
+  HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera)).depth.front();
+  double& offset = near[3];
+  if (offset != 0 && std::fabs(offset) < kLeast) offset = -kLeast;  // inward
+  if (std::fabs(offset) > kMost) {
+    for (double& number : near) number *= 0x1p-4;
+  }
+  return near;
+}
+
 bool may_clip(const culler::Camera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points) {
-  const HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera)).depth.front();
+  const HalfSpaceCoefficients near = drawn(camera, model);
   return !std::ranges::all_of(points, [&](const oracle::Point& p) {
     return oracle::relation_to_half_spaces(std::span(&near, 1), oracle::Aabb{p, p}).relation == Relation::inside;
   });

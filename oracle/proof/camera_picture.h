@@ -6,6 +6,7 @@
 #include <span>
 
 #include "occlude/culler/camera.h"
+#include "occlude/oracle/questions.h"
 #include "occlude/oracle/visibility.h"
 
 namespace occlude::proof {
@@ -31,5 +32,9 @@ inline constexpr double kRendererRounds = 10 * 0x1p-24;
 
 /// Whether the renderer may clip one of the points of `model` by the near plane. REQUIRES: as above.
 [[nodiscard]] bool may_clip(const culler::Camera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points);
+
+/// What of `model` the renderer surely draws, as far as its near plane goes, in numbers of the legal range. REQUIRES: as
+/// above.
+[[nodiscard]] oracle::HalfSpaceCoefficients drawn(const culler::Camera& camera, const oracle::Aabb& model);
 
 }  // namespace occlude::proof

@@ -12,6 +12,7 @@
 #include "border.h"
 #include "camera_picture.h"
 #include "differential/to_oracle.h"
+#include "occlude/oracle/cover.h"
 
 namespace occlude::proof {
 namespace {
@@ -117,6 +118,8 @@ Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_
   for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
   by_vertices_.resize(soup.size());
   std::iota(by_vertices_.begin(), by_vertices_.end(), std::uint32_t{0});
+  place_.resize(soup.size());
+  for (std::uint32_t p = 0; p < soup.size(); ++p) place_[hierarchy.original(p)] = p;
   std::stable_sort(by_vertices_.begin(), by_vertices_.end(), LessByVertices{soup});
   model_ = to_oracle(box_of_triangles(0, first_triangle_.back()));
 }
@@ -147,13 +150,16 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
     return may_draw_beyond(plane, camera, model_) ? "the plane cuts what the camera shows (is --size that of the walk?)"
                                                   : "";
   }
-  if (by != "shadow") return "\"by\": expected \"view\" or \"shadow\"";
+  if (by != "shadow" && by != "cover") return "\"by\": expected \"view\", \"shadow\" or \"cover\"";
 
   const kernel::Viewpoint view = viewpoint(object);
   const glm::dvec3 expected = view.is_eye() ? camera.eye : camera.axes().forward;
   const bool perspective = camera.projection == culler::Projection::perspective;
   if (view.is_eye() != perspective || view.value != kernel::Vec3{expected.x, expected.y, expected.z}) {
     return "the viewpoint is not the frame's";
+  }
+  if (by == "cover") {
+    return margin == 0 ? fault_of_cover(member(object, "polygons"), view, camera, box) : "a cover has no margin";
   }
   std::vector<oracle::Shadow> shadows;
   for (const Json& described : occluders_of(object)) {
@@ -163,6 +169,27 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
   if (shadows.size() == 1) return shadows[0].refute_cull(to_oracle(box), margin);
   if (margin != 0) return "two shadows together have no margin";
   return shadows[0].refute_union_cull(shadows[1], to_oracle(box));
+}
+
+std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint& view, const culler::Camera& camera,
+                                   const Box& box) const {
+  if (!polygons.is_array()) throw LineError("\"polygons\": expected a list of numbers of polygons");
+  std::vector<oracle::Loop> cover;
+  std::size_t vertices = 0;
+  for (const Json& number : polygons) {
+    if (!number.is_number_unsigned()) throw LineError("\"polygons\": expected a list of numbers of polygons");
+    if (number.get<std::size_t>() >= place_.size()) return "no such polygon";
+    oracle::Loop& loop = cover.emplace_back();
+    for (const std::uint32_t index : hierarchy_.soup().loop(place_[number.get<std::size_t>()])) {
+      loop.push_back(key(hierarchy_.soup().vertices[index]));
+    }
+    vertices += loop.size();
+    if (vertices > kMostCoverVertices)
+      throw LineError(fmt::format("\"polygons\": more than {} vertices", kMostCoverVertices));
+  }
+  const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
+  if (!answer.refusal.empty()) return answer.refusal;
+  return answer.relation == oracle::Relation::inside ? "" : "the polygons do not hide the box";
 }
 
 std::string Prover::fault_of_occluder(const Json& described, const culler::Camera& camera, std::size_t first,

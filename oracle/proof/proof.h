@@ -46,7 +46,11 @@ class Prover {
   /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
   ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
   ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
-  ///   are such polygons, and the renderer clips none of it.
+  ///   are such polygons, and the renderer clips none of it;
+  /// - by cover: each point of the box has a polygon of the list strictly between it and the frame's viewpoint, counting
+  /// what
+  ///   the renderer surely draws of them. These may be culled themselves: of all that a ray meets the first is hidden by
+  ///   nothing.
   /// None of a frame that is not wanted; one that is not of the path is none.
   [[nodiscard]] std::optional<Proof> prove(
       std::string_view line, const std::function<bool(std::optional<std::size_t> frame)>& is_wanted = {}) const;
@@ -66,6 +70,9 @@ class Prover {
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
   /// Whether the loop is the border of what `parts` lists, runs of triangles each of one polygon, none of them among those
   /// triangles.
+  /// Why the polygons do not hide the box together; empty when they do.
+  [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
+                                           const culler::Camera& camera, const Box& box) const;
   [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
                                        std::size_t count) const;
   /// The loop about triangles [first, first + count) of the fan of polygon p.
@@ -76,6 +83,7 @@ class Prover {
   oracle::Aabb model_;
   std::vector<std::size_t> first_triangle_;  ///< of each polygon, and the total
   std::vector<std::uint32_t> by_vertices_;   ///< polygons, sorted by their vertices, equal ones by their place
+  std::vector<std::uint32_t> place_;         ///< of each polygon of the model file
   /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
   mutable std::shared_mutex mutex_;
   mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;

@@ -156,6 +156,70 @@ TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
   EXPECT_THROW(prove(kMostCorners + 1), LineError);
 }
 
+/// A wall of two halves at x = 2, the second in two parts with a corner on the first's edge, one nearer to the left, and
+/// behind them a square.
+class CoverCull : public testing::Test {
+ protected:
+  CoverCull() {
+    culler::add(soup_, {{2, -1, -1}, {2, 0, -1}, {2, 0, 1}, {2, -1, 1}});
+    culler::add(soup_, {{2, 0, -1}, {2, 1, -1}, {2, 1, 0.25}, {2, 0, 0.25}});
+    culler::add(soup_, {{2, 0, 0.25}, {2, 1, 0.25}, {2, 1, 1}, {2, 0, 1}});
+    culler::add(soup_, {{0.05, -1, 0.1}, {3, -1, 0.1}, {3, 1, 0.1}, {0.05, 1, 0.1}});
+    culler::add(soup_, {{6, -1, -1}, {6, 1, -1}, {6, 1, 1}, {6, -1, 1}});
+  }
+
+  [[nodiscard]] std::string fault(const std::string& polygons, const std::string& box, const Camera& camera,
+                                  const std::string& more = "") const {
+    const auto hierarchy = culler::Hierarchy::build(soup_, {.leaf_size = 1});
+    const Prover prover(hierarchy, {1, [camera](std::size_t) { return camera; }});
+    std::uint32_t p = 0;
+    while (hierarchy.original(p) != 4) ++p;
+    return prover
+        .prove(fmt::format(R"({{"frame":0,"{}":[{},0,0],"box":{},"triangles":[{},2],"by":"cover","polygons":[{}]{}}})",
+                           camera.projection == culler::Projection::perspective ? "eye" : "direction",
+                           camera.projection == culler::Projection::perspective ? 0 : 1, box, hierarchy.first_triangle(p),
+                           polygons, more))
+        ->failure;
+  }
+
+  PolygonSoup soup_;
+  const std::string box_ = R"({"min":[6,-1,-1],"max":[6,1,1]})";
+};
+
+TEST_F(CoverCull, IsProvedByTheOracle) {
+  const Camera camera = looking_along_x(60, 1);
+  constexpr const char* kSeen = "the polygons do not hide the box";
+  EXPECT_EQ(fault("0,1,2", box_, camera), "");
+  EXPECT_EQ(fault("2,0,1,1,3,4", box_, camera), "") << "in any order, and with itself";
+  EXPECT_EQ(fault("0,1", box_, camera), kSeen);
+  EXPECT_EQ(fault("", box_, camera), kSeen);
+  EXPECT_EQ(fault("4", box_, camera), kSeen);
+  EXPECT_EQ(fault("0,1,2,3", R"({"min":[2,-1,-1],"max":[6,1,1]})", camera), kSeen) << "it touches the wall";
+  EXPECT_EQ(fault("0,1,2", R"({"min":[6,-1,-1],"max":[6,0,1]})", camera), "the triangles are not in the box");
+  EXPECT_EQ(fault("0,1,5", box_, camera), "no such polygon");
+  EXPECT_EQ(fault("0,1,2", box_, camera, R"(,"margin":1e-9)"), "a cover has no margin");
+  EXPECT_THROW(fault("0,-1", box_, camera), LineError);
+  EXPECT_THROW(fault("0,[1]", box_, camera), LineError);
+  Camera parallel = camera;
+  parallel.projection = culler::Projection::orthographic;
+  EXPECT_EQ(fault("0,1,2", box_, parallel), "");
+  EXPECT_EQ(fault("0,1", box_, parallel), kSeen);
+}
+
+/// A ramp that starts before the near plane hides what is low behind it, as far as it is drawn.
+TEST_F(CoverCull, CountsWhatIsDrawn) {
+  soup_ = {};
+  for (int i = 0; i < 4; ++i) culler::add(soup_, {{50, 50, 50}, {51, 50, 50}, {50, 51, 50}});
+  culler::add(soup_, {{9, -1, -1}, {9, 1, -1}, {9, 1, 0}, {9, -1, 0}});
+  culler::add(soup_, {{0.05, -4, 0.01}, {4, -4, -1}, {4, 4, -1}, {0.05, 4, 0.01}});
+  const std::string box = R"({"min":[9,-1,-1],"max":[9,1,0]})";
+  Camera camera = looking_along_x(60, 1);
+  camera.near = 0.04;
+  EXPECT_EQ(fault("5", box, camera), "");
+  camera.near = 0.3;
+  EXPECT_EQ(fault("5", box, camera), "the polygons do not hide the box");
+}
+
 TEST(NearPlaneProof, IsExact) {
   const Camera camera = looking_along_x(60, 1);         // near 0.1
   const oracle::Aabb model{{-500, -8, -4}, {5, 8, 4}};  // 512 deep
