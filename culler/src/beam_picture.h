@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// A coarse picture whose pixels are cones of rays, and by how much places in it are out.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "occlude/culler/camera.h"
+
+namespace occlude::culler {
+
+/// A point relative to the eye: to the right, up, and along the line of sight.
+struct Seen {
+  double right, up, forward;
+};
+
+/// Of a point of the picture: pixels to the right, and up, from a corner.
+struct Place {
+  double x, y;
+};
+
+/// Whole pixels, from .x0 to before .x1, and rows likewise.
+struct PixelRectangle {
+  int x0, y0, x1, y1;
+};
+
+/// Which ray meets which pixel is given by the doubles that are kept here, taken as exact numbers: rays in a pixel of the
+/// picture are those of a convex cone, or a convex beam along a direction of view.
+class BeamPicture {
+ public:
+  /// Of one camera, for a model of which no point is farther than `depth` from the eye, in the sum of the axes. The picture
+  /// is the camera's, and `border` pixels more on each side. REQUIRES: the camera has no fault(); 2 border < width, height.
+  BeamPicture(const Camera& camera, double depth, int width, int height, double border);
+  BeamPicture() = default;
+
+  [[nodiscard]] bool is_perspective() const { return is_perspective_; }
+  /// Pieces of a cover are cut there: beyond the renderer's near plane, whatever it rounds.
+  [[nodiscard]] double near() const { return near_; }
+
+  [[nodiscard]] Seen see(const glm::dvec3& point) const;
+  /// Where the edge from a to b passes near(): the same point whichever triangle asks, as long as a and b are not exchanged.
+  [[nodiscard]] Seen cut(const Seen& a, const Seen& b) const;
+  /// REQUIRES: in perspective a point at near() or beyond.
+  [[nodiscard]] Place place(const Seen& seen) const;
+  /// Of the ray through a place: to the right and up, where it has gone 1 along the line of sight.
+  [[nodiscard]] Place slope(double x, double y) const;
+  /// The larger, the nearer, and linear along what is straight in the picture: 1 / forward, or -forward of parallel rays.
+  [[nodiscard]] double nearness(double forward) const { return is_perspective_ ? 1 / forward : -forward; }
+
+  /// No coordinate of what is seen, or cut, is out by more.
+  [[nodiscard]] double error() const { return error_; }
+  /// No place is out by more, of a point so far along the line of sight or farther, and no farther aside in pixels.
+  [[nodiscard]] double place_error(double forward, double aside) const;
+  /// Nor the nearness of a point so far along it.
+  [[nodiscard]] double nearness_error(double forward) const;
+
+  /// The pixels that the rectangle of places touches, which may end a pixel outside of the picture.
+  [[nodiscard]] PixelRectangle pixels(const Place& low, const Place& high, double wider) const;
+  /// As far as it is in the picture.
+  [[nodiscard]] PixelRectangle clipped(const PixelRectangle& r) const;
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+ private:
+  glm::dvec3 eye_{}, right_{}, up_{}, forward_{};
+  bool is_perspective_ = true;
+  int width_ = 0, height_ = 0;
+  Place middle_{}, scale_{};  ///< pixels; pixels for a slope of 1, or a length of 1 across parallel rays
+  double near_ = 0, error_ = 0;
+};
+
+}  // namespace occlude::culler

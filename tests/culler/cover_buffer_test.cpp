@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// The coarse picture of joined shadows: what it hides is hidden, by the kernel's exact answer, and of what is hidden it
+// finds most.
+#include "cover_buffer.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bounds.h"
+#include "occlude/kernel/cover.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+using Triangle = CoverBuffer::Triangle;
+
+constexpr int kWidth = 128, kHeight = 64;
+
+Camera looking_along_x() {
+  Camera camera;
+  camera.fov_y_deg = 60;
+  camera.aspect = 2;
+  camera.height = 8;
+  return camera;
+}
+
+/// Triangles over vertices of their own.
+struct Mesh {
+  std::vector<glm::dvec3> vertices;
+  std::vector<std::vector<Triangle>> pieces;
+
+  std::uint32_t vertex(const glm::dvec3& v) {
+    vertices.push_back(v);
+    return static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+};
+
+/// Asks the buffer, and holds what it hides against exact numbers.
+class Judge {
+ public:
+  Judge(const Camera& camera, Mesh mesh, double depth) : camera_(camera), mesh_(std::move(mesh)), buffer_(kWidth, kHeight) {
+    buffer_.begin(camera, depth);
+    std::vector<kernel::Cover::Polygon> polygons;
+    for (const auto& piece : mesh_.pieces) {
+      buffer_.add(mesh_.vertices, piece);
+      for (const Triangle& t : piece) {
+        polygons.push_back(
+            {to_kernel(mesh_.vertices[t[0]]), to_kernel(mesh_.vertices[t[1]]), to_kernel(mesh_.vertices[t[2]])});
+      }
+    }
+    const glm::dvec3 forward = camera.axes().forward;
+    const kernel::HalfSpace drawn{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+    cover_ = kernel::Cover::make(camera.viewpoint(), polygons, drawn).cover;
+  }
+
+  [[nodiscard]] bool hides(const kernel::Aabb& box) const { return buffer_.hides(box); }
+  [[nodiscard]] bool is_hidden(const kernel::Aabb& box) const {
+    return kernel::overlap_certified(*cover_, box).relation == kernel::Relation::inside;
+  }
+
+ private:
+  Camera camera_;
+  Mesh mesh_;
+  CoverBuffer buffer_;
+  std::optional<kernel::Cover> cover_;
+};
+
+kernel::Aabb cube(const glm::dvec3& middle, double half) {
+  return {to_kernel(middle - glm::dvec3(half)), to_kernel(middle + glm::dvec3(half))};
+}
+
+/// A square across the line of sight at x, in four triangles about a middle; seen from 0 it is |y|, |z| <= half / x.
+Mesh square(double x, double half, std::size_t triangles = 4) {
+  Mesh mesh;
+  std::array<std::uint32_t, 4> corner{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    corner[i] = mesh.vertex({x, i == 0 || i == 3 ? -half : half, i < 2 ? -half : half});
+  }
+  const std::uint32_t middle = mesh.vertex({x, 0, 0});
+  mesh.pieces.emplace_back();
+  for (std::size_t i = 0; i < triangles; ++i) mesh.pieces[0].push_back({corner[i], corner[(i + 1) % 4], middle});
+  return mesh;
+}
+
+TEST(CoverBuffer, HidesWhatIsBehindAMesh) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    Camera camera = looking_along_x();
+    camera.projection = projection;
+    const Judge judge(camera, square(2, 1), 100);
+    EXPECT_TRUE(judge.hides(cube({4, 0, 0}, 0.8))) << "across edges that two triangles share";
+    EXPECT_TRUE(judge.hides(cube({2.5, 0.3, 0.4}, 0.4)));
+    EXPECT_FALSE(judge.hides(cube({2.1, 0, 0}, 0.1))) << "it touches the mesh";
+    EXPECT_FALSE(judge.hides(cube({1.5, 0, 0}, 0.1))) << "before it";
+    EXPECT_FALSE(judge.hides(cube({4, 3, 0}, 0.1))) << "beside it";
+    EXPECT_FALSE(judge.hides(cube({-4, 0, 0}, 0.1))) << "behind the eye";
+    EXPECT_FALSE(judge.hides(cube({0, 0, 0}, 9))) << "about it";
+  }
+}
+
+TEST(CoverBuffer, AHoleHidesNothing) {
+  const Judge judge(looking_along_x(), square(2, 1, 3), 100);
+  EXPECT_FALSE(judge.hides(cube({4, 0, 0}, 0.8)));
+  EXPECT_TRUE(judge.hides(cube({4, 0, -1}, 0.2)));
+}
+
+/// What occurs twice cancels itself, and hides nothing: the parity cannot tell it from a hole.
+TEST(CoverBuffer, TwiceIsNever) {
+  Mesh mesh = square(2, 1);
+  mesh.pieces[0].insert(mesh.pieces[0].end(), mesh.pieces[0].begin(), mesh.pieces[0].end());
+  EXPECT_FALSE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8)));
+  mesh.pieces[0].resize(4);
+  mesh.pieces.push_back(mesh.pieces[0]);
+  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "two pieces are";
+}
+
+TEST(CoverBuffer, BeginningOpensAllPixels) {
+  const Mesh mesh = square(2, 1);
+  CoverBuffer buffer(kWidth, kHeight);
+  buffer.begin(looking_along_x(), 100);
+  buffer.add(mesh.vertices, mesh.pieces[0]);
+  EXPECT_TRUE(buffer.hides(cube({4, 0, 0}, 0.8)));
+  buffer.begin(looking_along_x(), 100);
+  EXPECT_FALSE(buffer.hides(cube({4, 0, 0}, 0.8)));
+}
+
+/// A floor that reaches from behind the eye to the horizon, with the eye above it.
+TEST(CoverBuffer, APieceThatTheNearPlaneCutsHidesWithWhatIsBeyond) {
+  Mesh mesh;
+  const std::array corner{mesh.vertex({-50, -50, -1}), mesh.vertex({50, -50, -1}), mesh.vertex({50, 50, -1}),
+                          mesh.vertex({-50, 50, -1})};
+  mesh.pieces = {{{corner[0], corner[1], corner[2]}, {corner[0], corner[2], corner[3]}}};
+  const Judge judge(looking_along_x(), mesh, 200);
+  EXPECT_TRUE(judge.hides(cube({10, 0, -4}, 0.5)));
+  EXPECT_TRUE(judge.is_hidden(cube({10, 0, -4}, 0.5)));
+  EXPECT_FALSE(judge.hides(cube({10, 0, -0.6}, 0.5)));
+}
+
+/// The farthest of a slanting piece counts, within each tile.
+TEST(CoverBuffer, DepthIsThatOfThePlane) {
+  Mesh mesh;
+  const std::array corner{mesh.vertex({2, -8, -8}), mesh.vertex({40, 40, -40}), mesh.vertex({40, 40, 40}),
+                          mesh.vertex({2, -8, 8})};
+  mesh.pieces = {{{corner[0], corner[1], corner[2]}, {corner[0], corner[2], corner[3]}}};
+  const Judge judge(looking_along_x(), mesh, 200);
+  EXPECT_TRUE(judge.hides(cube({9, -4, 0}, 0.5))) << "nearer than the far end";
+  EXPECT_FALSE(judge.hides(cube({20, 15, 0}, 0.5)));
+}
+
+glm::dvec3 some_point(std::mt19937& random, double low_x, double high_x, double aside) {
+  return {uniform(random, low_x, high_x), uniform(random, -aside, aside), uniform(random, -aside, aside)};
+}
+
+/// Pieces of any kind: fans about a middle, strips, spirals over themselves, cubes, triangles anywhere; with a hole now and
+/// then, with corners that do not meet by very little, and before the near plane or behind the eye.
+Mesh some_mesh(std::mt19937& random) {
+  Mesh mesh;
+  for (std::size_t count = 1 + random() % 3; mesh.pieces.size() < count;) {
+    std::vector<Triangle>& piece = mesh.pieces.emplace_back();
+    const double low_x = random() % 3 == 0 ? -1 : 1;
+    const glm::dvec3 middle = some_point(random, low_x, 4, 1);
+    const int kind = static_cast<int>(random() % 4);
+    const int sides = 3 + static_cast<int>(random() % 9);
+    if (kind == 0) {  // a fan, round once or twice
+      const std::uint32_t tip = mesh.vertex(middle);
+      const double rounds = random() % 4 == 0 ? 2 : 1, size = uniform(random, 0.3, 4);
+      std::vector<std::uint32_t> rim;
+      for (int i = 0; i < sides; ++i) {
+        const double angle = 2 * 3.14159265358979 * rounds * i / sides, r = uniform(random, 0.5, 1) * size;
+        rim.push_back(
+            mesh.vertex(middle + glm::dvec3{uniform(random, -0.3, 0.3), r * std::cos(angle), r * std::sin(angle)}));
+      }
+      for (std::size_t i = 0; i < rim.size(); ++i) piece.push_back({tip, rim[i], rim[(i + 1) % rim.size()]});
+    } else if (kind == 1) {  // a strip
+      std::uint32_t a = mesh.vertex(some_point(random, low_x, 4, 2)), b = mesh.vertex(some_point(random, low_x, 4, 2));
+      for (int i = 0; i < sides; ++i) {
+        const std::uint32_t c = mesh.vertex(some_point(random, low_x, 4, 3));
+        piece.push_back({a, b, c});
+        a = b;
+        b = c;
+      }
+    } else if (kind == 2) {  // the faces of a cube, all or some
+      const double half = uniform(random, 0.2, 1.5);
+      std::array<std::uint32_t, 8> v{};
+      for (unsigned i = 0; i < 8; ++i) {
+        v[i] = mesh.vertex(middle + half * glm::dvec3{i & 1U ? 1 : -1, i & 2U ? 1 : -1, i & 4U ? 1 : -1});
+      }
+      for (const std::array<std::size_t, 4>& f :
+           {std::array<std::size_t, 4>{0, 2, 6, 4}, {0, 1, 5, 4}, {0, 1, 3, 2}, {1, 3, 7, 5}}) {
+        piece.push_back({v[f[0]], v[f[1]], v[f[2]]});
+        piece.push_back({v[f[0]], v[f[2]], v[f[3]]});
+        if (random() % 3 == 0) break;
+      }
+    } else {
+      for (int i = 0; i < sides; ++i) {
+        piece.push_back({mesh.vertex(some_point(random, low_x, 4, 3)), mesh.vertex(some_point(random, low_x, 4, 3)),
+                         mesh.vertex(some_point(random, low_x, 4, 3))});
+      }
+    }
+    if (random() % 3 == 0) piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(random() % piece.size()));
+    if (!piece.empty() && random() % 3 == 0) {  // a gap of 1/256 pixel, or less
+      Triangle& one = piece[random() % piece.size()];
+      const glm::dvec3 apart = some_point(random, -1, 1, 1) * std::ldexp(1.0, -8 - static_cast<int>(random() % 44));
+      one[random() % 3] = mesh.vertex(mesh.vertices[one[0]] + apart);
+    }
+  }
+  return mesh;
+}
+
+class CoverBufferSoundness : public testing::TestWithParam<int> {};
+
+TEST_P(CoverBufferSoundness, WhatItHidesIsHiddenExactly) {
+  std::mt19937 random(static_cast<std::mt19937::result_type>(GetParam()));
+  int hidden = 0, found = 0;
+  for (int scene = 0; scene < 400; ++scene) {
+    Camera camera = looking_along_x();
+    if (random() % 3 == 0) camera.projection = Projection::orthographic;
+    if (random() % 2 == 0) camera.target = {1, uniform(random, -0.3, 0.3), uniform(random, -0.3, 0.3)};
+    if (random() % 2 == 0) camera.near = 0.5;
+    const Judge judge(camera, some_mesh(random), random() % 8 == 0 ? 0x1p16 : 64);
+    for (int i = 0; i < 40; ++i) {
+      const kernel::Aabb box = cube(some_point(random, 1, 12, 2), std::ldexp(1.0, -static_cast<int>(random() % 7)));
+      const bool claims = judge.hides(box);
+      const bool is_hidden = (claims || i < 10) && judge.is_hidden(box);
+      ASSERT_TRUE(!claims || is_hidden) << "scene " << scene << ", box " << i;
+      found += claims ? 1 : 0;
+      hidden += i < 10 && is_hidden ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hidden, 300);
+  EXPECT_GT(found, 2 * hidden) << "of four times as many boxes more than half";
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, CoverBufferSoundness, testing::Range(1, 5));
+
+}  // namespace
