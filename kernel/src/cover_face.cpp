@@ -135,8 +135,17 @@ std::optional<std::vector<CoverFace::Piece>> CoverFace::less(const Piece& piece,
   return left;
 }
 
+bool CoverFace::holds(const std::vector<Side>& sides, std::span<const Vector3<RunningError>> rays) const {
+  return std::ranges::all_of(sides, [&](const Side& side) {
+    const Vector3<RunningError> line = rounded(side);
+    return std::ranges::all_of(rays, [&](const auto& ray) { return certain_sign(dot(line, ray)) > 0; });
+  });
+}
+
 std::optional<std::vector<CoverFace::Piece>> CoverFace::less_one(const Piece& piece) {
-  // Best one that hides the middle, as far as rounded numbers tell where that is.
+  // Best one that hides all of it, or else its middle, as far as rounded numbers tell where that is.
+  const auto holds_all = [&](const std::vector<Side>& sides) { return holds(sides, piece.corners); };
+  if (std::ranges::any_of(of_triangle_, holds_all)) return std::vector<Piece>{};
   Vector3<RunningError> middle = piece.corners[0];
   for (std::size_t i = 1; i < piece.corners.size(); ++i) middle = middle + piece.corners[i];
   const auto holds_middle = [&](const std::vector<Side>& sides) {
@@ -180,9 +189,15 @@ bool CoverFace::may_touch(std::uint32_t triangle, const Vector3<RunningError>& n
 /// it that comes as near as the face at this point. So it is on a line where a triangle and the face are as near.
 bool CoverFace::is_border_hidden() {
   cover_.consider(triangles_);
+  const auto is_held = [&](std::span<const RayPoint<RunningError>> points) {
+    std::vector<Vector3<RunningError>> rays;
+    for (const auto& point : points) rays.push_back(point.ray);
+    return std::ranges::any_of(of_triangle_, [&](const std::vector<Side>& sides) { return holds(sides, rays); });
+  };
+  if (is_held(face_)) return true;
   for (std::size_t k = 0; k < triangles_.size(); ++k) {
     const Side& nearer = of_triangle_[k].back();
-    if (!may_touch(triangles_[k], rounded(nearer))) continue;
+    if (!may_touch(triangles_[k], rounded(nearer)) || is_held(parts_.triangles[triangles_[k]].forms.corners)) continue;
     const ExactRay line = exact(nearer);
     if (is_zero(line)) continue;  // in the plane of the face
     std::vector<ExactRay> sides;

@@ -59,6 +59,8 @@ class CoverFace {
   [[nodiscard]] Piece part(const Piece& piece, const Side& side, const std::vector<int>& signs) const;
   /// What of the piece the triangle leaves over; none where it hides nothing of its inside.
   [[nodiscard]] std::optional<std::vector<Piece>> less(const Piece& piece, std::span<const Side> triangle);
+  /// Whether these sides of a triangle certainly have all of the rays on their inner side.
+  [[nodiscard]] bool holds(const std::vector<Side>& sides, std::span<const Vector3<RunningError>> rays) const;
   /// What the triangles leave of the piece less one of them; none where no triangle hides any of its inside.
   [[nodiscard]] std::optional<std::vector<Piece>> less_one(const Piece& piece);
   [[nodiscard]] bool is_inside_hidden();

@@ -48,8 +48,9 @@ inline constexpr std::size_t kMostCorners = 4096;
 /// polytope with more than kMostCorners.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
-/// Vertices of a cover's polygons together: a mesh of so many, all of them needed, takes the oracle seconds.
-inline constexpr std::size_t kMostCoverVertices = 2048;
+/// Vertices of a cover's polygons together. The oracle cuts a box into pieces: so many vertices, all of whose polygons run
+/// through the box, take it ten seconds or so, as many of a mesh before it one.
+inline constexpr std::size_t kMostCoverVertices = 1024;
 
 /// The polygons of an occluder "cover". LineError for more vertices than kMostCoverVertices.
 [[nodiscard]] std::vector<Polygon> cover(const nlohmann::json& value);

@@ -5,6 +5,8 @@
 #include "occlude/oracle/cover.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "box.h"
 #include "cover_pieces.h"
@@ -41,8 +43,8 @@ class Search {
   [[nodiscard]] bool has_point_outside() {
     const auto point = feasible_point(bounds_, system_.closed, system_.strict);
     if (!point) return false;
-    const auto piece = std::ranges::find_if(pieces_, [&](const System<N>& p) { return holds(p, *point); });
-    if (piece == pieces_.end()) return true;
+    const System<N>* const piece = best_of_those_that_hold(*point);
+    if (piece == nullptr) return true;
     const std::size_t closed = system_.closed.size(), strict = system_.strict.size();
     const bool found = has_point_beyond(*piece);
     system_.closed.resize(closed);
@@ -58,6 +60,37 @@ class Search {
     };
     return std::ranges::all_of(piece.closed, [&](const auto& row) { return slack(row) != CGAL::NEGATIVE; }) &&
            std::ranges::all_of(piece.strict, [&](const auto& row) { return slack(row) == CGAL::POSITIVE; });
+  }
+
+  /// That in which the point is deepest: it is likely to hold much of what is about it. Null where none holds it.
+  const System<N>* best_of_those_that_hold(const Ratios<N, 3>& point) const {
+    const System<N>* best = nullptr;
+    double deepest = 0;
+    for (const System<N>& piece : pieces_) {
+      if (!holds(piece, point)) continue;
+      const double depth = depth_in(piece, point);
+      if (best != nullptr && !(depth > deepest)) continue;
+      best = &piece;
+      deepest = depth;
+    }
+    return best;
+  }
+
+  /// About how far the point is from the nearest bound: only which piece comes first depends on it.
+  static double depth_in(const System<N>& piece, const Ratios<N, 3>& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<Inequality<N, 3>>* rows : {&piece.closed, &piece.strict}) {
+      for (const auto& [a, b] : *rows) {
+        double slack = CGAL::to_double(b), length = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double coefficient = CGAL::to_double(a[k]);
+          slack -= coefficient * (CGAL::to_double(point.x[k]) / CGAL::to_double(point.w));
+          length += std::fabs(coefficient);
+        }
+        if (length > 0) least = std::min(least, slack / length);
+      }
+    }
+    return least;
   }
 
   /// Of points beyond several bounds each is looked for beyond the first of these alone.
