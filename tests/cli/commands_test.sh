@@ -145,6 +145,25 @@ for options in "--shapes polygon" "--probes 0" "--solid-angle exact --weight-coh
   "$occlude" validate good.ply --path path.json --witness weighed.jsonl >stdout 2>&1 || fail "walk $options: $(cat stdout)"
 done
 
+# What several polygons hide together.
+case='{"id":"c","eye":[0,0,0],"occluder":{"cover":[[[2,-1,-1],[2,0,-1],[2,0,1],[2,-1,1]],[[2,0,-1],[2,1,-1],[2,1,1],[2,0,1]]]},"box":{"min":[9,-1,-1],"max":[9,1,1]}'
+echo "$case,\"expect\":\"inside\"}" | "$occlude" classify >stdout || fail "classify a cover: $(cat stdout)"
+[ "$(cat stdout)" = '{"id":"c","certified":"inside","stage":"exact","oracle":"inside"}' ] || fail "a cover is $(cat stdout)"
+echo "$case,\"expect\":\"partial\"}" | "$occlude" classify >stdout && fail "classify took what is not expected"
+echo "${case/\"cover\":/\"polygon\":[],\"cover\":}}" >line.jsonl
+expect_error 'line.jsonl:1: both "cover" and "polygon"' "$occlude" classify line.jsonl
+echo "${case/\"cover\":[[/\"cover\":[}}" >line.jsonl
+expect_error 'line.jsonl:1:' "$occlude" classify line.jsonl
+# The wall before the squares by its number in the file, alone and with one of the squares.
+for polygons in 0 5,0; do
+  sed -n '/"by":"shadow"/{s/"by":"shadow".*/"by":"cover","polygons":['$polygons']}/;s/,"margin":[^,}]*//;p}' witness.jsonl >cover.jsonl
+  "$occlude" validate good.ply --path path.json --witness cover.jsonl >stdout 2>&1 || fail "covers: $(cat stdout)"
+  grep -q "^$(wc -l <cover.jsonl) of $(wc -l <cover.jsonl) witnesses proved" stdout || fail "covers: $(cat stdout)"
+done
+sed 's/\[5,0\]/[63]/' cover.jsonl >lie.jsonl
+"$occlude" validate good.ply --path path.json --witness lie.jsonl >stdout 2>stderr
+[ $? -eq 1 ] && grep -q 'the polygons do not hide the box' stderr || fail "validate believed a cover: $(cat stdout stderr)"
+
 # A wall of two triangles is one occluder; its witnesses list both.
 ply split.ply 256 65 "${split_vertices}3 0 1 2\\n3 0 2 3\\n$split_faces"
 "$occlude" walk split.ply --path path.json --out split --no-render --occluders 1 --witness split.jsonl >/dev/null || fail "walk split.ply"
