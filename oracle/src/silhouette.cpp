@@ -40,12 +40,24 @@ std::vector<Point> silhouette_vertices(const Solid& solid, const std::vector<boo
 }
 
 std::vector<OrientedPlane> side_planes(const Viewpoint& view, const Solid& solid) {
+  const std::vector<Point>& points = solid.points;
   std::vector<OrientedPlane> sides;
-  for (std::size_t i = 0; i < solid.points.size(); ++i) {
+  // Of each point the sides on which it lies: two that are on one span no other.
+  std::vector<std::vector<std::size_t>> sides_at(points.size());
+  const auto share_a_side = [&](std::size_t i, std::size_t j) {
+    return std::ranges::any_of(sides_at[i], [&](std::size_t side) { return std::ranges::binary_search(sides_at[j], side); });
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const SidePlane side{view, solid.points[i], solid.points[j]};
-      const CGAL::Sign interior = side_of_all(side, solid.points);
-      if (interior != CGAL::ZERO) sides.push_back({side, interior});
+      if (share_a_side(i, j)) continue;
+      const SidePlane side{view, points[i], points[j]};
+      const CGAL::Sign interior = side_of_all(side, points);
+      if (interior == CGAL::ZERO) continue;
+      Plane<SidePlane> plane(side);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (plane.side(points[k]) == CGAL::ZERO) sides_at[k].push_back(sides.size());
+      }
+      sides.push_back({side, interior});
     }
   }
   return sides;

@@ -466,6 +466,13 @@ timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a polygon of
 corners=$(printf '[2,0,0],%.0s' $(seq 1 4096))
 echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[$corners[2,1,0]],\"faces\":[]},$box}" >line.jsonl
 expect_error "line.jsonl:1: \"occluder\": a polytope with more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
+# Vertices that no face names, thousands on one edge of the silhouette, are one side of the shadow and not millions.
+corners=$(for i in $(seq 1 4000); do printf '[3,1,%s],' "0.$(printf '%04d' $i)"; done)
+echo "{\"eye\":[0,0,0.5],\"occluder\":{\"vertices\":[[2,0,0],[3,0,0],[3,1,0],[2,1,0],[2,0,1],[3,0,1],[3,1,1],[2,1,1],${corners%,}],\"faces\":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]},\"near\":\"surface\",\"box\":{\"min\":[5,0.6,0.4],\"max\":[6,0.7,0.6]},\"expect\":\"inside\"}" >line.jsonl
+timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "4000 vertices on an edge: $(head -c 300 stdout stderr)"
+# What a wall hides is soon found, though polygons that hide nothing run through the box.
+awk 'BEGIN { srand(3); printf "{\"eye\":[0,0,0],\"occluder\":{\"cover\":[[[3.1,5,5]"; for (i = 0; i < 150; ++i) { for (k = 0; k < 3; ++k) v[k] = 4 + 4 * rand(); v[i % 3] = 3 + 0.9 * rand(); printf ",[%.17g,%.17g,%.17g]", v[0], v[1], v[2] } printf "],[[13,-5,-5],[-5,13,-5],[-5,-5,13]]]},\"box\":{\"min\":[4,4,4],\"max\":[8,8,8]},\"expect\":\"inside\"}\n" }' >line.jsonl
+timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a cover that runs through the box: $(head -c 300 stdout stderr)"
 # Nor do more polygons fit than memory holds; what is too large is named.
 awk 'BEGIN { for (i = 1; i <= 2e6; ++i) print "v", i, 0, 0; for (i = 1; i <= 1e6; ++i) print "f", i, i + 1, i + 2 }' >many.obj
 with_little_memory() { (ulimit -v 400000 && timeout 60 "$occlude" "$@"); }
