@@ -110,7 +110,7 @@ TEST(OccluderGrid, OfABudgetThatIsNotSpentNothingIsCut) {
   constexpr double kThreshold = 0.1;  // of a lower one the budget of so small a model is spent
   const OccluderGrid grid = model.grid({.threshold = kThreshold});
   const std::size_t entries = grid.lists().occluders.size();
-  ASSERT_LT(entries, OccluderGrid::Config::kFewEntries);
+  ASSERT_LT(entries, OccluderGrid::Config::kEntriesOfEach * grid.regions());
   EXPECT_EQ(model.grid({.threshold = kThreshold, .entries = entries}).lists().occluders, grid.lists().occluders);
   EXPECT_LT(model.grid({.threshold = kThreshold, .entries = entries - 1}).lists().occluders.size(), entries);
 }
@@ -119,8 +119,7 @@ TEST(OccluderGrid, OfASmallModelItsBudgetIsSmall) {
   const Model model(large_triangles(2000));
   constexpr double kRegions = 512;
   const OccluderGrid grid = model.grid({.regions = kRegions});
-  using Config = OccluderGrid::Config;
-  const std::size_t entries = std::max(Config::kFewEntries, Config::kEntriesOfEach * model.occluders.size());
+  const std::size_t entries = OccluderGrid::Config::kEntriesOfEach * std::max(grid.regions(), model.occluders.size());
   EXPECT_LE(grid.lists().occluders.size(), entries);
   EXPECT_GT(grid.lists().occluders.size(), entries * 9 / 10);
 }

@@ -27,9 +27,10 @@ class OccluderGrid {
     /// Most entries of all lists together. Where there would be more, the longest lists are cut to one length and keep what
     /// looks largest from their regions. 2^25 entries take 128 MiB, and no list of the models tried is cut (README.md).
     std::size_t entries = std::size_t{1} << 25U;
-    /// They have at most so many for each occluder as well, but may have kFewEntries: what is small costs little. The lists of
-    /// real models have 13 to 116 for each polygon, those of a generated city of 20,010 polygons 657.
-    static constexpr std::size_t kEntriesOfEach = 1024, kFewEntries = std::size_t{1} << 20U;
+    /// They have at most so many for each region or for each occluder, whichever are more, as well: what is small costs
+    /// less. The lists of real models have 13 to 116 for each polygon; those of a city of 20,010 polygons 344 for each region,
+    /// and cut to 128 they would cull less.
+    static constexpr std::size_t kEntriesOfEach = 512;
   };
 
   /// The lists of all regions, one after another, ascending within each: what a preprocess stores.
