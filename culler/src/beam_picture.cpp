@@ -6,16 +6,16 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "single_precision.h"
+
 namespace occlude::culler {
 namespace {
 
 /// In units of 2^-53: a difference of coordinates rounds once, its product with an axis once and the sum twice, of terms
 /// that are no more than the depth together: 4, and the axes are a little longer than 1. A cut adds the rounding of a
 /// difference of two such numbers, of a product and of a sum: 5 more, and what its forward is off near() by is as little.
+/// Parallel rays run along `forward`, which the other axes are across up to a few roundings: 2 more. 11 in all, of 16.
 constexpr double kSeenError = 0x1p-49;
-
-/// As occluders keep from the renderer's near plane (occluder_choice.cpp).
-constexpr double kNearMargin = 0x1p-20;
 
 /// Four roundings of a place, and as much again for those of its bound.
 constexpr double kPlaceError = 0x1p-50;
@@ -30,7 +30,7 @@ BeamPicture::BeamPicture(const Camera& camera, double depth, int width, int heig
       width_(width),
       height_(height),
       middle_{width / 2.0, height / 2.0},
-      near_(camera.near + kNearMargin * depth),
+      near_(camera.near + kDepthMargin * depth),
       error_(kSeenError * depth) {
   const auto [right, up, forward] = camera.axes();
   right_ = right;

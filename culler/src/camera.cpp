@@ -13,11 +13,6 @@
 namespace occlude::culler {
 namespace {
 
-/// The share of the depth by which each plane lies outside of the camera's: more than what single precision has points out
-/// by, half as much again, for those who hold the planes against it.
-constexpr double kMargin = 0x1p-20;
-static_assert(kMargin > 1.5 * kSinglePrecision);
-
 /// Components of normals and of the line of sight below this fraction of their length are dropped, so that all stay within
 /// the kernel's legal range: far below what rounding turns them by, which is 2^-53.
 constexpr double kNegligible = 0x1p-60;
@@ -44,7 +39,7 @@ HalfSpace legal(const glm::dvec3& normal, double offset) {
 HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double depth) {
   const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
   const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z);
-  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size + kMargin * depth);
+  return legal(normal, -glm::dot(normal, point) + 0x1p-48 * size + kDepthMargin * depth);
 }
 
 bool is_legal(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }

@@ -145,8 +145,7 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near, W
   }
   const bool is_in_several = std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
     const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
-    return std::ranges::any_of(near.chosen,
-                               [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}, work); });
+    return std::ranges::any_of(near.chosen, [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}, work); });
   });
   if (is_in_several) return {Missed::several, Culled::kNone};
   if (near.holder != nullptr && hides(*near.holder, p, work)) return {Missed::not_chosen, near.holder->occluder};

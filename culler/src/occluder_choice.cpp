@@ -8,6 +8,7 @@
 
 #include "bounds.h"
 #include "occlude/kernel/overlap.h"
+#include "single_precision.h"
 #include "solid_angle.h"
 
 namespace occlude::culler {
@@ -23,10 +24,6 @@ bool out_of_view(const PotentialOccluder& occluder, std::span<const HalfSpace> v
 double weighted(double criterion, double weight) {
   return weight == 0 ? 1 : weight == 1 ? criterion : std::pow(criterion, weight);
 }
-
-/// The share of the model's depth by which a vertex must be beyond the near plane, so that the renderer is sure not to clip
-/// it: as far as the planes of the view lie outside.
-constexpr double kNearMargin = 0x1p-20;
 
 /// Frusta go from one occluder to another, and would grow again and again until each of them has been the largest. Nearly
 /// all have no more planes, those of the profile included.
@@ -229,7 +226,7 @@ void pair_neighbours(std::span<const Occluder> occluders, std::vector<ShadowPair
 
 bool may_be_clipped(const Camera& camera, double depth, std::span<const kernel::Vec3> vertices) {
   const glm::dvec3 forward = camera.axes().forward;
-  const double least = camera.near + kNearMargin * depth;
+  const double least = camera.near + kDepthMargin * depth;
   return std::ranges::any_of(vertices,
                              [&](const kernel::Vec3& v) { return glm::dot(to_glm(v) - camera.eye, forward) < least; });
 }

@@ -11,4 +11,9 @@ namespace occlude::culler {
 /// the depth where it cuts the model, and rounds once: nine roundings, and a tenth for their second order.
 inline constexpr double kSinglePrecision = 10 * 0x1p-24;
 
+/// The share of `depth` by which the planes of a view lie outside of the camera's, and what occludes lies beyond its near
+/// plane: more than what single precision has points out by, half as much again, for those who hold them against it.
+inline constexpr double kDepthMargin = 0x1p-20;
+static_assert(kDepthMargin > 1.5 * kSinglePrecision);
+
 }  // namespace occlude::culler

@@ -28,9 +28,9 @@ inline constexpr std::uint32_t kProbed = 64;
 template <class Tests>
 class Traversal {
  public:
-  /// `tests` has view(plane, node), shadow(occluder, node) and pair(first, second, node), each giving a kernel::Relation, and
-  /// pair_work(first, second), the pairs of planes that a test of both may ask.
-  /// What lies before the root in `result.drawn` and on the stack stays.
+  /// `tests` has view(plane, node), shadow(occluder, node) and pair(first, second, node), each giving a kernel::Relation,
+  /// and pair_work(first, second), the pairs of planes that a test of both may ask. What lies before the root in
+  /// `result.drawn` and on the stack stays.
   Traversal(std::span<const HierarchyNode> nodes, Tests& tests, std::span<Occluder> probes, CullResult& result,
             std::vector<std::uint32_t>& stack, std::vector<std::uint32_t>& holding)
       : nodes_(nodes), tests_(tests), probes_(probes), result_(result), active_(stack), holding_(holding) {}
@@ -161,7 +161,7 @@ class Traversal {
   std::vector<std::uint32_t>& active_;   ///< a stack: each level of the descent appends its own
   std::vector<std::uint32_t>& holding_;  ///< a stack: probes that hold the node or one above it
   std::size_t pair_work_left_ = 0;
-  std::size_t still_viewed_ = 0;         ///< half-spaces appended by the last is_culled()
+  std::size_t still_viewed_ = 0;  ///< half-spaces appended by the last is_culled()
 };
 
 }  // namespace occlude::culler

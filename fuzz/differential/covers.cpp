@@ -2,7 +2,6 @@
 #include "covers.h"
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "any_case.h"
 #include "experiment.h"
+#include "nudge.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/oracle/cover.h"
@@ -61,11 +61,9 @@ void add_halves(Random& random, const Polygon& whole, std::vector<Polygon>& piec
 void spoil(Random& random, std::vector<Polygon>& pieces) {
   Polygon& one = pieces[random.index(pieces.size())];
   switch (random.index(5)) {
-    case 0: {  // by an ulp
-      double& x = one[random.index(one.size())][random.integer(0, 2)];
-      x = std::nextafter(x, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
+    case 0:
+      nudge(random, one);
       break;
-    }
     case 1:  // twice
       pieces.push_back(Polygon(one));
       break;
@@ -164,8 +162,7 @@ void run_covers(std::uint64_t seed, Report& report) {
   Random random(seed);
   const Question question = first_legal([&] { return some_question(random); });
   const kernel::Cover cover = *kernel::Cover::make(question.viewpoint, question.polygons, question.drawn).cover;
-  std::vector<oracle::Loop> polygons;
-  for (const Polygon& polygon : question.polygons) polygons.push_back(to_oracle(polygon));
+  const std::vector<oracle::Loop> polygons = to_oracle(question.polygons);
   for (std::uint64_t i = 0; i < kGroup; ++i) {
     const Box box = i == 0 ? question.box : legal_neighbour(random, question.box);
     const kernel::Decision decision =

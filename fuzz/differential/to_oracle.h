@@ -2,6 +2,8 @@
 // The oracle shares no types with the kernel: the translation.
 #pragma once
 
+#include <vector>
+
 #include "occlude/fuzz/case.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/oracle/oracle.h"
@@ -23,6 +25,12 @@ namespace occlude::fuzz {
 [[nodiscard]] inline oracle::Loop to_oracle(const Polygon& polygon) {
   oracle::Loop result;
   for (const kernel::Vec3& v : polygon) result.push_back(to_oracle(v));
+  return result;
+}
+
+[[nodiscard]] inline std::vector<oracle::Loop> to_oracle(const std::vector<Polygon>& polygons) {
+  std::vector<oracle::Loop> result;
+  for (const Polygon& polygon : polygons) result.push_back(to_oracle(polygon));
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include "any_case.h"
 #include "experiment.h"
+#include "nudge.h"
 #include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/shadow_union.h"
@@ -34,11 +35,6 @@ std::array<Polygon, 2> cut(Random& random, Polygon polygon) {
   Polygon first(polygon.begin(), middle + 1), second(middle, polygon.end());
   second.push_back(polygon.front());
   return {std::move(first), std::move(second)};
-}
-
-void nudge(Random& random, Polygon& polygon) {
-  double& x = polygon[random.index(polygon.size())][random.integer(0, 2)];
-  x = std::nextafter(x, random.chance(0.5) ? HUGE_VAL : -HUGE_VAL);
 }
 
 /// A parallelogram that goes on from an edge of a face, in its plane.

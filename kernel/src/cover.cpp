@@ -52,7 +52,10 @@ class BoxBehindCover {
     if (extent(box) * parts.factor > kMuch) {
       own_parts_ = in_units_for(parts, extent(box));
     }
-    for (unsigned i = 0; i < 8; ++i) corners_[i] = corner(box, i);
+    for (unsigned i = 0; i < 8; ++i) {
+      corners_[i] = corner(box, i);
+      rounded_[i] = this->parts().rays.point(RoundedUnits(this->parts().factor), corners_[i].sum());
+    }
   }
 
   [[nodiscard]] Decision decide() {
@@ -73,9 +76,7 @@ class BoxBehindCover {
 
   [[nodiscard]] const CoverParts& parts() const { return own_parts_ ? *own_parts_ : parts_; }
 
-  [[nodiscard]] RayPoint<RunningError> rounded(unsigned i) const {
-    return parts().rays.point(RoundedUnits(parts().factor), corners_[i].sum());
-  }
+  [[nodiscard]] const RayPoint<RunningError>& rounded(unsigned i) const { return rounded_[i]; }
   [[nodiscard]] const ExactPoint& exact(unsigned i) {
     if (!exact_[i]) exact_[i] = parts_.rays.point(cover_.units(), corners_[i].sum());
     return *exact_[i];
@@ -159,9 +160,8 @@ class BoxBehindCover {
       const std::array<ExactRay, 2> ends{cross(line, a.ray), cross(b.ray, line)};
       return cover_.hides_all(line, ends, plane_through(a, b, line));
     }
-    return std::ranges::all_of(std::array{&a, &b}, [&](const ExactPoint* end) {
-      return cover_.hides(end->ray, {end->nearness * end->ray, dot(end->ray, end->ray)});
-    });
+    return std::ranges::all_of(std::array{&a, &b},
+                               [&](const ExactPoint* end) { return cover_.hides(end->ray, plane_across(*end)); });
   }
 
   /// Of a box all of whose corners are in one plane with the viewpoint: whether they are all about it. They are not where
@@ -192,6 +192,7 @@ class BoxBehindCover {
   std::optional<CoverParts> own_parts_;  ///< in units for a box far larger than the cover
   ExactCover cover_;
   std::array<Corner, 8> corners_{};
+  std::array<RayPoint<RunningError>, 8> rounded_{};
   std::array<std::optional<ExactPoint>, 8> exact_;
   bool was_exact_ = false;
 };

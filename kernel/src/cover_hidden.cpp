@@ -13,16 +13,15 @@ bool is_within(const ExactRay& ray, std::span<const ExactRay> sides) {
 
 bool is_same_ray(const ExactRay& a, const ExactRay& b) { return is_zero(cross(a, b)) && dot(a, b).sign() > 0; }
 
-/// What is in the plane at the ray of this point, as a point there.
-PlaneForm<BigInteger> plane_across(const RayPoint<BigInteger>& point) {
-  return {point.nearness * point.ray, dot(point.ray, point.ray)};
-}
-
 bool is_nearer(const PlaneForm<BigInteger>& first, const PlaneForm<BigInteger>& second, const ExactRay& ray) {
   return dot(nearer(first, second), ray).sign() > 0;
 }
 
 }  // namespace
+
+PlaneForm<BigInteger> plane_across(const RayPoint<BigInteger>& point) {
+  return {point.nearness * point.ray, dot(point.ray, point.ray)};
+}
 
 PlaneForm<BigInteger> plane_through(const RayPoint<BigInteger>& a, const RayPoint<BigInteger>& b, const ExactRay& line) {
   return {a.nearness * cross(b.ray, line) + b.nearness * cross(line, a.ray), dot(line, line)};
@@ -34,11 +33,7 @@ ExactCover::ExactCover(const CoverParts& parts, int shift)
 }
 
 const TriangleForms<BigInteger>& ExactCover::triangle(std::size_t i) {
-  if (!triangles_[i]) {
-    const auto& [a, b, c] = parts_.triangles[i].corners;
-    const auto point = [&](const Vec3& v) { return parts_.rays.point(units_, std::span(&v, 1)); };
-    triangles_[i] = triangle_forms<BigInteger>({point(a), point(b), point(c)});
-  }
+  if (!triangles_[i]) triangles_[i] = triangle_forms(parts_.rays, units_, parts_.triangles[i].corners);
   return *triangles_[i];
 }
 
@@ -48,11 +43,7 @@ const std::vector<ExactCover::Arc>& ExactCover::arcs() {
   if (arcs_) return *arcs_;
   arcs_.emplace();
   for (const CoverArc& given : parts_.arcs) {
-    Arc arc{parts_.rays.point(units_, std::span(&given.from, 1)),
-            parts_.rays.point(units_, std::span(&given.to, 1)),
-            {},
-            {},
-            given.is_at_viewpoint};
+    Arc arc{parts_.rays.point(units_, given.from), parts_.rays.point(units_, given.to), {}, {}, given.is_at_viewpoint};
     arc.line = cross(arc.from.ray, arc.to.ray);
     if (!is_zero(arc.line)) arc.plane = plane_through(arc.from, arc.to, arc.line);
     arcs_->push_back(std::move(arc));

@@ -57,6 +57,9 @@ class ExactCover {
 
 [[nodiscard]] inline bool is_zero(const ExactRay& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
 
+/// A plane through the point, where only its own ray matters.
+[[nodiscard]] PlaneForm<BigInteger> plane_across(const RayPoint<BigInteger>& point);
+
 /// A plane through two points, in directions between which it does not matter which: `line` is the cross product of their
 /// rays. REQUIRES: not 0.
 [[nodiscard]] PlaneForm<BigInteger> plane_through(const RayPoint<BigInteger>& a, const RayPoint<BigInteger>& b,

@@ -47,21 +47,15 @@ class Parts {
     if (extent > 0) parts_.factor = std::ldexp(1, -std::ilogb(extent));
   }
 
-  template <class Units>
-  [[nodiscard]] auto forms(const Units& units, const std::array<Vec3, 3>& t) const {
-    const auto point = [&](const Vec3& v) { return parts_.rays.point(units, std::span(&v, 1)); };
-    return triangle_forms<typename Units::Number>({point(t[0]), point(t[1]), point(t[2])});
-  }
-
   void add(std::array<Vec3, 3> corners) {
     const RoundedUnits rounded(parts_.factor);
-    auto seen = forms(rounded, corners);
+    auto seen = triangle_forms(parts_.rays, rounded, corners);
     int turn = certain_sign(seen.plane.unit);
-    if (turn == 0) turn = forms(IntegerUnits(parts_.shift), corners).plane.unit.sign();
+    if (turn == 0) turn = triangle_forms(parts_.rays, IntegerUnits(parts_.shift), corners).plane.unit.sign();
     if (turn == 0) return parts_.drawn ? void() : add_edge_on(corners);
     if (turn < 0) {
       std::swap(corners[1], corners[2]);
-      seen = forms(rounded, corners);
+      seen = triangle_forms(parts_.rays, rounded, corners);
     }
     CoverTriangle& triangle = parts_.triangles.emplace_back(CoverTriangle{corners, seen, {}});
     if (parts_.drawn) triangle.drawn = side_of(seen.plane, parts_.rays.form(rounded, *parts_.drawn));
@@ -72,7 +66,7 @@ class Parts {
   void add_edge_on(const std::array<Vec3, 3>& corners) {
     std::array<ExactRay, 3> rays;
     for (std::size_t i = 0; i < 3; ++i) {
-      rays[i] = parts_.rays.point(IntegerUnits(parts_.shift), std::span(&corners[i], 1)).ray;
+      rays[i] = parts_.rays.point(IntegerUnits(parts_.shift), corners[i]).ray;
     }
     const auto holds_viewpoint = [&](std::size_t i, std::size_t j) {
       return is_zero(cross(rays[i], rays[j])) && dot(rays[i], rays[j]).sign() <= 0;
@@ -101,10 +95,8 @@ CoverParts in_units_for(const CoverParts& parts, double extent) {
   CoverParts result = parts;
   result.factor = std::ldexp(1, -std::ilogb(extent));
   const RoundedUnits rounded(result.factor);
-  const auto point = [&](const Vec3& v) { return parts.rays.point(rounded, std::span(&v, 1)); };
   for (CoverTriangle& triangle : result.triangles) {
-    const auto& [a, b, c] = triangle.corners;
-    triangle.forms = triangle_forms<RunningError>({point(a), point(b), point(c)});
+    triangle.forms = triangle_forms(parts.rays, rounded, triangle.corners);
     if (parts.drawn) triangle.drawn = side_of(triangle.forms.plane, parts.rays.form(rounded, *parts.drawn));
   }
   return result;

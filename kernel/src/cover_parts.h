@@ -37,6 +37,12 @@ template <class Number>
   return {corners, sides, {of_ray, dot(sides[0], c.ray)}};
 }
 
+template <class Units>
+[[nodiscard]] auto triangle_forms(const Rays& rays, const Units& units, const std::array<Vec3, 3>& t) {
+  using Number = typename Units::Number;
+  return triangle_forms<Number>({rays.point(units, t[0]), rays.point(units, t[1]), rays.point(units, t[2])});
+}
+
 /// Not negative where the plane of the triangle lies on that side.
 template <class Number>
 [[nodiscard]] Vector3<Number> side_of(const PlaneForm<Number>& plane, const RayForm<Number>& half_space) {

@@ -104,6 +104,11 @@ class Rays {
     return RayPoint<Number>{{across(first()), across(second()), units.one()}, is_backwards() ? x[along_] : -x[along_]};
   }
 
+  template <class Units>
+  [[nodiscard]] auto point(const Units& units, const Vec3& p) const {
+    return point(units, std::span(&p, 1));
+  }
+
   /// Not negative where the half-space is, whose normal has a largest component of about 1.
   template <class Units>
   [[nodiscard]] auto form(const Units& units, const HalfSpace& half_space) const {

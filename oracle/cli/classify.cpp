@@ -41,19 +41,19 @@ oracle::Answer judge(const Case& c, const kernel::ShadowFrustumResult& made) {
 }
 
 /// The kernel refuses: so must the oracle, and nobody may expect an answer.
-bool refuse(const CaseLine& line, kernel::Refusal refusal, Json& answer) {
-  const oracle::Answer exact = judge(line.question, {});
+bool refuse(const oracle::Answer& exact, const std::optional<std::string>& expect, kernel::Refusal refusal, Json& answer) {
   answer["error"] = kernel::to_string(refusal);
   if (exact.refusal.empty()) answer["oracle"] = text(exact);
-  return !exact.refusal.empty() && !line.expect;
+  return !exact.refusal.empty() && !expect;
 }
 
 /// Fills `answer`; returns whether everything that ought to agree does.
 bool classify(const CaseLine& line, Json& answer) {
   const Case& c = line.question;
-  if (const kernel::Refusal fault = fuzz::check(c.box); fault != kernel::Refusal::none) return refuse(line, fault, answer);
+  const auto refused = [&](kernel::Refusal refusal) { return refuse(judge(c, {}), line.expect, refusal, answer); };
+  if (const kernel::Refusal fault = fuzz::check(c.box); fault != kernel::Refusal::none) return refused(fault);
   const kernel::ShadowFrustumResult made = fuzz::make_frustum(c);
-  if (!made.frustum) return refuse(line, made.refusal, answer);
+  if (!made.frustum) return refused(made.refusal);
   const kernel::Decision certified = fuzz::overlap(*made.frustum, c.box);
   answer["certified"] = text(certified.relation);
   answer["stage"] = text(certified.stage);
@@ -68,22 +68,18 @@ bool classify(const CaseLine& line, Json& answer) {
 
 /// The same of a question about a joined shadow, which has no arithmetic and no test but the exact one.
 bool classify(const CoverLine& line, Json& answer) {
-  std::vector<oracle::Loop> polygons;
-  for (const fuzz::Polygon& polygon : line.polygons) polygons.push_back(to_oracle(polygon));
-  const oracle::Answer truth = oracle::relation_to_cover(to_oracle(line.viewpoint), polygons, to_oracle(line.box));
+  const oracle::Answer truth =
+      oracle::relation_to_cover(to_oracle(line.viewpoint), to_oracle(line.polygons), to_oracle(line.box));
   const auto [cover, refused] = kernel::Cover::make(line.viewpoint, line.polygons);
   const kernel::Refusal refusal = refused != kernel::Refusal::none ? refused : fuzz::check(line.box);
-  if (refusal != kernel::Refusal::none) {
-    answer["error"] = kernel::to_string(refusal);
-    if (truth.refusal.empty()) answer["oracle"] = text(truth);
-    return !truth.refusal.empty() && !line.expect;
-  }
+  if (refusal != kernel::Refusal::none) return refuse(truth, line.expect, refusal, answer);
   const kernel::Decision certified =
       std::visit([&](const auto& box) { return kernel::overlap_certified(*cover, box); }, line.box);
   answer["certified"] = text(certified.relation);
   answer["stage"] = text(certified.stage);
-  answer["oracle"] = text(truth);
-  return answer["certified"] == answer["oracle"] && (!line.expect || *line.expect == text(truth));
+  const std::string judged = text(truth);
+  answer["oracle"] = judged;
+  return answer["certified"] == judged && (!line.expect || *line.expect == judged);
 }
 
 void classify_file(const std::string& file, int& exit_code) {

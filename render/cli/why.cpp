@@ -36,8 +36,7 @@ struct Arguments {
 culler::PolygonSoup read_model(const Arguments& arguments) {
   culler::PolygonSoup soup = render::read_model(arguments.model);
   if (arguments.polygon && *arguments.polygon >= soup.size()) {
-    throw render::InputError(
-        fmt::format("{}: no polygon {}: it has {}", arguments.model, *arguments.polygon, soup.size()));
+    throw render::InputError(fmt::format("{}: no polygon {}: it has {}", arguments.model, *arguments.polygon, soup.size()));
   }
   return soup;
 }

@@ -155,6 +155,40 @@ TEST(CoverBuffer, DepthIsThatOfThePlane) {
   EXPECT_FALSE(judge.hides(cube({20, 15, 0}, 0.5)));
 }
 
+/// Edges that come from far outside of the picture, where a place is out by some 1e-9 pixel, and pass so near a corner of a
+/// pixel; behind them a box in that corner, whose own places are out by far less.
+TEST(CoverBuffer, TheBorderIsAsWideAsPlacesAreOut) {
+  std::mt19937 random(1);
+  constexpr double kFar = 0x1p18, kForward = 8, kDepth = 0x1p22;
+  const Camera camera = looking_along_x();
+  const BeamPicture picture(camera, kDepth, kWidth, kHeight, CoverPiece::kTile / 2.0);
+  const auto point = [&](const Place& slope, double forward) {
+    const auto [right, up, along] = camera.axes();
+    return forward * (along + slope.x * right + slope.y * up);
+  };
+  int within = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const int x = 40 + static_cast<int>(random() % 40), y = 20 + static_cast<int>(random() % 20);
+    const auto beside = [&](double dx, double dy) { return picture.slope(x + dx, y + dy); };
+    const double tilt = uniform(random, 0.5, 2), off = uniform(random, -2e-9, 2e-9);
+    Mesh mesh;
+    // What is hidden lies above the edge, which falls to the right: the pixel above to the right of the corner.
+    const std::uint32_t a = mesh.vertex(point(beside(-kFar, tilt * kFar + off), kForward));
+    const std::uint32_t b = mesh.vertex(point(beside(kFar, -tilt * kFar + off), kForward));
+    const std::uint32_t c = mesh.vertex(point(beside(kFar, kFar), kForward));
+    mesh.pieces = {{{a, b, c}}};
+    const Judge judge(camera, mesh, kDepth);
+    const glm::dvec3 low = point(beside(1e-11, 1e-11), 2 * kForward), high = point(beside(0.1, 0.1), 2 * kForward);
+    kernel::Aabb box = empty_box();
+    grow(box, to_kernel(low));
+    grow(box, to_kernel(high));
+    const bool is_hidden = judge.is_hidden(box);
+    ASSERT_TRUE(is_hidden || !judge.hides(box)) << i << ", the edge passes " << off << " pixels above the corner";
+    within += is_hidden ? 0 : 1;
+  }
+  EXPECT_GT(within, 1000);
+}
+
 glm::dvec3 some_point(std::mt19937& random, double low_x, double high_x, double aside) {
   return {uniform(random, low_x, high_x), uniform(random, -aside, aside), uniform(random, -aside, aside)};
 }

@@ -46,9 +46,9 @@ struct HalfSpace {
 };
 
 /// Appends the half-spaces whose intersection holds everything that a renderer in single precision can draw of a model no
-/// point of which is farther than `depth` from the eye, in the sum of the axes: left, right, bottom, top, near and, where the
-/// camera has one, far. Each lies outside of the camera's own by 2^-20 `depth`, and its numbers are legal for the kernel.
-/// REQUIRES: the camera has no fault().
+/// point of which is farther than `depth` from the eye, in the sum of the axes: left, right, bottom, top, near and, where
+/// the camera has one, far. Each lies outside of the camera's own by 2^-20 `depth`, and its numbers are legal for the
+/// kernel. REQUIRES: the camera has no fault().
 void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes);
 
 /// Why the camera cannot be used: a number that is not finite or out of the kernel's legal range, an eye on its target, up

@@ -57,8 +57,8 @@ struct Occluder {
 
 /// Two occluders of a frame that are also asked together, as one union: places in CullResult::occluders.
 struct ShadowPair {
-  /// Pairs a frame asks, for each of its occluders: the best together first. Eight occluders have all their 28; in the models
-  /// tried they have 8 at most, and 64 have 67.
+  /// Pairs a frame asks, for each of its occluders: the best together first. Eight occluders have all their 28; in the
+  /// models tried they have 8 at most, and 64 have 67.
   static constexpr std::size_t kMostOfEach = 4;
 
   std::uint32_t first, second;

@@ -28,8 +28,8 @@ class OccluderGrid {
     /// looks largest from their regions. 2^25 entries take 128 MiB, and no list of the models tried is cut (README.md).
     std::size_t entries = std::size_t{1} << 25U;
     /// They have at most so many for each region or for each occluder, whichever are more, as well: what is small costs
-    /// less. The lists of real models have 13 to 116 for each polygon; those of a city of 20,010 polygons 344 for each region,
-    /// and cut to 128 they would cull less.
+    /// less. The lists of real models have 13 to 116 for each polygon; those of a city of 20,010 polygons 344 for each
+    /// region, and cut to 128 they would cull less.
     static constexpr std::size_t kEntriesOfEach = 512;
   };
 
