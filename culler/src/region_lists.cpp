@@ -115,7 +115,8 @@ class Descent {
       if (reach_[i] > 0 && std::isfinite(reach_[i])) blocks_.occluders.push_back(i);
     }
     listed_ = blocks_.occluders.size();
-    entries_ = std::min(config.entries, OccluderGrid::Config::kEntriesOfEach * std::max(grid.regions(), listed_));
+    using Config = OccluderGrid::Config;
+    entries_ = std::min(config.entries, std::max(Config::kEntriesOfFew, Config::kEntriesOfEach * listed_));
     const auto& [x, y, z] = grid.size();
     blocks_.end_block(
         {{0, 0, 0}, {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)}, 0});

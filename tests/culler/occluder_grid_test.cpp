@@ -110,18 +110,20 @@ TEST(OccluderGrid, OfABudgetThatIsNotSpentNothingIsCut) {
   constexpr double kThreshold = 0.1;  // of a lower one the budget of so small a model is spent
   const OccluderGrid grid = model.grid({.threshold = kThreshold});
   const std::size_t entries = grid.lists().occluders.size();
-  ASSERT_LT(entries, OccluderGrid::Config::kEntriesOfEach * grid.regions());
+  ASSERT_LT(entries, OccluderGrid::Config::kEntriesOfFew);
   EXPECT_EQ(model.grid({.threshold = kThreshold, .entries = entries}).lists().occluders, grid.lists().occluders);
   EXPECT_LT(model.grid({.threshold = kThreshold, .entries = entries - 1}).lists().occluders.size(), entries);
 }
 
 TEST(OccluderGrid, OfASmallModelItsBudgetIsSmall) {
-  const Model model(large_triangles(2000));
-  constexpr double kRegions = 512;
-  const OccluderGrid grid = model.grid({.regions = kRegions});
-  const std::size_t entries = OccluderGrid::Config::kEntriesOfEach * std::max(grid.regions(), model.occluders.size());
-  EXPECT_LE(grid.lists().occluders.size(), entries);
-  EXPECT_GT(grid.lists().occluders.size(), entries * 9 / 10);
+  using Config = OccluderGrid::Config;
+  const Model few(large_triangles(2000)), more(large_triangles(5000));
+  const std::size_t entries = few.grid({}).lists().occluders.size();
+  EXPECT_LE(entries, Config::kEntriesOfFew);
+  EXPECT_GT(entries, Config::kEntriesOfFew * 9 / 10);
+  const std::size_t others = more.grid({}).lists().occluders.size();
+  EXPECT_LE(others, Config::kEntriesOfEach * more.occluders.size());
+  EXPECT_GT(others, Config::kEntriesOfEach * more.occluders.size() * 9 / 10);
 }
 
 /// The number of threads is the machine's own: that it does not count shows in repeated runs.

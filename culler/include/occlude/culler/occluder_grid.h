@@ -27,10 +27,10 @@ class OccluderGrid {
     /// Most entries of all lists together. Where there would be more, the longest lists are cut to one length and keep what
     /// looks largest from their regions. 2^25 entries take 128 MiB, and no list of the models tried is cut (README.md).
     std::size_t entries = std::size_t{1} << 25U;
-    /// They have at most so many for each region or for each occluder, whichever are more, as well: what is small costs
-    /// less. The lists of real models have 13 to 116 for each polygon; those of a city of 20,010 polygons 344 for each
-    /// region, and cut to 128 they would cull less.
-    static constexpr std::size_t kEntriesOfEach = 512;
+    /// They have at most so many for each occluder as well, so that small models cost less, yet always this many in all, so
+    /// that a few occluders that look large from everywhere are not cut. The lists of real models have 13 to 116 for each
+    /// polygon, those of a city of 20,010 polygons 560.
+    static constexpr std::size_t kEntriesOfEach = 1024, kEntriesOfFew = std::size_t{1} << 22U;
   };
 
   /// The lists of all regions, one after another, ascending within each: what a preprocess stores.
