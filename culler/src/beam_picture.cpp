@@ -17,27 +17,31 @@ namespace {
 /// Parallel rays run along `forward`, which the other axes are across up to a few roundings: 2 more. 11 in all, of 16.
 constexpr double kSeenError = 0x1p-49;
 
-/// Four roundings of a place, and as much again for those of its bound.
+/// Four roundings of a place, and as much again for what rounds where the place is used.
 constexpr double kPlaceError = 0x1p-50;
+
+/// A bound of a few roundings is out by less than this share of it.
+constexpr double kBoundRounded = 1 + 0x1p-40;
 
 int pixel(double x, int count) { return static_cast<int>(std::clamp(std::floor(x), -1.0, static_cast<double>(count))); }
 
 }  // namespace
 
-BeamPicture::BeamPicture(const Camera& camera, double depth, int width, int height, double border)
+BeamPicture::BeamPicture(const Camera& camera, double depth, const Size& size, double rounding)
     : eye_(camera.eye),
       is_perspective_(camera.projection == Projection::perspective),
-      width_(width),
-      height_(height),
-      middle_{width / 2.0, height / 2.0},
+      width_(size.width),
+      height_(size.height),
+      middle_{size.width / 2.0, size.height / 2.0},
       near_(camera.near + kDepthMargin * depth),
-      error_(kSeenError * depth) {
+      error_(kSeenError * depth),
+      rounding_(rounding) {
   const auto [right, up, forward] = camera.axes();
   right_ = right;
   up_ = up;
   forward_ = forward;
   const double half = is_perspective_ ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
-  scale_ = {(middle_.x - border) / (half * camera.aspect), (middle_.y - border) / half};
+  scale_ = {(middle_.x - size.border) / (half * camera.aspect), (middle_.y - size.border) / half};
 }
 
 Seen BeamPicture::see(const glm::dvec3& point) const {
@@ -57,16 +61,20 @@ Place BeamPicture::place(const Seen& seen) const {
 
 Place BeamPicture::slope(double x, double y) const { return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y}; }
 
-/// With e the error of right and forward, right / forward is out by e (1 + |right / forward|) / (forward - e).
-double BeamPicture::place_error(double forward, double aside) const {
-  const double scale = std::max(scale_.x, scale_.y);
-  const double moved = is_perspective_ ? (scale + aside) * error_ / (forward - error_) : scale * error_;
-  return 2 * moved + kPlaceError * (aside + width_ + height_);
+/// With r and f the coordinates as computed, s and g as they are, both out by e: r / f - s / g is
+/// ((r - s) f - r (f - g)) / (f g), at most e (1 + |r / f|) / (f - e).
+double BeamPicture::place_error(const Place& place, double forward) const {
+  const double aside = std::max(std::fabs(place.x - middle_.x), std::fabs(place.y - middle_.y));
+  const double scale = std::max(scale_.x, scale_.y), e = error_ + rounding_;
+  const double moved = is_perspective_ ? (scale + aside) * (e / (forward - e)) : scale * e;
+  return kBoundRounded * moved + kPlaceError * (aside + width_ + height_);
 }
 
+/// 1 / f - 1 / g is (g - f) / (f g).
 double BeamPicture::nearness_error(double forward) const {
-  if (!is_perspective_) return 2 * error_;
-  return (2 * error_ / (forward - error_) + 0x1p-52) / forward;
+  const double e = error_ + rounding_;
+  if (!is_perspective_) return kBoundRounded * e;
+  return (kBoundRounded * (e / (forward - e)) + 0x1p-52) / forward;
 }
 
 PixelRectangle BeamPicture::pixels(const Place& low, const Place& high, double wider) const {

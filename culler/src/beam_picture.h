@@ -27,9 +27,15 @@ struct PixelRectangle {
 /// picture are those of a convex cone, or a convex beam along a direction of view.
 class BeamPicture {
  public:
-  /// Of one camera, for a model of which no point is farther than `depth` from the eye, in the sum of the axes. The picture
-  /// is the camera's, and `border` pixels more on each side. REQUIRES: the camera has no fault(); 2 border < width, height.
-  BeamPicture(const Camera& camera, double depth, int width, int height, double border);
+  struct Size {
+    int width, height;
+    double border;  ///< pixels on each side that the camera's picture has not
+  };
+
+  /// Of one camera, for a model of which no point is farther than `depth` from the eye, in the sum of the axes. A renderer
+  /// has points out by `rounding`, units of the scene. REQUIRES: the camera has no fault(); 2 border < width, height;
+  /// rounding <= kDepthMargin depth / 2.
+  BeamPicture(const Camera& camera, double depth, const Size& size, double rounding);
   BeamPicture() = default;
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }
@@ -48,9 +54,12 @@ class BeamPicture {
 
   /// No coordinate of what is seen, or cut, is out by more.
   [[nodiscard]] double error() const { return error_; }
-  /// No place is out by more, of a point so far along the line of sight or farther, and no farther aside in pixels.
-  [[nodiscard]] double place_error(double forward, double aside) const;
-  /// Nor the nearness of a point so far along it.
+  /// Nor, beside that, has a renderer it out by more.
+  [[nodiscard]] double rounding() const { return rounding_; }
+  /// In neither direction is a place out by more, by both, of a point so far along the line of sight.
+  /// REQUIRES: in perspective near() or farther.
+  [[nodiscard]] double place_error(const Place& place, double forward) const;
+  /// Nor the nearness of such a point.
   [[nodiscard]] double nearness_error(double forward) const;
 
   /// The pixels that the rectangle of places touches, which may end a pixel outside of the picture.
@@ -65,7 +74,7 @@ class BeamPicture {
   bool is_perspective_ = true;
   int width_ = 0, height_ = 0;
   Place middle_{}, scale_{};  ///< pixels; pixels for a slope of 1, or a length of 1 across parallel rays
-  double near_ = 0, error_ = 0;
+  double near_ = 0, error_ = 0, rounding_ = 0;
 };
 
 }  // namespace occlude::culler

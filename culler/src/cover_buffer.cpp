@@ -2,63 +2,99 @@
 #include "cover_buffer.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <cstdint>
-#include <limits>
+#include <cstring>
 
 #include "rounded_float.h"
+#include "single_precision.h"
 
 namespace occlude::culler {
 namespace {
 
-constexpr int kWord = 64;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-CoverBuffer::CoverBuffer(int width, int height)
-    : width_(width), height_(height), nearness_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
-
-void CoverBuffer::begin(const Camera& camera, double depth) {
-  picture_ = BeamPicture(camera, depth, width_, height_, CoverPiece::kTile / 2.0);
-  std::ranges::fill(nearness_, -std::numeric_limits<float>::infinity());
+void CoverBuffer::begin(const Camera& camera, double depth, int width, int height, double margin) {
+  constexpr double kBorder = kTile / 2.0;
+  picture_ = BeamPicture(camera, depth, {width, height, kBorder}, margin > 0 ? kSinglePrecision * depth : 0);
+  tiles_across_ = width / kTile;
+  wider_ = margin * (height - 2 * kBorder);
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  nearness_.assign(pixels, kOpen);
+  farthest_.assign(pixels / kPixels, kOpen);
 }
 
-void CoverBuffer::add(std::span<const glm::dvec3> vertices, std::span<const Triangle> piece) {
-  if (!piece_.draw(picture_, vertices, piece)) return;
+bool CoverBuffer::add(const CoverMesh& mesh) {
+  if (!piece_.draw(picture_, mesh)) return false;
   const PixelRectangle& r = piece_.rectangle();
-  for (int y = r.y0; y < r.y1; ++y) {
-    for (int word = r.x0 / kWord; word <= (r.x1 - 1) / kWord; ++word) {
-      for (std::uint64_t closed = piece_.closed(y, word); closed != 0; closed &= closed - 1) {
-        const int x = word * kWord + std::countr_zero(closed);
-        float& pixel = nearness_[static_cast<std::size_t>(y * width_ + x)];
-        pixel = std::max(pixel, piece_.nearness(x / CoverPiece::kTile, y / CoverPiece::kTile));
-      }
+  bool is_any = false;
+  for (int y = r.y0 / kTile; y < r.y1 / kTile; ++y) {
+    for (int x = r.x0 / kTile; x < r.x1 / kTile; ++x) {
+      const float nearness = piece_.nearness(x, y);
+      const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
+      if (nearness > farthest_[tile] && nearness < kInfinity) is_any |= add_to_tile(tile, x, y, nearness);
     }
   }
+  return is_any;
+}
+
+bool CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness) {
+  float* const pixels = &nearness_[tile * kPixels];
+  bool is_any = false;
+  float farthest = std::numeric_limits<float>::infinity();
+  for (int row = 0; row < kTile; ++row) {
+    const std::uint8_t* const closed = piece_.closed(y * kTile + row) + x * kTile;
+    for (int i = 0; i < kTile; ++i) {
+      float& pixel = pixels[row * kTile + i];
+      const float now = closed[i] != 0 ? std::max(pixel, nearness) : pixel;
+      is_any |= now > pixel;
+      pixel = now;
+      farthest = std::min(farthest, now);
+    }
+  }
+  farthest_[tile] = farthest;
+  return is_any;
 }
 
 bool CoverBuffer::hides(const kernel::Aabb& box) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
-  double nearest = kInfinity;
+  double nearest = kInfinity, error = 0;
   for (unsigned i = 0; i < 8; ++i) {
     const Seen corner =
         picture_.see({(i & 1U ? box.max : box.min).x, (i & 2U ? box.max : box.min).y, (i & 4U ? box.max : box.min).z});
     nearest = std::min(nearest, corner.forward);
     if (!(nearest > picture_.near())) return false;
     const Place p = picture_.place(corner);
+    error = std::max(error, picture_.place_error(p, corner.forward));
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  if (low.x < 0 || low.y < 0 || high.x > width_ || high.y > height_) return false;
-  const double wider = picture_.place_error(nearest, width_ + height_);
-  const PixelRectangle r = picture_.pixels(low, high, wider);
-  if (!(wider < 1) || r.x0 < 0 || r.y0 < 0 || r.x1 > width_ || r.y1 > height_) return false;
+  const PixelRectangle r = picture_.pixels(low, high, error + wider_);
+  if (r.x0 < 0 || r.y0 < 0 || r.x1 > picture_.width() || r.y1 > picture_.height()) return false;
   const float most = rounded_up(picture_.nearness(nearest) + picture_.nearness_error(nearest));
+  for (int y = r.y0 / kTile; y <= (r.y1 - 1) / kTile; ++y) {
+    for (int x = r.x0 / kTile; x <= (r.x1 - 1) / kTile; ++x) {
+      const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
+      if (farthest_[tile] > most) continue;
+      const PixelRectangle left{std::max(r.x0 - x * kTile, 0), std::max(r.y0 - y * kTile, 0),
+                                std::min(r.x1 - x * kTile, kTile), std::min(r.y1 - y * kTile, kTile)};
+      if (!hides_in_tile(tile, left, most)) return false;
+    }
+  }
+  return true;
+}
+
+/// `r` within the tile.
+bool CoverBuffer::hides_in_tile(std::size_t tile, const PixelRectangle& r, float most) const {
+  if (r.x1 - r.x0 == kTile && r.y1 - r.y0 == kTile) return false;  // its farthest pixel is one of them
+  const float* const pixels = &nearness_[tile * kPixels];
   for (int y = r.y0; y < r.y1; ++y) {
-    const auto row = nearness_.begin() + std::ptrdiff_t{y} * width_;
-    if (!std::all_of(row + r.x0, row + r.x1, [&](float nearness) { return nearness > most; })) return false;
+    for (int x = r.x0; x < r.x1; ++x) {
+      if (!(pixels[y * kTile + x] > most)) return false;
+    }
   }
   return true;
 }

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Joined shadows in a coarse picture: of each pixel, how near something is that all its rays meet.
 //
-// A pixel is a convex cone of rays. Where all of them meet a piece, all that is farther than the piece is there is hidden. A
+// A pixel is a convex cone of rays. Where all of them meet a mesh, all that is farther than the mesh is there is hidden. A
 // box is hidden when that is so in every pixel that it touches. What is found is never wrong: numbers are rounded in
 // doubles, and by how much is accounted for (beam_picture.h, cover_piece.h).
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "beam_picture.h"
+#include "cover_mesh.h"
 #include "cover_piece.h"
 #include "occlude/kernel/types.h"
 
@@ -18,27 +22,37 @@ namespace occlude::culler {
 
 class CoverBuffer {
  public:
-  using Triangle = CoverPiece::Triangle;
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// REQUIRES: a multiple of 64 pixels, and of CoverPiece::kTile.
-  CoverBuffer(int width, int height);
+  /// Opens all pixels of a picture of a size, multiples of CoverPiece::kTile. The picture is the camera's, and half a tile
+  /// more on each side. `depth` as append_view_frustum() takes it. With a `margin`, a share of the height of the camera's
+  /// picture, a box counts as hidden only when it stays so however a renderer in single precision moves it, and what hides
+  /// it, and however it is moved by the margin in the picture. REQUIRES: the camera has no fault(); margin >= 0.
+  void begin(const Camera& camera, double depth, int width, int height, double margin);
 
-  /// Opens all pixels. `depth` as append_view_frustum() takes it. The picture is the camera's, and half a tile more on each
-  /// side. REQUIRES: the camera has no fault().
-  void begin(const Camera& camera, double depth);
+  /// Closes what the mesh closes, as far as it is beyond the near plane. True when it has closed a pixel, or brought one
+  /// nearer.
+  bool add(const CoverMesh& mesh);
 
-  /// Closes what these triangles close together, as far as they are beyond the near plane.
-  void add(std::span<const glm::dvec3> vertices, std::span<const Triangle> piece);
-
-  /// True only when every point of the box has one of the triangles, beyond the near plane, strictly between it and the
+  /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False of a box that reaches beyond the picture, or before the near plane.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const;
 
+  /// The piece that was drawn last.
+  [[nodiscard]] const CoverPiece& piece() const { return piece_; }
+
  private:
+  static constexpr int kTile = CoverPiece::kTile, kPixels = kTile * kTile;
+
+  bool add_to_tile(std::size_t tile, int x, int y, float nearness);
+  [[nodiscard]] bool hides_in_tile(std::size_t tile, const PixelRectangle& r, float most) const;
+
   BeamPicture picture_;
   CoverPiece piece_;
-  int width_, height_;
-  std::vector<float> nearness_;  ///< of each pixel, -infinity while it is open
+  int tiles_across_ = 0;
+  double wider_ = 0;             ///< the margin, in pixels
+  std::vector<float> nearness_;  ///< of each pixel, tile after tile; -infinity while it is open
+  std::vector<float> farthest_;  ///< of each tile, the least of it
 };
 
 }  // namespace occlude::culler

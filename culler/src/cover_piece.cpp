@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
@@ -13,35 +14,15 @@ namespace occlude::culler {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kWord = 64;
-constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
-/// The smallest upright rectangle of places.
-struct Hull {
-  Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+/// A mesh that is narrower, in pixels, closes at most a few of them.
+constexpr int kLeastSide = 2;
 
-  void hold(const Place& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
-};
-
-std::uint64_t from_bit(int k) { return kAll << static_cast<unsigned>(k); }
-
-/// Of 64 pixels from 64 `word` on, those from x0 to x1, both held.
-std::uint64_t between(int word, int x0, int x1) {
-  std::uint64_t mask = kAll;
-  if (word == x0 / kWord) mask &= from_bit(x0 % kWord);
-  if (word == x1 / kWord && x1 % kWord != kWord - 1) mask &= ~from_bit(x1 % kWord + 1);
-  return mask;
-}
-
-/// How near the plane of a triangle is at a ray, less what that is out by.
+/// A bound of how near the plane of a triangle is.
 class PlaneNearness {
  public:
-  /// `error` of each coordinate.
-  PlaneNearness(const Seen& a, const Seen& b, const Seen& c, double error) {
+  /// `error` of each coordinate as computed; a renderer has points of the triangle out by `rounding` beside that.
+  PlaneNearness(const Seen& a, const Seen& b, const Seen& c, double error, double rounding) {
     const glm::dvec3 p{b.right - a.right, b.up - a.up, b.forward - a.forward};
     const glm::dvec3 q{c.right - a.right, c.up - a.up, c.forward - a.forward};
     double length = 0;
@@ -57,18 +38,21 @@ class PlaneNearness {
     normal_error_ = 16 * error * (length + error) + 0x1p-48 * length * length;
     const double reach = std::fabs(a.right) + std::fabs(a.up) + std::fabs(a.forward) + 3 * error;
     height_error_ = 2 * normal_error_ * reach + 8 * length * length * error;
+    // A point x of the triangle that is moved by d lies at n . x = h + n . d.
+    height_error_ += rounding * (std::fabs(normal_.x) + std::fabs(normal_.y) + std::fabs(normal_.z) + 3 * normal_error_);
   }
 
   /// Nothing is known of the plane of a sliver, nor of one seen nearly edge-on.
   [[nodiscard]] bool is_known() const { return height_ > 4 * height_error_; }
 
-  /// At the ray (x, y, 1). Concave: over a rectangle it is lowest at a corner. REQUIRES: is_known().
-  [[nodiscard]] double at(const Place& slope) const {
-    const double value = normal_.x * slope.x + normal_.y * slope.y + normal_.z;
-    const double least = value - normal_error_ * (std::fabs(slope.x) + std::fabs(slope.y) + 1);
+  /// No less than this at any ray (x, y, 1) of the rectangle. REQUIRES: is_known().
+  [[nodiscard]] double least(const Place& low, const Place& high) const {
+    const Place lowest{normal_.x > 0 ? low.x : high.x, normal_.y > 0 ? low.y : high.y};
+    const double x = std::max(std::fabs(low.x), std::fabs(high.x)), y = std::max(std::fabs(low.y), std::fabs(high.y));
+    const double value = normal_.x * lowest.x + normal_.y * lowest.y + normal_.z - normal_error_ * (x + y + 1);
     constexpr double kRounded = 0x1p-50;
-    return least > 0 ? least / (height_ + height_error_) * (1 - kRounded)
-                     : least / (height_ - height_error_) * (1 + kRounded);
+    return value > 0 ? value / (height_ + height_error_) * (1 - kRounded)
+                     : value / (height_ - height_error_) * (1 + kRounded);
   }
 
  private:
@@ -78,44 +62,56 @@ class PlaneNearness {
 
 }  // namespace
 
-bool CoverPiece::draw(const BeamPicture& picture, std::span<const glm::dvec3> vertices,
-                      std::span<const Triangle> triangles) {
-  picture_ = picture;
-  see(vertices, triangles);
-  if (!find_place()) return false;
-  find_border();
-  clear();
-  for (const Edge& edge : edges_) draw_edge(edge);
-  for (const Triangle& triangle : triangles_) {
-    if (is_cut_) draw_cut(triangle);
-    lay_depth(triangle);
+/// The smallest upright rectangle about places, with what they are out by, and the farthest of them.
+struct CoverPiece::Extent {
+  Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+  double farthest = -kInfinity;
+
+  void hold(const Corner& corner) {
+    low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
+    high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
   }
+  void hold(const Corner& corner, double forward) {
+    hold(corner);
+    farthest = std::max(farthest, forward);
+  }
+  [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
+};
+
+bool CoverPiece::draw(const BeamPicture& picture, const CoverMesh& mesh) {
+  picture_ = picture;
+  mesh_ = mesh;
+  see();
+  if (!find_place() || !take()) return false;
+  clear();
+  for (const CoverMesh::Edge& edge : mesh_.edges) {
+    if (const int count = degree(edge); count != 0) draw_edge(edge, count);
+  }
+  for (std::size_t t = 0; t < signs_.size(); ++t) {
+    if (signs_[t] == 0) continue;
+    if (is_cut_) draw_cut(mesh_.triangles[t], signs_[t]);
+    lay_depth(mesh_.triangles[t]);
+  }
+  close();
   return true;
 }
 
-/// Each corner once, however many triangles have it.
-void CoverPiece::see(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles) {
-  if (stamp_.size() < vertices.size()) {
-    stamp_.resize(vertices.size());
-    own_.resize(vertices.size());
+CoverPiece::Corner CoverPiece::corner(const Seen& seen) const {
+  const Place place = picture_.place(seen);
+  return {place, picture_.place_error(place, seen.forward)};
+}
+
+void CoverPiece::see() {
+  const std::size_t count = mesh_.vertices.size();
+  seen_.resize(count);
+  corners_.resize(count);
+  is_cut_ = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    seen_[i] = picture_.see(mesh_.vertices[i]);
+    is_cut_ = is_cut_ || seen_[i].forward < picture_.near();
   }
-  if (++stamp_now_ == 0) {  // it has been everything
-    std::ranges::fill(stamp_, 0);
-    stamp_now_ = 1;
-  }
-  seen_.clear();
-  triangles_.clear();
-  for (const Triangle& triangle : triangles) {
-    Triangle& own = triangles_.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t vertex = triangle[i];
-      if (stamp_[vertex] != stamp_now_) {
-        stamp_[vertex] = stamp_now_;
-        own_[vertex] = static_cast<std::uint32_t>(seen_.size());
-        seen_.push_back(picture_.see(vertices[vertex]));
-      }
-      own[i] = own_[vertex];
-    }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!is_cut_ || !is_before(i)) corners_[i] = corner(seen_[i]);
   }
 }
 
@@ -124,7 +120,7 @@ Seen CoverPiece::cut(std::uint32_t a, std::uint32_t b) const {
   return picture_.cut(seen_[from], seen_[to]);
 }
 
-CoverPiece::Part CoverPiece::part(const Triangle& triangle) const {
+CoverPiece::Part CoverPiece::part(const CoverMesh::Triangle& triangle) const {
   Part part;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
@@ -134,143 +130,206 @@ CoverPiece::Part CoverPiece::part(const Triangle& triangle) const {
   return part;
 }
 
-/// Whether any of the piece is in the picture, where that is, and what its places are out by.
-bool CoverPiece::find_place() {
-  is_cut_ = false;
-  double nearest = kInfinity;
-  for (std::uint32_t i = 0; i < seen_.size(); ++i) {
-    is_cut_ = is_cut_ || is_before(i);
-    nearest = std::min(nearest, seen_[i].forward);
+CoverPiece::Extent CoverPiece::extent(const CoverMesh::Triangle& triangle) const {
+  Extent extent;
+  if (!is_cut_) {
+    for (const std::uint32_t i : triangle) extent.hold(corners_[i], seen_[i].forward);
+  } else {
+    const Part left = part(triangle);
+    for (std::size_t i = 0; i < left.count; ++i) extent.hold(corner(left.corners[i]), left.corners[i].forward);
   }
-  Hull hull;
-  for (std::uint32_t i = 0; i < seen_.size(); ++i) {
-    if (!is_before(i)) hull.hold(picture_.place(seen_[i]));
-  }
-  if (is_cut_) {
-    for (const Triangle& triangle : triangles_) {
-      const Part left = part(triangle);
-      for (std::size_t i = 0; i < left.count; ++i) hull.hold(picture_.place(left.corners[i]));
-    }
-  }
-  if (hull.is_empty()) return false;
-  const double aside =
-      std::max({std::fabs(hull.low.x), std::fabs(hull.high.x), std::fabs(hull.low.y), std::fabs(hull.high.y)}) +
-      picture_.width() + picture_.height();
-  widening_ = picture_.place_error(std::max(nearest, picture_.near()), aside);
-  if (!(widening_ < 1)) return false;  // too doubtful to close anything
-  rectangle_ = picture_.clipped(picture_.pixels(hull.low, hull.high, widening_));
-  return rectangle_.x0 < rectangle_.x1 && rectangle_.y0 < rectangle_.y1;
+  return extent;
 }
 
-void CoverPiece::find_border() {
-  edges_.clear();
-  for (const Triangle& triangle : triangles_) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [from, to] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
-      if (from != to) edges_.push_back({from, to});
+/// Whether any of the mesh is in the picture, and where.
+bool CoverPiece::find_place() {
+  Extent all;
+  for (std::uint32_t i = 0; i < seen_.size(); ++i) {
+    if (!is_cut_ || !is_before(i)) all.hold(corners_[i]);
+  }
+  if (is_cut_) {
+    for (const CoverMesh::Edge& edge : mesh_.edges) {
+      if (is_before(edge.from) != is_before(edge.to)) all.hold(corner(cut(edge.from, edge.to)));
     }
   }
-  const auto key = [](const Edge& edge) { return std::uint64_t{edge.from} << 32U | edge.to; };
-  std::ranges::sort(edges_, {}, key);
-  std::size_t kept = 0;
-  for (std::size_t i = 0, next = 0; i < edges_.size(); i = next) {
-    while (next < edges_.size() && key(edges_[next]) == key(edges_[i])) ++next;
-    if ((next - i) % 2 == 1) edges_[kept++] = edges_[i];
+  if (all.is_empty()) return false;
+  const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
+  if (r.x1 - r.x0 < kLeastSide || r.y1 - r.y0 < kLeastSide) return false;
+  const auto up = [](int pixel) { return (pixel + kTile - 1) / kTile * kTile; };
+  rectangle_ = {r.x0 / kTile * kTile, r.y0 / kTile * kTile, up(r.x1), up(r.y1)};
+  return true;
+}
+
+int CoverPiece::sign(const CoverMesh::Triangle& triangle, bool is_closed) const {
+  const Seen &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
+  const double side = picture_.is_perspective()
+                          ? a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +
+                                c.forward * (a.right * b.up - a.up * b.right)
+                          : (b.right - a.right) * (c.up - a.up) - (b.up - a.up) * (c.right - a.right);
+  return side > 0 ? 1 : side < 0 && !is_closed ? -1 : 0;
+}
+
+/// Of closed surfaces what is turned to the eye, of others all.
+bool CoverPiece::take() {
+  signs_.resize(mesh_.triangles.size());
+  bool is_any = false;
+  for (std::size_t t = 0; t < signs_.size(); ++t) {
+    signs_[t] = static_cast<std::int8_t>(sign(mesh_.triangles[t], mesh_.is_closed[t] != 0));
+    is_any = is_any || signs_[t] != 0;
   }
-  edges_.resize(kept);
+  return is_any;
+}
+
+int CoverPiece::degree(const CoverMesh::Edge& edge) const {
+  int sum = 0;
+  for (std::uint32_t u = edge.first_use; u < edge.end_use; ++u) {
+    const CoverMesh::Use use = mesh_.uses[u];
+    sum += use.ascends ? signs_[use.triangle] : -signs_[use.triangle];
+  }
+  return sum;
 }
 
 void CoverPiece::clear() {
-  words_ = picture_.width() / kWord;
+  const auto width = static_cast<std::size_t>(picture_.width()), height = static_cast<std::size_t>(picture_.height());
   tiles_across_ = picture_.width() / kTile;
-  parity_.resize(static_cast<std::size_t>(words_ * picture_.height()));
-  border_.resize(parity_.size());
-  tiles_.resize(static_cast<std::size_t>(tiles_across_ * (picture_.height() / kTile)));
-  const auto rows = [&](auto& cells, int across, int from, int to, auto value) {
-    std::fill(cells.begin() + std::ptrdiff_t{from} * across, cells.begin() + std::ptrdiff_t{to} * across, value);
-  };
-  rows(parity_, words_, rectangle_.y0, rectangle_.y1, std::uint64_t{0});
-  rows(border_, words_, rectangle_.y0, rectangle_.y1, std::uint64_t{0});
-  rows(tiles_, tiles_across_, rectangle_.y0 / kTile, (rectangle_.y1 - 1) / kTile + 1,
-       std::numeric_limits<float>::infinity());
+  turns_.resize(width * height);
+  border_.resize(width * height);
+  degrees_.resize(width);
+  tiles_.resize(width * height / (kTile * kTile));
+  const PixelRectangle& r = rectangle_;
+  const auto across = static_cast<std::size_t>(r.x1 - r.x0);
+  for (int y = r.y0; y < r.y1; ++y) {
+    std::memset(&turns_[at(r.x0, y)], 0, across);
+    std::memset(&border_[at(r.x0, y)], 0, across);
+  }
+  std::memset(&degrees_[static_cast<std::size_t>(r.x0)], 0, across);
+  for (int y = r.y0 / kTile; y < r.y1 / kTile; ++y) {
+    const auto row = tiles_.begin() + std::ptrdiff_t{y} * tiles_across_;
+    std::fill(row + r.x0 / kTile, row + r.x1 / kTile, std::numeric_limits<float>::infinity());
+  }
 }
 
-void CoverPiece::draw_edge(const Edge& edge) {
+void CoverPiece::draw_edge(const CoverMesh::Edge& edge, int degree) {
+  if (!is_cut_) return draw_border(corners_[edge.from], corners_[edge.to], degree);
   if (is_before(edge.from) && is_before(edge.to)) return;
   const auto end = [&](std::uint32_t vertex) {
-    return picture_.place(is_before(vertex) ? cut(edge.from, edge.to) : seen_[vertex]);
+    return is_before(vertex) ? corner(cut(edge.from, edge.to)) : corners_[vertex];
   };
-  draw_border(end(edge.from), end(edge.to));
+  draw_border(end(edge.from), end(edge.to), degree);
 }
 
-/// Where a triangle is cut is border.
-void CoverPiece::draw_cut(const Triangle& triangle) {
-  std::array<Place, 2> ends{};
-  std::size_t count = 0;
+/// Where a triangle is cut is border: it goes back there from where the loop leaves what is drawn to where it returns.
+void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle, int degree) {
+  Corner leaves{}, returns{};
+  bool is_cut = false;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
-    if (is_before(a) != is_before(b)) ends[count++] = picture_.place(cut(a, b));
+    if (is_before(a) == is_before(b)) continue;
+    is_cut = true;
+    (is_before(b) ? leaves : returns) = corner(cut(a, b));
   }
-  if (count == 2) draw_border(ends[0], ends[1]);
+  if (is_cut) draw_border(leaves, returns, degree);
 }
 
-/// Marks all pixels that come within the widening of the edge, and changes the parity of all whose middle is to the right.
-void CoverPiece::draw_border(const Place& p, const Place& q) {
-  const bool is_upward = p.y <= q.y;
-  const Place &a = is_upward ? p : q, &b = is_upward ? q : p;
-  const double rise = b.y - a.y;
-  const auto at = [&](double y) { return y <= a.y ? a.x : y >= b.y ? b.x : a.x + (y - a.y) / rise * (b.x - a.x); };
-  // A place on the edge rounds four times more.
-  const double wide = widening_ + 0x1p-50 * (std::fabs(a.x) + std::fabs(b.x));
-  const PixelRectangle rows = picture_.clipped(picture_.pixels({0, a.y}, {0, b.y}, widening_));
-  for (int row = rows.y0; row < rows.y1; ++row) {
-    // Within the row, or as near it as the widening.
-    const double from = rise > 0 ? at(row - widening_) : a.x, to = rise > 0 ? at(row + 1 + widening_) : b.x;
-    const PixelRectangle marked = picture_.clipped(picture_.pixels({std::min(from, to), 0}, {std::max(from, to), 0}, wide));
-    const auto first_word = static_cast<std::size_t>(row * words_);
-    if (marked.x0 < marked.x1) {
-      for (int word = marked.x0 / kWord; word <= (marked.x1 - 1) / kWord; ++word) {
-        border_[first_word + static_cast<std::size_t>(word)] |= between(word, marked.x0, marked.x1 - 1);
-      }
-    }
-    const double middle = row + 0.5;
-    if (!(a.y <= middle && middle < b.y)) continue;
-    // The first pixel k whose middle k + 1/2 is not to the left.
-    const double right = std::clamp(std::floor(at(middle) + 0.5), 0.0, static_cast<double>(picture_.width()));
-    const int first = static_cast<int>(right);
-    for (int word = first / kWord; word < words_; ++word) {
-      parity_[first_word + static_cast<std::size_t>(word)] ^= word == first / kWord ? from_bit(first % kWord) : kAll;
-    }
+void CoverPiece::draw_border(const Corner& from, const Corner& to, int degree) {
+  mark_border(from, to);
+  if (from.place.x <= to.place.x) {
+    turn_degree(from.place, to.place, degree);
+  } else {
+    turn_degree(to.place, from.place, -degree);
   }
+}
+
+/// Marks all pixels that come so near the edge as its ends are out.
+void CoverPiece::mark_border(const Corner& p, const Corner& q) {
+  const Place &a = p.place.y <= q.place.y ? p.place : q.place, &b = p.place.y <= q.place.y ? q.place : p.place;
+  const double error = std::max(p.error, q.error);
+  const double rise = b.y - a.y, slope = rise > 0 ? (b.x - a.x) / rise : 0;
+  // A place on the edge rounds four times more.
+  const double wide = error + 0x1p-50 * (std::fabs(a.x) + std::fabs(b.x));
+  const PixelRectangle& r = rectangle_;
+  const PixelRectangle rows = picture_.pixels({0, a.y}, {0, b.y}, error);
+  const double low_x = std::min(a.x, b.x), high_x = std::max(a.x, b.x);
+  for (int row = std::max(rows.y0, r.y0); row < std::min(rows.y1, r.y1); ++row) {
+    // Within the row, or as near it as the error.
+    const auto at_y = [&](double y) { return y <= a.y ? a.x : y >= b.y ? b.x : a.x + (y - a.y) * slope; };
+    double from = low_x, to = high_x;
+    if (rise > 0) {
+      from = at_y(row - error);
+      to = at_y(row + 1 + error);
+      if (to < from) std::swap(from, to);
+    }
+    const PixelRectangle marked = picture_.pixels({from, 0}, {to, 0}, wide);
+    const int x0 = std::max(marked.x0, r.x0), x1 = std::min(marked.x1, r.x1);
+    if (x0 < x1) std::memset(&border_[at(x0, row)], 1, static_cast<std::size_t>(x1 - x0));
+  }
+}
+
+/// Changes the degree of all pixels whose middle is above the edge, which goes from a to the right to b.
+void CoverPiece::turn_degree(const Place& a, const Place& b, int degree) {
+  const double run = b.x - a.x;
+  if (!(run > 0)) return;
+  const double slope = (b.y - a.y) / run;
+  const PixelRectangle& r = rectangle_;
+  // Columns k with a.x <= k + 1/2 < b.x.
+  const auto first_from = [&](double x) {
+    return static_cast<int>(std::clamp(std::ceil(x - 0.5), static_cast<double>(r.x0), static_cast<double>(r.x1)));
+  };
+  const int end = first_from(b.x);
+  for (int x = first_from(a.x); x < end; ++x) {
+    const double y = a.y + (x + 0.5 - a.x) * slope;
+    // The first row whose middle is not below.
+    const double row = std::max(std::ceil(y - 0.5), static_cast<double>(r.y0));
+    if (row < r.y1) turns_[at(x, static_cast<int>(row))] = static_cast<std::uint8_t>(turns_[at(x, static_cast<int>(row))] + degree);
+  }
+}
+
+PixelRectangle CoverPiece::rectangle_of(const CoverMesh::Triangle& triangle) const {
+  const Extent extent = this->extent(triangle);
+  return extent.is_empty() ? PixelRectangle{} : picture_.clipped(picture_.pixels(extent.low, extent.high, 0));
 }
 
 /// A triangle is nowhere farther than its farthest corner, nor, within a tile, than its plane.
-void CoverPiece::lay_depth(const Triangle& triangle) {
-  const Part left = part(triangle);
-  if (left.count == 0) return;
-  Hull hull;
-  double farthest = -kInfinity;
-  for (std::size_t i = 0; i < left.count; ++i) {
-    hull.hold(picture_.place(left.corners[i]));
-    farthest = std::max(farthest, left.corners[i].forward);
-  }
-  const double at_least = picture_.nearness(farthest) - picture_.nearness_error(farthest);
-  const PixelRectangle r = picture_.clipped(picture_.pixels(hull.low, hull.high, widening_));
+void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle) {
+  const Extent extent = this->extent(triangle);
+  if (extent.is_empty()) return;
+  const PixelRectangle r = picture_.clipped(picture_.pixels(extent.low, extent.high, 0));
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
-  const PlaneNearness plane(seen_[triangle[0]], seen_[triangle[1]], seen_[triangle[2]], picture_.error());
-  const bool has_plane = picture_.is_perspective() && plane.is_known();
-  for (int y = r.y0 / kTile; y <= (r.y1 - 1) / kTile; ++y) {
-    for (int x = r.x0 / kTile; x <= (r.x1 - 1) / kTile; ++x) {
-      double bound = at_least;
-      if (has_plane) {
-        double lowest = kInfinity;
-        for (const int i : {0, 1}) {
-          for (const int k : {0, 1}) lowest = std::min(lowest, plane.at(picture_.slope((x + i) * kTile, (y + k) * kTile)));
+  const double at_least = picture_.nearness(extent.farthest) - picture_.nearness_error(extent.farthest);
+  const int x0 = r.x0 / kTile, x1 = (r.x1 - 1) / kTile, y0 = r.y0 / kTile, y1 = (r.y1 - 1) / kTile;
+  const auto lay = [&](int x, int y, float nearness) {
+    float& tile = tiles_[static_cast<std::size_t>(y * tiles_across_ + x)];
+    tile = std::min(tile, nearness);
+  };
+  const float everywhere = rounded_down(at_least);
+  if (picture_.is_perspective() && (x0 < x1 || y0 < y1)) {
+    const PlaneNearness plane(seen_[triangle[0]], seen_[triangle[1]], seen_[triangle[2]], picture_.error(), picture_.rounding());
+    if (plane.is_known()) {
+      for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+          const double least = plane.least(picture_.slope(x * kTile, y * kTile), picture_.slope((x + 1) * kTile, (y + 1) * kTile));
+          lay(x, y, std::max(everywhere, rounded_down(least)));
         }
-        bound = std::max(bound, lowest);
       }
-      float& tile = tiles_[static_cast<std::size_t>(y * tiles_across_ + x)];
-      tile = std::min(tile, rounded_down(bound));
+      return;
+    }
+  }
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) lay(x, y, everywhere);
+  }
+}
+
+/// From turns and border to what is closed.
+void CoverPiece::close() {
+  const PixelRectangle& r = rectangle_;
+  const auto across = static_cast<std::size_t>(r.x1 - r.x0);
+  std::uint8_t* const degrees = &degrees_[static_cast<std::size_t>(r.x0)];
+  for (int y = r.y0; y < r.y1; ++y) {
+    const std::uint8_t* const turns = &turns_[at(r.x0, y)];
+    std::uint8_t* const border = &border_[at(r.x0, y)];
+    for (std::size_t i = 0; i < across; ++i) {
+      degrees[i] = static_cast<std::uint8_t>(degrees[i] + turns[i]);
+      border[i] = degrees[i] != 0 && border[i] == 0 ? 1 : 0;
     }
   }
 }

@@ -1,81 +1,92 @@
 // SPDX-License-Identifier: MIT
-// A set of triangles in the coarse picture: which pixels it closes, and how near it is there.
+// A mesh in the coarse picture: which pixels it closes, and how near it is there.
 //
-// A ray meets an odd number of the triangles, or an even one, and which changes only where a ray crosses the border: the
-// edges that an odd number of the triangles have, and where they are cut at the near plane. All rays of a pixel that the
-// border does not touch have the parity of its middle; if that is odd, all of them meet the piece. Where a triangle faces,
-// whether triangles overlap, and what is inside of the border does not matter: only the border is drawn.
+// Of the triangles that are taken, those that look clockwise are turned over: so many of them as a ray meets, that is its
+// degree. It changes only where a ray crosses the border: the edges along which the triangles taken go more often one way
+// than the other, and where they are cut at the near plane. All rays of a pixel that the border does not touch have the
+// degree of its middle; where that is not 0, all of them meet the mesh. Which triangles are taken, which way they are
+// turned and whether they overlap can make a pixel stay open, and never close a wrong one: only the border is drawn.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "beam_picture.h"
+#include "cover_mesh.h"
 
 namespace occlude::culler {
 
 class CoverPiece {
  public:
-  /// Corners of a triangle, counted in the vertices. Edges are one where they have the same two corners.
-  using Triangle = std::array<std::uint32_t, 3>;
-
   /// How near things are, at least, is kept for squares of so many pixels.
   static constexpr int kTile = 8;
 
-  /// Draws the piece. False where it closes nothing. REQUIRES: a width of a multiple of 64 and a height of one of kTile.
-  [[nodiscard]] bool draw(const BeamPicture& picture, std::span<const glm::dvec3> vertices,
-                          std::span<const Triangle> triangles);
+  /// Draws the mesh. False where it closes nothing. REQUIRES: a width and a height of multiples of kTile.
+  [[nodiscard]] bool draw(const BeamPicture& picture, const CoverMesh& mesh);
 
-  /// Holds all pixels that the piece that was drawn last closes.
+  /// Holds all pixels that the mesh that was drawn last closes: whole tiles.
   [[nodiscard]] const PixelRectangle& rectangle() const { return rectangle_; }
-  /// Of the pixels of a row from 64 `word` on, which it closes: the first is the lowest bit.
-  [[nodiscard]] std::uint64_t closed(int row, int word) const {
-    const auto at = static_cast<std::size_t>(row * words_ + word);
-    return parity_[at] & ~border_[at];
-  }
-  /// How near, at least, the piece is in a tile.
+  /// Of each pixel of a row whether the mesh closes it.
+  [[nodiscard]] const std::uint8_t* closed(int row) const { return border_.data() + at(0, row); }
+  /// How near, at least, the mesh is in a tile.
   [[nodiscard]] float nearness(int tile_x, int tile_y) const {
     return tiles_[static_cast<std::size_t>(tile_y * tiles_across_ + tile_x)];
   }
+  /// Whether the triangle was taken.
+  [[nodiscard]] bool is_taken(std::size_t triangle) const { return signs_[triangle] != 0; }
+  /// The pixels that a triangle touches, as far as it is drawn. REQUIRES: is_taken(triangle).
+  [[nodiscard]] PixelRectangle rectangle_of(const CoverMesh::Triangle& triangle) const;
 
  private:
-  struct Edge {
-    std::uint32_t from, to;  ///< from < to
+  /// A point of the picture, and by how much it is out.
+  struct Corner {
+    Place place;
+    double error;
   };
   /// What is left of a triangle beyond the near plane.
   struct Part {
     std::array<Seen, 4> corners;
     std::size_t count = 0;
   };
+  struct Extent;
 
-  void see(std::span<const glm::dvec3> vertices, std::span<const Triangle> triangles);
-  void find_border();
+  [[nodiscard]] std::size_t at(int x, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(picture_.width()) + static_cast<std::size_t>(x);
+  }
+  void see();
   [[nodiscard]] bool find_place();
+  [[nodiscard]] bool take();
+  [[nodiscard]] int sign(const CoverMesh::Triangle& triangle, bool is_closed) const;
   void clear();
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
+  [[nodiscard]] Corner corner(const Seen& seen) const;
   [[nodiscard]] Seen cut(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] Part part(const Triangle& triangle) const;
-  void draw_edge(const Edge& edge);
-  void draw_cut(const Triangle& triangle);
-  void draw_border(const Place& a, const Place& b);
-  void lay_depth(const Triangle& triangle);
+  [[nodiscard]] Part part(const CoverMesh::Triangle& triangle) const;
+  [[nodiscard]] Extent extent(const CoverMesh::Triangle& triangle) const;
+  [[nodiscard]] int degree(const CoverMesh::Edge& edge) const;
+  void draw_edge(const CoverMesh::Edge& edge, int degree);
+  void draw_cut(const CoverMesh::Triangle& triangle, int degree);
+  void draw_border(const Corner& from, const Corner& to, int degree);
+  void mark_border(const Corner& a, const Corner& b);
+  void turn_degree(const Place& a, const Place& b, int degree);
+  void lay_depth(const CoverMesh::Triangle& triangle);
+  void close();
 
   BeamPicture picture_;
-  int words_ = 0, tiles_across_ = 0;
-  std::vector<std::uint64_t> parity_, border_;
-  std::vector<float> tiles_;
-
-  std::vector<Seen> seen_;           ///< the corners, each once
-  std::vector<Triangle> triangles_;  ///< by these
-  std::vector<Edge> edges_;          ///< of the border
-  std::vector<std::uint32_t> own_, stamp_;
-  std::uint32_t stamp_now_ = 0;
+  CoverMesh mesh_;
+  std::vector<Seen> seen_;       ///< the vertices
+  std::vector<Corner> corners_;  ///< in the picture; of what is before the near plane, nothing
+  std::vector<std::int8_t> signs_;  ///< of the triangles: 0 where it is not taken, -1 where it is turned over
   bool is_cut_ = false;
-  double widening_ = 0;  ///< no place of the piece is out by more, in pixels
   PixelRectangle rectangle_{};
+
+  int tiles_across_ = 0;
+  std::vector<std::uint8_t> turns_;  ///< by how much the degree changes from the pixel below to a pixel, modulo 256
+  std::vector<std::uint8_t> border_;  ///< of each pixel whether the border touches it; in the end, whether it is closed
+  std::vector<std::uint8_t> degrees_;  ///< of a row
+  std::vector<float> tiles_;
 };
 
 }  // namespace occlude::culler

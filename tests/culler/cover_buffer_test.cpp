@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bounds.h"
+#include "cover_pieces.h"
 #include "occlude/kernel/cover.h"
 #include "scenes.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 using namespace occlude;
 using namespace occlude::culler;
-using Triangle = CoverBuffer::Triangle;
+using Triangle = CoverMesh::Triangle;
 
 constexpr int kWidth = 128, kHeight = 64;
 
@@ -44,14 +45,28 @@ struct Mesh {
   }
 };
 
+/// The meshes of some triangles, all in one leaf.
+CoverPieces meshes_of(const std::vector<glm::dvec3>& vertices, const std::vector<Triangle>& triangles) {
+  PolygonSoup soup;
+  soup.vertices = vertices;
+  for (const Triangle& triangle : triangles) soup.add_polygon(triangle);
+  const HierarchyNode leaf{.box = {}, .first = 0, .count = static_cast<std::uint32_t>(soup.size())};
+  return CoverPieces::find(soup, std::span(&leaf, triangles.empty() ? 0 : 1));
+}
+
+void add(CoverBuffer& buffer, const std::vector<glm::dvec3>& vertices, const std::vector<Triangle>& triangles) {
+  const CoverPieces meshes = meshes_of(vertices, triangles);
+  for (std::size_t i = 0; i < meshes.size(); ++i) buffer.add(meshes[i]);
+}
+
 /// Asks the buffer, and holds what it hides against exact numbers.
 class Judge {
  public:
-  Judge(const Camera& camera, Mesh mesh, double depth) : camera_(camera), mesh_(std::move(mesh)), buffer_(kWidth, kHeight) {
-    buffer_.begin(camera, depth);
+  Judge(const Camera& camera, Mesh mesh, double depth, double margin = 0) : camera_(camera), mesh_(std::move(mesh)) {
+    buffer_.begin(camera, depth, kWidth, kHeight, margin);
     std::vector<kernel::Cover::Polygon> polygons;
     for (const auto& piece : mesh_.pieces) {
-      buffer_.add(mesh_.vertices, piece);
+      add(buffer_, mesh_.vertices, piece);
       for (const Triangle& t : piece) {
         polygons.push_back(
             {to_kernel(mesh_.vertices[t[0]]), to_kernel(mesh_.vertices[t[1]]), to_kernel(mesh_.vertices[t[2]])});
@@ -112,23 +127,55 @@ TEST(CoverBuffer, AHoleHidesNothing) {
   EXPECT_TRUE(judge.hides(cube({4, 0, -1}, 0.2)));
 }
 
-/// What occurs twice cancels itself, and hides nothing: the parity cannot tell it from a hole.
-TEST(CoverBuffer, TwiceIsNever) {
+/// Layers add up, whichever way they are turned, and whatever edges they share.
+TEST(CoverBuffer, LayersOfOneMeshDoNotCancel) {
   Mesh mesh = square(2, 1);
-  mesh.pieces[0].insert(mesh.pieces[0].end(), mesh.pieces[0].begin(), mesh.pieces[0].end());
-  EXPECT_FALSE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8)));
-  mesh.pieces[0].resize(4);
-  mesh.pieces.push_back(mesh.pieces[0]);
-  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "two pieces are";
+  std::vector<Triangle>& piece = mesh.pieces[0];
+  piece.insert(piece.end(), piece.begin(), piece.begin() + 4);
+  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "each triangle twice";
+  for (std::size_t i = 4; i < 8; ++i) std::swap(piece[i][0], piece[i][1]);
+  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "and turned over";
+  piece.resize(4);
+  std::swap(piece[1][0], piece[1][1]);
+  std::swap(piece[2][0], piece[2][1]);
+  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "turned at random";
+}
+
+/// Of a cube the faces turned to the eye are taken: what is in it is hidden.
+TEST(CoverBuffer, OfAClosedSurfaceTheNearSideHides) {
+  Mesh mesh;
+  std::array<std::uint32_t, 8> v{};
+  for (unsigned i = 0; i < 8; ++i) v[i] = mesh.vertex({i & 1U ? 6.0 : 4.0, i & 2U ? 1.0 : -1.0, i & 4U ? 1.0 : -1.0});
+  mesh.pieces.emplace_back();
+  for (const std::array<std::size_t, 4>& f :
+       {std::array<std::size_t, 4>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+    mesh.pieces[0].push_back({v[f[0]], v[f[1]], v[f[2]]});
+    mesh.pieces[0].push_back({v[f[0]], v[f[2]], v[f[3]]});
+  }
+  const Judge judge(looking_along_x(), mesh, 100);
+  EXPECT_TRUE(judge.hides(cube({4.5, 0, 0}, 0.3)));
+  EXPECT_TRUE(judge.hides(cube({8, 0, 0}, 0.8)));
+}
+
+/// With a margin less is hidden, by that much in the picture.
+TEST(CoverBuffer, TheMarginIsKept) {
+  const Mesh mesh = square(2, 1);  // up to 24.5 pixels from the middle, with a margin of an eighth of the picture 17.5
+  const auto hides = [&](double margin, double aside) {
+    return Judge(looking_along_x(), mesh, 100, margin).hides(cube({4, aside, 0}, 0.01));
+  };
+  EXPECT_TRUE(hides(0, 1.85));
+  EXPECT_FALSE(hides(0.125, 1.85));
+  EXPECT_FALSE(hides(0.125, 1.5));
+  EXPECT_TRUE(hides(0.125, 1.25));
 }
 
 TEST(CoverBuffer, BeginningOpensAllPixels) {
   const Mesh mesh = square(2, 1);
-  CoverBuffer buffer(kWidth, kHeight);
-  buffer.begin(looking_along_x(), 100);
-  buffer.add(mesh.vertices, mesh.pieces[0]);
+  CoverBuffer buffer;
+  buffer.begin(looking_along_x(), 100, kWidth, kHeight, 0);
+  add(buffer, mesh.vertices, mesh.pieces[0]);
   EXPECT_TRUE(buffer.hides(cube({4, 0, 0}, 0.8)));
-  buffer.begin(looking_along_x(), 100);
+  buffer.begin(looking_along_x(), 100, kWidth, kHeight, 0);
   EXPECT_FALSE(buffer.hides(cube({4, 0, 0}, 0.8)));
 }
 
@@ -161,7 +208,7 @@ TEST(CoverBuffer, TheBorderIsAsWideAsPlacesAreOut) {
   std::mt19937 random(1);
   constexpr double kFar = 0x1p18, kForward = 8, kDepth = 0x1p22;
   const Camera camera = looking_along_x();
-  const BeamPicture picture(camera, kDepth, kWidth, kHeight, CoverPiece::kTile / 2.0);
+  const BeamPicture picture(camera, kDepth, {kWidth, kHeight, CoverPiece::kTile / 2.0}, 0);
   const auto point = [&](const Place& slope, double forward) {
     const auto [right, up, along] = camera.axes();
     return forward * (along + slope.x * right + slope.y * up);
