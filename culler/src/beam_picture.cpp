@@ -33,6 +33,7 @@ BeamPicture::BeamPicture(const Camera& camera, double depth, const Size& size, d
       width_(size.width),
       height_(size.height),
       middle_{size.width / 2.0, size.height / 2.0},
+      depth_(depth),
       near_(camera.near + kDepthMargin * depth),
       error_(kSeenError * depth),
       rounding_(rounding) {

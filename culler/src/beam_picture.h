@@ -42,6 +42,10 @@ class BeamPicture {
   /// Pieces of a cover are cut there: beyond the renderer's near plane, whatever it rounds.
   [[nodiscard]] double near() const { return near_; }
 
+  /// As given: what is out by error() and no more lies within it.
+  [[nodiscard]] double depth() const { return depth_; }
+  [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
+
   [[nodiscard]] Seen see(const glm::dvec3& point) const;
   /// Where the edge from a to b passes near(): the same point whichever triangle asks, as long as a and b are not exchanged.
   [[nodiscard]] Seen cut(const Seen& a, const Seen& b) const;
@@ -74,7 +78,7 @@ class BeamPicture {
   bool is_perspective_ = true;
   int width_ = 0, height_ = 0;
   Place middle_{}, scale_{};  ///< pixels; pixels for a slope of 1, or a length of 1 across parallel rays
-  double near_ = 0, error_ = 0, rounding_ = 0;
+  double depth_ = 0, near_ = 0, error_ = 0, rounding_ = 0;
 };
 
 }  // namespace occlude::culler

@@ -25,54 +25,60 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);
   farthest_.assign(pixels / kPixels, kOpen);
+  owners_.clear();
 }
 
-bool CoverBuffer::add(const CoverMesh& mesh) {
-  if (!piece_.draw(picture_, mesh)) return false;
+void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
+
+void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
+  if (!piece_.draw(picture_, mesh)) return;
   const PixelRectangle& r = piece_.rectangle();
-  bool is_any = false;
   for (int y = r.y0 / kTile; y < r.y1 / kTile; ++y) {
     for (int x = r.x0 / kTile; x < r.x1 / kTile; ++x) {
       const float nearness = piece_.nearness(x, y);
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
-      if (nearness > farthest_[tile] && nearness < kInfinity) is_any |= add_to_tile(tile, x, y, nearness);
+      if (nearness > farthest_[tile] && nearness < kInfinity) add_to_tile(tile, x, y, nearness, id);
     }
   }
-  return is_any;
 }
 
-bool CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness) {
+void CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id) {
   float* const pixels = &nearness_[tile * kPixels];
-  bool is_any = false;
   float farthest = std::numeric_limits<float>::infinity();
   for (int row = 0; row < kTile; ++row) {
     const std::uint8_t* const closed = piece_.closed(y * kTile + row) + x * kTile;
     for (int i = 0; i < kTile; ++i) {
       float& pixel = pixels[row * kTile + i];
       const float now = closed[i] != 0 ? std::max(pixel, nearness) : pixel;
-      is_any |= now > pixel;
+      if (!owners_.empty() && now > pixel) owners_[tile * kPixels + static_cast<std::size_t>(row * kTile + i)] = id;
       pixel = now;
       farthest = std::min(farthest, now);
     }
   }
   farthest_[tile] = farthest;
-  return is_any;
 }
 
-bool CoverBuffer::hides(const kernel::Aabb& box) const {
+CoverBuffer::Outline CoverBuffer::outline(const kernel::Aabb& box) const {
   Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
   double nearest = kInfinity, error = 0;
   for (unsigned i = 0; i < 8; ++i) {
     const Seen corner =
         picture_.see({(i & 1U ? box.max : box.min).x, (i & 2U ? box.max : box.min).y, (i & 4U ? box.max : box.min).z});
     nearest = std::min(nearest, corner.forward);
-    if (!(nearest > picture_.near())) return false;
+    if (!(nearest > picture_.near())) return {{}, 0};
     const Place p = picture_.place(corner);
     error = std::max(error, picture_.place_error(p, corner.forward));
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const PixelRectangle r = picture_.pixels(low, high, error + wider_);
+  return {picture_.pixels(low, high, error + wider_), nearest};
+}
+
+PixelRectangle CoverBuffer::pixels(const kernel::Aabb& box) const { return outline(box).pixels; }
+
+bool CoverBuffer::hides(const kernel::Aabb& box) const {
+  const auto [r, nearest] = outline(box);
+  if (nearest == 0) return false;
   if (r.x0 < 0 || r.y0 < 0 || r.x1 > picture_.width() || r.y1 > picture_.height()) return false;
   const float most = rounded_up(picture_.nearness(nearest) + picture_.nearness_error(nearest));
   for (int y = r.y0 / kTile; y <= (r.y1 - 1) / kTile; ++y) {
@@ -85,6 +91,20 @@ bool CoverBuffer::hides(const kernel::Aabb& box) const {
     }
   }
   return true;
+}
+
+std::vector<std::uint32_t> CoverBuffer::owners(const PixelRectangle& pixels) const {
+  std::vector<std::uint32_t> result;
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    for (int x = pixels.x0; x < pixels.x1; ++x) {
+      const auto tile = static_cast<std::size_t>(y / kTile * tiles_across_ + x / kTile);
+      const std::uint32_t owner = owners_[tile * kPixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+      if (result.empty() || result.back() != owner) result.push_back(owner);
+    }
+  }
+  std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
 }
 
 /// `r` within the tile.

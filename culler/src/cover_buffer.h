@@ -30,21 +30,34 @@ class CoverBuffer {
   /// it, and however it is moved by the margin in the picture. REQUIRES: the camera has no fault(); margin >= 0.
   void begin(const Camera& camera, double depth, int width, int height, double margin);
 
-  /// Closes what the mesh closes, as far as it is beyond the near plane. True when it has closed a pixel, or brought one
-  /// nearer.
-  bool add(const CoverMesh& mesh);
+  /// From now on it is kept which mesh was the last to bring a pixel nearer.
+  void keep_owners();
+
+  /// Closes what the mesh closes, as far as it is beyond the near plane. `id` is what owners() calls it.
+  void add(const CoverMesh& mesh, std::uint32_t id = 0);
 
   /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False of a box that reaches beyond the picture, or before the near plane.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const;
 
-  /// The piece that was drawn last.
+  /// The pixels of a box that it hides, and the meshes that close them, ascending. REQUIRES: keep_owners() before what hides
+  /// it was added; hides(box).
+  [[nodiscard]] PixelRectangle pixels(const kernel::Aabb& box) const;
+  [[nodiscard]] std::vector<std::uint32_t> owners(const PixelRectangle& pixels) const;
+
+  [[nodiscard]] const BeamPicture& picture() const { return picture_; }
+  /// The mesh that was added last, as it was drawn.
   [[nodiscard]] const CoverPiece& piece() const { return piece_; }
 
  private:
   static constexpr int kTile = CoverPiece::kTile, kPixels = kTile * kTile;
 
-  bool add_to_tile(std::size_t tile, int x, int y, float nearness);
+  struct Outline {
+    PixelRectangle pixels;
+    double nearest;  ///< along the line of sight; 0 where it is not all beyond the near plane
+  };
+  [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
+  void add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id);
   [[nodiscard]] bool hides_in_tile(std::size_t tile, const PixelRectangle& r, float most) const;
 
   BeamPicture picture_;
@@ -53,6 +66,7 @@ class CoverBuffer {
   double wider_ = 0;             ///< the margin, in pixels
   std::vector<float> nearness_;  ///< of each pixel, tile after tile; -infinity while it is open
   std::vector<float> farthest_;  ///< of each tile, the least of it
+  std::vector<std::uint32_t> owners_;  ///< as nearness_; empty unless they are kept
 };
 
 }  // namespace occlude::culler

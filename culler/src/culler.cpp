@@ -35,20 +35,26 @@ auto parts_in(const Hierarchy& hierarchy, const PotentialOccluders& occluders) {
   };
 }
 
+std::shared_ptr<const CoverPieces> meshes_of(const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
+  return std::make_shared<const CoverPieces>(CoverPieces::find(hierarchy.soup(), hierarchy.nodes(), checkpoint));
+}
+
 }  // namespace
 
 Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
     : config_(config),
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders, checkpoint)),
-      grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid, checkpoint)) {}
+      grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid, checkpoint)),
+      meshes_(meshes_of(hierarchy_, checkpoint)) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders, checkpoint)),
       grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid,
-                                  std::move(preprocess.lists))) {}
+                                  std::move(preprocess.lists))),
+      meshes_(meshes_of(hierarchy_, checkpoint)) {}
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   View view;
@@ -60,8 +66,12 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
   View::Memory& memory = view.memory();
-  cull_frame(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_),
-             {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
+  if (options.method == Method::cover) {
+    cull_by_cover(hierarchy_.nodes(), volumes_of(hierarchy_), *meshes_, camera, options, memory);
+  } else {
+    cull_by_frusta(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_),
+                   {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
+  }
   return memory.result;
 }
 
@@ -80,7 +90,7 @@ void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& wit
     double margin = 0;
     if (cull.by == Culled::By::view) {
       margin = hierarchy_.ask(cull.node, [&](const auto& box) { return distance_beyond(frame.view[cull.index], box); });
-    } else if (cull.second == Culled::kNone) {
+    } else if (cull.by == Culled::By::shadow && cull.second == Culled::kNone) {
       const kernel::ShadowFrustum& shadow = frame.occluders[cull.index].frustum;
       margin = hierarchy_.ask(cull.node, [&](const auto& box) { return certain_distance(shadow, box); });
     }

@@ -2,6 +2,8 @@
 #include "occlude/culler/scene.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "bounds.h"
@@ -44,11 +46,30 @@ void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn
 
 }  // namespace
 
+/// A tree of the occluders, and what is drawn of them into the coarse picture.
+class CoverOccluders {
+ public:
+  CoverOccluders(const PolygonSoup& soup, const Checkpoint& checkpoint) {
+    if (soup.empty()) return;
+    tree_ = Hierarchy::build(soup, {.leaf_size = CoverPieces::kMost}, checkpoint);
+    meshes_ = CoverPieces::find(tree_->soup(), tree_->nodes(), checkpoint);
+  }
+  [[nodiscard]] std::span<const HierarchyNode> nodes() const {
+    return tree_ ? tree_->nodes() : std::span<const HierarchyNode>{};
+  }
+  [[nodiscard]] const CoverPieces& meshes() const { return meshes_; }
+
+ private:
+  std::optional<Hierarchy> tree_;
+  CoverPieces meshes_;
+};
+
 Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config, const Checkpoint& checkpoint)
     : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics, checkpoint)),
       soup_(checked(std::move(occluders))),
       occluders_(PotentialOccluders::find(soup_, config.occluders, checkpoint)),
-      grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid, checkpoint)) {}
+      grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid, checkpoint)),
+      cover_(std::make_unique<CoverOccluders>(soup_, checkpoint)) {}
 
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
@@ -59,7 +80,11 @@ const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options,
   const auto ask = [&](std::uint32_t node, auto&& question) { return objects_->ask(node, question); };
   // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
-  cull_frame(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
+  if (options.method == Method::cover) {
+    cull_by_cover(objects_->nodes(), ask, cover_->nodes(), cover_->meshes(), camera, options, memory);
+  } else {
+    cull_by_frusta(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
+  }
   list_objects(*objects_, memory.result.drawn, view.result_);
   return view.result_;
 }

@@ -12,6 +12,7 @@
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/validity.h"
+#include "outer_box.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -28,7 +29,7 @@ bool is_out_of_view(const CullResult& frame, const AnyBox& box) {
 }
 
 template <class AnyBox>
-bool is_occluded(const CullResult& frame, const AnyBox& box) {
+bool is_in_shadow(const CullResult& frame, const AnyBox& box) {
   const auto hides = [&](const Occluder& o) {
     return kernel::conservative_certified(o.frustum, box, NearBoundary::open).relation == Relation::inside &&
            frame.margin.keeps(o.frustum, box);
@@ -41,6 +42,11 @@ bool is_occluded(const CullResult& frame, const AnyBox& box) {
   return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(frame.pairs, hide_together);
 }
 
+/// The cover knows by how much it is out of what lies within its depth.
+bool hides_any(const CoverBuffer& cover, const kernel::Aabb& box) {
+  return depth(box, cover.picture().eye()) <= cover.picture().depth() && cover.hides(box);
+}
+
 }  // namespace
 
 View::View() : memory_(std::make_unique<Memory>()) {}
@@ -51,14 +57,17 @@ View& View::operator=(View&&) noexcept = default;
 const CullResult& View::result() const { return memory_->result; }
 
 Visibility View::visibility(const Box& box) const {
+  const auto is_hidden = [&](const auto& b) {
+    return memory_->result.method == Method::cover ? hides_any(memory_->cover, outer_box(b)) : is_in_shadow(memory_->result, b);
+  };
   return std::visit(
       [&](const auto& b) {
         if (const kernel::Refusal refusal = kernel::check(b); refusal != kernel::Refusal::none) {
           throw std::invalid_argument(std::string(kernel::to_string(refusal)));
         }
         return is_out_of_view(memory_->result, b) ? Visibility::out_of_view
-               : is_occluded(memory_->result, b)  ? Visibility::occluded
-                                                  : Visibility::visible;
+               : is_hidden(b)                      ? Visibility::occluded
+                                                   : Visibility::visible;
       },
       box);
 }

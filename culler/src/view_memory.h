@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "candidate_order.h"
+#include "cover_buffer.h"
 #include "occlude/culler/occluder_history.h"
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
@@ -28,6 +29,10 @@ struct View::Memory {
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
   std::vector<std::uint32_t> holding;  ///< the traversal's stacks
   std::vector<std::uint32_t> active;
+
+  CoverBuffer cover;                       ///< what the last frame closed, if it was culled so
+  std::vector<std::uint32_t> mesh_frames;  ///< of each mesh, the last frame that drew it
+  std::uint32_t frame = 0;
 
   /// Empties the result for the next frame; its frusta become spare.
   void begin_frame();

@@ -108,7 +108,7 @@ void add_classify(CLI::App& app, int& exit_code) {
       "{\"cover\":[polygon, ...]}, polygons that hide together: then the box is `inside` their joined shadow or `partial`,\n"
       "and there is neither `plain` nor `conservative`.\n" +
       fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", kMostCorners,
-                  proof::kMostCoverVertices) +
+                  render::kMostCoverVertices) +
       render::limits_help() +
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "occlude/render/input_limits.h"
 #include "occlude/render/json_text.h"
 
 namespace occlude::proof {
@@ -112,7 +113,8 @@ std::vector<Polygon> cover(const Json& value) {
   for (const Json& polygon : value) {
     polygons.push_back(vec3s(polygon, "cover"));
     vertices += polygons.back().size();
-    if (vertices > kMostCoverVertices) throw LineError(fmt::format("\"cover\": more than {} vertices", kMostCoverVertices));
+    if (vertices > render::kMostCoverVertices)
+      throw LineError(fmt::format("\"cover\": more than {} vertices", render::kMostCoverVertices));
   }
   return polygons;
 }

@@ -48,11 +48,7 @@ inline constexpr std::size_t kMostCorners = 4096;
 /// polytope with more than kMostCorners.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
-/// Vertices of a cover's polygons together. The oracle cuts a box into pieces: so many vertices, all of whose polygons run
-/// through the box, take it ten seconds or so, as many of a mesh before it one.
-inline constexpr std::size_t kMostCoverVertices = 1024;
-
-/// The polygons of an occluder "cover". LineError for more vertices than kMostCoverVertices.
+/// The polygons of an occluder "cover". LineError for more vertices than render::kMostCoverVertices.
 [[nodiscard]] std::vector<Polygon> cover(const nlohmann::json& value);
 
 }  // namespace occlude::proof

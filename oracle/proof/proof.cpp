@@ -13,6 +13,7 @@
 #include "camera_picture.h"
 #include "differential/to_oracle.h"
 #include "occlude/oracle/cover.h"
+#include "occlude/render/input_limits.h"
 
 namespace occlude::proof {
 namespace {
@@ -184,8 +185,8 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
       loop.push_back(key(hierarchy_.soup().vertices[index]));
     }
     vertices += loop.size();
-    if (vertices > kMostCoverVertices)
-      throw LineError(fmt::format("\"polygons\": more than {} vertices", kMostCoverVertices));
+    if (vertices > render::kMostCoverVertices)
+      throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostCoverVertices));
   }
   const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
   if (!answer.refusal.empty()) return answer.refusal;

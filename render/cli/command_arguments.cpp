@@ -36,14 +36,18 @@ void parse_frames(const std::string& text, render::WalkOptions& options) {
   if (options.step == 0) throw CLI::ValidationError("--frames", "STEP must be at least 1");
 }
 
-void parse_size(const std::string& text, render::WalkOptions& options) {
-  constexpr std::size_t kLargest = 8192;  // side of a picture; llvmpipe's limit is 16384, memory's is lower
-  const auto values = numbers("--size", text, 'x');
-  if (values.size() != 2 || values[0] == 0 || values[1] == 0 || values[0] > kLargest || values[1] > kLargest) {
-    throw CLI::ValidationError("--size", "expected WxH, each from 1 to 8192");
+struct PictureSize {
+  int width, height;
+};
+
+/// "WxH", each from `least` to `most`.
+PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least, std::size_t most) {
+  const auto values = numbers(option, text, 'x');
+  const auto is_side = [&](std::size_t side) { return side >= least && side <= most; };
+  if (values.size() != 2 || !is_side(values[0]) || !is_side(values[1])) {
+    throw CLI::ValidationError(option, "expected WxH, each from " + std::to_string(least) + " to " + std::to_string(most));
   }
-  options.width = static_cast<int>(values[0]);
-  options.height = static_cast<int>(values[1]);
+  return {static_cast<int>(values[0]), static_cast<int>(values[1])};
 }
 
 /// A number from `least` to `most`; CLI::Range alone lets "nan" pass.
@@ -72,12 +76,19 @@ void WalkArguments::add_size_to(CLI::App& command) {
 std::vector<CLI::Option*> BuildArguments::add_to(CLI::App& command) {
   return {choice(command, "--bounds", bounds_, {"aabb", "obb"},
                  "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
+          command
+              .add_option("--leaf", leaf_,
+                          "polygons in a leaf of the hierarchy at most; unless given, 16 for frusta and 4 for a cover")
+              ->check(CLI::Range(1, 4096)),
           choice(command, "--shapes", shapes_, {"polytope", "polygon"},
                  "what can be an occluder: closed convex shells as well, or what is flat alone")};
 }
 
-culler::BuildConfig BuildArguments::config() const {
+culler::BuildConfig BuildArguments::config(culler::Method method) const {
+  constexpr std::uint32_t kCoverLeaf = 4;  // what is hidden but for a corner of its leaf is drawn: culler/README.md
   culler::BuildConfig config;
+  if (method == culler::Method::cover) config.hierarchy.leaf_size = kCoverLeaf;
+  if (leaf_ != 0) config.hierarchy.leaf_size = leaf_;
   config.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
   config.occluders.shells = shapes_ == "polytope";
   return config;
@@ -103,6 +114,10 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
       options.end(),
       {
           command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all")->capture_default_str(),
+          choice("--method", method_, {"frusta", "cover"},
+                 "what hides: the shadows of a few chosen occluders, or all that is seen, joined in a coarse picture"),
+          command.add_option("--cover-size", cover_size_, "WxH, size of that picture in pixels, each from 64 to 4096")
+              ->capture_default_str(),
           number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
           number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
           choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),
@@ -137,14 +152,21 @@ CLI::Option* WalkArguments::add_preprocess_to(CLI::App& command) {
 render::WalkOptions WalkArguments::options() const {
   render::WalkOptions options;
   parse_frames(frames_, options);
-  parse_size(size_, options);
+  constexpr std::size_t kLargest = 8192;  // side of a picture; llvmpipe's limit is 16384, memory's is lower
+  const PictureSize size = parse_size("--size", size_, 1, kLargest);
+  options.width = size.width;
+  options.height = size.height;
   options.cull = cull_;
+  options.cull.method = method_ == "cover" ? culler::Method::cover : culler::Method::frusta;
+  const PictureSize cover = parse_size("--cover-size", cover_size_, culler::kLeastCoverSide, culler::kMostCoverSide);
+  options.cull.cover_width = cover.width;
+  options.cull.cover_height = cover.height;
   options.cull.margin = pixel_margin_ / options.height;
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;
   options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
   options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
-  options.build = build_.config();
+  options.build = build_.config(options.cull.method);
   options.cull.test = test_ == "overlap" ? kernel::Test::overlap : kernel::Test::conservative;
   return options;
 }

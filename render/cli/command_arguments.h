@@ -17,9 +17,11 @@ class BuildArguments {
   /// Returns the options.
   std::vector<CLI::Option*> add_to(CLI::App& command);
 
-  [[nodiscard]] culler::BuildConfig config() const;
+  /// `method` is what the model is prepared for.
+  [[nodiscard]] culler::BuildConfig config(culler::Method method = culler::Method::frusta) const;
 
  private:
+  std::uint32_t leaf_ = 0;
   std::string bounds_ = "aabb", shapes_ = "polytope";
 };
 
@@ -40,7 +42,7 @@ class WalkArguments {
 
  private:
   std::string frames_;
-  std::string size_ = "640x360", near_ = "surface", arithmetic_ = "certified", test_ = "conservative", angle_ = "area",
+  std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified", test_ = "conservative", angle_ = "area",
               preprocess_;
   BuildArguments build_;
   std::vector<CLI::Option*> build_options_;

@@ -26,11 +26,11 @@ constexpr Rgba kFrustumLine{20, 60, 200, 255};
 constexpr Rgba kShadowLine{255, 160, 0, 255};
 
 std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const culler::CullResult& result,
-                                        culler::Culled::By by) {
+                                        bool is_by_view) {
   std::vector<PolygonRange> ranges;
   for (const culler::Culled& culled : result.culled) {
     const auto& node = culler.hierarchy().nodes()[culled.node];
-    if (culled.by == by) ranges.push_back({node.first, node.count});
+    if ((culled.by == culler::Culled::By::view) == is_by_view) ranges.push_back({node.first, node.count});
   }
   return ranges;
 }
@@ -123,8 +123,8 @@ void draw_outside(SceneRenderer& renderer, const culler::Culler& culler, const c
                   const culler::CullResult& result, double depth, std::span<const PolygonRange> marked,
                   std::span<const Line> lines) {
   const auto occluders = occluder_ranges(culler, result);
-  const auto shadowed = culled_ranges(culler, result, culler::Culled::By::shadow);
-  const auto out_of_view = culled_ranges(culler, result, culler::Culled::By::view);
+  const auto shadowed = culled_ranges(culler, result, false);
+  const auto out_of_view = culled_ranges(culler, result, true);
   // What is marked and the occluders first: they are part of the rest, and where two surfaces coincide the first one stays.
   const std::array<Layer, 5> layers{Layer{marked, kMarked}, Layer{occluders, kOccluder}, Layer{result.drawn, std::nullopt},
                                     Layer{shadowed, kShadowCulled}, Layer{out_of_view, kViewCulled}};

@@ -44,6 +44,8 @@ Json operations(const kernel::Operations& counted) {
 Json options_json(const WalkOptions& options, const culler::BuildConfig& build) {
   const culler::Objective& objective = options.cull.objective;
   return {{"size", {options.width, options.height}},
+          {"cover_size", {options.cull.cover_width, options.cull.cover_height}},
+          {"leaf", build.hierarchy.leaf_size},
           {"occluders", options.cull.occluders},
           {"probes", options.cull.probes},
           {"solid_angle", objective.angle == culler::Objective::Angle::exact ? "exact" : "area"},
@@ -107,6 +109,7 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
   json["polygons"] = result.polygons;
   json["triangles"] = result.triangles;
   json["frames"] = result.frames.size();
+  json["method"] = options.cull.method == culler::Method::cover ? "cover" : "frusta";
   json["options"] = options_json(options, result.build);
   json["mean"] = {{"view_frustum_polygons", viewed},
                   {"rendered_polygons", drawn},

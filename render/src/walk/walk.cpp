@@ -74,7 +74,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     if (is_reference) operations += visit_shadow_tests(culler, record.frame, culled, options);
     if (!options.witness) return;
     lines.clear();
-    append_witnesses(lines, record.frame, path.camera(record.frame, aspect(options)), culler, culled, options.cull.near);
+    append_witnesses(lines, record.frame, path.camera(record.frame, aspect(options)), culler, culled, options.cull);
     for (const std::string& line : lines) files.add_witness(line);
     witnesses += lines.size();
   };

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/progress.h"
 #include "plates.h"
 
@@ -29,6 +30,22 @@ ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& pat
   }
 }
 
+namespace {
+
+/// The polygons that hide the culled subtree, or the part of it that has the polygon.
+std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, const culler::Culled& cull, std::uint32_t polygon) {
+  const culler::Hierarchy& hierarchy = frame.culler().hierarchy();
+  std::vector<culler::CoverWitness> covers;
+  frame.culler().append_covers(frame.camera(), frame.options().cull, kMostCoverVertices, covers);
+  for (const culler::CoverWitness& cover : covers) {
+    const culler::HierarchyNode& node = hierarchy.nodes()[cover.node];
+    if (cover.node >= cull.node && polygon >= node.first && polygon - node.first < node.count) return cover.polygons;
+  }
+  return {};
+}
+
+}  // namespace
+
 Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const ItemBuffer& items) {
   const culler::Culler& culler = frame.culler();
   const culler::CullResult& result = frame.result();
@@ -46,6 +63,8 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
     if (cull->by == culler::Culled::By::view) {
       account.beyond_view =
           std::visit([&](const auto& b) { return culler::distance_beyond(result.view[cull->index], b); }, box);
+    } else if (cull->by == culler::Culled::By::cover) {
+      account.cover = cover_of(frame, *cull, polygon);
     } else {
       against(cull->index, box);
       if (cull->second != culler::Culled::kNone) against(cull->second, box);
@@ -56,7 +75,7 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   const culler::Box own = culler.hierarchy().soup().box(polygon);
   for (std::uint32_t i = 0; i < result.occluders.size(); ++i) against(i, own);
   std::ranges::stable_sort(account.shadows, std::greater{}, [](const AgainstShadow& a) { return a.clearance.distance; });
-  if (account.pixels == 0) {
+  if (account.pixels == 0 && result.method == culler::Method::frusta) {
     account.missed = culler::MissedReasons(culler, frame.camera(), frame.options().cull, result).answer(polygon);
   }
   return account;

@@ -111,6 +111,8 @@ class Text {
     if (became_ == Became::out_of_view) {
       add("  by the {} plane of the view: the box is beyond it by {:.6g}", kViewPlanes[account.cull->index],
           account.beyond_view);
+    } else if (account_.cull && account_.cull->by == culler::Culled::By::cover) {
+      add_cover();
     } else if (became_ == Became::in_shadow) {
       for (const AgainstShadow& s : account.shadows) add_culling(s);
     } else {
@@ -161,6 +163,16 @@ class Text {
     }
   }
 
+  void add_cover() {
+    constexpr std::size_t kNamed = 8;
+    std::string named;
+    for (std::size_t i = 0; i < std::min(account_.cover.size(), kNamed); ++i) {
+      named += fmt::format("{}{}", i == 0 ? "" : ", ", culler_.hierarchy().original(account_.cover[i]));
+    }
+    const bool is_all = account_.cover.size() <= kNamed;
+    add("  by {} polygons together: {}{}", account_.cover.size(), named, is_all ? "" : ", ...");
+  }
+
   void add_missed(const culler::MissedReasons::Answer& missed) {
     add("  it was not culled: {}", why_missed(missed.reason));
     if (missed.occluder != culler::Culled::kNone) {
@@ -169,6 +181,7 @@ class Text {
   }
 
   void add_nearest() {
+    if (frame_.result().method == culler::Method::cover) return;
     if (account_.shadows.empty()) return add("  the frame has no occluders");
     add("  its own box to the shadows that it is nearest to:");
     for (std::size_t i = 0; i < std::min(account_.shadows.size(), kNearest); ++i) {
@@ -228,6 +241,8 @@ std::string to_json(const ReplayedFrame& frame, const Account& a) {
   for (const AgainstShadow& s : a.shadows) {
     json["shadows"].push_back(json_of_shadow(culler, frame.result().occluders[s.occluder], s.clearance));
   }
+  json["cover"] = Json::array();
+  for (const std::uint32_t p : a.cover) json["cover"].push_back(culler.hierarchy().original(p));
   json["missed"] = a.missed ? json_of_missed(culler, *a.missed) : Json();
   return json.dump(2) + "\n";
 }

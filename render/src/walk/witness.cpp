@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "occlude/render/input_limits.h"
+
 namespace occlude::render {
 namespace {
 
@@ -103,21 +105,32 @@ class Reasons {
 }  // namespace
 
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
-                      const culler::Culler& culler, const culler::CullResult& result, kernel::Near near) {
+                      const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const Reasons reasons(culler, result, near);
+  const Reasons reasons(culler, result, options.near);
   const std::string viewpoint = camera.projection == culler::Projection::perspective
                                     ? fmt::format(R"("eye":{})", triple(camera.eye))
                                     : fmt::format(R"("direction":{})", triple(camera.axes().forward));
+  const auto append = [&](std::uint32_t index, const std::string& reason) {
+    const culler::Hierarchy::Node& node = hierarchy.nodes()[index];
+    const std::size_t first = hierarchy.first_triangle(node.first);
+    const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
+    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint,
+                                hierarchy.ask(index, [](const auto& box) { return box_member(box); }), first, count, reason));
+  };
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);
   for (const auto& [culled, margin] : witnesses) {
-    const culler::Hierarchy::Node& node = hierarchy.nodes()[culled.node];
-    const std::size_t first = hierarchy.first_triangle(node.first);
-    const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
-    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{},"margin":{}}})", frame, viewpoint,
-                                hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }), first, count,
-                                reasons.of(culled), margin));
+    if (culled.by == culler::Culled::By::cover) continue;
+    append(culled.node, fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
+  }
+  if (options.method != culler::Method::cover) return;
+  std::vector<culler::CoverWitness> covers;
+  culler.append_covers(camera, options, kMostCoverVertices, covers);
+  for (const culler::CoverWitness& cover : covers) {
+    append(cover.node, R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) {
+             return std::to_string(hierarchy.original(p));
+           }));
   }
 }
 

@@ -31,7 +31,21 @@ struct Objective {
   double coherence = 1;
 };
 
+/// What hides.
+enum class Method {
+  frusta,  ///< the shadows of a few chosen occluders, one by one: the paper's
+  cover,   ///< all that is found visible, front to back, joined in a coarse picture
+};
+
+/// Sides of the coarse picture of a cover, pixels.
+inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;
+
 struct CullOptions {
+  Method method = Method::frusta;
+  /// The size of the coarse picture, rounded up to multiples of 8 and taken into the limits above. A larger one hides more
+  /// and costs more. Cover alone.
+  int cover_width = 512, cover_height = 288;
+  /// Frusta alone, as all that is below but the margin and `arithmetic`, which is then that of the half-spaces.
   /// n_occ, how many occluders a frame uses; 0 is view-frustum culling alone. The paper finds 5 to 10 worth their cost.
   std::size_t occluders = 8;
   /// Candidates a frame that hide nothing yet: what they would hide of what is drawn is counted, and the best of them are
@@ -68,7 +82,7 @@ struct ShadowPair {
 struct Culled {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  enum class By { view, shadow };
+  enum class By { view, shadow, cover };
   std::uint32_t node = 0;
   By by = By::view;
   std::uint32_t index = 0;       ///< of the half-space in CullResult::view, or of the occluder
@@ -83,23 +97,33 @@ struct Witness {
   double margin = 0;
 };
 
+/// What hides a subtree that was culled by cover, or a part of one.
+struct CoverWitness {
+  std::uint32_t node = 0;
+  std::vector<std::uint32_t> polygons;  ///< of Hierarchy::soup(), ascending
+};
+
 struct CullStats {
   std::size_t nodes_visited = 0;
   std::size_t view_tests = 0;          ///< box against half-space
   std::size_t shadow_tests = 0;        ///< box against shadow frustum
   std::size_t union_tests = 0;         ///< box against two of them together
   std::size_t probe_tests = 0;         ///< box against the shadow of a probe
+  std::size_t cover_tests = 0;         ///< box against the coarse picture
+  std::size_t cover_meshes = 0, cover_triangles = 0;  ///< that were drawn into it
   std::size_t exact_shadow_tests = 0;  ///< of these, decided by the kernel's exact stage
   std::size_t potential_occluders = 0, occluders_in_view = 0;
   std::size_t sort_kept = 0;   ///< candidates that the frame before had as well
   std::size_t sort_moves = 0;  ///< by how many places the insertion sort moved them, all together
   std::size_t silhouette_faces = 0, silhouette_faces_asked = 0;  ///< of polytopes: all, and those asked for their side
+  /// `shadow`: of one occluder, of two together, or of a cover.
   std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;
 };
 
 struct CullResult {
+  Method method = Method::frusta;
   std::vector<PolygonRange> drawn;  ///< in the order of the leaves, neighbours merged
-  std::vector<Culled> culled;
+  std::vector<Culled> culled;       ///< in the order of the tree
   std::vector<HalfSpace> view;
   ShadowMargin margin;
   std::vector<Occluder> occluders;

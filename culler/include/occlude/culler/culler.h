@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/cull_result.h"
@@ -13,6 +14,8 @@
 #include "occlude/culler/view.h"
 
 namespace occlude::culler {
+
+class CoverPieces;
 
 /// Const calls may run on several threads at once.
 class Culler {
@@ -37,8 +40,13 @@ class Culler {
   void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
-  /// Appends the proof of every cull of the frame.
+  /// Appends the proof of every cull of the frame, but for what hides culls by cover.
   void append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const;
+
+  /// The same of the culls by cover, found again: a cull is proved as one, or, while its proof has more than `most` corners,
+  /// as its two halves, a leaf as one in any case. `options` are those of a frame by cover of this camera.
+  void append_covers(const Camera& camera, const CullOptions& options, std::size_t most,
+                     std::vector<CoverWitness>& witnesses) const;
 
   /// The cull of the frame that took polygon p of the tree; null where it is drawn.
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
@@ -55,6 +63,7 @@ class Culler {
   Hierarchy hierarchy_;
   PotentialOccluders occluders_;
   OccluderGrid grid_;
+  std::shared_ptr<const CoverPieces> meshes_;
 };
 
 }  // namespace occlude::culler

@@ -20,6 +20,7 @@
 namespace occlude::culler {
 
 class ObjectTree;
+class CoverOccluders;
 
 /// Boxes around the objects, axis-aligned or oriented. The id of an object is its place in its span.
 struct SceneObjects {
@@ -106,6 +107,7 @@ class Scene {
   PolygonSoup soup_;
   PotentialOccluders occluders_;
   OccluderGrid grid_;
+  std::unique_ptr<CoverOccluders> cover_;
 };
 
 }  // namespace occlude::culler

@@ -2,6 +2,7 @@
 // How much of an input is read. What is larger is refused, with the limit named.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -13,6 +14,10 @@ inline constexpr std::uint64_t kMostJson = std::uint64_t{16} << 20U;
 
 /// Bytes of any other file: 50 million polygons and more.
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
+
+/// Vertices of a cover's polygons together. The oracle cuts a box into pieces: so many vertices, all of whose polygons run
+/// through the box, take it ten seconds or so, as many of a mesh before it one.
+inline constexpr std::size_t kMostCoverVertices = 1024;
 
 /// "16 MiB"; what is no whole number of them is rounded.
 [[nodiscard]] std::string in_mebibytes(std::uint64_t bytes);

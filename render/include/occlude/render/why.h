@@ -56,6 +56,7 @@ struct Account {
   /// Of a cull by shadow: the node to each of the one or two shadows. Of a drawn polygon: its own box to every shadow, those
   /// that it is nearest to being in first.
   std::vector<AgainstShadow> shadows;
+  std::vector<std::uint32_t> cover;  ///< of a cull by cover: the polygons of the tree that hide the node together
   std::optional<culler::MissedReasons::Answer> missed;  ///< hidden and drawn: why
 };
 

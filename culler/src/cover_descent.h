@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// One descent of a tree, front to back, that culls by the view and by what a cover buffer has closed.
+//
+// What is not culled goes to `see`, a leaf at a time, and may close pixels for what comes behind it. Nothing hides itself: a
+// box reaches what it holds, and is not strictly beyond it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "bounds.h"
+#include "cover_buffer.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/hierarchy.h"
+#include "occlude/kernel/half_space.h"
+
+namespace occlude::culler {
+
+/// Which of two boxes is nearer to a camera: a heuristic.
+class FrontToBack {
+ public:
+  explicit FrontToBack(const Camera& camera)
+      : eye_(camera.eye),
+        forward_(camera.axes().forward),
+        is_perspective_(camera.projection == Projection::perspective) {}
+
+  [[nodiscard]] double distance(const kernel::Aabb& box) const {
+    if (!is_perspective_) return least(forward_, to_kernel(eye_), box);
+    double squared = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double outside = std::max({box.min[axis] - eye_[axis], eye_[axis] - box.max[axis], 0.0});
+      squared += outside * outside;
+    }
+    return squared;
+  }
+
+ private:
+  glm::dvec3 eye_, forward_;
+  bool is_perspective_;
+};
+
+/// `ask` calls a question with the bounding volume of a node; see(leaf) is told what is not culled, and may add to the
+/// buffer; cull(Culled) what is. REQUIRES: at most 32 planes.
+template <class Ask, class See, class Cull>
+class CoverDescent {
+ public:
+  CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,
+               const CullOptions& options, const Camera& camera, const CoverBuffer& buffer, CullStats& stats,
+               const See& see, const Cull& cull)
+      : nodes_(nodes),
+        ask_(ask),
+        planes_(planes),
+        arithmetic_(options.arithmetic),
+        order_(camera),
+        buffer_(buffer),
+        stats_(stats),
+        see_(see),
+        cull_(cull) {}
+
+  void run() { visit(0, planes_.size() < 32 ? (std::uint32_t{1} << planes_.size()) - 1 : ~std::uint32_t{0}); }
+
+ private:
+  /// `across`: a bit for each plane that the node may be across.
+  void visit(std::uint32_t index, std::uint32_t across) {
+    const HierarchyNode& node = nodes_[index];
+    ++stats_.nodes_visited;
+    for (std::uint32_t plane = 0; plane < planes_.size(); ++plane) {
+      if ((across >> plane & 1U) == 0) continue;
+      ++stats_.view_tests;
+      const kernel::Relation relation =
+          ask_(index, [&](const auto& box) { return kernel::relation(planes_[plane], box, arithmetic_); });
+      if (relation == kernel::Relation::outside) return cull_({index, Culled::By::view, plane});
+      if (relation == kernel::Relation::inside) across &= ~(std::uint32_t{1} << plane);
+    }
+    ++stats_.cover_tests;
+    if (buffer_.hides(node.box)) return cull_({index, Culled::By::cover});
+    if (node.is_leaf()) return see_(node);
+    const std::uint32_t left = index + 1, right = node.right;
+    const bool is_left_first = order_.distance(nodes_[left].box) <= order_.distance(nodes_[right].box);
+    visit(is_left_first ? left : right, across);
+    visit(is_left_first ? right : left, across);
+  }
+
+  std::span<const HierarchyNode> nodes_;
+  const Ask& ask_;
+  std::span<const kernel::HalfSpace> planes_;
+  kernel::Arithmetic arithmetic_;
+  FrontToBack order_;
+  const CoverBuffer& buffer_;
+  CullStats& stats_;
+  const See& see_;
+  const Cull& cull_;
+};
+
+}  // namespace occlude::culler

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "cover_frame.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "bounds.h"
+
+namespace occlude::culler {
+namespace {
+
+/// A side of the coarse picture: whole tiles.
+int side(int pixels) {
+  constexpr int kTile = CoverPiece::kTile;
+  return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile;
+}
+
+}  // namespace
+
+CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double reach, const CullOptions& options,
+                       View::Memory& memory)
+    : meshes_(meshes), camera_(camera), options_(options), memory_(memory) {
+  memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
+  memory.planes.clear();
+  for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
+  if (++memory.frame == 0 || memory.mesh_frames.size() != meshes.size()) {
+    memory.mesh_frames.assign(meshes.size(), 0);
+    memory.frame = 1;
+  }
+}
+
+void CoverFrame::close(const HierarchyNode& leaf) {
+  const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
+  if (memory_.mesh_frames[mesh] == memory_.frame) return;
+  memory_.mesh_frames[mesh] = memory_.frame;
+  const CoverMesh triangles = meshes_[mesh];
+  ++memory_.result.stats.cover_meshes;
+  memory_.result.stats.cover_triangles += triangles.triangles.size();
+  memory_.cover.add(triangles, mesh);
+}
+
+void CoverFrame::draw(const HierarchyNode& leaf) {
+  memory_.result.drawn.push_back({leaf.first, leaf.count});
+  memory_.result.stats.drawn_polygons += leaf.count;
+}
+
+void CoverFrame::cull(std::span<const HierarchyNode> nodes, const Culled& culled) {
+  CullStats& stats = memory_.result.stats;
+  (culled.by == Culled::By::view ? stats.view_culled_polygons : stats.shadow_culled_polygons) += nodes[culled.node].count;
+  memory_.result.culled.push_back(culled);
+}
+
+void CoverFrame::finish() {
+  std::ranges::sort(memory_.result.culled, {}, &Culled::node);  // depth-first, so in the order of their items
+  auto& drawn = memory_.result.drawn;
+  std::ranges::sort(drawn, {}, &PolygonRange::first);
+  std::size_t kept = 0;
+  for (const PolygonRange& range : drawn) {
+    if (kept > 0 && drawn[kept - 1].first + drawn[kept - 1].count == range.first) {
+      drawn[kept - 1].count += range.count;
+    } else {
+      drawn[kept++] = range;
+    }
+  }
+  drawn.resize(kept);
+}
+
+}  // namespace occlude::culler

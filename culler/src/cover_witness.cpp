@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What hides a cull by cover, found by culling the frame again and keeping who closed which pixel.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "bounds.h"
+#include "cull_frame.h"
+#include "cover_frame.h"
+#include "occlude/culler/culler.h"
+#include "view_memory.h"
+
+namespace occlude::culler {
+namespace {
+
+/// A triangle that was drawn into the coarse picture.
+struct DrawnTriangle {
+  std::uint32_t polygon;
+  PixelRectangle pixels;
+};
+
+bool meet(const PixelRectangle& a, const PixelRectangle& b) {
+  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+}
+
+class CoverReplay {
+ public:
+  CoverReplay(const Hierarchy& hierarchy, const CoverPieces& meshes, CoverBuffer& buffer, std::size_t most,
+              std::vector<CoverWitness>& witnesses)
+      : hierarchy_(hierarchy), meshes_(meshes), buffer_(buffer), most_(most), witnesses_(witnesses) {}
+
+  /// After its mesh was drawn.
+  void keep(const HierarchyNode& leaf) {
+    const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
+    const auto [entry, is_new] = drawn_.try_emplace(mesh);
+    if (!is_new) return;
+    const CoverMesh triangles = meshes_[mesh];
+    for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
+      if (!buffer_.piece().is_taken(t)) continue;
+      const PixelRectangle pixels = buffer_.piece().rectangle_of(triangles.triangles[t]);
+      if (pixels.x0 < pixels.x1 && pixels.y0 < pixels.y1) entry->second.push_back({meshes_.polygon(mesh, t), pixels});
+    }
+  }
+
+  void prove(std::uint32_t node) {
+    const HierarchyNode& n = hierarchy_.nodes()[node];
+    std::vector<std::uint32_t> polygons = polygons_before(n.box);
+    if (corners_of(polygons) > most_ && !n.is_leaf()) {
+      prove(node + 1);
+      prove(n.right);
+    } else {
+      witnesses_.push_back({node, std::move(polygons)});
+    }
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::uint32_t> polygons_before(const kernel::Aabb& box) const {
+    const PixelRectangle pixels = buffer_.pixels(box);
+    std::vector<std::uint32_t> polygons;
+    for (const std::uint32_t mesh : buffer_.owners(pixels)) {
+      const auto drawn = drawn_.find(mesh);
+      if (drawn == drawn_.end()) continue;
+      for (const DrawnTriangle& triangle : drawn->second) {
+        if (meet(triangle.pixels, pixels)) polygons.push_back(triangle.polygon);
+      }
+    }
+    std::ranges::sort(polygons);
+    polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+    return polygons;
+  }
+
+  [[nodiscard]] std::size_t corners_of(const std::vector<std::uint32_t>& polygons) const {
+    std::size_t corners = 0;
+    for (const std::uint32_t p : polygons) corners += hierarchy_.soup().loop(p).size();
+    return corners;
+  }
+
+  const Hierarchy& hierarchy_;
+  const CoverPieces& meshes_;
+  CoverBuffer& buffer_;
+  std::size_t most_;
+  std::vector<CoverWitness>& witnesses_;
+  std::unordered_map<std::uint32_t, std::vector<DrawnTriangle>> drawn_;  ///< of the meshes
+};
+
+}  // namespace
+
+void Culler::append_covers(const Camera& camera, const CullOptions& options, std::size_t most,
+                           std::vector<CoverWitness>& witnesses) const {
+  const auto nodes = hierarchy_.nodes();
+  const auto ask = [&](std::uint32_t node, auto&& question) { return hierarchy_.ask(node, question); };
+  View::Memory memory;
+  const double reach = begin_frame(nodes, camera, options, memory);
+  CoverFrame frame(*meshes_, camera, reach, options, memory);
+  memory.cover.keep_owners();
+  CoverReplay replay(hierarchy_, *meshes_, memory.cover, most, witnesses);
+  const auto see = [&](const HierarchyNode& leaf) {
+    frame.close(leaf);
+    replay.keep(leaf);
+  };
+  const auto cull = [&](const Culled& culled) {
+    if (culled.by == Culled::By::cover) replay.prove(culled.node);
+  };
+  frame.descend(nodes, ask, see, cull);
+}
+
+}  // namespace occlude::culler
