@@ -18,6 +18,11 @@ struct Place {
   double x, y;
 };
 
+/// Of places, all that is between.
+struct PlaceRectangle {
+  Place low, high;
+};
+
 /// Whole pixels, from .x0 to before .x1, and rows likewise.
 struct PixelRectangle {
   int x0, y0, x1, y1;

@@ -30,8 +30,8 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
 
 void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 
-void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
-  if (!piece_.draw(picture_, mesh)) return;
+bool CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
+  if (!piece_.draw(picture_, mesh)) return false;
   const PixelRectangle& r = piece_.rectangle();
   for (int y = r.y0 / kTile; y < r.y1 / kTile; ++y) {
     for (int x = r.x0 / kTile; x < r.x1 / kTile; ++x) {
@@ -40,6 +40,7 @@ void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
       if (nearness > farthest_[tile] && nearness < kInfinity) add_to_tile(tile, x, y, nearness, id);
     }
   }
+  return true;
 }
 
 void CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id) {
@@ -71,14 +72,19 @@ CoverBuffer::Outline CoverBuffer::outline(const kernel::Aabb& box) const {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  return {picture_.pixels(low, high, error + wider_), nearest};
+  return {{{low.x - error, low.y - error}, {high.x + error, high.y + error}}, nearest};
 }
 
-PixelRectangle CoverBuffer::pixels(const kernel::Aabb& box) const { return outline(box).pixels; }
+PixelRectangle CoverBuffer::pixels(const Outline& outline) const {
+  return picture_.pixels(outline.places.low, outline.places.high, wider_);
+}
+
 
 bool CoverBuffer::hides(const kernel::Aabb& box) const {
-  const auto [r, nearest] = outline(box);
+  const Outline outline = this->outline(box);
+  const double nearest = outline.nearest;
   if (nearest == 0) return false;
+  const PixelRectangle r = pixels(outline);
   if (r.x0 < 0 || r.y0 < 0 || r.x1 > picture_.width() || r.y1 > picture_.height()) return false;
   const float most = rounded_up(picture_.nearness(nearest) + picture_.nearness_error(nearest));
   for (int y = r.y0 / kTile; y <= (r.y1 - 1) / kTile; ++y) {
@@ -93,18 +99,30 @@ bool CoverBuffer::hides(const kernel::Aabb& box) const {
   return true;
 }
 
-std::vector<std::uint32_t> CoverBuffer::owners(const PixelRectangle& pixels) const {
-  std::vector<std::uint32_t> result;
-  for (int y = pixels.y0; y < pixels.y1; ++y) {
-    for (int x = pixels.x0; x < pixels.x1; ++x) {
+std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
+  const Outline outline = this->outline(box);
+  const auto& [low, high] = outline.places;
+  const PixelRectangle r = pixels(outline);
+  std::vector<Owner> runs;
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0; x < r.x1; ++x) {
       const auto tile = static_cast<std::size_t>(y / kTile * tiles_across_ + x / kTile);
-      const std::uint32_t owner = owners_[tile * kPixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
-      if (result.empty() || result.back() != owner) result.push_back(owner);
+      const std::uint32_t id = owners_[tile * kPixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+      const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
+                                 {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
+      if (pixel.low.x > pixel.high.x || pixel.low.y > pixel.high.y) continue;  // the margin alone reaches it
+      runs.push_back({id, pixel});
     }
   }
-  std::ranges::sort(result);
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+  std::ranges::stable_sort(runs, {}, &Owner::id);
+  std::vector<Owner> owners;
+  for (const auto& [id, pixel] : runs) {
+    if (owners.empty() || owners.back().id != id) owners.push_back({id, pixel});
+    PlaceRectangle& all = owners.back().places;
+    all = {{std::min(all.low.x, pixel.low.x), std::min(all.low.y, pixel.low.y)},
+           {std::max(all.high.x, pixel.high.x), std::max(all.high.y, pixel.high.y)}};
+  }
+  return owners;
 }
 
 /// `r` within the tile.

@@ -34,16 +34,20 @@ class CoverBuffer {
   void keep_owners();
 
   /// Closes what the mesh closes, as far as it is beyond the near plane. `id` is what owners() calls it.
-  void add(const CoverMesh& mesh, std::uint32_t id = 0);
+  /// False where it closes nothing.
+  bool add(const CoverMesh& mesh, std::uint32_t id = 0);
 
   /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False of a box that reaches beyond the picture, or before the near plane.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const;
 
-  /// The pixels of a box that it hides, and the meshes that close them, ascending. REQUIRES: keep_owners() before what hides
-  /// it was added; hides(box).
-  [[nodiscard]] PixelRectangle pixels(const kernel::Aabb& box) const;
-  [[nodiscard]] std::vector<std::uint32_t> owners(const PixelRectangle& pixels) const;
+  /// A mesh that closes pixels of a box, and the places between which these are, as far as the box may reach.
+  struct Owner {
+    std::uint32_t id;
+    PlaceRectangle places;
+  };
+  /// By ascending ids. REQUIRES: keep_owners() before what hides the box was added; hides(box).
+  [[nodiscard]] std::vector<Owner> owners(const kernel::Aabb& box) const;
 
   [[nodiscard]] const BeamPicture& picture() const { return picture_; }
   /// The mesh that was added last, as it was drawn.
@@ -53,10 +57,11 @@ class CoverBuffer {
   static constexpr int kTile = CoverPiece::kTile, kPixels = kTile * kTile;
 
   struct Outline {
-    PixelRectangle pixels;
+    PlaceRectangle places;
     double nearest;  ///< along the line of sight; 0 where it is not all beyond the near plane
   };
   [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
+  [[nodiscard]] PixelRectangle pixels(const Outline& outline) const;
   void add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id);
   [[nodiscard]] bool hides_in_tile(std::size_t tile, const PixelRectangle& r, float most) const;
 

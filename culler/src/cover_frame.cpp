@@ -29,14 +29,14 @@ CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double r
   }
 }
 
-void CoverFrame::close(const HierarchyNode& leaf) {
+bool CoverFrame::close(const HierarchyNode& leaf) {
   const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
-  if (memory_.mesh_frames[mesh] == memory_.frame) return;
+  if (memory_.mesh_frames[mesh] == memory_.frame) return false;
   memory_.mesh_frames[mesh] = memory_.frame;
   const CoverMesh triangles = meshes_[mesh];
   ++memory_.result.stats.cover_meshes;
   memory_.result.stats.cover_triangles += triangles.triangles.size();
-  memory_.cover.add(triangles, mesh);
+  return memory_.cover.add(triangles, mesh);
 }
 
 void CoverFrame::draw(const HierarchyNode& leaf) {

@@ -26,8 +26,9 @@ class CoverFrame {
     CoverDescent(nodes, ask, memory_.planes, options_, camera_, memory_.cover, memory_.result.stats, see, cull).run();
   }
 
-  /// Draws the mesh of the leaf into the coarse picture, unless this frame has.
-  void close(const HierarchyNode& leaf);
+  /// Draws the mesh of the leaf into the coarse picture, unless this frame has. True where it may have closed
+  /// something.
+  bool close(const HierarchyNode& leaf);
   void draw(const HierarchyNode& leaf);
   void cull(std::span<const HierarchyNode> nodes, const Culled& culled);
   /// Puts what was drawn and culled in the order of the tree.

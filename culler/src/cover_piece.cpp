@@ -284,9 +284,10 @@ void CoverPiece::turn_degree(const Place& a, const Place& b, int degree) {
   }
 }
 
-PixelRectangle CoverPiece::rectangle_of(const CoverMesh::Triangle& triangle) const {
+std::optional<PlaceRectangle> CoverPiece::places(const CoverMesh::Triangle& triangle) const {
   const Extent extent = this->extent(triangle);
-  return extent.is_empty() ? PixelRectangle{} : picture_.clipped(picture_.pixels(extent.low, extent.high, 0));
+  if (extent.is_empty()) return std::nullopt;
+  return PlaceRectangle{extent.low, extent.high};
 }
 
 /// A triangle is nowhere farther than its farthest corner, nor, within a tile, than its plane.

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,8 +37,8 @@ class CoverPiece {
   }
   /// Whether the triangle was taken.
   [[nodiscard]] bool is_taken(std::size_t triangle) const { return signs_[triangle] != 0; }
-  /// The pixels that a triangle touches, as far as it is drawn. REQUIRES: is_taken(triangle).
-  [[nodiscard]] PixelRectangle rectangle_of(const CoverMesh::Triangle& triangle) const;
+  /// Holds a triangle, wherever it is by what it is out; none where all of it is before the near plane.
+  [[nodiscard]] std::optional<PlaceRectangle> places(const CoverMesh::Triangle& triangle) const;
 
  private:
   /// A point of the picture, and by how much it is out.

@@ -18,11 +18,11 @@ namespace {
 /// A triangle that was drawn into the coarse picture.
 struct DrawnTriangle {
   std::uint32_t polygon;
-  PixelRectangle pixels;
+  PlaceRectangle places;
 };
 
-bool meet(const PixelRectangle& a, const PixelRectangle& b) {
-  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+bool meet(const PlaceRectangle& a, const PlaceRectangle& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
 class CoverReplay {
@@ -31,39 +31,40 @@ class CoverReplay {
               std::vector<CoverWitness>& witnesses)
       : hierarchy_(hierarchy), meshes_(meshes), buffer_(buffer), most_(most), witnesses_(witnesses) {}
 
-  /// After its mesh was drawn.
+  /// After its mesh has closed something.
   void keep(const HierarchyNode& leaf) {
     const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
-    const auto [entry, is_new] = drawn_.try_emplace(mesh);
-    if (!is_new) return;
+    std::vector<DrawnTriangle>& drawn = drawn_[mesh];
     const CoverMesh triangles = meshes_[mesh];
     for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
       if (!buffer_.piece().is_taken(t)) continue;
-      const PixelRectangle pixels = buffer_.piece().rectangle_of(triangles.triangles[t]);
-      if (pixels.x0 < pixels.x1 && pixels.y0 < pixels.y1) entry->second.push_back({meshes_.polygon(mesh, t), pixels});
+      const auto places = buffer_.piece().places(triangles.triangles[t]);
+      if (places) drawn.push_back({meshes_.polygon(mesh, t), *places});
     }
   }
 
   void prove(std::uint32_t node) {
     const HierarchyNode& n = hierarchy_.nodes()[node];
     std::vector<std::uint32_t> polygons = polygons_before(n.box);
-    if (corners_of(polygons) > most_ && !n.is_leaf()) {
+    if (corners_of(polygons) <= most_) {
+      witnesses_.push_back({{n.first, n.count}, n.box, std::move(polygons)});
+    } else if (!n.is_leaf()) {
       prove(node + 1);
       prove(n.right);
     } else {
-      witnesses_.push_back({node, std::move(polygons)});
+      for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
+        const kernel::Aabb box = hierarchy_.soup().box(p);
+        witnesses_.push_back({{p, 1}, box, polygons_before(box)});
+      }
     }
   }
 
  private:
   [[nodiscard]] std::vector<std::uint32_t> polygons_before(const kernel::Aabb& box) const {
-    const PixelRectangle pixels = buffer_.pixels(box);
     std::vector<std::uint32_t> polygons;
-    for (const std::uint32_t mesh : buffer_.owners(pixels)) {
-      const auto drawn = drawn_.find(mesh);
-      if (drawn == drawn_.end()) continue;
-      for (const DrawnTriangle& triangle : drawn->second) {
-        if (meet(triangle.pixels, pixels)) polygons.push_back(triangle.polygon);
+    for (const auto& [mesh, places] : buffer_.owners(box)) {
+      for (const DrawnTriangle& triangle : drawn_.at(mesh)) {
+        if (meet(triangle.places, places)) polygons.push_back(triangle.polygon);
       }
     }
     std::ranges::sort(polygons);
@@ -97,8 +98,7 @@ void Culler::append_covers(const Camera& camera, const CullOptions& options, std
   memory.cover.keep_owners();
   CoverReplay replay(hierarchy_, *meshes_, memory.cover, most, witnesses);
   const auto see = [&](const HierarchyNode& leaf) {
-    frame.close(leaf);
-    replay.keep(leaf);
+    if (frame.close(leaf)) replay.keep(leaf);
   };
   const auto cull = [&](const Culled& culled) {
     if (culled.by == Culled::By::cover) replay.prove(culled.node);

@@ -33,13 +33,11 @@ ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& pat
 namespace {
 
 /// The polygons that hide the culled subtree, or the part of it that has the polygon.
-std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, const culler::Culled& cull, std::uint32_t polygon) {
-  const culler::Hierarchy& hierarchy = frame.culler().hierarchy();
+std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t polygon) {
   std::vector<culler::CoverWitness> covers;
   frame.culler().append_covers(frame.camera(), frame.options().cull, kMostCoverVertices, covers);
   for (const culler::CoverWitness& cover : covers) {
-    const culler::HierarchyNode& node = hierarchy.nodes()[cover.node];
-    if (cover.node >= cull.node && polygon >= node.first && polygon - node.first < node.count) return cover.polygons;
+    if (polygon >= cover.range.first && polygon - cover.range.first < cover.range.count) return cover.polygons;
   }
   return {};
 }
@@ -64,7 +62,7 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
       account.beyond_view =
           std::visit([&](const auto& b) { return culler::distance_beyond(result.view[cull->index], b); }, box);
     } else if (cull->by == culler::Culled::By::cover) {
-      account.cover = cover_of(frame, *cull, polygon);
+      account.cover = cover_of(frame, polygon);
     } else {
       against(cull->index, box);
       if (cull->second != culler::Culled::kNone) against(cull->second, box);

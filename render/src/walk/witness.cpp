@@ -111,24 +111,25 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
   const std::string viewpoint = camera.projection == culler::Projection::perspective
                                     ? fmt::format(R"("eye":{})", triple(camera.eye))
                                     : fmt::format(R"("direction":{})", triple(camera.axes().forward));
-  const auto append = [&](std::uint32_t index, const std::string& reason) {
-    const culler::Hierarchy::Node& node = hierarchy.nodes()[index];
-    const std::size_t first = hierarchy.first_triangle(node.first);
-    const std::size_t count = hierarchy.first_triangle(node.first + node.count) - first;
-    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint,
-                                hierarchy.ask(index, [](const auto& box) { return box_member(box); }), first, count, reason));
+  const auto append = [&](const culler::PolygonRange& range, const std::string& box, const std::string& reason) {
+    const std::size_t first = hierarchy.first_triangle(range.first);
+    const std::size_t count = hierarchy.first_triangle(range.first + range.count) - first;
+    lines.push_back(
+        fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint, box, first, count, reason));
   };
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);
   for (const auto& [culled, margin] : witnesses) {
     if (culled.by == culler::Culled::By::cover) continue;
-    append(culled.node, fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
+    const culler::HierarchyNode& node = hierarchy.nodes()[culled.node];
+    append({node.first, node.count}, hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }),
+           fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
   }
   if (options.method != culler::Method::cover) return;
   std::vector<culler::CoverWitness> covers;
   culler.append_covers(camera, options, kMostCoverVertices, covers);
   for (const culler::CoverWitness& cover : covers) {
-    append(cover.node, R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) {
+    append(cover.range, box_member(cover.box), R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) {
              return std::to_string(hierarchy.original(p));
            }));
   }

@@ -12,6 +12,7 @@
 #include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
+#include "occlude/kernel/types.h"
 
 namespace occlude::culler {
 
@@ -99,7 +100,8 @@ struct Witness {
 
 /// What hides a subtree that was culled by cover, or a part of one.
 struct CoverWitness {
-  std::uint32_t node = 0;
+  PolygonRange range;
+  kernel::Aabb box;                     ///< about the range: hidden
   std::vector<std::uint32_t> polygons;  ///< of Hierarchy::soup(), ascending
 };
 

@@ -44,7 +44,7 @@ class Culler {
   void append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const;
 
   /// The same of the culls by cover, found again: a cull is proved as one, or, while its proof has more than `most` corners,
-  /// as its two halves, a leaf as one in any case. `options` are those of a frame by cover of this camera.
+  /// as its two halves, and a leaf polygon by polygon. `options` are those of a frame by cover of this camera.
   void append_covers(const Camera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
 

@@ -16,8 +16,8 @@ inline constexpr std::uint64_t kMostJson = std::uint64_t{16} << 20U;
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
 
 /// Vertices of a cover's polygons together. The oracle cuts a box into pieces: so many vertices, all of whose polygons run
-/// through the box, take it ten seconds or so, as many of a mesh before it one.
-inline constexpr std::size_t kMostCoverVertices = 1024;
+/// through the box, take it a minute or so, as many of a mesh before it two seconds.
+inline constexpr std::size_t kMostCoverVertices = 2048;
 
 /// "16 MiB"; what is no whole number of them is rounded.
 [[nodiscard]] std::string in_mebibytes(std::uint64_t bytes);
