@@ -13,12 +13,15 @@ namespace occlude::culler {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Pixels about the camera's picture: what reaches beyond it a little is hidden all the same. Twice as many hide no more in
+/// the models tried, and leave the picture fewer.
+constexpr double kBorder = 16;
+
 constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 }  // namespace
 
 void CoverBuffer::begin(const Camera& camera, double depth, int width, int height, double margin) {
-  constexpr double kBorder = kTile / 2.0;
   picture_ = BeamPicture(camera, depth, {width, height, kBorder}, margin > 0 ? kSinglePrecision * depth : 0);
   tiles_across_ = width / kTile;
   wider_ = margin * (height - 2 * kBorder);

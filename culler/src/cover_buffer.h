@@ -24,7 +24,7 @@ class CoverBuffer {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Opens all pixels of a picture of a size, multiples of CoverPiece::kTile. The picture is the camera's, and half a tile
+  /// Opens all pixels of a picture of a size, multiples of CoverPiece::kTile. The picture is the camera's, and 16 pixels
   /// more on each side. `depth` as append_view_frustum() takes it. With a `margin`, a share of the height of the camera's
   /// picture, a box counts as hidden only when it stays so however a renderer in single precision moves it, and what hides
   /// it, and however it is moved by the margin in the picture. REQUIRES: the camera has no fault(); margin >= 0.

@@ -18,23 +18,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A mesh that is narrower, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 2;
 
-/// A bound of how near the plane of a triangle is.
-class PlaneNearness {
+/// The plane n . x = h of a triangle, and by how much it may be out.
+class SeenPlane {
  public:
   /// `error` of each coordinate as computed; a renderer has points of the triangle out by `rounding` beside that.
-  PlaneNearness(const Seen& a, const Seen& b, const Seen& c, double error, double rounding) {
+  SeenPlane(const Seen& a, const Seen& b, const Seen& c, double error, double rounding) {
     const glm::dvec3 p{b.right - a.right, b.up - a.up, b.forward - a.forward};
     const glm::dvec3 q{c.right - a.right, c.up - a.up, c.forward - a.forward};
     double length = 0;
     for (int axis = 0; axis < 3; ++axis) length = std::max({length, std::fabs(p[axis]), std::fabs(q[axis])});
     normal_ = glm::cross(p, q);
     height_ = normal_.x * a.right + normal_.y * a.up + normal_.z * a.forward;
-    if (height_ < 0) {
-      normal_ = -normal_;
-      height_ = -height_;
-    }
     // Edges are out by 2 e and a rounding, u = 2^-53; a component of the normal by four products of that with an edge, and
-    // three roundings of two products of edges: 8 e l + 10 u l^2. Twice that makes room for the roundings of at().
+    // three roundings of two products of edges: 8 e l + 10 u l^2. Twice that makes room for the roundings of least().
     normal_error_ = 16 * error * (length + error) + 0x1p-48 * length * length;
     const double reach = std::fabs(a.right) + std::fabs(a.up) + std::fabs(a.forward) + 3 * error;
     height_error_ = 2 * normal_error_ * reach + 8 * length * length * error;
@@ -43,19 +39,41 @@ class PlaneNearness {
   }
 
   /// Nothing is known of the plane of a sliver, nor of one seen nearly edge-on.
-  [[nodiscard]] bool is_known() const { return height_ > 4 * height_error_; }
+  [[nodiscard]] bool is_known(bool is_perspective) const {
+    return is_perspective ? std::fabs(height_) > 4 * height_error_ : std::fabs(normal_.z) > 4 * normal_error_;
+  }
 
-  /// No less than this at any ray (x, y, 1) of the rectangle. REQUIRES: is_known().
-  [[nodiscard]] double least(const Place& low, const Place& high) const {
-    const Place lowest{normal_.x > 0 ? low.x : high.x, normal_.y > 0 ? low.y : high.y};
-    const double x = std::max(std::fabs(low.x), std::fabs(high.x)), y = std::max(std::fabs(low.y), std::fabs(high.y));
-    const double value = normal_.x * lowest.x + normal_.y * lowest.y + normal_.z - normal_error_ * (x + y + 1);
-    constexpr double kRounded = 0x1p-50;
-    return value > 0 ? value / (height_ + height_error_) * (1 - kRounded)
-                     : value / (height_ - height_error_) * (1 + kRounded);
+  /// The nearness 1 / f along the rays (x, y, 1) of the rectangle is n . (x, y, 1) / h: no less than this.
+  /// REQUIRES: is_known(true).
+  [[nodiscard]] double least_nearness(const Place& low, const Place& high) const {
+    const double sign = height_ < 0 ? -1 : 1, height = std::fabs(height_);
+    const double value = lowest(sign, low, high) + sign * normal_.z - normal_error_ * (reach(low, high) + 1);
+    return value > 0 ? value / (height + height_error_) * (1 - kRounded) : value / (height - height_error_) * (1 + kRounded);
+  }
+
+  /// How far the plane is along the parallel rays through the rectangle, f = (h - n . (x, y, 0)) / n_z: no more than this.
+  /// REQUIRES: is_known(false).
+  [[nodiscard]] double most_forward(const Place& low, const Place& high) const {
+    const double sign = normal_.z < 0 ? -1 : 1, depth = std::fabs(normal_.z);
+    const double error = height_error_ + normal_error_ * reach(low, high);
+    const double most = sign * height_ - lowest(sign, low, high);
+    const double value = most + error + kRounded * (std::fabs(height_) + std::fabs(most - sign * height_));
+    return value > 0 ? value / (depth - normal_error_) * (1 + kRounded) : value / (depth + normal_error_) * (1 - kRounded);
   }
 
  private:
+  static constexpr double kRounded = 0x1p-50;
+
+  /// The least of sign n . (x, y, 0) over the rectangle.
+  [[nodiscard]] double lowest(double sign, const Place& low, const Place& high) const {
+    const double x = sign * normal_.x, y = sign * normal_.y;
+    return x * (x > 0 ? low.x : high.x) + y * (y > 0 ? low.y : high.y);
+  }
+  /// The most of |x| + |y| over the rectangle.
+  [[nodiscard]] static double reach(const Place& low, const Place& high) {
+    return std::max(std::fabs(low.x), std::fabs(high.x)) + std::max(std::fabs(low.y), std::fabs(high.y));
+  }
+
   glm::dvec3 normal_{};
   double height_ = 0, normal_error_ = 0, height_error_ = 0;
 };
@@ -296,27 +314,25 @@ void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle) {
   if (extent.is_empty()) return;
   const PixelRectangle r = picture_.clipped(picture_.pixels(extent.low, extent.high, 0));
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
-  const double at_least = picture_.nearness(extent.farthest) - picture_.nearness_error(extent.farthest);
-  const int x0 = r.x0 / kTile, x1 = (r.x1 - 1) / kTile, y0 = r.y0 / kTile, y1 = (r.y1 - 1) / kTile;
-  const auto lay = [&](int x, int y, float nearness) {
-    float& tile = tiles_[static_cast<std::size_t>(y * tiles_across_ + x)];
-    tile = std::min(tile, nearness);
-  };
-  const float everywhere = rounded_down(at_least);
-  if (picture_.is_perspective() && (x0 < x1 || y0 < y1)) {
-    const PlaneNearness plane(seen_[triangle[0]], seen_[triangle[1]], seen_[triangle[2]], picture_.error(), picture_.rounding());
-    if (plane.is_known()) {
-      for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-          const double least = plane.least(picture_.slope(x * kTile, y * kTile), picture_.slope((x + 1) * kTile, (y + 1) * kTile));
-          lay(x, y, std::max(everywhere, rounded_down(least)));
-        }
+  const float at_corners = rounded_down(picture_.nearness(extent.farthest) - picture_.nearness_error(extent.farthest));
+  const PixelRectangle tiles{r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
+  const bool is_one_tile = tiles.x1 - tiles.x0 == 1 && tiles.y1 - tiles.y0 == 1;
+  const bool is_perspective = picture_.is_perspective();
+  const auto& [a, b, c] = triangle;
+  const SeenPlane plane(seen_[a], seen_[b], seen_[c], picture_.error(), picture_.rounding());
+  const bool has_plane = !is_one_tile && plane.is_known(is_perspective);
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
+      float nearness = at_corners;
+      if (has_plane) {
+        const Place low = picture_.slope(x * kTile, y * kTile), high = picture_.slope((x + 1) * kTile, (y + 1) * kTile);
+        const double of_plane = is_perspective ? plane.least_nearness(low, high)
+                                               : picture_.nearness(plane.most_forward(low, high));
+        nearness = std::max(nearness, rounded_down(of_plane));
       }
-      return;
+      float& tile = tiles_[static_cast<std::size_t>(y * tiles_across_ + x)];
+      tile = std::min(tile, nearness);
     }
-  }
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) lay(x, y, everywhere);
   }
 }
 

@@ -2,8 +2,10 @@
 #include "cover_pieces.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "bounds.h"
 #include "disjoint_sets.h"
 #include "occlude/culler/adjacency.h"
 #include "parallel_sort.h"
@@ -15,7 +17,8 @@ namespace {
 /// make them more triangles. So meshes are no more than some times what they are made of.
 constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 512;
 
-/// A surface is closed, or nearly so, when at most this share of its edges is not between two polygons turned alike.
+/// A surface is closed, or nearly so, when at most this share of its edges is not between two polygons turned alike, and of
+/// its area is not made up for by what is turned the other way.
 constexpr double kOpenShare = 0.25;
 
 /// An edge along which a polygon goes.
@@ -53,7 +56,18 @@ class Incidence {
   std::vector<std::uint32_t> polygons_;
 };
 
-/// Of each polygon whether the surface that it is connected to is closed, or nearly so.
+/// What tells whether a surface is closed and turned outwards.
+struct Surface {
+  std::uint32_t edges = 0, open_edges = 0;
+  double area = 0, volume = 0;  ///< some times as much
+  glm::dvec3 turned{0, 0, 0};   ///< the sum of its areas along their normals: 0 of a closed one
+
+  [[nodiscard]] bool is_closed() const {
+    return open_edges <= kOpenShare * edges && glm::length(turned) <= kOpenShare * area && volume > 0;
+  }
+};
+
+/// Of each polygon whether the surface that it is connected to is closed, or nearly so, and turned outwards: up to rounding.
 std::vector<bool> find_closed(const PolygonSoup& soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
   DisjointSets surfaces(soup.vertices.size());
   std::vector<Side> sides;
@@ -70,20 +84,26 @@ std::vector<bool> find_closed(const PolygonSoup& soup, std::span<const std::uint
     }
   }
   parallel_sort(sides, checkpoint);
-  std::vector<std::uint32_t> edges(soup.vertices.size()), open(soup.vertices.size());
+  std::vector<Surface> all(soup.vertices.size());
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     checkpoint.at(i);
     int sum = 0;
     for (; end < sides.size() && sides[end].is_along(sides[i]); ++end) sum += sides[end].ascends ? 1 : -1;
-    const std::uint32_t surface = surfaces.find(sides[i].from);
-    ++edges[surface];
-    if (sum != 0) ++open[surface];
+    Surface& surface = all[surfaces.find(sides[i].from)];
+    ++surface.edges;
+    if (sum != 0) ++surface.open_edges;
+  }
+  const auto surface_of = [&](std::uint32_t p) { return surfaces.find(weld[soup.loop(p)[0]]); };
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    const std::uint32_t id = surface_of(p);
+    Surface& surface = all[id];
+    const glm::dvec3 turned = doubled_area(soup, soup.loop(p));
+    surface.area += glm::length(turned);
+    surface.turned += turned;
+    surface.volume += glm::dot(turned, soup.vertices[soup.loop(p)[0]] - soup.vertices[id]);
   }
   std::vector<bool> result(soup.size());
-  for (std::uint32_t p = 0; p < soup.size(); ++p) {
-    const std::uint32_t surface = surfaces.find(weld[soup.loop(p)[0]]);
-    result[p] = open[surface] <= kOpenShare * edges[surface];
-  }
+  for (std::uint32_t p = 0; p < soup.size(); ++p) result[p] = all[surface_of(p)].is_closed();
   return result;
 }
 

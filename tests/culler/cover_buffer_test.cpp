@@ -24,7 +24,7 @@ using namespace occlude;
 using namespace occlude::culler;
 using Triangle = CoverMesh::Triangle;
 
-constexpr int kWidth = 128, kHeight = 64;
+constexpr int kWidth = 160, kHeight = 96;
 
 Camera looking_along_x() {
   Camera camera;
@@ -159,7 +159,7 @@ TEST(CoverBuffer, OfAClosedSurfaceTheNearSideHides) {
 
 /// With a margin less is hidden, by that much in the picture.
 TEST(CoverBuffer, TheMarginIsKept) {
-  const Mesh mesh = square(2, 1);  // up to 24.5 pixels from the middle, with a margin of an eighth of the picture 17.5
+  const Mesh mesh = square(2, 1);  // up to 27.7 pixels from the middle, with a margin of an eighth of 64 up to 19.7
   const auto hides = [&](double margin, double aside) {
     return Judge(looking_along_x(), mesh, 100, margin).hides(cube({4, aside, 0}, 0.01));
   };
@@ -208,7 +208,7 @@ TEST(CoverBuffer, TheBorderIsAsWideAsPlacesAreOut) {
   std::mt19937 random(1);
   constexpr double kFar = 0x1p18, kForward = 8, kDepth = 0x1p22;
   const Camera camera = looking_along_x();
-  const BeamPicture picture(camera, kDepth, {kWidth, kHeight, CoverPiece::kTile / 2.0}, 0);
+  const BeamPicture picture(camera, kDepth, {kWidth, kHeight, 16}, 0);
   const auto point = [&](const Place& slope, double forward) {
     const auto [right, up, along] = camera.axes();
     return forward * (along + slope.x * right + slope.y * up);

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Frames by cover: what they cull is hidden by the polygons that are named, in exact numbers, and all else is drawn.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <random>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "bounds.h"
+#include "frames.h"
+#include "occlude/culler/culler.h"
+#include "occlude/culler/scene.h"
+#include "occlude/kernel/cover.h"
+#include "outer_box.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+constexpr CullOptions kCover{.method = Method::cover, .cover_width = 256, .cover_height = 144};
+
+std::vector<kernel::Vec3> polygon(const PolygonSoup& soup, std::uint32_t p) {
+  std::vector<kernel::Vec3> result;
+  for (const std::uint32_t v : soup.loop(p)) result.push_back(to_kernel(soup.vertices[v]));
+  return result;
+}
+
+/// What of the model is beyond the camera's near plane, exactly.
+kernel::HalfSpace drawn_of(const Camera& camera) {
+  const glm::dvec3 forward = camera.axes().forward;
+  return {to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+}
+
+bool is_hidden(const PolygonSoup& soup, std::span<const std::uint32_t> polygons, const Camera& camera, const Box& box) {
+  std::vector<kernel::Cover::Polygon> cover;
+  for (const std::uint32_t p : polygons) cover.push_back(polygon(soup, p));
+  const auto made = kernel::Cover::make(camera.viewpoint(), cover, drawn_of(camera));
+  return made.cover && std::visit([&](const auto& b) { return kernel::overlap_certified(*made.cover, b).relation; }, box) ==
+                           kernel::Relation::inside;
+}
+
+Culler culler_of(const PolygonSoup& soup, std::uint32_t leaf = 4, Bounds bounds = Bounds::aabb) {
+  BuildConfig config;
+  config.hierarchy = {.leaf_size = leaf, .bounds = bounds};
+  return Culler(soup, config);
+}
+
+/// That the frame draws or culls each polygon once, in order, and that its statistics count them.
+void expect_whole(const Culler& culler, const CullResult& frame) {
+  std::vector<int> times(culler.hierarchy().soup().size());
+  std::size_t in_view = 0, shadowed = 0;
+  for (const auto [first, count] : frame.drawn) {
+    for (std::uint32_t p = first; p < first + count; ++p) ++times[p];
+    in_view += count;
+  }
+  for (const Culled& culled : frame.culled) {
+    const HierarchyNode& node = culler.hierarchy().nodes()[culled.node];
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) ++times[p];
+    if (culled.by == Culled::By::cover) shadowed += node.count;
+  }
+  EXPECT_EQ(std::ranges::count(times, 1), static_cast<std::ptrdiff_t>(times.size()));
+  EXPECT_TRUE(std::ranges::is_sorted(frame.drawn, {}, &PolygonRange::first));
+  EXPECT_TRUE(std::ranges::is_sorted(frame.culled, {}, &Culled::node));
+  EXPECT_EQ(frame.stats.drawn_polygons, in_view);
+  EXPECT_EQ(frame.stats.shadow_culled_polygons, shadowed);
+}
+
+class CoverFrames : public testing::TestWithParam<int> {};
+
+TEST_P(CoverFrames, WhatIsCulledIsHiddenByWhatIsNamed) {
+  const auto seed = static_cast<std::uint32_t>(GetParam());
+  std::mt19937 random(seed);
+  const PolygonSoup soup = seed % 2 == 0 ? random_town(seed, 1500) : random_town_of_houses(seed, 1500);
+  const Culler culler = culler_of(soup, 1 + seed % 5, seed % 3 == 0 ? Bounds::obb : Bounds::aabb);
+  const PolygonSoup& ours = culler.hierarchy().soup();
+  std::size_t culls = 0, polygons = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Camera camera = random_camera(random);
+    CullOptions options = kCover;
+    if (random() % 3 == 0) options.margin = 1.0 / 256;
+    const CullResult frame = culler.cull(camera, options);
+    expect_whole(culler, frame);
+    std::vector<CoverWitness> witnesses;
+    constexpr std::size_t kMost = 60;  // so that some are split
+    culler.append_covers(camera, options, kMost, witnesses);
+    std::vector<bool> is_proved(ours.size());
+    for (const CoverWitness& witness : witnesses) {
+      ASSERT_TRUE(is_hidden(ours, witness.polygons, camera, witness.box)) << "seed " << seed << ", camera " << i;
+      for (std::uint32_t p = witness.range.first; p < witness.range.first + witness.range.count; ++p) {
+        EXPECT_FALSE(is_proved[p]) << "proved twice";
+        is_proved[p] = true;
+        const kernel::Aabb own = ours.box(p);
+        for (int axis = 0; axis < 3; ++axis) {
+          EXPECT_TRUE(witness.box.min[axis] <= own.min[axis] && own.max[axis] <= witness.box.max[axis]);
+        }
+      }
+    }
+    for (const Culled& culled : frame.culled) {
+      if (culled.by != Culled::By::cover) continue;
+      ++culls;
+      const HierarchyNode& node = culler.hierarchy().nodes()[culled.node];
+      polygons += node.count;
+      for (std::uint32_t p = node.first; p < node.first + node.count; ++p) EXPECT_TRUE(is_proved[p]);
+    }
+  }
+  EXPECT_GT(culls, 100U);
+  EXPECT_GT(polygons, 1000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(1, 7));
+
+/// A folded wall of panels, of which none hides much alone, and what is behind it.
+PolygonSoup panels(std::size_t across) {
+  PolygonSoup soup;
+  const double step = 10.0 / static_cast<double>(across);
+  const auto corner = [&](std::size_t i, std::size_t k) {
+    const auto at = [&](std::size_t n) { return -5 + step * static_cast<double>(n); };
+    return glm::dvec3{i % 2 == 0 ? 10 : 10.1, at(i), at(k)};
+  };
+  for (std::size_t i = 0; i < across; ++i) {
+    for (std::size_t k = 0; k < across; ++k) {
+      add(soup, {corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)});
+    }
+  }
+  for (int i = 0; i < 200; ++i) add_wall(soup, 20 + i * 0.01, -1, 1, -1, 1);
+  return soup;
+}
+
+TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
+  const PolygonSoup soup = panels(40);
+  const Culler culler = culler_of(soup);
+  EXPECT_LT(look(culler, {.occluders = 64}).stats.shadow_culled_polygons, 200U);
+  EXPECT_EQ(look(culler, kCover).stats.shadow_culled_polygons, 200U);
+}
+
+/// The first frame is as good as any, and so is the one after a jump: nothing is kept from frame to frame.
+TEST(CoverFrame, HasNoPast) {
+  std::mt19937 random(7);
+  const Culler culler = culler_of(random_town_of_houses(7, 1500));
+  View view;
+  for (int i = 0; i < 20; ++i) {
+    const Camera camera = random_camera(random);
+    if (i % 3 == 0) culler.cull(camera, {}, view);  // the other method between
+    const CullResult& frame = culler.cull(camera, kCover, view);
+    const CullResult alone = culler.cull(camera, kCover);
+    EXPECT_EQ(frame.drawn, alone.drawn);
+    EXPECT_EQ(frame.culled.size(), alone.culled.size());
+    EXPECT_TRUE(frame.occluders.empty());
+  }
+}
+
+TEST(CoverFrame, IsTheSameFromSeveralThreads) {
+  std::mt19937 random(8);
+  const Culler culler = culler_of(random_town_of_houses(8, 1500));
+  const Camera camera = random_camera(random);
+  const CullResult alone = culler.cull(camera, kCover);
+  std::vector<CullResult> others(4);
+  std::vector<std::thread> threads;
+  for (CullResult& other : others) threads.emplace_back([&] { other = culler.cull(camera, kCover); });
+  for (std::thread& thread : threads) thread.join();
+  for (const CullResult& other : others) EXPECT_EQ(other.drawn, alone.drawn);
+}
+
+TEST(CoverFrame, APictureOfAnySizeIsTaken) {
+  const Culler culler = culler_of(panels(20));
+  for (const auto& [width, height] : {std::pair{0, 0}, {-5, 100000}, {65, 71}, {333, 100}}) {
+    CullOptions options = kCover;
+    options.cover_width = width;
+    options.cover_height = height;
+    expect_whole(culler, look(culler, options));
+  }
+}
+
+/// The view asks the picture that its last frame has left.
+TEST(CoverFrame, ViewsAnswerByIt) {
+  const Culler culler = culler_of(panels(40));
+  View view;
+  culler.cull(Camera{}, kCover, view);
+  const auto ask = [&](double x, double y, double half) {
+    return view.visibility(kernel::Aabb{{x - half, y - half, -half}, {x + half, y + half, half}});
+  };
+  EXPECT_EQ(ask(15, 0, 1), Visibility::occluded);
+  EXPECT_EQ(ask(15, 9, 0.5), Visibility::visible);
+  EXPECT_EQ(ask(9, 0, 0.5), Visibility::visible);
+  EXPECT_EQ(ask(-9, 0, 0.5), Visibility::out_of_view);
+  EXPECT_EQ(ask(1e9, 0, 1), Visibility::visible) << "farther than the culler knows by how much places are out";
+  culler.cull(Camera{}, {.occluders = 0}, view);
+  EXPECT_EQ(ask(15, 0, 1), Visibility::visible) << "another frame, by the other method";
+}
+
+/// Objects behind what is about them, some of it made of panels.
+TEST(CoverScene, ObjectsAreHiddenByAllOccluders) {
+  std::mt19937 random(9);
+  const PolygonSoup occluders = random_town_of_houses(9, 1500);
+  std::vector<Box> statics, dynamics;
+  const auto some_box = [&]() -> Box {
+    const kernel::Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 4)};
+    if (random() % 3 == 0) return kernel::Obb{at, {{{0.2, 0.1, 0}, {-0.1, 0.2, 0}, {0, 0, 0.3}}}};
+    return kernel::Aabb{{at.x - 0.2, at.y - 0.2, at.z - 0.2}, {at.x + 0.2, at.y + 0.2, at.z + 0.2}};
+  };
+  for (int i = 0; i < 1500; ++i) (i % 4 == 0 ? dynamics : statics).push_back(some_box());
+  const Scene scene({statics, dynamics}, occluders);
+  std::vector<std::uint32_t> all(occluders.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  SceneView view, other;
+  std::size_t hidden = 0, by_frusta = 0;
+  for (int i = 0; i < 6; ++i) {
+    const Camera camera = random_camera(random);
+    const SceneResult& result = scene.cull(camera, kCover, view);
+    scene.cull(camera, {}, other);
+    hidden += view.frame().stats.shadow_culled_polygons;
+    by_frusta += other.frame().stats.shadow_culled_polygons;
+    EXPECT_EQ(view.frame().stats.view_culled_polygons + view.frame().stats.shadow_culled_polygons +
+                  view.frame().stats.drawn_polygons,
+              statics.size() + dynamics.size());
+    for (std::uint32_t id = 0; id < statics.size(); id += 5) {
+      if (std::ranges::count(result.statics, id) != 0) continue;
+      const bool is_out = view.visibility(statics[id]) == Visibility::out_of_view;
+      EXPECT_TRUE(is_out || is_hidden(occluders, all, camera, statics[id])) << "camera " << i << ", object " << id;
+    }
+  }
+  EXPECT_GT(hidden, by_frusta / 2) << "8 occluders of a town whose walls overlap anyhow, and exact";
+}
+
+TEST(CoverScene, WithoutOccludersOrObjects) {
+  const std::vector<Box> one{kernel::Aabb{{5, -1, -1}, {6, 1, 1}}};
+  SceneView view;
+  EXPECT_EQ(Scene({one, {}}, {}).cull(Camera{}, kCover, view).statics.size(), 1U);
+  EXPECT_TRUE(Scene({{}, {}}, panels(4)).cull(Camera{}, kCover, view).statics.empty());
+  EXPECT_TRUE(Scene({{}, {}}, {}).cull(Camera{}, kCover, view).statics.empty());
+}
+
+}  // namespace
