@@ -2,6 +2,9 @@
 // A coarse picture whose pixels are cones of rays, and by how much places in it are out.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "occlude/culler/camera.h"
@@ -85,5 +88,58 @@ class BeamPicture {
   Place middle_{}, scale_{};  ///< pixels; pixels for a slope of 1, or a length of 1 across parallel rays
   double depth_ = 0, near_ = 0, error_ = 0, rounding_ = 0;
 };
+
+/// Four roundings of a place, and as much again for what rounds where the place is used.
+inline constexpr double kPlaceError = 0x1p-50;
+
+/// A bound of a few roundings is out by less than this share of it.
+inline constexpr double kBoundRounded = 1 + 0x1p-40;
+
+/// The pixel that has a place, from -1 to `count`: beside the picture all are alike.
+[[nodiscard]] inline int pixel_at(double x, int count) {
+  return static_cast<int>(std::min(std::max(x, -1.0), static_cast<double>(count)) + 1) - 1;
+}
+
+/// The first pixel from 0 to `count` whose middle is beyond the place.
+[[nodiscard]] inline int first_middle(double x, int count) {
+  return static_cast<int>(std::min(std::max(x + 0.5, 0.0), static_cast<double>(count)));
+}
+
+inline Seen BeamPicture::see(const glm::dvec3& point) const {
+  const glm::dvec3 y = point - eye_;
+  return {glm::dot(right_, y), glm::dot(up_, y), glm::dot(forward_, y)};
+}
+
+inline Place BeamPicture::place(const Seen& seen) const {
+  const double shrink = is_perspective_ ? 1 / seen.forward : 1;
+  return {middle_.x + scale_.x * (seen.right * shrink), middle_.y + scale_.y * (seen.up * shrink)};
+}
+
+inline Place BeamPicture::slope(double x, double y) const { return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y}; }
+
+/// With r and f the coordinates as computed, s and g as they are, both out by e: r / f - s / g is
+/// ((r - s) f - r (f - g)) / (f g), at most e (1 + |r / f|) / (f - e).
+inline double BeamPicture::place_error(const Place& place, double forward) const {
+  const double aside = std::max(std::fabs(place.x - middle_.x), std::fabs(place.y - middle_.y));
+  const double scale = std::max(scale_.x, scale_.y), e = error_ + rounding_;
+  const double moved = is_perspective_ ? (scale + aside) * (e / (forward - e)) : scale * e;
+  return kBoundRounded * moved + kPlaceError * (aside + width_ + height_);
+}
+
+/// 1 / f - 1 / g is (g - f) / (f g).
+inline double BeamPicture::nearness_error(double forward) const {
+  const double e = error_ + rounding_;
+  if (!is_perspective_) return kBoundRounded * e;
+  return (kBoundRounded * (e / (forward - e)) + 0x1p-52) / forward;
+}
+
+inline PixelRectangle BeamPicture::pixels(const Place& low, const Place& high, double wider) const {
+  return {pixel_at(low.x - wider, width_), pixel_at(low.y - wider, height_), pixel_at(high.x + wider, width_) + 1,
+          pixel_at(high.y + wider, height_) + 1};
+}
+
+inline PixelRectangle BeamPicture::clipped(const PixelRectangle& r) const {
+  return {std::max(r.x0, 0), std::max(r.y0, 0), std::min(r.x1, width_), std::min(r.y1, height_)};
+}
 
 }  // namespace occlude::culler

@@ -23,6 +23,7 @@ constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 void CoverBuffer::begin(const Camera& camera, double depth, int width, int height, double margin) {
   picture_ = BeamPicture(camera, depth, {width, height, kBorder}, margin > 0 ? kSinglePrecision * depth : 0);
+  piece_.begin(picture_);
   tiles_across_ = width / kTile;
   wider_ = margin * (height - 2 * kBorder);
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -34,10 +35,11 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
 void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 
 bool CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
-  if (!piece_.draw(picture_, mesh)) return false;
-  const PixelRectangle& r = piece_.rectangle();
-  for (int y = r.y0 / kTile; y < r.y1 / kTile; ++y) {
-    for (int x = r.x0 / kTile; x < r.x1 / kTile; ++x) {
+  if (!piece_.find(mesh)) return false;
+  const auto tiles = tiles_to_draw();
+  if (!tiles || !piece_.draw(*tiles)) return false;
+  for (int y = tiles->y0; y < tiles->y1; ++y) {
+    for (int x = tiles->x0; x < tiles->x1; ++x) {
       const float nearness = piece_.nearness(x, y);
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
       if (nearness > farthest_[tile] && nearness < kInfinity) add_to_tile(tile, x, y, nearness, id);
@@ -46,18 +48,41 @@ bool CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   return true;
 }
 
-void CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id) {
-  float* const pixels = &nearness_[tile * kPixels];
-  float farthest = std::numeric_limits<float>::infinity();
-  for (int row = 0; row < kTile; ++row) {
-    const std::uint8_t* const closed = piece_.closed(y * kTile + row) + x * kTile;
-    for (int i = 0; i < kTile; ++i) {
-      float& pixel = pixels[row * kTile + i];
-      const float now = closed[i] != 0 ? std::max(pixel, nearness) : pixel;
-      if (!owners_.empty() && now > pixel) owners_[tile * kPixels + static_cast<std::size_t>(row * kTile + i)] = id;
-      pixel = now;
-      farthest = std::min(farthest, now);
+std::optional<PixelRectangle> CoverBuffer::tiles_to_draw() const {
+  const PixelRectangle& r = piece_.tiles();
+  PixelRectangle left{r.x1, r.y1, r.x0, r.y0};
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0; x < r.x1; ++x) {
+      if (farthest_[static_cast<std::size_t>(y * tiles_across_ + x)] >= piece_.nearest()) continue;
+      left = {std::min(left.x0, x), std::min(left.y0, y), std::max(left.x1, x + 1), std::max(left.y1, y + 1)};
     }
+  }
+  if (left.x0 >= left.x1) return std::nullopt;
+  return left;
+}
+
+void CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id) {
+  std::array<std::uint8_t, kPixels> closed;
+  std::uint64_t any = 0;
+  for (std::size_t row = 0; row < kTile; ++row) {
+    std::uint64_t eight = 0;
+    static_assert(sizeof eight == kTile);
+    std::memcpy(&eight, piece_.closed(y * kTile + static_cast<int>(row)) + x * kTile, sizeof eight);
+    std::memcpy(&closed[row * kTile], &eight, sizeof eight);
+    any |= eight;
+  }
+  if (any == 0) return;
+  float* const pixels = &nearness_[tile * kPixels];
+  if (!owners_.empty()) {
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      if (closed[i] != 0 && nearness > pixels[i]) owners_[tile * kPixels + i] = id;
+    }
+  }
+  float farthest = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    const float now = closed[i] != 0 && nearness > pixels[i] ? nearness : pixels[i];
+    pixels[i] = now;
+    farthest = now < farthest ? now : farthest;
   }
   farthest_[tile] = farthest;
 }
@@ -83,23 +108,40 @@ PixelRectangle CoverBuffer::pixels(const Outline& outline) const {
 }
 
 
+float CoverBuffer::most_nearness(const Outline& outline) const {
+  return rounded_up(picture_.nearness(outline.nearest) + picture_.nearness_error(outline.nearest));
+}
+
 bool CoverBuffer::hides(const kernel::Aabb& box) const {
   const Outline outline = this->outline(box);
-  const double nearest = outline.nearest;
-  if (nearest == 0) return false;
+  if (outline.nearest == 0) return false;
   const PixelRectangle r = pixels(outline);
   if (r.x0 < 0 || r.y0 < 0 || r.x1 > picture_.width() || r.y1 > picture_.height()) return false;
-  const float most = rounded_up(picture_.nearness(nearest) + picture_.nearness_error(nearest));
-  for (int y = r.y0 / kTile; y <= (r.y1 - 1) / kTile; ++y) {
-    for (int x = r.x0 / kTile; x <= (r.x1 - 1) / kTile; ++x) {
+  return count_open(r, most_nearness(outline), 1) == 0;
+}
+
+bool CoverBuffer::has_open(const kernel::Aabb& box, int count) const {
+  const Outline outline = this->outline(box);
+  if (outline.nearest == 0) return true;
+  return count_open(picture_.clipped(pixels(outline)), most_nearness(outline), count) >= count;
+}
+
+int CoverBuffer::count_open(const PixelRectangle& r, float most, int enough) const {
+  int open = 0;
+  for (int y = r.y0 / kTile; y * kTile < r.y1; ++y) {
+    for (int x = r.x0 / kTile; x * kTile < r.x1; ++x) {
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
       if (farthest_[tile] > most) continue;
-      const PixelRectangle left{std::max(r.x0 - x * kTile, 0), std::max(r.y0 - y * kTile, 0),
-                                std::min(r.x1 - x * kTile, kTile), std::min(r.y1 - y * kTile, kTile)};
-      if (!hides_in_tile(tile, left, most)) return false;
+      const float* const pixels = &nearness_[tile * kPixels];
+      const int x0 = std::max(r.x0 - x * kTile, 0), x1 = std::min(r.x1 - x * kTile, kTile);
+      const int y1 = std::min(r.y1 - y * kTile, kTile);
+      for (int row = std::max(r.y0 - y * kTile, 0); row < y1; ++row) {
+        for (int i = x0; i < x1; ++i) open += pixels[row * kTile + i] > most ? 0 : 1;
+      }
+      if (open >= enough) return enough;
     }
   }
-  return true;
+  return open;
 }
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
@@ -126,18 +168,6 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
            {std::max(all.high.x, pixel.high.x), std::max(all.high.y, pixel.high.y)}};
   }
   return owners;
-}
-
-/// `r` within the tile.
-bool CoverBuffer::hides_in_tile(std::size_t tile, const PixelRectangle& r, float most) const {
-  if (r.x1 - r.x0 == kTile && r.y1 - r.y0 == kTile) return false;  // its farthest pixel is one of them
-  const float* const pixels = &nearness_[tile * kPixels];
-  for (int y = r.y0; y < r.y1; ++y) {
-    for (int x = r.x0; x < r.x1; ++x) {
-      if (!(pixels[y * kTile + x] > most)) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace occlude::culler

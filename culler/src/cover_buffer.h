@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,6 +42,9 @@ class CoverBuffer {
   /// viewpoint. False of a box that reaches beyond the picture, or before the near plane.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const;
 
+  /// Whether at least so many pixels of the picture that the box touches do not hide it.
+  [[nodiscard]] bool has_open(const kernel::Aabb& box, int count) const;
+
   /// A mesh that closes pixels of a box, and the places between which these are, as far as the box may reach.
   struct Owner {
     std::uint32_t id;
@@ -62,8 +66,12 @@ class CoverBuffer {
   };
   [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
   [[nodiscard]] PixelRectangle pixels(const Outline& outline) const;
+  /// Those of the piece's tiles between which all lie that it may close or bring nearer; none where there are none.
+  [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
   void add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id);
-  [[nodiscard]] bool hides_in_tile(std::size_t tile, const PixelRectangle& r, float most) const;
+  [[nodiscard]] float most_nearness(const Outline& outline) const;
+  /// Of the pixels of the rectangle, how many do not hide what is no nearer than `most`, counted up to `enough`.
+  [[nodiscard]] int count_open(const PixelRectangle& r, float most, int enough) const;
 
   BeamPicture picture_;
   CoverPiece piece_;

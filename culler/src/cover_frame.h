@@ -26,7 +26,7 @@ class CoverFrame {
     CoverDescent(nodes, ask, memory_.planes, options_, camera_, memory_.cover, memory_.result.stats, see, cull).run();
   }
 
-  /// Draws the mesh of the leaf into the coarse picture, unless this frame has. True where it may have closed
+  /// Draws the mesh of the leaf into the coarse picture, unless this frame has or it is hardly seen. True where it may have closed
   /// something.
   bool close(const HierarchyNode& leaf);
   void draw(const HierarchyNode& leaf);

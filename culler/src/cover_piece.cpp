@@ -2,6 +2,7 @@
 #include "cover_piece.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -16,7 +17,20 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A mesh that is narrower, in pixels, closes at most a few of them.
-constexpr int kLeastSide = 2;
+constexpr int kLeastSide = 6;
+
+static_assert(std::endian::native == std::endian::little, "mark() takes the first byte for the lowest");
+
+/// Marks pixels x0 to before x1 of a row. Few at a time, as nearly always: eight are written at once. REQUIRES: eight bytes
+/// more behind the row.
+void mark(std::uint8_t* row, int x0, int x1) {
+  for (int x = x0; x < x1; x += 8) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, row + x, sizeof bytes);
+    bytes |= 0x0101010101010101U >> (8U * static_cast<unsigned>(8 - std::min(x1 - x, 8)));
+    std::memcpy(row + x, &bytes, sizeof bytes);
+  }
+}
 
 /// The plane n . x = h of a triangle, and by how much it may be out.
 class SeenPlane {
@@ -96,11 +110,61 @@ struct CoverPiece::Extent {
   [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
 };
 
-bool CoverPiece::draw(const BeamPicture& picture, const CoverMesh& mesh) {
+void CoverPiece::begin(const BeamPicture& picture) {
   picture_ = picture;
-  mesh_ = mesh;
-  see();
-  if (!find_place() || !take()) return false;
+  slopes_x_.clear();
+  slopes_y_.clear();
+  for (int x = 0; x <= picture.width(); x += kTile) slopes_x_.push_back(picture.slope(x, 0).x);
+  for (int y = 0; y <= picture.height(); y += kTile) slopes_y_.push_back(picture.slope(0, y).y);
+}
+
+/// What is drawn of a triangle: a convex loop.
+struct CoverPiece::Outline {
+  std::array<Corner, 4> corners;
+  std::size_t count = 0;
+  Extent extent;
+
+  void hold(const Corner& corner, double forward) {
+    corners[count++] = corner;
+    extent.hold(corner, forward);
+  }
+
+  struct Range {
+    double low, high;
+  };
+  /// From where to where across it reaches between two heights, or as near them as its corners are out; the low end is above
+  /// the high one where it does not. A place on an edge rounds as in mark_border().
+  [[nodiscard]] Range between(double low, double high) const {
+    Range range{kInfinity, -kInfinity};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Corner &p = corners[i], &q = corners[i + 1 < count ? i + 1 : 0];
+      const Place &a = p.place.y <= q.place.y ? p.place : q.place, &b = p.place.y <= q.place.y ? q.place : p.place;
+      const double error = std::max(p.error, q.error);
+      if (a.y > high + error || b.y < low - error) continue;
+      const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+      const double first = a.y >= low - error ? a.x : a.x + (low - error - a.y) * slope;
+      const double last = b.y <= high + error ? b.x : a.x + (high + error - a.y) * slope;
+      const double wide = error + 0x1p-50 * (std::fabs(a.x) + std::fabs(b.x));
+      range = {std::min({range.low, first - wide, last - wide}), std::max({range.high, first + wide, last + wide})};
+    }
+    return range;
+  }
+};
+
+CoverPiece::Outline CoverPiece::outline(const CoverMesh::Triangle& triangle) const {
+  Outline outline;
+  if (!is_cut_) {
+    for (const std::uint32_t i : triangle) outline.hold(corners_[i], seen_[i].forward);
+  } else {
+    const Part left = part(triangle);
+    for (std::size_t i = 0; i < left.count; ++i) outline.hold(corner(left.corners[i]), left.corners[i].forward);
+  }
+  return outline;
+}
+
+bool CoverPiece::draw(const PixelRectangle& tiles) {
+  rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
+  if (!take()) return false;
   clear();
   for (const CoverMesh::Edge& edge : mesh_.edges) {
     if (const int count = degree(edge); count != 0) draw_edge(edge, count);
@@ -148,24 +212,18 @@ CoverPiece::Part CoverPiece::part(const CoverMesh::Triangle& triangle) const {
   return part;
 }
 
-CoverPiece::Extent CoverPiece::extent(const CoverMesh::Triangle& triangle) const {
-  Extent extent;
-  if (!is_cut_) {
-    for (const std::uint32_t i : triangle) extent.hold(corners_[i], seen_[i].forward);
-  } else {
-    const Part left = part(triangle);
-    for (std::size_t i = 0; i < left.count; ++i) extent.hold(corner(left.corners[i]), left.corners[i].forward);
-  }
-  return extent;
-}
-
-/// Whether any of the mesh is in the picture, and where.
-bool CoverPiece::find_place() {
+bool CoverPiece::find(const CoverMesh& mesh) {
+  mesh_ = mesh;
+  see();
   Extent all;
+  double nearest = kInfinity;
   for (std::uint32_t i = 0; i < seen_.size(); ++i) {
-    if (!is_cut_ || !is_before(i)) all.hold(corners_[i]);
+    if (is_cut_ && is_before(i)) continue;
+    all.hold(corners_[i]);
+    nearest = std::min(nearest, seen_[i].forward);
   }
   if (is_cut_) {
+    nearest = picture_.near();
     for (const CoverMesh::Edge& edge : mesh_.edges) {
       if (is_before(edge.from) != is_before(edge.to)) all.hold(corner(cut(edge.from, edge.to)));
     }
@@ -173,8 +231,8 @@ bool CoverPiece::find_place() {
   if (all.is_empty()) return false;
   const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
   if (r.x1 - r.x0 < kLeastSide || r.y1 - r.y0 < kLeastSide) return false;
-  const auto up = [](int pixel) { return (pixel + kTile - 1) / kTile * kTile; };
-  rectangle_ = {r.x0 / kTile * kTile, r.y0 / kTile * kTile, up(r.x1), up(r.y1)};
+  found_ = {r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
+  nearest_ = rounded_up(picture_.nearness(nearest));
   return true;
 }
 
@@ -211,7 +269,7 @@ void CoverPiece::clear() {
   const auto width = static_cast<std::size_t>(picture_.width()), height = static_cast<std::size_t>(picture_.height());
   tiles_across_ = picture_.width() / kTile;
   turns_.resize(width * height);
-  border_.resize(width * height);
+  border_.resize(width * height + sizeof(std::uint64_t));  // mark() writes eight at a time
   degrees_.resize(width);
   tiles_.resize(width * height / (kTile * kTile));
   const PixelRectangle& r = rectangle_;
@@ -278,8 +336,7 @@ void CoverPiece::mark_border(const Corner& p, const Corner& q) {
       if (to < from) std::swap(from, to);
     }
     const PixelRectangle marked = picture_.pixels({from, 0}, {to, 0}, wide);
-    const int x0 = std::max(marked.x0, r.x0), x1 = std::min(marked.x1, r.x1);
-    if (x0 < x1) std::memset(&border_[at(x0, row)], 1, static_cast<std::size_t>(x1 - x0));
+    mark(&border_[at(0, row)], std::max(marked.x0, r.x0), std::min(marked.x1, r.x1));
   }
 }
 
@@ -289,51 +346,62 @@ void CoverPiece::turn_degree(const Place& a, const Place& b, int degree) {
   if (!(run > 0)) return;
   const double slope = (b.y - a.y) / run;
   const PixelRectangle& r = rectangle_;
-  // Columns k with a.x <= k + 1/2 < b.x.
-  const auto first_from = [&](double x) {
-    return static_cast<int>(std::clamp(std::ceil(x - 0.5), static_cast<double>(r.x0), static_cast<double>(r.x1)));
-  };
+  // Columns whose middle is beyond a.x and not beyond b.x.
+  const auto first_from = [&](double x) { return std::clamp(first_middle(x, picture_.width()), r.x0, r.x1); };
   const int end = first_from(b.x);
   for (int x = first_from(a.x); x < end; ++x) {
     const double y = a.y + (x + 0.5 - a.x) * slope;
-    // The first row whose middle is not below.
-    const double row = std::max(std::ceil(y - 0.5), static_cast<double>(r.y0));
-    if (row < r.y1) turns_[at(x, static_cast<int>(row))] = static_cast<std::uint8_t>(turns_[at(x, static_cast<int>(row))] + degree);
+    const int row = std::max(first_middle(y, picture_.height()), r.y0);
+    if (row < r.y1) turns_[at(x, row)] = static_cast<std::uint8_t>(turns_[at(x, row)] + degree);
   }
 }
 
 std::optional<PlaceRectangle> CoverPiece::places(const CoverMesh::Triangle& triangle) const {
-  const Extent extent = this->extent(triangle);
-  if (extent.is_empty()) return std::nullopt;
-  return PlaceRectangle{extent.low, extent.high};
+  const Outline outline = this->outline(triangle);
+  if (outline.count == 0) return std::nullopt;
+  return PlaceRectangle{outline.extent.low, outline.extent.high};
 }
 
 /// A triangle is nowhere farther than its farthest corner, nor, within a tile, than its plane.
 void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle) {
-  const Extent extent = this->extent(triangle);
-  if (extent.is_empty()) return;
-  const PixelRectangle r = picture_.clipped(picture_.pixels(extent.low, extent.high, 0));
+  const Outline outline = this->outline(triangle);
+  if (outline.count == 0) return;
+  const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
+  const PixelRectangle r{std::max(touched.x0, rectangle_.x0), std::max(touched.y0, rectangle_.y0),
+                         std::min(touched.x1, rectangle_.x1), std::min(touched.y1, rectangle_.y1)};
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
-  const float at_corners = rounded_down(picture_.nearness(extent.farthest) - picture_.nearness_error(extent.farthest));
+  const double farthest = outline.extent.farthest;
+  const float at_corners = rounded_down(picture_.nearness(farthest) - picture_.nearness_error(farthest));
   const PixelRectangle tiles{r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
-  const bool is_one_tile = tiles.x1 - tiles.x0 == 1 && tiles.y1 - tiles.y0 == 1;
+  if (tiles.x1 - tiles.x0 == 1 && tiles.y1 - tiles.y0 == 1) {
+    lay(tiles.x0, tiles.y0, at_corners);
+    return;
+  }
   const bool is_perspective = picture_.is_perspective();
   const auto& [a, b, c] = triangle;
   const SeenPlane plane(seen_[a], seen_[b], seen_[c], picture_.error(), picture_.rounding());
-  const bool has_plane = !is_one_tile && plane.is_known(is_perspective);
+  const bool is_known = plane.is_known(is_perspective);
   for (int y = tiles.y0; y < tiles.y1; ++y) {
-    for (int x = tiles.x0; x < tiles.x1; ++x) {
+    const auto [low_x, high_x] = outline.between(y * kTile, (y + 1) * kTile);
+    if (low_x > high_x) continue;
+    const int x0 = std::max(pixel_at(low_x, picture_.width()) / kTile, tiles.x0);
+    const int x1 = std::min(pixel_at(high_x, picture_.width()) / kTile + 1, tiles.x1);
+    for (int x = x0; x < x1; ++x) {
       float nearness = at_corners;
-      if (has_plane) {
-        const Place low = picture_.slope(x * kTile, y * kTile), high = picture_.slope((x + 1) * kTile, (y + 1) * kTile);
+      if (is_known) {
+        const Place low{slope_x(x), slope_y(y)}, high{slope_x(x + 1), slope_y(y + 1)};
         const double of_plane = is_perspective ? plane.least_nearness(low, high)
                                                : picture_.nearness(plane.most_forward(low, high));
         nearness = std::max(nearness, rounded_down(of_plane));
       }
-      float& tile = tiles_[static_cast<std::size_t>(y * tiles_across_ + x)];
-      tile = std::min(tile, nearness);
+      lay(x, y, nearness);
     }
   }
+}
+
+void CoverPiece::lay(int tile_x, int tile_y, float nearness) {
+  float& tile = tiles_[static_cast<std::size_t>(tile_y * tiles_across_ + tile_x)];
+  tile = std::min(tile, nearness);
 }
 
 /// From turns and border to what is closed.

@@ -24,11 +24,17 @@ class CoverPiece {
   /// How near things are, at least, is kept for squares of so many pixels.
   static constexpr int kTile = 8;
 
-  /// Draws the mesh. False where it closes nothing. REQUIRES: a width and a height of multiples of kTile.
-  [[nodiscard]] bool draw(const BeamPicture& picture, const CoverMesh& mesh);
+  /// What follows is drawn into this picture. REQUIRES: a width and a height of multiples of kTile.
+  void begin(const BeamPicture& picture);
+  /// Finds where the mesh is in the picture. False where it closes nothing. REQUIRES: begin().
+  [[nodiscard]] bool find(const CoverMesh& mesh);
+  /// The tiles that hold all pixels which the mesh may close.
+  [[nodiscard]] const PixelRectangle& tiles() const { return found_; }
+  /// How near, at most, the mesh is.
+  [[nodiscard]] float nearest() const { return nearest_; }
 
-  /// Holds all pixels that the mesh that was drawn last closes: whole tiles.
-  [[nodiscard]] const PixelRectangle& rectangle() const { return rectangle_; }
+  /// Draws what was found, in these tiles. False where it closes nothing.
+  [[nodiscard]] bool draw(const PixelRectangle& tiles);
   /// Of each pixel of a row whether the mesh closes it.
   [[nodiscard]] const std::uint8_t* closed(int row) const { return border_.data() + at(0, row); }
   /// How near, at least, the mesh is in a tile.
@@ -52,12 +58,14 @@ class CoverPiece {
     std::size_t count = 0;
   };
   struct Extent;
+  struct Outline;
 
   [[nodiscard]] std::size_t at(int x, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(picture_.width()) + static_cast<std::size_t>(x);
   }
+  [[nodiscard]] double slope_x(int tile) const { return slopes_x_[static_cast<std::size_t>(tile)]; }
+  [[nodiscard]] double slope_y(int tile) const { return slopes_y_[static_cast<std::size_t>(tile)]; }
   void see();
-  [[nodiscard]] bool find_place();
   [[nodiscard]] bool take();
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle, bool is_closed) const;
   void clear();
@@ -65,7 +73,7 @@ class CoverPiece {
   [[nodiscard]] Corner corner(const Seen& seen) const;
   [[nodiscard]] Seen cut(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Part part(const CoverMesh::Triangle& triangle) const;
-  [[nodiscard]] Extent extent(const CoverMesh::Triangle& triangle) const;
+  [[nodiscard]] Outline outline(const CoverMesh::Triangle& triangle) const;
   [[nodiscard]] int degree(const CoverMesh::Edge& edge) const;
   void draw_edge(const CoverMesh::Edge& edge, int degree);
   void draw_cut(const CoverMesh::Triangle& triangle, int degree);
@@ -73,15 +81,19 @@ class CoverPiece {
   void mark_border(const Corner& a, const Corner& b);
   void turn_degree(const Place& a, const Place& b, int degree);
   void lay_depth(const CoverMesh::Triangle& triangle);
+  void lay(int tile_x, int tile_y, float nearness);
   void close();
 
   BeamPicture picture_;
+  std::vector<double> slopes_x_, slopes_y_;  ///< of the rays between tiles
   CoverMesh mesh_;
   std::vector<Seen> seen_;       ///< the vertices
   std::vector<Corner> corners_;  ///< in the picture; of what is before the near plane, nothing
   std::vector<std::int8_t> signs_;  ///< of the triangles: 0 where it is not taken, -1 where it is turned over
   bool is_cut_ = false;
-  PixelRectangle rectangle_{};
+  PixelRectangle found_{};      ///< tiles
+  PixelRectangle rectangle_{};  ///< pixels that are drawn
+  float nearest_ = 0;
 
   int tiles_across_ = 0;
   std::vector<std::uint8_t> turns_;  ///< by how much the degree changes from the pixel below to a pixel, modulo 256
