@@ -11,6 +11,7 @@
 
 #include "border.h"
 #include "camera_picture.h"
+#include "occlude/oracle/cover.h"
 #include "to_oracle.h"
 
 namespace occlude::fuzz {
@@ -44,7 +45,8 @@ oracle::Aabb box_of(const culler::PolygonSoup& soup) {
 class CullJudge {
  public:
   CullJudge(const culler::Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& result)
-      : hierarchy_(culler.hierarchy()),
+      : culler_(culler),
+        hierarchy_(culler.hierarchy()),
         occluders_(culler.occluders()),
         camera_(camera),
         options_(options),
@@ -101,7 +103,11 @@ class CullJudge {
   }
 
   std::string fault_of_proofs() {
+    if (options_.method == culler::Method::cover) {
+      if (std::string fault = fault_of_covers(); !fault.empty()) return fault;
+    }
     for (const Culled& culled : result_.culled) {
+      if (culled.by == Culled::By::cover) continue;
       const std::size_t reasons = culled.by == Culled::By::view ? result_.view.size() : result_.occluders.size();
       if (culled.index >= reasons) return "a subtree is culled by what does not exist";
       if (culled.second != Culled::kNone && culled.second >= reasons) return "a subtree is culled by what does not exist";
@@ -113,6 +119,42 @@ class CullJudge {
   }
 
  private:
+  /// Every polygon culled by cover is in one of the boxes that the culler names polygons for, and these hide it.
+  std::string fault_of_covers() {
+    constexpr std::size_t kMost = 64;  // so that some are proved in parts
+    std::vector<culler::CoverWitness> witnesses;
+    culler_.append_covers(camera_, options_, kMost, witnesses);
+    std::vector<char> is_proved(is_drawn_.size());
+    for (const culler::CoverWitness& witness : witnesses) {
+      for (std::size_t p = witness.range.first; p < std::size_t{witness.range.first} + witness.range.count; ++p) {
+        is_proved[p] = 1;
+        for (const std::uint32_t index : hierarchy_.soup().loop(p)) {
+          const oracle::Point vertex = to_oracle(to_kernel(hierarchy_.soup().vertices[index]));
+          if (!oracle::contains(to_oracle(witness.box), vertex)) return "a polygon reaches out of the box of its cover";
+        }
+      }
+      std::vector<oracle::Loop> cover;
+      for (const std::uint32_t p : witness.polygons) cover.push_back(to_oracle(polygon(hierarchy_.soup().loop(p))));
+      const oracle::Answer answer =
+          oracle::relation_to_cover(viewpoint(), cover, to_oracle(witness.box), proof::drawn(camera_, model_));
+      if (answer.relation != oracle::Relation::inside || !answer.refusal.empty()) {
+        return "culled by cover: the polygons do not hide the box";
+      }
+    }
+    for (const Culled& culled : result_.culled) {
+      if (culled.by != Culled::By::cover) continue;
+      const Hierarchy::Node& node = hierarchy_.nodes()[culled.node];
+      const auto first = is_proved.begin() + node.first;
+      if (std::find(first, first + node.count, 0) != first + node.count) return "culled by cover: nothing is named";
+    }
+    return "";
+  }
+
+  oracle::Viewpoint viewpoint() const {
+    const bool perspective = camera_.projection == culler::Projection::perspective;
+    return {to_oracle(to_kernel(perspective ? camera_.eye : camera_.axes().forward)), !perspective};
+  }
+
   bool holds_its_polygons(std::uint32_t index_of_node) const {
     const Hierarchy::Node& node = hierarchy_.nodes()[index_of_node];
     const oracle::Box box = to_oracle(hierarchy_.volume(index_of_node));
@@ -192,13 +234,12 @@ class CullJudge {
   oracle::Shadow& shadow(std::uint32_t index) {
     if (shadows_[index]) return *shadows_[index];
     const culler::Occluder& occluder = result_.occluders[index];
-    const bool perspective = camera_.projection == culler::Projection::perspective;
-    const kernel::Vec3 viewpoint = to_kernel(perspective ? camera_.eye : camera_.axes().forward);
-    return shadows_[index].emplace(oracle::Viewpoint{to_oracle(viewpoint), !perspective},
+    return shadows_[index].emplace(viewpoint(),
                                    to_oracle(occluders_.geometry(hierarchy_.soup(), occluder.index)),
                                    to_oracle(options_.near, {occluder.frustum}));
   }
 
+  const culler::Culler& culler_;
   const Hierarchy& hierarchy_;
   const culler::PotentialOccluders& occluders_;
   const Camera& camera_;
@@ -217,6 +258,7 @@ std::string fault_of(const culler::Culler& culler, const Camera& camera, const C
   if (std::string fault = judge.fault_of_ranges(); !fault.empty()) return fault;
   if (std::string fault = judge.fault_of_counts(); !fault.empty()) return fault;
   CullOptions no_occluders = options;
+  no_occluders.method = culler::Method::frusta;
   no_occluders.occluders = 0;
   if (std::string fault = judge.fault_against(culler.cull(camera, no_occluders)); !fault.empty()) return fault;
   // `plain` promises nothing more.

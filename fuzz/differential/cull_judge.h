@@ -13,7 +13,7 @@ namespace occlude::fuzz {
 /// certified arithmetic also: every subtree culled by view is exactly beyond its half-space, which cuts nothing off that the
 /// camera shows, and every one culled by shadow is exactly in the shadow of its occluder, or of its two together, and
 /// strictly beyond the near plane, an occluder being polygons outside of it that hide what it does and that the camera's
-/// near plane does not clip.
+/// near plane does not clip. Of one culled by cover the polygons that the culler names hide it, by the oracle.
 [[nodiscard]] std::string fault_of(const culler::Culler& culler, const culler::Camera& camera,
                                    const culler::CullOptions& options, const culler::CullResult& result);
 

@@ -5,6 +5,7 @@
 #include "culling.h"
 #include "forgery.h"
 #include "frustum_batches.h"
+#include "joined.h"
 #include "overlap.h"
 #include "refusals.h"
 #include "seen.h"
@@ -29,6 +30,7 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"cover", run_covers});
     list.push_back({"culler", run_culling});
     list.push_back({"forgery", run_forgeries});
+    list.push_back({"joined", run_joined});
     return list;
   }();
   return all;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "joined.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "any_case.h"
+#include "cull_judge.h"
+#include "occlude/culler/culler.h"
+#include "small_scenes.h"
+#include "verdict.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using culler::Camera;
+using culler::Culler;
+using glm::dvec3;
+
+/// A wall of panels across the line of sight, folded, now and then with one left out or one corner moved by very little.
+void add_panels(Random& random, culler::PolygonSoup& soup, const Camera& camera) {
+  const auto [right, up, forward] = camera.axes();
+  const int count = random.integer(2, 6), left_out = random.chance(0.3) ? random.integer(0, count * count - 1) : -1;
+  const double distance = random.integer(1, 6), size = 0.5 * random.integer(1, 6), fold = random.chance(0.5) ? 0.25 : 0;
+  std::vector<std::uint32_t> corners;
+  for (int i = 0; i <= count; ++i) {
+    for (int k = 0; k <= count; ++k) {
+      const dvec3 across = size * ((2.0 * i / count - 1) * right + (2.0 * k / count - 1) * up);
+      corners.push_back(soup.add_vertex(camera.eye + (distance + fold * ((i + k) % 2)) * forward + across));
+    }
+  }
+  const auto at = [&](int i, int k) { return corners[static_cast<std::size_t>(i * (count + 1) + k)]; };
+  for (int panel = 0; panel < count * count; ++panel) {
+    if (panel == left_out) continue;
+    const int i = panel / count, k = panel % count;
+    std::array<std::uint32_t, 4> loop{at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)};
+    if (random.chance(0.05)) {
+      const dvec3 gap = std::ldexp(1.0, -random.integer(4, 50)) * lattice_point(random, 1);
+      loop[0] = soup.add_vertex(soup.vertices[loop[0]] + gap);
+    }
+    if (random.chance(0.2)) std::swap(loop[1], loop[3]);
+    soup.add_polygon(loop);
+  }
+}
+
+culler::CullOptions some_options(Random& random) {
+  culler::CullOptions options;
+  options.method = culler::Method::cover;
+  options.cover_width = std::array{64, 128, 256}[random.index(3)];
+  options.cover_height = std::array{64, 96, 160}[random.index(3)];
+  if (random.chance(0.3)) options.margin = std::array{0x1p-80, 0x1p-20, 0x1p-6}[random.index(3)];
+  return options;
+}
+
+/// A camera without a fault.
+Camera some_good_camera(Random& random, const culler::PolygonSoup& soup) {
+  return first_legal([&]() -> std::optional<Camera> {
+    Camera camera = some_camera(random, soup);
+    return culler::fault(camera).empty() ? std::optional(camera) : std::nullopt;
+  });
+}
+
+}  // namespace
+
+void run_joined(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  culler::PolygonSoup soup = some_soup(random);
+  Camera camera = some_good_camera(random, soup);
+  for (int walls = random.integer(1, 3); walls > 0; --walls) add_panels(random, soup, camera);
+  culler::BuildConfig config;
+  config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
+  const Culler culler(soup, config);
+  const culler::CullOptions options = some_options(random);
+  for (int frame = 0; frame < 3; ++frame) {
+    const culler::CullResult result = culler.cull(camera, options);
+    report.tally.cases += soup.size();
+    report.tally.relations[0] += result.stats.shadow_culled_polygons;
+    report.tally.relations[1] += result.stats.drawn_polygons;
+    report.tally.relations[2] += result.stats.view_culled_polygons;
+    report.tally.stages[0] += soup.size();
+    const std::string wrong = fault_of(culler, camera, options, result);
+    if (!wrong.empty()) return add_finding(report, "joined", seed, "frame", wrong);
+    camera.eye += 0.25 * lattice_point(random, 2);
+    camera.target += 0.125 * lattice_point(random, 2);
+    if (!culler::fault(camera).empty()) return;
+  }
+}
+
+}  // namespace occlude::fuzz
