@@ -115,7 +115,9 @@ inline Place BeamPicture::place(const Seen& seen) const {
   return {middle_.x + scale_.x * (seen.right * shrink), middle_.y + scale_.y * (seen.up * shrink)};
 }
 
-inline Place BeamPicture::slope(double x, double y) const { return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y}; }
+inline Place BeamPicture::slope(double x, double y) const {
+  return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y};
+}
 
 /// With r and f the coordinates as computed, s and g as they are, both out by e: r / f - s / g is
 /// ((r - s) f - r (f - g)) / (f g), at most e (1 + |r / f|) / (f - e).

@@ -107,17 +107,26 @@ PixelRectangle CoverBuffer::pixels(const Outline& outline) const {
   return picture_.pixels(outline.places.low, outline.places.high, wider_);
 }
 
-
 float CoverBuffer::most_nearness(const Outline& outline) const {
   return rounded_up(picture_.nearness(outline.nearest) + picture_.nearness_error(outline.nearest));
 }
 
-bool CoverBuffer::hides(const kernel::Aabb& box) const {
-  const Outline outline = this->outline(box);
+bool CoverBuffer::is_in_picture(const Outline& outline) const {
   if (outline.nearest == 0) return false;
   const PixelRectangle r = pixels(outline);
-  if (r.x0 < 0 || r.y0 < 0 || r.x1 > picture_.width() || r.y1 > picture_.height()) return false;
-  return count_open(r, most_nearness(outline), 1) == 0;
+  return r.x0 >= 0 && r.y0 >= 0 && r.x1 <= picture_.width() && r.y1 <= picture_.height();
+}
+
+bool CoverBuffer::hides(const kernel::Aabb& box) const {
+  const Outline outline = this->outline(box);
+  return is_in_picture(outline) && count_open(pixels(outline), most_nearness(outline), 1) == 0;
+}
+
+CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
+  const Outline outline = this->outline(box);
+  if (!is_in_picture(outline)) return Gap::beyond_picture;
+  if (count_open(pixels(outline), most_nearness(outline), 1) == 0) return Gap::none;
+  return count_open(pixels(outline), std::numeric_limits<float>::lowest(), 1) == 0 ? Gap::not_behind : Gap::open;
 }
 
 bool CoverBuffer::has_open(const kernel::Aabb& box, int count) const {

@@ -41,6 +41,9 @@ class CoverBuffer {
   /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False of a box that reaches beyond the picture, or before the near plane.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const;
+  /// Why it does not hide the box; none where it does.
+  enum class Gap { none, beyond_picture, open, not_behind };
+  [[nodiscard]] Gap gap(const kernel::Aabb& box) const;
 
   /// Whether at least so many pixels of the picture that the box touches do not hide it.
   [[nodiscard]] bool has_open(const kernel::Aabb& box, int count) const;
@@ -66,6 +69,7 @@ class CoverBuffer {
   };
   [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
   [[nodiscard]] PixelRectangle pixels(const Outline& outline) const;
+  [[nodiscard]] bool is_in_picture(const Outline& outline) const;
   /// Those of the piece's tiles between which all lie that it may close or bring nearer; none where there are none.
   [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
   void add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id);
@@ -76,9 +80,9 @@ class CoverBuffer {
   BeamPicture picture_;
   CoverPiece piece_;
   int tiles_across_ = 0;
-  double wider_ = 0;             ///< the margin, in pixels
-  std::vector<float> nearness_;  ///< of each pixel, tile after tile; -infinity while it is open
-  std::vector<float> farthest_;  ///< of each tile, the least of it
+  double wider_ = 0;                   ///< the margin, in pixels
+  std::vector<float> nearness_;        ///< of each pixel, tile after tile; -infinity while it is open
+  std::vector<float> farthest_;        ///< of each tile, the least of it
   std::vector<std::uint32_t> owners_;  ///< as nearness_; empty unless they are kept
 };
 

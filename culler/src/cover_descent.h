@@ -26,9 +26,7 @@ namespace occlude::culler {
 class FrontToBack {
  public:
   explicit FrontToBack(const Camera& camera)
-      : eye_(camera.eye),
-        forward_(camera.axes().forward),
-        is_perspective_(camera.projection == Projection::perspective) {}
+      : eye_(camera.eye), forward_(camera.axes().forward), is_perspective_(camera.projection == Projection::perspective) {}
 
   [[nodiscard]] double distance(const kernel::Aabb& box) const {
     if (!is_perspective_) return least(forward_, to_kernel(eye_), box);
@@ -51,8 +49,8 @@ template <class Ask, class See, class Cull>
 class CoverDescent {
  public:
   CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,
-               const CullOptions& options, const Camera& camera, const CoverBuffer& buffer, CullStats& stats,
-               const See& see, const Cull& cull)
+               const CullOptions& options, const Camera& camera, const CoverBuffer& buffer, CullStats& stats, const See& see,
+               const Cull& cull)
       : nodes_(nodes),
         ask_(ask),
         planes_(planes),
@@ -80,7 +78,7 @@ class CoverDescent {
     }
     ++stats_.cover_tests;
     if (buffer_.hides(node.box)) return cull_({index, Culled::By::cover});
-    if (node.is_leaf()) return see_(node);
+    if (node.is_leaf()) return see_(index);
     const std::uint32_t left = index + 1, right = node.right;
     const bool is_left_first = order_.distance(nodes_[left].box) <= order_.distance(nodes_[right].box);
     visit(is_left_first ? left : right, across);

@@ -25,6 +25,7 @@ CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double r
                        View::Memory& memory)
     : meshes_(meshes), camera_(camera), options_(options), memory_(memory) {
   memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
+  memory.seen.clear();
   memory.planes.clear();
   for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
   if (++memory.frame == 0 || memory.mesh_frames.size() != meshes.size()) {
@@ -43,30 +44,30 @@ bool CoverFrame::close(const HierarchyNode& leaf) {
   return memory_.cover.add(triangles, mesh);
 }
 
-void CoverFrame::draw(const HierarchyNode& leaf) {
-  memory_.result.drawn.push_back({leaf.first, leaf.count});
-  memory_.result.stats.drawn_polygons += leaf.count;
-}
-
 void CoverFrame::cull(std::span<const HierarchyNode> nodes, const Culled& culled) {
   CullStats& stats = memory_.result.stats;
   (culled.by == Culled::By::view ? stats.view_culled_polygons : stats.shadow_culled_polygons) += nodes[culled.node].count;
   memory_.result.culled.push_back(culled);
 }
 
-void CoverFrame::finish() {
-  std::ranges::sort(memory_.result.culled, {}, &Culled::node);  // depth-first, so in the order of their items
-  auto& drawn = memory_.result.drawn;
-  std::ranges::sort(drawn, {}, &PolygonRange::first);
-  std::size_t kept = 0;
-  for (const PolygonRange& range : drawn) {
-    if (kept > 0 && drawn[kept - 1].first + drawn[kept - 1].count == range.first) {
-      drawn[kept - 1].count += range.count;
+void CoverFrame::finish(std::span<const HierarchyNode> nodes) {
+  CullResult& result = memory_.result;
+  std::ranges::sort(memory_.seen);
+  for (const std::uint32_t index : memory_.seen) {
+    const HierarchyNode& leaf = nodes[index];
+    ++result.stats.cover_tests;
+    if (memory_.cover.hides(leaf.box)) {
+      cull(nodes, {index, Culled::By::cover});
+      continue;
+    }
+    result.stats.drawn_polygons += leaf.count;
+    if (!result.drawn.empty() && result.drawn.back().first + result.drawn.back().count == leaf.first) {
+      result.drawn.back().count += leaf.count;
     } else {
-      drawn[kept++] = range;
+      result.drawn.push_back({leaf.first, leaf.count});
     }
   }
-  drawn.resize(kept);
+  std::ranges::sort(result.culled, {}, &Culled::node);  // depth-first, so in the order of their items
 }
 
 }  // namespace occlude::culler

@@ -26,13 +26,15 @@ class CoverFrame {
     CoverDescent(nodes, ask, memory_.planes, options_, camera_, memory_.cover, memory_.result.stats, see, cull).run();
   }
 
-  /// Draws the mesh of the leaf into the coarse picture, unless this frame has or it is hardly seen. True where it may have closed
-  /// something.
+  /// A leaf of the tree of `nodes` is seen: what comes behind it may hide it yet.
+  void see(std::uint32_t leaf) { memory_.seen.push_back(leaf); }
+  /// Draws the mesh of the leaf into the coarse picture, unless this frame has or it is hardly seen. True where it may have
+  /// closed something.
   bool close(const HierarchyNode& leaf);
-  void draw(const HierarchyNode& leaf);
   void cull(std::span<const HierarchyNode> nodes, const Culled& culled);
-  /// Puts what was drawn and culled in the order of the tree.
-  void finish();
+  /// Asks again about the leaves that were seen, now that all is closed that will be, draws those that are not hidden, and
+  /// puts what was drawn and culled in the order of the tree.
+  void finish(std::span<const HierarchyNode> nodes);
 
  private:
   const CoverPieces& meshes_;

@@ -390,8 +390,8 @@ void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle) {
       float nearness = at_corners;
       if (is_known) {
         const Place low{slope_x(x), slope_y(y)}, high{slope_x(x + 1), slope_y(y + 1)};
-        const double of_plane = is_perspective ? plane.least_nearness(low, high)
-                                               : picture_.nearness(plane.most_forward(low, high));
+        const double of_plane =
+            is_perspective ? plane.least_nearness(low, high) : picture_.nearness(plane.most_forward(low, high));
         nearness = std::max(nearness, rounded_down(of_plane));
       }
       lay(x, y, nearness);

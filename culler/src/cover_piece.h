@@ -87,8 +87,8 @@ class CoverPiece {
   BeamPicture picture_;
   std::vector<double> slopes_x_, slopes_y_;  ///< of the rays between tiles
   CoverMesh mesh_;
-  std::vector<Seen> seen_;       ///< the vertices
-  std::vector<Corner> corners_;  ///< in the picture; of what is before the near plane, nothing
+  std::vector<Seen> seen_;          ///< the vertices
+  std::vector<Corner> corners_;     ///< in the picture; of what is before the near plane, nothing
   std::vector<std::int8_t> signs_;  ///< of the triangles: 0 where it is not taken, -1 where it is turned over
   bool is_cut_ = false;
   PixelRectangle found_{};      ///< tiles
@@ -96,8 +96,8 @@ class CoverPiece {
   float nearest_ = 0;
 
   int tiles_across_ = 0;
-  std::vector<std::uint8_t> turns_;  ///< by how much the degree changes from the pixel below to a pixel, modulo 256
-  std::vector<std::uint8_t> border_;  ///< of each pixel whether the border touches it; in the end, whether it is closed
+  std::vector<std::uint8_t> turns_;    ///< by how much the degree changes from the pixel below to a pixel, modulo 256
+  std::vector<std::uint8_t> border_;   ///< of each pixel whether the border touches it; in the end, whether it is closed
   std::vector<std::uint8_t> degrees_;  ///< of a row
   std::vector<float> tiles_;
 };

@@ -132,7 +132,8 @@ class CoverPieces::Finder {
     add_around(first, count);
     append_triangles();
     append_edges();
-    result_.begins_.push_back({result_.vertices_.size(), result_.triangles_.size(), result_.edges_.size(), result_.uses_.size()});
+    result_.begins_.push_back(
+        {result_.vertices_.size(), result_.triangles_.size(), result_.edges_.size(), result_.uses_.size()});
   }
 
  private:
@@ -198,7 +199,8 @@ class CoverPieces::Finder {
       for (; end < sides_.size() && sides_[end].is_along(sides_[i]); ++end) {
         result_.uses_.push_back({sides_[end].polygon & 0x7FFFFFFFU, sides_[end].ascends ? 1U : 0U});
       }
-      result_.edges_.push_back({sides_[i].from, sides_[i].to, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)});
+      result_.edges_.push_back(
+          {sides_[i].from, sides_[i].to, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(end)});
     }
   }
 
@@ -228,7 +230,9 @@ CoverPieces CoverPieces::find(const PolygonSoup& soup, std::span<const Hierarchy
 
 CoverMesh CoverPieces::operator[](std::size_t mesh) const {
   const Begin &begin = begins_[mesh], &end = begins_[mesh + 1];
-  const auto part = [](const auto& all, std::size_t from, std::size_t to) { return std::span(all).subspan(from, to - from); };
+  const auto part = [](const auto& all, std::size_t from, std::size_t to) {
+    return std::span(all).subspan(from, to - from);
+  };
   return {.vertices = part(vertices_, begin.vertex, end.vertex),
           .triangles = part(triangles_, begin.triangle, end.triangle),
           .edges = part(edges_, begin.edge, end.edge),

@@ -20,8 +20,8 @@ namespace occlude::culler {
 /// May be asked on several threads at once.
 class CoverPieces {
  public:
-  /// Most polygons of a subtree that is one mesh; a leaf is one however many it has. Smaller ones are drawn more often beside
-  /// what is seen than needed less, and larger ones are farther at their far end.
+  /// Most polygons of a subtree that is one mesh; a leaf is one however many it has. Smaller ones are drawn more often
+  /// beside what is seen than needed less, and larger ones are farther at their far end.
   static constexpr std::uint32_t kMost = 32;
 
   CoverPieces() = default;

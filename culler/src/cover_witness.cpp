@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "bounds.h"
-#include "cull_frame.h"
 #include "cover_frame.h"
+#include "cull_frame.h"
 #include "occlude/culler/culler.h"
 #include "view_memory.h"
 
@@ -94,16 +96,27 @@ void Culler::append_covers(const Camera& camera, const CullOptions& options, std
   const auto ask = [&](std::uint32_t node, auto&& question) { return hierarchy_.ask(node, question); };
   View::Memory memory;
   const double reach = begin_frame(nodes, camera, options, memory);
-  CoverFrame frame(*meshes_, camera, reach, options, memory);
+  CoverFrame frame(meshes(), camera, reach, options, memory);
   memory.cover.keep_owners();
-  CoverReplay replay(hierarchy_, *meshes_, memory.cover, most, witnesses);
-  const auto see = [&](const HierarchyNode& leaf) {
-    if (frame.close(leaf)) replay.keep(leaf);
+  CoverReplay replay(hierarchy_, meshes(), memory.cover, most, witnesses);
+  std::vector<std::uint32_t> seen;
+  const auto see = [&](std::uint32_t leaf) {
+    seen.push_back(leaf);
+    if (frame.close(nodes[leaf])) replay.keep(nodes[leaf]);
   };
   const auto cull = [&](const Culled& culled) {
     if (culled.by == Culled::By::cover) replay.prove(culled.node);
   };
   frame.descend(nodes, ask, see, cull);
+  for (const std::uint32_t leaf : seen) {
+    if (memory.cover.hides(nodes[leaf].box)) replay.prove(leaf);
+  }
+}
+
+std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {
+  View view;
+  cull(camera, options, view);
+  return std::make_shared<const CoverBuffer>(std::move(view.memory().cover));
 }
 
 }  // namespace occlude::culler

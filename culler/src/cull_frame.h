@@ -54,12 +54,12 @@ void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, const C
                    const CullOptions& options, View::Memory& memory) {
   const double reach = begin_frame(nodes, camera, options, memory);
   CoverFrame frame(meshes, camera, reach, options, memory);
-  const auto see = [&](const HierarchyNode& leaf) {
-    frame.draw(leaf);
-    frame.close(leaf);
+  const auto see = [&](std::uint32_t leaf) {
+    frame.see(leaf);
+    frame.close(nodes[leaf]);
   };
   frame.descend(nodes, ask, see, [&](const Culled& culled) { frame.cull(nodes, culled); });
-  frame.finish();
+  frame.finish(nodes);
 }
 
 /// Objects by cover: first what is seen of the occluders closes pixels, then the objects are asked.
@@ -70,10 +70,11 @@ void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, std::sp
   if (!occluders.empty()) reach = std::max(reach, depth(occluders[0].box, camera.eye));
   CoverFrame frame(meshes, camera, reach, options, memory);
   const auto ask_occluders = [&](std::uint32_t node, auto&& question) { return question(occluders[node].box); };
-  frame.descend(occluders, ask_occluders, [&](const HierarchyNode& leaf) { frame.close(leaf); }, [](const Culled&) {});
-  frame.descend(nodes, ask, [&](const HierarchyNode& leaf) { frame.draw(leaf); },
-                [&](const Culled& culled) { frame.cull(nodes, culled); });
-  frame.finish();
+  const auto close = [&](std::uint32_t leaf) { frame.close(occluders[leaf]); };
+  frame.descend(occluders, ask_occluders, close, [](const Culled&) {});
+  const auto see = [&](std::uint32_t leaf) { frame.see(leaf); };
+  frame.descend(nodes, ask, see, [&](const Culled& culled) { frame.cull(nodes, culled); });
+  frame.finish(nodes);
 }
 
 }  // namespace occlude::culler

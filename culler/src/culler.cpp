@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cull_frame.h"
+#include "lazy.h"
 #include "legal_soup.h"
 #include "node_tests.h"
 #include "occlude/culler/clearance.h"
@@ -35,10 +36,6 @@ auto parts_in(const Hierarchy& hierarchy, const PotentialOccluders& occluders) {
   };
 }
 
-std::shared_ptr<const CoverPieces> meshes_of(const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
-  return std::make_shared<const CoverPieces>(CoverPieces::find(hierarchy.soup(), hierarchy.nodes(), checkpoint));
-}
-
 }  // namespace
 
 Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
@@ -46,15 +43,21 @@ Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpo
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders, checkpoint)),
       grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid, checkpoint)),
-      meshes_(meshes_of(hierarchy_, checkpoint)) {}
+      meshes_(std::make_shared<LazyPieces>()) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders, checkpoint)),
-      grid_(OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid,
-                                  std::move(preprocess.lists))),
-      meshes_(meshes_of(hierarchy_, checkpoint)) {}
+      grid_(
+          OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid, std::move(preprocess.lists))),
+      meshes_(std::make_shared<LazyPieces>()) {}
+
+const CoverPieces& Culler::meshes(const Checkpoint& checkpoint) const {
+  return meshes_->get([&] { return CoverPieces::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });
+}
+
+void Culler::prepare_cover(const Checkpoint& checkpoint) const { static_cast<void>(meshes(checkpoint)); }
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   View view;
@@ -67,7 +70,7 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
   View::Memory& memory = view.memory();
   if (options.method == Method::cover) {
-    cull_by_cover(hierarchy_.nodes(), volumes_of(hierarchy_), *meshes_, camera, options, memory);
+    cull_by_cover(hierarchy_.nodes(), volumes_of(hierarchy_), meshes(), camera, options, memory);
   } else {
     cull_by_frusta(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_),
                    {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);

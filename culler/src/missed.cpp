@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bounds.h"
+#include "cover_buffer.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
@@ -15,7 +16,11 @@ namespace occlude::culler {
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
     : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), frame_(frame) {
   for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
-  keep_others(culler, camera, options);
+  if (frame.method == Method::cover) {
+    cover_ = culler.cover(camera, options);
+  } else {
+    keep_others(culler, camera, options);
+  }
 }
 
 namespace {
@@ -134,9 +139,26 @@ bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) con
          });
 }
 
+Missed MissedReasons::missed_by_cover(const kernel::Aabb& box, Work& work) const {
+  constexpr std::size_t kPlanes = 100;  // about as much time: a box is placed, and some tiles are looked at
+  work.take(kPlanes);
+  switch (cover_->gap(box)) {
+    case CoverBuffer::Gap::none:
+      return Missed::coarse_node;
+    case CoverBuffer::Gap::beyond_picture:
+      return Missed::beyond_picture;
+    case CoverBuffer::Gap::open:
+      return Missed::open_pixel;
+    case CoverBuffer::Gap::not_behind:
+      return Missed::not_behind;
+  }
+  return Missed::open_pixel;
+}
+
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near, Work& work) const {
   if (is_out_of_view(p, work)) return {Missed::out_of_view, Culled::kNone};
   const kernel::Aabb box = hierarchy_.soup().box(p);
+  if (cover_) return {missed_by_cover(box, work), Culled::kNone};
   for (const Shadow* shadow : near.chosen) {
     if (hides(*shadow, p, work) && hides(*shadow, box, work)) return {Missed::coarse_node, shadow->occluder};
   }

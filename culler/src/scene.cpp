@@ -8,6 +8,7 @@
 
 #include "bounds.h"
 #include "cull_frame.h"
+#include "lazy.h"
 #include "legal_soup.h"
 #include "object_tree.h"
 #include "outer_box.h"
@@ -46,30 +47,31 @@ void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn
 
 }  // namespace
 
-/// A tree of the occluders, and what is drawn of them into the coarse picture.
-class CoverOccluders {
- public:
-  CoverOccluders(const PolygonSoup& soup, const Checkpoint& checkpoint) {
-    if (soup.empty()) return;
-    tree_ = Hierarchy::build(soup, {.leaf_size = CoverPieces::kMost}, checkpoint);
-    meshes_ = CoverPieces::find(tree_->soup(), tree_->nodes(), checkpoint);
-  }
-  [[nodiscard]] std::span<const HierarchyNode> nodes() const {
-    return tree_ ? tree_->nodes() : std::span<const HierarchyNode>{};
-  }
-  [[nodiscard]] const CoverPieces& meshes() const { return meshes_; }
+/// A tree of the occluders, none of no occluders, and what is drawn of them into the coarse picture.
+struct OccluderTree {
+  std::optional<Hierarchy> tree;
+  CoverPieces meshes;
 
- private:
-  std::optional<Hierarchy> tree_;
-  CoverPieces meshes_;
+  explicit OccluderTree(const PolygonSoup& soup) {
+    if (soup.empty()) return;
+    tree = Hierarchy::build(soup, {.leaf_size = CoverPieces::kMost});
+    meshes = CoverPieces::find(tree->soup(), tree->nodes());
+  }
+  OccluderTree() = default;
+
+  [[nodiscard]] std::span<const HierarchyNode> nodes() const {
+    return tree ? tree->nodes() : std::span<const HierarchyNode>{};
+  }
 };
+
+class CoverOccluders : public Lazy<OccluderTree> {};
 
 Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config, const Checkpoint& checkpoint)
     : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics, checkpoint)),
       soup_(checked(std::move(occluders))),
       occluders_(PotentialOccluders::find(soup_, config.occluders, checkpoint)),
       grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid, checkpoint)),
-      cover_(std::make_unique<CoverOccluders>(soup_, checkpoint)) {}
+      cover_(std::make_unique<CoverOccluders>()) {}
 
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
@@ -81,7 +83,8 @@ const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options,
   // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
   if (options.method == Method::cover) {
-    cull_by_cover(objects_->nodes(), ask, cover_->nodes(), cover_->meshes(), camera, options, memory);
+    const OccluderTree& occluders = cover_->get([&] { return OccluderTree(soup_); });
+    cull_by_cover(objects_->nodes(), ask, occluders.nodes(), occluders.meshes, camera, options, memory);
   } else {
     cull_by_frusta(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
   }

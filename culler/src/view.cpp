@@ -58,7 +58,8 @@ const CullResult& View::result() const { return memory_->result; }
 
 Visibility View::visibility(const Box& box) const {
   const auto is_hidden = [&](const auto& b) {
-    return memory_->result.method == Method::cover ? hides_any(memory_->cover, outer_box(b)) : is_in_shadow(memory_->result, b);
+    return memory_->result.method == Method::cover ? hides_any(memory_->cover, outer_box(b))
+                                                   : is_in_shadow(memory_->result, b);
   };
   return std::visit(
       [&](const auto& b) {
@@ -66,8 +67,8 @@ Visibility View::visibility(const Box& box) const {
           throw std::invalid_argument(std::string(kernel::to_string(refusal)));
         }
         return is_out_of_view(memory_->result, b) ? Visibility::out_of_view
-               : is_hidden(b)                      ? Visibility::occluded
-                                                   : Visibility::visible;
+               : is_hidden(b)                     ? Visibility::occluded
+                                                  : Visibility::visible;
       },
       box);
 }

@@ -33,6 +33,7 @@ struct View::Memory {
   CoverBuffer cover;                       ///< what the last frame closed, if it was culled so
   std::vector<std::uint32_t> mesh_frames;  ///< of each mesh, the last frame that drew it
   std::uint32_t frame = 0;
+  std::vector<std::uint32_t> seen;  ///< leaves that a frame by cover has not culled so far
 
   /// Empties the result for the next frame; its frusta become spare.
   void begin_frame();

@@ -189,7 +189,7 @@ MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
   for (const FrameVisibility& frame : visibility.frames) {
     if (!frame.shows.empty()) shows[frame.frame] = &frame.shows;
   }
-  MissedCounts missed;
+  MissedCounts missed{.method = walked.options.cull.method, .counts = {}};
   cull_frames(walked, "reasons, frame",
               [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
                 const auto found = shows.find(frame);
@@ -241,6 +241,7 @@ void validate(Arguments& arguments, int& exit_code) {
   const Shard shard = parse_shard(arguments.shard, turns);
   std::optional<FailureFiles> files = failure_files(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
+  if (options.cull.method == culler::Method::cover) culler.prepare_cover();
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};

@@ -40,11 +40,14 @@ struct Totals {
 
 constexpr std::array<const char*, culler::kMissedReasons> kReasons{
     "it is out of view, and its leaf is not",
-    "its leaf is too coarse: its own box is in the shadow of an occluder",
+    "its leaf is too coarse: its own box is hidden",
     "its box straddles: itself it is in the shadow of an occluder",
     "in the shadows of several occluders, in none alone",
     "an occluder that hides it was listed, and not chosen",
-    "no listed occluder hides it alone, or it is seen between pixels"};
+    "no listed occluder hides it alone, or it is seen between pixels",
+    "its box reaches out of the coarse picture, or before the near plane",
+    "a pixel of its box is open: a border runs there, or nothing closes it",
+    "what closes the pixels of its box is not nearer than the box"};
 
 }  // namespace
 
@@ -67,12 +70,13 @@ std::string to_text(const Validation& v) {
       "for each visible polygon {:.3g} hidden ones drawn (overestimate), {:.3g} visible ones not (underestimate)\n",
       t.overestimate(), t.underestimate());
   if (!v.missed) return text;
-  const auto& [frames, counts] = *v.missed;
+  const auto& [method, frames, counts] = *v.missed;
   const std::string of_some =
       counts.asked() == counts.missed ? "" : fmt::format(" (of {} of {} that were asked)", counts.asked(), counts.missed);
   text += fmt::format("without a pixel and drawn in {} of the frames, {:.0f} a frame, because{}\n", frames,
                       t.share(counts.missed, frames), of_some);
   for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
+    if (!is_of(static_cast<culler::Missed>(r), method)) continue;
     text += fmt::format("{:>7.1f} %  {}\n", 100 * t.share(counts.reasons[r], counts.asked()), kReasons[r]);
   }
   return text;
@@ -106,6 +110,7 @@ std::string to_json(const Validation& v) {
     missed["polygons"] = v.missed->counts.missed;
     missed["asked"] = v.missed->counts.asked();
     for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
+      if (!is_of(static_cast<culler::Missed>(r), v.missed->method)) continue;
       missed[std::string(to_string(static_cast<culler::Missed>(r)))] = v.missed->counts.reasons[r];
     }
   }

@@ -13,6 +13,7 @@ namespace occlude::cli {
 
 /// Of the hidden polygons that some frames drew, how many for which reason.
 struct MissedCounts {
+  culler::Method method = culler::Method::frusta;
   std::size_t frames = 0;
   culler::MissedReasons::Counts counts;
 };

@@ -185,8 +185,8 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
       loop.push_back(key(hierarchy_.soup().vertices[index]));
     }
     vertices += loop.size();
-    if (vertices > render::kMostCoverVertices)
-      throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostCoverVertices));
+    if (vertices > render::kMostWitnessVertices)
+      throw LineError(fmt::format("\"polygons\": more than {} vertices", render::kMostWitnessVertices));
   }
   const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
   if (!answer.refusal.empty()) return answer.refusal;

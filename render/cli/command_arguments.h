@@ -42,8 +42,8 @@ class WalkArguments {
 
  private:
   std::string frames_;
-  std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified", test_ = "conservative", angle_ = "area",
-              preprocess_;
+  std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
+              test_ = "conservative", angle_ = "area", preprocess_;
   BuildArguments build_;
   std::vector<CLI::Option*> build_options_;
   double pixel_margin_ = render::kPixelMargin;

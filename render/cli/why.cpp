@@ -72,6 +72,7 @@ int why(const Arguments& arguments) {
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
   const culler::Culler culler = render::make_culler(read_model(arguments), options.build, options.preprocess);
+  if (options.cull.method == culler::Method::cover) culler.prepare_cover();
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Frames by cover: what they cull is hidden by the polygons that are named, in exact numbers, and all else is drawn.
+#include "occlude/kernel/cover.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +16,6 @@
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
-#include "occlude/kernel/cover.h"
 #include "outer_box.h"
 #include "scenes.h"
 

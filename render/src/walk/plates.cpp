@@ -25,8 +25,7 @@ constexpr Rgba kNodeLine{200, 20, 20, 255};
 constexpr Rgba kFrustumLine{20, 60, 200, 255};
 constexpr Rgba kShadowLine{255, 160, 0, 255};
 
-std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const culler::CullResult& result,
-                                        bool is_by_view) {
+std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const culler::CullResult& result, bool is_by_view) {
   std::vector<PolygonRange> ranges;
   for (const culler::Culled& culled : result.culled) {
     const auto& node = culler.hierarchy().nodes()[culled.node];

@@ -64,6 +64,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
 
   const Stopwatch stopwatch;
   const culler::Culler culler = make_culler(soup, options.build, options.preprocess);
+  if (options.cull.method == culler::Method::cover) culler.prepare_cover();
   const double preprocess_s = stopwatch.seconds();
 
   Stage stage(culler, options);

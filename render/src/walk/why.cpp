@@ -73,7 +73,7 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   const culler::Box own = culler.hierarchy().soup().box(polygon);
   for (std::uint32_t i = 0; i < result.occluders.size(); ++i) against(i, own);
   std::ranges::stable_sort(account.shadows, std::greater{}, [](const AgainstShadow& a) { return a.clearance.distance; });
-  if (account.pixels == 0 && result.method == culler::Method::frusta) {
+  if (account.pixels == 0) {
     account.missed = culler::MissedReasons(culler, frame.camera(), frame.options().cull, result).answer(polygon);
   }
   return account;

@@ -79,7 +79,7 @@ const char* why_missed(culler::Missed reason) {
     case culler::Missed::out_of_view:
       return "it is out of view itself, and its leaf is not";
     case culler::Missed::coarse_node:
-      return "its own box is in that shadow, the box of its leaf is not: the leaf is too coarse";
+      return "its own box is hidden, the box of its leaf is not: the leaf is too coarse";
     case culler::Missed::straddling_box:
       return "it is in that shadow, its box is not: the box straddles";
     case culler::Missed::several:
@@ -88,6 +88,12 @@ const char* why_missed(culler::Missed reason) {
       return "it is in the shadow of an occluder that was listed, and not chosen";
     case culler::Missed::no_single_one:
       return "no listed occluder hides it alone, or it is seen between pixels";
+    case culler::Missed::beyond_picture:
+      return "its box reaches out of the coarse picture, or before the near plane";
+    case culler::Missed::open_pixel:
+      return "a pixel of its box is open: a border runs there, or nothing closes it";
+    case culler::Missed::not_behind:
+      return "what closes the pixels of its box is not nearer than the box";
   }
   return "";
 }

@@ -15,7 +15,9 @@
 
 namespace occlude::culler {
 
+class CoverBuffer;
 class CoverPieces;
+class LazyPieces;
 
 /// Const calls may run on several threads at once.
 class Culler {
@@ -26,6 +28,10 @@ class Culler {
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
   /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
   Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint = {});
+
+  /// Makes what frames by cover need, which else the first of them does: a second for a million polygons. What `checkpoint`
+  /// throws comes out.
+  void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
   /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().
@@ -48,6 +54,9 @@ class Culler {
   void append_covers(const Camera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
 
+  /// The coarse picture as a frame by cover leaves it.
+  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const Camera& camera, const CullOptions& options) const;
+
   /// The cull of the frame that took polygon p of the tree; null where it is drawn.
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
 
@@ -59,11 +68,13 @@ class Culler {
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
 
  private:
+  const CoverPieces& meshes(const Checkpoint& checkpoint = {}) const;
+
   BuildConfig config_;
   Hierarchy hierarchy_;
   PotentialOccluders occluders_;
   OccluderGrid grid_;
-  std::shared_ptr<const CoverPieces> meshes_;
+  std::shared_ptr<LazyPieces> meshes_;
 };
 
 }  // namespace occlude::culler

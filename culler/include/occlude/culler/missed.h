@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <string_view>
 #include <vector>
@@ -14,20 +15,32 @@
 
 namespace occlude::culler {
 
-/// In the order in which they are asked: the first that holds is the reason.
+/// In the order in which they are asked: the first that holds is the reason. The first two and the last three are those of
+/// frames by cover, where what a cover closes takes the place of the shadow of an occluder: its picture as the frame leaves
+/// it.
 enum class Missed {
   out_of_view,     ///< no shadow is asked for: all of it is beyond a half-space of the view, its leaf is not
   coarse_node,     ///< the polygon's own box is in the shadow of an occluder of the frame, that of its leaf is not
   straddling_box,  ///< the polygon is in the shadow of an occluder of the frame, its box is not
   several,         ///< each corner is in the shadow of some occluder of the frame, but no shadow has all
   not_chosen,      ///< no occluder of the frame, but another of the region's list has the polygon in its shadow
-  no_single_one    ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
+  no_single_one,   ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
+  beyond_picture,  ///< its box reaches out of the coarse picture, or before the near plane
+  open_pixel,      ///< a pixel that its box touches is open: a border runs there, or nothing closes it
+  not_behind       ///< all of these are closed, but in one nothing is nearer than the box
 };
-inline constexpr std::size_t kMissedReasons = 6;
+inline constexpr std::size_t kMissedReasons = 9;
+
+/// Whether a frame by this method can miss a polygon for this reason.
+[[nodiscard]] constexpr bool is_of(Missed reason, Method method) {
+  if (reason <= Missed::coarse_node) return true;
+  return (reason >= Missed::beyond_picture) == (method == Method::cover);
+}
 
 [[nodiscard]] constexpr std::string_view to_string(Missed reason) {
-  constexpr std::array<std::string_view, kMissedReasons> kNames{"out_of_view", "coarse_node", "straddling_box",
-                                                                "several",     "not_chosen",  "no_single_one"};
+  constexpr std::array<std::string_view, kMissedReasons> kNames{"out_of_view",    "coarse_node", "straddling_box",
+                                                                "several",        "not_chosen",  "no_single_one",
+                                                                "beyond_picture", "open_pixel",  "not_behind"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -91,11 +104,13 @@ class MissedReasons {
   [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p, Work& work) const;
   [[nodiscard]] bool hides(const Shadow& shadow, const kernel::Aabb& box, Work& work) const;
   [[nodiscard]] bool is_out_of_view(std::uint32_t p, Work& work) const;
+  [[nodiscard]] Missed missed_by_cover(const kernel::Aabb& box, Work& work) const;
 
   const Hierarchy& hierarchy_;
   const PotentialOccluders& occluders_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
+  std::shared_ptr<const CoverBuffer> cover_;  ///< of a frame by cover
 };
 
 }  // namespace occlude::culler

@@ -15,9 +15,13 @@ inline constexpr std::uint64_t kMostJson = std::uint64_t{16} << 20U;
 /// Bytes of any other file: 50 million polygons and more.
 inline constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;
 
-/// Vertices of a cover's polygons together. The oracle cuts a box into pieces: so many vertices, all of whose polygons run
-/// through the box, take it a minute or so, as many of a mesh before it two seconds.
-inline constexpr std::size_t kMostCoverVertices = 2048;
+/// Vertices of the polygons of a case's cover together: so many, all of whose polygons run through the box, take kernel and
+/// oracle ten seconds or so.
+inline constexpr std::size_t kMostCoverVertices = 1024;
+
+/// The same of a witness. What hides a wall in a model of small parts may be ten thousand of them; the oracle's own limit of
+/// work holds for what takes longer.
+inline constexpr std::size_t kMostWitnessVertices = 65536;
 
 /// "16 MiB"; what is no whole number of them is rounded.
 [[nodiscard]] std::string in_mebibytes(std::uint64_t bytes);

@@ -11,7 +11,7 @@
 namespace occlude::render {
 
 /// Appends one line, without its end, for each culled subtree of the frame, which was culled with these options. A cover of
-/// more than kMostCoverVertices is written as those of smaller subtrees.
+/// more than kMostCoverVertices is written as those of smaller subtrees, or of polygons.
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options);
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What is made when it is first asked for: who culls by frusta alone pays nothing for meshes.
+#pragma once
+
+#include <mutex>
+
+#include "cover_pieces.h"
+
+namespace occlude::culler {
+
+/// May be asked on several threads at once.
+template <class T>
+class Lazy {
+ public:
+  /// Made by make(), once; what that throws comes out, and the next call tries again.
+  template <class Make>
+  const T& get(const Make& make) {
+    std::call_once(once_, [&] { value_ = make(); });
+    return value_;
+  }
+
+ private:
+  std::once_flag once_;
+  T value_;
+};
+
+class LazyPieces : public Lazy<CoverPieces> {};
+
+}  // namespace occlude::culler
