@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -286,6 +287,24 @@ TEST(Cover, MorePolygonsHideNoLessAndOfLessBoxMore) {
       const Aabb part{{0.5 * (box.min.x + box.max.x), box.min.y, box.min.z}, {box.max.x, box.max.y, box.min.z}};
       ASSERT_EQ(relation(kOrigin, more, part), inside) << seed;
     }
+  }
+}
+
+/// Half edges in one plane make a hexagon, of which each face of the box is a part: all of them are asked.
+TEST(Cover, OfAFlatBoxAllFacesCount) {
+  const Obb hexagon{{4, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {0, 1, 1}}}};
+  const auto answer = [&](double y, double z, double reach) {
+    // All of the plane x = 2 but what is farther than `reach` of the way to (y, z).
+    const double qy = reach * y, qz = reach * z;
+    const Cover::Polygon half_plane{{2, qy - 9 * z, qz + 9 * y},
+                                    {2, qy + 9 * z, qz - 9 * y},
+                                    {2, qy + 9 * z - 19 * y, qz - 9 * y - 19 * z},
+                                    {2, qy - 9 * z - 19 * y, qz + 9 * y - 19 * z}};
+    return overlap_certified(*Cover::make(kOrigin, Polygons{half_plane}).cover, hexagon).relation;
+  };
+  for (const auto& [y, z] : {std::pair{2.0, 2.0}, {-2, -2}, {2, 0}, {0, 2}, {-2, 0}, {0, -2}}) {  // its corners
+    EXPECT_EQ(answer(y, z, 0.45), partial) << y << " " << z;
+    EXPECT_EQ(answer(y, z, 0.55), inside) << y << " " << z;
   }
 }
 
