@@ -53,4 +53,13 @@ TEST(View, AllocatesNothingOnAPathThatItKnows) {
   }
 }
 
+TEST(View, AllocatesNothingByCoverEither) {
+  const Culler culler(random_town_of_houses(31, 3000), {.hierarchy = {.leaf_size = 4}});
+  View view;
+  const CullOptions options{.method = Method::cover, .cover_width = 256, .cover_height = 144};
+  EXPECT_GT(pass(culler, options, Projection::perspective, view), 0U);
+  EXPECT_EQ(pass(culler, options, Projection::perspective, view), 0U);
+  EXPECT_GT(view.result().stats.cover_meshes, 0U);
+}
+
 }  // namespace
