@@ -33,6 +33,11 @@ BeamPicture::BeamPicture(const Camera& camera, double depth, const Size& size, d
   right_ = right;
   up_ = up;
   forward_ = forward;
+  if (!is_perspective_) {
+    // Where `up` is nearly along the line of sight, `right` is across it only up to what cancels.
+    right_ -= glm::dot(right_, forward_) * forward_;
+    up_ -= glm::dot(up_, forward_) * forward_;
+  }
   const double half = is_perspective_ ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
   scale_ = {(middle_.x - size.border) / (half * camera.aspect), (middle_.y - size.border) / half};
 }

@@ -42,7 +42,7 @@ class BeamPicture {
 
   /// Of one camera, for a model of which no point is farther than `depth` from the eye, in the sum of the axes. A renderer
   /// has points out by `rounding`, units of the scene. REQUIRES: the camera has no fault(); 2 border < width, height;
-  /// rounding <= kDepthMargin depth / 2.
+  /// rounding <= kSinglePrecision depth.
   BeamPicture(const Camera& camera, double depth, const Size& size, double rounding);
   BeamPicture() = default;
 

@@ -25,7 +25,8 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
   picture_ = BeamPicture(camera, depth, {width, height, kBorder}, margin > 0 ? kSinglePrecision * depth : 0);
   piece_.begin(picture_);
   tiles_across_ = width / kTile;
-  wider_ = margin * (height - 2 * kBorder);
+  wider_ = margin >= 0 ? margin * (height - 2 * kBorder) : kInfinity;  // of what is no margin nothing is hidden
+  work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);
   farthest_.assign(pixels / kPixels, kOpen);
@@ -38,6 +39,7 @@ bool CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   if (!piece_.find(mesh)) return false;
   const auto tiles = tiles_to_draw();
   if (!tiles || !piece_.draw(*tiles)) return false;
+  work_ += piece_.work();
   for (int y = tiles->y0; y < tiles->y1; ++y) {
     for (int x = tiles->x0; x < tiles->x1; ++x) {
       const float nearness = piece_.nearness(x, y);
@@ -156,16 +158,24 @@ int CoverBuffer::count_open(const PixelRectangle& r, float most, int enough) con
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
   const Outline outline = this->outline(box);
   const auto& [low, high] = outline.places;
-  const PixelRectangle r = pixels(outline);
+  const PixelRectangle r = picture_.clipped(pixels(outline));
   std::vector<Owner> runs;
   for (int y = r.y0; y < r.y1; ++y) {
+    std::uint32_t last = kNone;
     for (int x = r.x0; x < r.x1; ++x) {
       const auto tile = static_cast<std::size_t>(y / kTile * tiles_across_ + x / kTile);
       const std::uint32_t id = owners_[tile * kPixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
       const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                                  {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
-      if (pixel.low.x > pixel.high.x || pixel.low.y > pixel.high.y) continue;  // the margin alone reaches it
-      runs.push_back({id, pixel});
+      const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else the margin alone reaches it
+      if (!is_of_box || id == kNone) {
+        last = kNone;
+      } else if (id == last) {
+        runs.back().places.high.x = pixel.high.x;
+      } else {
+        runs.push_back({id, pixel});
+        last = id;
+      }
     }
   }
   std::ranges::stable_sort(runs, {}, &Owner::id);

@@ -19,12 +19,17 @@ int side(int pixels) {
 /// them, and what is culled less for it a thousandth.
 constexpr int kWorthClosing = 4;
 
+/// CoverBuffer::work() of a frame, a tenth of a second or so: beyond, what is seen closes no more. The models tried take a
+/// tenth of it.
+constexpr std::size_t kMostWork = std::size_t{1} << 24U;
+
 }  // namespace
 
 CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double reach, const CullOptions& options,
                        View::Memory& memory)
     : meshes_(meshes), camera_(camera), options_(options), memory_(memory) {
   memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
+  memory.result.method = Method::cover;  // the picture is this frame's
   memory.seen.clear();
   memory.planes.clear();
   for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
@@ -35,6 +40,7 @@ CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double r
 }
 
 bool CoverFrame::close(const HierarchyNode& leaf) {
+  if (memory_.cover.work() > kMostWork) return false;
   const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
   if (memory_.mesh_frames[mesh] == memory_.frame || !memory_.cover.has_open(leaf.box, kWorthClosing)) return false;
   memory_.mesh_frames[mesh] = memory_.frame;

@@ -164,6 +164,7 @@ CoverPiece::Outline CoverPiece::outline(const CoverMesh::Triangle& triangle) con
 
 bool CoverPiece::draw(const PixelRectangle& tiles) {
   rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
+  work_ = static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
   if (!take()) return false;
   clear();
   for (const CoverMesh::Edge& edge : mesh_.edges) {
@@ -386,6 +387,7 @@ void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle) {
     if (low_x > high_x) continue;
     const int x0 = std::max(pixel_at(low_x, picture_.width()) / kTile, tiles.x0);
     const int x1 = std::min(pixel_at(high_x, picture_.width()) / kTile + 1, tiles.x1);
+    work_ += static_cast<std::size_t>(std::max(x1 - x0, 0));
     for (int x = x0; x < x1; ++x) {
       float nearness = at_corners;
       if (is_known) {

@@ -41,6 +41,8 @@ class CoverPiece {
   [[nodiscard]] float nearness(int tile_x, int tile_y) const {
     return tiles_[static_cast<std::size_t>(tile_y * tiles_across_ + tile_x)];
   }
+  /// Tiles that it took to draw, and tiles of each triangle.
+  [[nodiscard]] std::size_t work() const { return work_; }
   /// Whether the triangle was taken.
   [[nodiscard]] bool is_taken(std::size_t triangle) const { return signs_[triangle] != 0; }
   /// Holds a triangle, wherever it is by what it is out; none where all of it is before the near plane.
@@ -94,6 +96,7 @@ class CoverPiece {
   PixelRectangle found_{};      ///< tiles
   PixelRectangle rectangle_{};  ///< pixels that are drawn
   float nearest_ = 0;
+  std::size_t work_ = 0;
 
   int tiles_across_ = 0;
   std::vector<std::uint8_t> turns_;    ///< by how much the degree changes from the pixel below to a pixel, modulo 256

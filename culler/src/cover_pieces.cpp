@@ -14,8 +14,8 @@ namespace occlude::culler {
 namespace {
 
 /// Of polygons about a mesh: one of more sides is not among them, nor are those at a corner where more meet, nor what would
-/// make them more triangles. So meshes are no more than some times what they are made of.
-constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 512;
+/// make them more than so many triangles for each of its own. So all meshes together are at most nine times the model.
+constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 8;
 
 /// A surface is closed, or nearly so, when at most this share of its edges is not between two polygons turned alike, and of
 /// its area is not made up for by what is turned the other way.
@@ -145,15 +145,15 @@ class CoverPieces::Finder {
   }
 
   void add_around(std::uint32_t first, std::uint32_t count) {
-    std::size_t triangles = 0;
+    std::size_t left = kMostAround * (soup_.first[first + count] - soup_.first[first] - 2 * std::size_t{count});
     for (std::uint32_t p = first; p < first + count; ++p) {
       for (const std::uint32_t v : soup_.loop(p)) {
         const auto at_corner = incidence_.polygons_at(weld_[v]);
         if (at_corner.size() > kMostAtCorner) continue;
         for (const std::uint32_t other : at_corner) {
           if (taken_by_[other] == result_.size() || soup_.loop(other).size() > kMostSides) continue;
-          triangles += soup_.triangles(other);
-          if (triangles > kMostAround) return;
+          if (soup_.triangles(other) > left) return;
+          left -= soup_.triangles(other);
           take(other);
         }
       }

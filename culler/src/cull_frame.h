@@ -32,7 +32,7 @@ inline double begin_frame(std::span<const HierarchyNode> nodes, const Camera& ca
   memory.begin_frame();
   const double reach = nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
   append_view_frustum(camera, reach, memory.result.view);
-  memory.result.method = options.method;
+  memory.result.method = Method::frusta;
   memory.result.margin = ShadowMargin(camera, options.margin, reach);
   return reach;
 }

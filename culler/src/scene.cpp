@@ -52,10 +52,10 @@ struct OccluderTree {
   std::optional<Hierarchy> tree;
   CoverPieces meshes;
 
-  explicit OccluderTree(const PolygonSoup& soup) {
+  OccluderTree(const PolygonSoup& soup, const Checkpoint& checkpoint) {
     if (soup.empty()) return;
-    tree = Hierarchy::build(soup, {.leaf_size = CoverPieces::kMost});
-    meshes = CoverPieces::find(tree->soup(), tree->nodes());
+    tree = Hierarchy::build(soup, {.leaf_size = CoverPieces::kMost}, checkpoint);
+    meshes = CoverPieces::find(tree->soup(), tree->nodes(), checkpoint);
   }
   OccluderTree() = default;
 
@@ -83,13 +83,17 @@ const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options,
   // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
   if (options.method == Method::cover) {
-    const OccluderTree& occluders = cover_->get([&] { return OccluderTree(soup_); });
+    const OccluderTree& occluders = cover_->get([&] { return OccluderTree(soup_, {}); });
     cull_by_cover(objects_->nodes(), ask, occluders.nodes(), occluders.meshes, camera, options, memory);
   } else {
     cull_by_frusta(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
   }
   list_objects(*objects_, memory.result.drawn, view.result_);
   return view.result_;
+}
+
+void Scene::prepare_cover(const Checkpoint& checkpoint) const {
+  static_cast<void>(cover_->get([&] { return OccluderTree(soup_, checkpoint); }));
 }
 
 void Scene::set_bounds(std::uint32_t dynamic, const Box& box) { objects_->set_bounds(dynamic, box); }

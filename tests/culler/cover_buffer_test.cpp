@@ -216,6 +216,26 @@ TEST(CoverBuffer, TheBorderIsAsWideAsARendererRounds) {
   EXPECT_TRUE(hides(0x1p-1000, 23.5));
 }
 
+/// Where `up` lies nearly along the line of sight, too: what is on one ray is at one place.
+TEST(BeamPicture, ParallelRaysKeepTheirPlace) {
+  std::mt19937 random(3);
+  constexpr double kDepth = 0x1p10;
+  for (int i = 0; i < 1000; ++i) {
+    const auto some = [&] { return glm::dvec3{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)}; };
+    Camera camera = looking_along_x();
+    camera.projection = Projection::orthographic;
+    camera.target = some();
+    camera.up = camera.target + std::ldexp(1.0, -static_cast<int>(random() % 28)) * some();
+    if (!fault(camera).empty()) continue;
+    const BeamPicture picture(camera, kDepth, {kWidth, kHeight, 16}, 0);
+    const glm::dvec3 near = some(), far = near + 0x1p8 * camera.axes().forward;
+    const Place a = picture.place(picture.see(near)), b = picture.place(picture.see(far));
+    const double error = 2 * picture.place_error(a, 1);
+    EXPECT_NEAR(a.x, b.x, error) << i;
+    EXPECT_NEAR(a.y, b.y, error) << i;
+  }
+}
+
 glm::dvec3 some_point(std::mt19937& random, double low_x, double high_x, double aside) {
   return {uniform(random, low_x, high_x), uniform(random, -aside, aside), uniform(random, -aside, aside)};
 }

@@ -60,7 +60,8 @@ class SceneView {
 
 /// **What culling promises.** An object is left out only if, in exact arithmetic (unless CullOptions::arithmetic is plain),
 /// its box is beyond a plane of the view that is no tighter than the renderer's, or in the shadow of one chosen occluder
-/// (with CullOptions::unions: of two together) and strictly beyond its near plane. So nothing visible is left out as long as
+/// (with CullOptions::unions: of two together) and strictly beyond its near plane, or, by Method::cover, wholly behind
+/// polygons of the occluders. So nothing visible is left out as long as
 ///  - boxes hold all that is drawn of their objects, and
 ///  - every point of an occluder is a point of something opaque, or inside of it, that stands still and is drawn unless it
 ///    belongs to an object that this scene leaves out.
@@ -82,6 +83,9 @@ class Scene {
   ~Scene();
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;
+
+  /// As Culler::prepare_cover().
+  void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for the next frame of this camera. After some frames along a path nothing is allocated any more. Returns
   /// view.result(). Throws std::invalid_argument for a camera with a fault(), and the view keeps its last frame.

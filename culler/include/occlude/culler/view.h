@@ -11,7 +11,7 @@ namespace occlude::culler {
 
 enum class Visibility {
   visible,      ///< for all that the frame knows
-  occluded,     ///< all of it is in the shadow of one occluder, or of a pair that is asked together
+  occluded,     ///< all of it is in the shadow of one occluder, or of a pair that is asked together, or behind a cover
   out_of_view,  ///< all of it is beyond a half-space of the view
 };
 
@@ -27,9 +27,9 @@ class View {
   /// The last frame.
   [[nodiscard]] const CullResult& result() const;
 
-  /// What the last frame makes of any box, say of something about to be created: by the same half-spaces and occluders,
-  /// with its margin, and certified whatever the frame was. Shadows are strictly beyond their near planes. Everything is
-  /// visible before the first frame. A box that reaches farther than all that the culler knows may be out of view by a
+  /// What the last frame makes of any box, say of something about to be created: by the same half-spaces and occluders, or
+  /// cover, with its margin, and certified whatever the frame was. Shadows are strictly beyond their near planes. Everything
+  /// is visible before the first frame. A box that reaches farther than all that the culler knows may be out of view by a
   /// plane that rounding, in its last digits, has tilted before it. Many threads may ask one view at a time, between its
   /// frames. Throws std::invalid_argument for a box that the kernel refuses.
   [[nodiscard]] Visibility visibility(const Box& box) const;
