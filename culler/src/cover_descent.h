@@ -11,7 +11,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
 #include "bounds.h"
 #include "cover_buffer.h"

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bounds.h"
-
 namespace occlude::culler {
 namespace {
 
@@ -31,8 +29,7 @@ CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double r
   memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
   memory.result.method = Method::cover;  // the picture is this frame's
   memory.seen.clear();
-  memory.planes.clear();
-  for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
+  memory.take_planes();
   if (++memory.frame == 0 || memory.mesh_frames.size() != meshes.size()) {
     memory.mesh_frames.assign(meshes.size(), 0);
     memory.frame = 1;

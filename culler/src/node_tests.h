@@ -32,8 +32,7 @@ class NodeTests {
         planes_(memory.planes),
         probes_(memory.probes),
         frame_(memory.result) {
-    memory.planes.clear();
-    for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
+    memory.take_planes();
   }
 
   kernel::Relation view(std::uint32_t plane, std::uint32_t node) const {

@@ -73,6 +73,11 @@ Visibility View::visibility(const Box& box) const {
       box);
 }
 
+void View::Memory::take_planes() {
+  planes.clear();
+  for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
+}
+
 void View::Memory::begin_frame() {
   for (Occluder& occluder : result.occluders) spare.push_back(std::move(occluder.frustum));
   for (Occluder& occluder : probes) spare.push_back(std::move(occluder.frustum));

@@ -35,6 +35,8 @@ struct View::Memory {
   std::uint32_t frame = 0;
   std::vector<std::uint32_t> seen;  ///< leaves that a frame by cover has not culled so far
 
+  /// Makes planes of the result's view.
+  void take_planes();
   /// Empties the result for the next frame; its frusta become spare.
   void begin_frame();
 };
