@@ -28,7 +28,8 @@ BeamPicture::BeamPicture(const Camera& camera, double depth, const Size& size, d
       depth_(depth),
       near_(camera.near + kDepthMargin * depth),
       error_(kSeenError * depth),
-      rounding_(rounding) {
+      rounding_(rounding),
+      moved_(error_ + rounding_) {
   const auto [right, up, forward] = camera.axes();
   right_ = right;
   up_ = up;

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "occlude/culler/camera.h"
+#include "occlude/kernel/types.h"
 
 namespace occlude::culler {
 
@@ -19,6 +22,12 @@ struct Seen {
 /// Of a point of the picture: pixels to the right, and up, from a corner.
 struct Place {
   double x, y;
+};
+
+/// A place, and by how much it is out, at most, in both directions.
+struct Corner {
+  Place place;
+  double error;
 };
 
 /// Of places, all that is between.
@@ -55,10 +64,18 @@ class BeamPicture {
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
 
   [[nodiscard]] Seen see(const glm::dvec3& point) const;
+  /// All corners of a box, each as see() has it.
+  [[nodiscard]] std::array<Seen, 8> corners(const kernel::Aabb& box) const;
   /// Where the edge from a to b passes near(): the same point whichever triangle asks, as long as a and b are not exchanged.
   [[nodiscard]] Seen cut(const Seen& a, const Seen& b) const;
-  /// REQUIRES: in perspective a point at near() or beyond.
+  /// REQUIRES: in perspective a point at near() or beyond; and so below.
   [[nodiscard]] Place place(const Seen& seen) const;
+  /// In neither direction is a place out by more, by error() and rounding(), of a point so far along the line of sight.
+  [[nodiscard]] double place_error(const Place& place, double forward) const;
+  [[nodiscard]] Corner corner(const Seen& seen) const {
+    const Place place = this->place(seen);
+    return {place, place_error(place, seen.forward)};
+  }
   /// Of the ray through a place: to the right and up, where it has gone 1 along the line of sight.
   [[nodiscard]] Place slope(double x, double y) const;
   /// The larger, the nearer, and linear along what is straight in the picture: 1 / forward, or -forward of parallel rays.
@@ -68,10 +85,7 @@ class BeamPicture {
   [[nodiscard]] double error() const { return error_; }
   /// Nor, beside that, has a renderer it out by more.
   [[nodiscard]] double rounding() const { return rounding_; }
-  /// In neither direction is a place out by more, by both, of a point so far along the line of sight.
-  /// REQUIRES: in perspective near() or farther.
-  [[nodiscard]] double place_error(const Place& place, double forward) const;
-  /// Nor the nearness of such a point.
+  /// The nearness of a point so far along the line of sight is out by no more.
   [[nodiscard]] double nearness_error(double forward) const;
 
   /// The pixels that the rectangle of places touches, which may end a pixel outside of the picture.
@@ -87,6 +101,7 @@ class BeamPicture {
   int width_ = 0, height_ = 0;
   Place middle_{}, scale_{};  ///< pixels; pixels for a slope of 1, or a length of 1 across parallel rays
   double depth_ = 0, near_ = 0, error_ = 0, rounding_ = 0;
+  double moved_ = 0;  ///< the sum of the two
 };
 
 /// Four roundings of a place, and as much again for what rounds where the place is used.
@@ -110,29 +125,45 @@ inline Seen BeamPicture::see(const glm::dvec3& point) const {
   return {glm::dot(right_, y), glm::dot(up_, y), glm::dot(forward_, y)};
 }
 
+inline std::array<Seen, 8> BeamPicture::corners(const kernel::Aabb& box) const {
+  // The terms of the three products, for both ends of the box.
+  std::array<std::array<Seen, 2>, 3> terms;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.min[axis] - eye_[axis], high = box.max[axis] - eye_[axis];
+    const double right = right_[axis], up = up_[axis], forward = forward_[axis];
+    terms[static_cast<std::size_t>(axis)] = {Seen{right * low, up * low, forward * low},
+                                             Seen{right * high, up * high, forward * high}};
+  }
+  std::array<Seen, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Seen &x = terms[0][i & 1U], &y = terms[1][i >> 1U & 1U], &z = terms[2][i >> 2U];
+    corners[i] = {x.right + y.right + z.right, x.up + y.up + z.up, x.forward + y.forward + z.forward};
+  }
+  return corners;
+}
+
 inline Place BeamPicture::place(const Seen& seen) const {
   const double shrink = is_perspective_ ? 1 / seen.forward : 1;
   return {middle_.x + scale_.x * (seen.right * shrink), middle_.y + scale_.y * (seen.up * shrink)};
-}
-
-inline Place BeamPicture::slope(double x, double y) const {
-  return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y};
 }
 
 /// With r and f the coordinates as computed, s and g as they are, both out by e: r / f - s / g is
 /// ((r - s) f - r (f - g)) / (f g), at most e (1 + |r / f|) / (f - e).
 inline double BeamPicture::place_error(const Place& place, double forward) const {
   const double aside = std::max(std::fabs(place.x - middle_.x), std::fabs(place.y - middle_.y));
-  const double scale = std::max(scale_.x, scale_.y), e = error_ + rounding_;
-  const double moved = is_perspective_ ? (scale + aside) * (e / (forward - e)) : scale * e;
+  const double scale = std::max(scale_.x, scale_.y);
+  const double moved = is_perspective_ ? (scale + aside) * (moved_ / (forward - moved_)) : scale * moved_;
   return kBoundRounded * moved + kPlaceError * (aside + width_ + height_);
+}
+
+inline Place BeamPicture::slope(double x, double y) const {
+  return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y};
 }
 
 /// 1 / f - 1 / g is (g - f) / (f g).
 inline double BeamPicture::nearness_error(double forward) const {
-  const double e = error_ + rounding_;
-  if (!is_perspective_) return kBoundRounded * e;
-  return (kBoundRounded * (e / (forward - e)) + 0x1p-52) / forward;
+  if (!is_perspective_) return kBoundRounded * moved_;
+  return (kBoundRounded * (moved_ / (forward - moved_)) + 0x1p-52) / forward;
 }
 
 inline PixelRectangle BeamPicture::pixels(const Place& low, const Place& high, double wider) const {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "rounded_float.h"
 #include "single_precision.h"
@@ -29,7 +29,7 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);
-  farthest_.assign(pixels / kPixels, kOpen);
+  farthest_.assign(pixels / kTilePixels, kOpen);
   owners_.clear();
 }
 
@@ -38,13 +38,15 @@ void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 bool CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   if (!piece_.find(mesh)) return false;
   const auto tiles = tiles_to_draw();
-  if (!tiles || !piece_.draw(*tiles)) return false;
+  if (!tiles) return false;
+  piece_.draw(*tiles);
   work_ += piece_.work();
   for (int y = tiles->y0; y < tiles->y1; ++y) {
     for (int x = tiles->x0; x < tiles->x1; ++x) {
+      const std::uint64_t closed = piece_.closed(x, y);
       const float nearness = piece_.nearness(x, y);
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
-      if (nearness > farthest_[tile] && nearness < kInfinity) add_to_tile(tile, x, y, nearness, id);
+      if (closed != 0 && nearness > farthest_[tile] && nearness < kInfinity) close(tile, closed, nearness, id);
     }
   }
   return true;
@@ -63,108 +65,81 @@ std::optional<PixelRectangle> CoverBuffer::tiles_to_draw() const {
   return left;
 }
 
-void CoverBuffer::add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id) {
-  std::array<std::uint8_t, kPixels> closed;
-  std::uint64_t any = 0;
-  for (std::size_t row = 0; row < kTile; ++row) {
-    std::uint64_t eight = 0;
-    static_assert(sizeof eight == kTile);
-    std::memcpy(&eight, piece_.closed(y * kTile + static_cast<int>(row)) + x * kTile, sizeof eight);
-    std::memcpy(&closed[row * kTile], &eight, sizeof eight);
-    any |= eight;
-  }
-  if (any == 0) return;
-  float* const pixels = &nearness_[tile * kPixels];
+void CoverBuffer::close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id) {
+  float* const old = &nearness_[tile * kTilePixels];
   if (!owners_.empty()) {
-    for (std::size_t i = 0; i < kPixels; ++i) {
-      if (closed[i] != 0 && nearness > pixels[i]) owners_[tile * kPixels + i] = id;
+    for (std::size_t i = 0; i < kTilePixels; ++i) {
+      if ((pixels >> i & 1U) != 0 && nearness > old[i]) owners_[tile * kTilePixels + i] = id;
     }
   }
-  float farthest = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < kPixels; ++i) {
-    const float now = closed[i] != 0 && nearness > pixels[i] ? nearness : pixels[i];
-    pixels[i] = now;
-    farthest = now < farthest ? now : farthest;
-  }
-  farthest_[tile] = farthest;
+  farthest_[tile] = bring_nearer(old, pixels, nearness);
 }
 
 CoverBuffer::Outline CoverBuffer::outline(const kernel::Aabb& box) const {
+  const std::array<Seen, 8> corners = picture_.corners(box);
+  double nearest = kInfinity;
+  for (const Seen& corner : corners) nearest = std::min(nearest, corner.forward);
+  if (!(nearest > picture_.near())) return {{}, 0};
   Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
-  double nearest = kInfinity, error = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    const Seen corner =
-        picture_.see({(i & 1U ? box.max : box.min).x, (i & 2U ? box.max : box.min).y, (i & 4U ? box.max : box.min).z});
-    nearest = std::min(nearest, corner.forward);
-    if (!(nearest > picture_.near())) return {{}, 0};
-    const Place p = picture_.place(corner);
-    error = std::max(error, picture_.place_error(p, corner.forward));
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  for (const Seen& corner : corners) {
+    const Place place = picture_.place(corner);
+    low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+    high = {std::max(high.x, place.x), std::max(high.y, place.y)};
   }
+  // What is nearer, and what is farther aside, is out by more.
+  const double error = std::max(picture_.place_error(low, nearest), picture_.place_error(high, nearest));
   return {{{low.x - error, low.y - error}, {high.x + error, high.y + error}}, nearest};
 }
 
-PixelRectangle CoverBuffer::pixels(const Outline& outline) const {
-  return picture_.pixels(outline.places.low, outline.places.high, wider_);
+CoverBuffer::Footprint CoverBuffer::footprint(const kernel::Aabb& box) const {
+  const auto [places, nearest] = outline(box);
+  if (nearest == 0) return {{0, 0, picture_.width(), picture_.height()}, std::numeric_limits<float>::infinity(), false};
+  const PixelRectangle r = picture_.pixels(places.low, places.high, wider_), clipped = picture_.clipped(r);
+  const bool is_in_picture = r.x0 >= 0 && r.y0 >= 0 && r.x1 <= picture_.width() && r.y1 <= picture_.height();
+  return {clipped, rounded_up(picture_.nearness(nearest) + picture_.nearness_error(nearest)), is_in_picture};
 }
 
-float CoverBuffer::most_nearness(const Outline& outline) const {
-  return rounded_up(picture_.nearness(outline.nearest) + picture_.nearness_error(outline.nearest));
-}
-
-bool CoverBuffer::is_in_picture(const Outline& outline) const {
-  if (outline.nearest == 0) return false;
-  const PixelRectangle r = pixels(outline);
-  return r.x0 >= 0 && r.y0 >= 0 && r.x1 <= picture_.width() && r.y1 <= picture_.height();
-}
-
-bool CoverBuffer::hides(const kernel::Aabb& box) const {
-  const Outline outline = this->outline(box);
-  return is_in_picture(outline) && count_open(pixels(outline), most_nearness(outline), 1) == 0;
-}
-
-CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
-  const Outline outline = this->outline(box);
-  if (!is_in_picture(outline)) return Gap::beyond_picture;
-  if (count_open(pixels(outline), most_nearness(outline), 1) == 0) return Gap::none;
-  return count_open(pixels(outline), std::numeric_limits<float>::lowest(), 1) == 0 ? Gap::not_behind : Gap::open;
-}
-
-bool CoverBuffer::has_open(const kernel::Aabb& box, int count) const {
-  const Outline outline = this->outline(box);
-  if (outline.nearest == 0) return true;
-  return count_open(picture_.clipped(pixels(outline)), most_nearness(outline), count) >= count;
-}
-
-int CoverBuffer::count_open(const PixelRectangle& r, float most, int enough) const {
-  int open = 0;
+template <class Found>
+bool CoverBuffer::find_open(const PixelRectangle& r, float most, const Found& found) const {
   for (int y = r.y0 / kTile; y * kTile < r.y1; ++y) {
     for (int x = r.x0 / kTile; x * kTile < r.x1; ++x) {
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
       if (farthest_[tile] > most) continue;
-      const float* const pixels = &nearness_[tile * kPixels];
-      const int x0 = std::max(r.x0 - x * kTile, 0), x1 = std::min(r.x1 - x * kTile, kTile);
-      const int y1 = std::min(r.y1 - y * kTile, kTile);
-      for (int row = std::max(r.y0 - y * kTile, 0); row < y1; ++row) {
-        for (int i = x0; i < x1; ++i) open += pixels[row * kTile + i] > most ? 0 : 1;
-      }
-      if (open >= enough) return enough;
+      const std::uint64_t pixels = tile_pixels(std::max(r.x0 - x * kTile, 0), std::max(r.y0 - y * kTile, 0),
+                                               std::min(r.x1 - x * kTile, kTile), std::min(r.y1 - y * kTile, kTile));
+      const std::uint64_t open = pixels & ~nearer_pixels(&nearness_[tile * kTilePixels], most);
+      if (open != 0 && found(open)) return true;
     }
   }
-  return open;
+  return false;
+}
+
+bool CoverBuffer::hides(const Footprint& box) const {
+  return box.is_in_picture && !find_open(box.pixels, box.most, [](std::uint64_t) { return true; });
+}
+
+CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
+  const Footprint footprint = this->footprint(box);
+  if (!footprint.is_in_picture) return Gap::beyond_picture;
+  if (hides(footprint)) return Gap::none;
+  const bool is_open = find_open(footprint.pixels, std::numeric_limits<float>::lowest(), [](std::uint64_t) { return true; });
+  return is_open ? Gap::open : Gap::not_behind;
+}
+
+bool CoverBuffer::has_open(const Footprint& box, int count) const {
+  int found = 0;
+  return find_open(box.pixels, box.most, [&](std::uint64_t open) { return (found += std::popcount(open)) >= count; });
 }
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
-  const Outline outline = this->outline(box);
-  const auto& [low, high] = outline.places;
-  const PixelRectangle r = picture_.clipped(pixels(outline));
+  const auto& [low, high] = outline(box).places;
+  const PixelRectangle r = footprint(box).pixels;
   std::vector<Owner> runs;
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;
     for (int x = r.x0; x < r.x1; ++x) {
       const auto tile = static_cast<std::size_t>(y / kTile * tiles_across_ + x / kTile);
-      const std::uint32_t id = owners_[tile * kPixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+      const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
       const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                                  {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
       const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else the margin alone reaches it

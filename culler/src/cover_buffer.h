@@ -25,7 +25,7 @@ class CoverBuffer {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Opens all pixels of a picture of a size, multiples of CoverPiece::kTile. The picture is the camera's, and 16 pixels
+  /// Opens all pixels of a picture of a size, multiples of kTile. The picture is the camera's, and 16 pixels
   /// more on each side. `depth` as append_view_frustum() takes it. With a `margin`, a share of the height of the camera's
   /// picture, a box counts as hidden only when it stays so however a renderer in single precision moves it, and what hides
   /// it, and however it is moved by the margin in the picture. REQUIRES: the camera has no fault(); margin >= 0.
@@ -41,16 +41,25 @@ class CoverBuffer {
   /// False where it closes nothing.
   bool add(const CoverMesh& mesh, std::uint32_t id = 0);
 
+  /// Where a box is in the picture.
+  struct Footprint {
+    PixelRectangle pixels;  ///< that it touches, with the margin
+    float most;             ///< nothing of it is nearer
+    bool is_in_picture;     ///< all of it, and beyond the near plane
+  };
+  [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const;
+
   /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. REQUIRES: a box no farther from the eye than `depth` of begin(). False of a box that reaches beyond the
   /// picture, or before the near plane.
-  [[nodiscard]] bool hides(const kernel::Aabb& box) const;
+  [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
+  [[nodiscard]] bool hides(const Footprint& box) const;
   /// Why it does not hide the box; none where it does.
   enum class Gap { none, beyond_picture, open, not_behind };
   [[nodiscard]] Gap gap(const kernel::Aabb& box) const;
 
   /// Whether at least so many pixels of the picture that the box touches do not hide it.
-  [[nodiscard]] bool has_open(const kernel::Aabb& box, int count) const;
+  [[nodiscard]] bool has_open(const Footprint& box, int count) const;
 
   /// A mesh that closes pixels of a box, and the places between which these are, as far as the box may reach.
   struct Owner {
@@ -65,21 +74,18 @@ class CoverBuffer {
   [[nodiscard]] const CoverPiece& piece() const { return piece_; }
 
  private:
-  static constexpr int kTile = CoverPiece::kTile, kPixels = kTile * kTile;
-
   struct Outline {
     PlaceRectangle places;
     double nearest;  ///< along the line of sight; 0 where it is not all beyond the near plane
   };
   [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
-  [[nodiscard]] PixelRectangle pixels(const Outline& outline) const;
-  [[nodiscard]] bool is_in_picture(const Outline& outline) const;
   /// Those of the piece's tiles between which all lie that it may close or bring nearer; none where there are none.
   [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
-  void add_to_tile(std::size_t tile, int x, int y, float nearness, std::uint32_t id);
-  [[nodiscard]] float most_nearness(const Outline& outline) const;
-  /// Of the pixels of the rectangle, how many do not hide what is no nearer than `most`, counted up to `enough`.
-  [[nodiscard]] int count_open(const PixelRectangle& r, float most, int enough) const;
+  void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
+  /// Calls found(open) with the pixels of each tile of the rectangle that do not hide what is no nearer than `most`, if any,
+  /// until it returns true; whether it has.
+  template <class Found>
+  bool find_open(const PixelRectangle& r, float most, const Found& found) const;
 
   BeamPicture picture_;
   CoverPiece piece_;

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "cover_frame.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace occlude::culler {
 namespace {
 
 /// A side of the coarse picture: whole tiles.
-int side(int pixels) {
-  constexpr int kTile = CoverPiece::kTile;
-  return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile;
-}
+int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
 
-/// A mesh of which a leaf is seen through fewer pixels is not drawn: slits that nothing closes. In cities that is a third of
-/// them, and what is culled less for it a thousandth.
-constexpr int kWorthClosing = 4;
+/// A leaf that is seen through fewer pixels is not drawn: slits that nothing closes. With 4 there would be half as many
+/// triangles more, and what is culled more for it is a few thousandths.
+constexpr int kWorthClosing = 8;
 
 /// CoverBuffer::work() of a frame, a tenth of a second or so: beyond, what is seen closes no more. The models tried take a
 /// tenth of it.
@@ -23,28 +19,49 @@ constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
 }  // namespace
 
-CoverFrame::CoverFrame(const CoverPieces& meshes, const Camera& camera, double reach, const CullOptions& options,
+CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double reach, const CullOptions& options,
                        View::Memory& memory)
-    : meshes_(meshes), camera_(camera), options_(options), memory_(memory) {
+    : source_(source), camera_(camera), options_(options), memory_(memory) {
   memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
   memory.result.method = Method::cover;  // the picture is this frame's
   memory.seen.clear();
+  memory.taken.clear();
   memory.take_planes();
-  if (++memory.frame == 0 || memory.mesh_frames.size() != meshes.size()) {
-    memory.mesh_frames.assign(meshes.size(), 0);
+  if (++memory.frame == 0 || memory.polygon_frames.size() != source.triangles.size()) {
+    memory.polygon_frames.assign(source.triangles.size(), 0);
     memory.frame = 1;
   }
 }
 
-bool CoverFrame::close(const HierarchyNode& leaf) {
-  if (memory_.cover.work() > kMostWork) return false;
-  const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
-  if (memory_.mesh_frames[mesh] == memory_.frame || !memory_.cover.has_open(leaf.box, kWorthClosing)) return false;
-  memory_.mesh_frames[mesh] = memory_.frame;
-  const CoverMesh triangles = meshes_[mesh];
-  ++memory_.result.stats.cover_meshes;
-  memory_.result.stats.cover_triangles += triangles.triangles.size();
-  return memory_.cover.add(triangles, mesh);
+void CoverFrame::take(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) {
+  if (memory_.cover.work() > kMostWork || !memory_.cover.has_open(footprint, kWorthClosing)) return;
+  memory_.taken.push_back(leaf);
+}
+
+bool CoverFrame::join() {
+  if (memory_.taken.empty()) return false;
+  CoverGroup& group = memory_.group;
+  group.clear();
+  for (const std::uint32_t leaf : memory_.taken) {
+    const HierarchyNode& node = source_.nodes[leaf];
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_.triangles, p);
+  }
+  for (const std::uint32_t leaf : memory_.taken) add_around(leaf);
+  memory_.taken.clear();
+  for (const std::uint32_t p : group.polygons()) memory_.polygon_frames[p] = memory_.frame;
+  CullStats& stats = memory_.result.stats;
+  ++stats.cover_groups;
+  stats.cover_triangles += group.polygons().size();
+  return memory_.cover.add(group.mesh(source_.triangles), ++groups_);
+}
+
+/// What this frame has drawn before.
+void CoverFrame::add_around(std::uint32_t leaf) {
+  for (const std::uint32_t p : source_.triangles.around(leaf)) {
+    if (memory_.polygon_frames[p] != memory_.frame) continue;
+    memory_.group.add(source_.triangles, p);
+    memory_.polygon_frames[p] = 0;  // once
+  }
 }
 
 void CoverFrame::cull(std::span<const HierarchyNode> nodes, const Culled& culled) {
@@ -53,24 +70,14 @@ void CoverFrame::cull(std::span<const HierarchyNode> nodes, const Culled& culled
   memory_.result.culled.push_back(culled);
 }
 
-void CoverFrame::finish(std::span<const HierarchyNode> nodes) {
+void CoverFrame::draw(const HierarchyNode& leaf) {
   CullResult& result = memory_.result;
-  std::ranges::sort(memory_.seen);
-  for (const std::uint32_t index : memory_.seen) {
-    const HierarchyNode& leaf = nodes[index];
-    ++result.stats.cover_tests;
-    if (memory_.cover.hides(leaf.box)) {
-      cull(nodes, {index, Culled::By::cover});
-      continue;
-    }
-    result.stats.drawn_polygons += leaf.count;
-    if (!result.drawn.empty() && result.drawn.back().first + result.drawn.back().count == leaf.first) {
-      result.drawn.back().count += leaf.count;
-    } else {
-      result.drawn.push_back({leaf.first, leaf.count});
-    }
+  result.stats.drawn_polygons += leaf.count;
+  if (!result.drawn.empty() && result.drawn.back().first + result.drawn.back().count == leaf.first) {
+    result.drawn.back().count += leaf.count;
+  } else {
+    result.drawn.push_back({leaf.first, leaf.count});
   }
-  std::ranges::sort(result.culled, {}, &Culled::node);  // depth-first, so in the order of their items
 }
 
 }  // namespace occlude::culler

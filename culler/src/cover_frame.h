@@ -1,46 +1,73 @@
 // SPDX-License-Identifier: MIT
-// A frame by cover as it comes about: what it draws, what it culls, and which meshes have closed pixels.
+// A frame by cover as it comes about: what it draws, what it culls, and what has closed pixels.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
 #include "cover_descent.h"
-#include "cover_pieces.h"
+#include "cover_triangles.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
 
+/// What hides in frames by cover: polygons in the order of a tree. Of no nodes, nothing.
+struct CoverSource {
+  std::span<const HierarchyNode> nodes;
+  const CoverTriangles& triangles;
+};
+
 class CoverFrame {
  public:
   /// After begin_frame(). `reach` as depth() of all that is drawn or hides.
-  CoverFrame(const CoverPieces& meshes, const Camera& camera, double reach, const CullOptions& options,
+  CoverFrame(const CoverSource& source, const Camera& camera, double reach, const CullOptions& options,
              View::Memory& memory);
 
-  /// `see` and `cull` as in CoverDescent; of no nodes nothing is done.
-  template <class Ask, class See, class Cull>
-  void descend(std::span<const HierarchyNode> nodes, const Ask& ask, const See& see, const Cull& cull) {
+  /// `see`, `cull` and `join` as in CoverDescent; of no nodes nothing is done.
+  template <class Ask, class See, class Cull, class Join>
+  void descend(std::span<const HierarchyNode> nodes, const Ask& ask, const See& see, const Cull& cull, const Join& join) {
     if (nodes.empty()) return;
-    CoverDescent(nodes, ask, memory_.planes, options_, camera_, memory_.cover, memory_.result.stats, see, cull).run();
+    CoverDescent(nodes, ask, memory_.planes, options_, camera_, memory_.cover, memory_.result.stats, see, cull, join).run();
   }
 
   /// A leaf of the tree of `nodes` is seen: what comes behind it may hide it yet.
-  void see(std::uint32_t leaf) { memory_.seen.push_back(leaf); }
-  /// Draws the mesh of the leaf into the coarse picture, unless this frame has or it is hardly seen. True where it may have
-  /// closed something.
-  bool close(const HierarchyNode& leaf);
+  void see(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { memory_.seen.push_back({leaf, footprint}); }
+  /// Keeps the polygons of a leaf of the source for join(), unless hardly anything of it is seen.
+  void take(std::uint32_t leaf, const CoverBuffer::Footprint& footprint);
+  /// Draws what was taken into the coarse picture, with what was drawn before and touches it, so that no seam stays open
+  /// between. True where it may have closed something: then it has the number groups().
+  bool join();
+  [[nodiscard]] std::uint32_t groups() const { return groups_; }
+
   void cull(std::span<const HierarchyNode> nodes, const Culled& culled);
   /// Asks again about the leaves that were seen, now that all is closed that will be, draws those that are not hidden, and
   /// puts what was drawn and culled in the order of the tree.
-  void finish(std::span<const HierarchyNode> nodes);
+  template <class Cull>
+  void finish(std::span<const HierarchyNode> nodes, const Cull& cull) {
+    std::ranges::sort(memory_.seen, {}, &SeenLeaf::leaf);
+    for (const auto& [leaf, footprint] : memory_.seen) {
+      ++memory_.result.stats.cover_tests;
+      if (memory_.cover.hides(footprint)) {
+        cull({leaf, Culled::By::cover});
+      } else {
+        draw(nodes[leaf]);
+      }
+    }
+    std::ranges::sort(memory_.result.culled, {}, &Culled::node);  // depth-first, so in the order of their items
+  }
 
  private:
-  const CoverPieces& meshes_;
+  void draw(const HierarchyNode& leaf);
+  void add_around(std::uint32_t leaf);
+
+  const CoverSource& source_;
   const Camera& camera_;
   const CullOptions& options_;
   View::Memory& memory_;
+  std::uint32_t groups_ = 0;
 };
 
 }  // namespace occlude::culler

@@ -2,14 +2,13 @@
 #include "cover_piece.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
 #include "rounded_float.h"
+#include "seen_edge.h"
+#include "seen_plane.h"
 
 namespace occlude::culler {
 namespace {
@@ -19,95 +18,43 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A mesh that is narrower, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 6;
 
-static_assert(std::endian::native == std::endian::little, "mark() takes the first byte for the lowest");
+constexpr std::uint64_t kEachByte = 0x0101010101010101U, kHighBits = 0x80 * kEachByte;
 
-/// Marks pixels x0 to before x1 of a row. Few at a time, as nearly always: eight are written at once. REQUIRES: eight bytes
-/// more behind the row.
-void mark(std::uint8_t* row, int x0, int x1) {
-  for (int x = x0; x < x1; x += 8) {
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, row + x, sizeof bytes);
-    bytes |= 0x0101010101010101U >> (8U * static_cast<unsigned>(8 - std::min(x1 - x, 8)));
-    std::memcpy(row + x, &bytes, sizeof bytes);
-  }
+/// The sums of bytes, modulo 256.
+std::uint64_t add_bytes(std::uint64_t a, std::uint64_t b) {
+  return ((a & ~kHighBits) + (b & ~kHighBits)) ^ ((a ^ b) & kHighBits);
 }
 
-/// The plane n . x = h of a triangle, and by how much it may be out.
-class SeenPlane {
- public:
-  /// `error` of each coordinate as computed; a renderer has points of the triangle out by `rounding` beside that.
-  SeenPlane(const Seen& a, const Seen& b, const Seen& c, double error, double rounding) {
-    const glm::dvec3 p{b.right - a.right, b.up - a.up, b.forward - a.forward};
-    const glm::dvec3 q{c.right - a.right, c.up - a.up, c.forward - a.forward};
-    double length = 0;
-    for (int axis = 0; axis < 3; ++axis) length = std::max({length, std::fabs(p[axis]), std::fabs(q[axis])});
-    normal_ = glm::cross(p, q);
-    height_ = normal_.x * a.right + normal_.y * a.up + normal_.z * a.forward;
-    // Edges are out by 2 e and a rounding, u = 2^-53; a component of the normal by four products of that with an edge, and
-    // three roundings of two products of edges: 8 e l + 10 u l^2. Twice that makes room for the roundings of least().
-    normal_error_ = 16 * error * (length + error) + 0x1p-48 * length * length;
-    const double reach = std::fabs(a.right) + std::fabs(a.up) + std::fabs(a.forward) + 3 * error;
-    height_error_ = 2 * normal_error_ * reach + 8 * length * length * error;
-    // A point x of the triangle that is moved by d lies at n . x = h + n . d.
-    height_error_ += rounding * (std::fabs(normal_.x) + std::fabs(normal_.y) + std::fabs(normal_.z) + 3 * normal_error_);
-  }
+/// A bit for each byte that is not 0, the lowest first.
+std::uint64_t nonzero_bytes(std::uint64_t bytes) {
+  const std::uint64_t high = (((bytes & ~kHighBits) + ~kHighBits) | bytes) & kHighBits;
+  return (high >> 7U) * 0x0102040810204080U >> 56U;  // bit 8 i goes to bit 56 + i, and none meet there
+}
 
-  /// Nothing is known of the plane of a sliver, nor of one seen nearly edge-on.
-  [[nodiscard]] bool is_known(bool is_perspective) const {
-    return is_perspective ? std::fabs(height_) > 4 * height_error_ : std::fabs(normal_.z) > 4 * normal_error_;
-  }
-
-  /// The nearness 1 / f along the rays (x, y, 1) of the rectangle is n . (x, y, 1) / h: no less than this.
-  /// REQUIRES: is_known(true).
-  [[nodiscard]] double least_nearness(const Place& low, const Place& high) const {
-    const double sign = height_ < 0 ? -1 : 1, height = std::fabs(height_);
-    const double value = lowest(sign, low, high) + sign * normal_.z - normal_error_ * (reach(low, high) + 1);
-    return value > 0 ? value / (height + height_error_) * (1 - kRounded) : value / (height - height_error_) * (1 + kRounded);
-  }
-
-  /// How far the plane is along the parallel rays through the rectangle, f = (h - n . (x, y, 0)) / n_z: no more than this.
-  /// REQUIRES: is_known(false).
-  [[nodiscard]] double most_forward(const Place& low, const Place& high) const {
-    const double sign = normal_.z < 0 ? -1 : 1, depth = std::fabs(normal_.z);
-    const double error = height_error_ + normal_error_ * reach(low, high);
-    const double most = sign * height_ - lowest(sign, low, high);
-    const double value = most + error + kRounded * (std::fabs(height_) + std::fabs(most - sign * height_));
-    return value > 0 ? value / (depth - normal_error_) * (1 + kRounded) : value / (depth + normal_error_) * (1 - kRounded);
-  }
-
- private:
-  static constexpr double kRounded = 0x1p-50;
-
-  /// The least of sign n . (x, y, 0) over the rectangle.
-  [[nodiscard]] double lowest(double sign, const Place& low, const Place& high) const {
-    const double x = sign * normal_.x, y = sign * normal_.y;
-    return x * (x > 0 ? low.x : high.x) + y * (y > 0 ? low.y : high.y);
-  }
-  /// The most of |x| + |y| over the rectangle.
-  [[nodiscard]] static double reach(const Place& low, const Place& high) {
-    return std::max(std::fabs(low.x), std::fabs(high.x)) + std::max(std::fabs(low.y), std::fabs(high.y));
-  }
-
-  glm::dvec3 normal_{};
-  double height_ = 0, normal_error_ = 0, height_error_ = 0;
-};
-
-}  // namespace
-
-/// The smallest upright rectangle about places, with what they are out by, and the farthest of them.
-struct CoverPiece::Extent {
+/// The smallest upright rectangle about places, with what they are out by.
+struct Extent {
   Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
-  double farthest = -kInfinity;
 
   void hold(const Corner& corner) {
     low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
     high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
   }
-  void hold(const Corner& corner, double forward) {
-    hold(corner);
-    farthest = std::max(farthest, forward);
-  }
   [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
+};
+
+}  // namespace
+
+struct CoverPiece::Outline {
+  std::array<Corner, 4> corners;
+  std::size_t count = 0;
+  Extent extent;
+  float nearness = std::numeric_limits<float>::infinity();  ///< no corner is less near
+
+  void hold(const Vertex& vertex) {
+    corners[count++] = vertex.corner;
+    extent.hold(vertex.corner);
+    nearness = std::min(nearness, vertex.nearness);
+  }
 };
 
 void CoverPiece::begin(const BeamPicture& picture) {
@@ -116,101 +63,8 @@ void CoverPiece::begin(const BeamPicture& picture) {
   slopes_y_.clear();
   for (int x = 0; x <= picture.width(); x += kTile) slopes_x_.push_back(picture.slope(x, 0).x);
   for (int y = 0; y <= picture.height(); y += kTile) slopes_y_.push_back(picture.slope(0, y).y);
-}
-
-/// What is drawn of a triangle: a convex loop.
-struct CoverPiece::Outline {
-  std::array<Corner, 4> corners;
-  std::size_t count = 0;
-  Extent extent;
-
-  void hold(const Corner& corner, double forward) {
-    corners[count++] = corner;
-    extent.hold(corner, forward);
-  }
-
-  struct Range {
-    double low, high;
-  };
-  /// From where to where across it reaches between two heights, or as near them as its corners are out; the low end is above
-  /// the high one where it does not. A place on an edge rounds as in mark_border().
-  [[nodiscard]] Range between(double low, double high) const {
-    Range range{kInfinity, -kInfinity};
-    for (std::size_t i = 0; i < count; ++i) {
-      const Corner &p = corners[i], &q = corners[i + 1 < count ? i + 1 : 0];
-      const Place &a = p.place.y <= q.place.y ? p.place : q.place, &b = p.place.y <= q.place.y ? q.place : p.place;
-      const double error = std::max(p.error, q.error);
-      if (a.y > high + error || b.y < low - error) continue;
-      const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-      const double first = a.y >= low - error ? a.x : a.x + (low - error - a.y) * slope;
-      const double last = b.y <= high + error ? b.x : a.x + (high + error - a.y) * slope;
-      const double wide = error + 0x1p-50 * (std::fabs(a.x) + std::fabs(b.x));
-      range = {std::min({range.low, first - wide, last - wide}), std::max({range.high, first + wide, last + wide})};
-    }
-    return range;
-  }
-};
-
-CoverPiece::Outline CoverPiece::outline(const CoverMesh::Triangle& triangle) const {
-  Outline outline;
-  if (!is_cut_) {
-    for (const std::uint32_t i : triangle) outline.hold(corners_[i], seen_[i].forward);
-  } else {
-    const Part left = part(triangle);
-    for (std::size_t i = 0; i < left.count; ++i) outline.hold(corner(left.corners[i]), left.corners[i].forward);
-  }
-  return outline;
-}
-
-bool CoverPiece::draw(const PixelRectangle& tiles) {
-  rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
-  work_ = static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
-  if (!take()) return false;
-  clear();
-  for (const CoverMesh::Edge& edge : mesh_.edges) {
-    if (const int count = degree(edge); count != 0) draw_edge(edge, count);
-  }
-  for (std::size_t t = 0; t < signs_.size(); ++t) {
-    if (signs_[t] == 0) continue;
-    if (is_cut_) draw_cut(mesh_.triangles[t], signs_[t]);
-    lay_depth(mesh_.triangles[t]);
-  }
-  close();
-  return true;
-}
-
-CoverPiece::Corner CoverPiece::corner(const Seen& seen) const {
-  const Place place = picture_.place(seen);
-  return {place, picture_.place_error(place, seen.forward)};
-}
-
-void CoverPiece::see() {
-  const std::size_t count = mesh_.vertices.size();
-  seen_.resize(count);
-  corners_.resize(count);
-  is_cut_ = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    seen_[i] = picture_.see(mesh_.vertices[i]);
-    is_cut_ = is_cut_ || seen_[i].forward < picture_.near();
-  }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (!is_cut_ || !is_before(i)) corners_[i] = corner(seen_[i]);
-  }
-}
-
-Seen CoverPiece::cut(std::uint32_t a, std::uint32_t b) const {
-  const auto [from, to] = std::minmax(a, b);
-  return picture_.cut(seen_[from], seen_[to]);
-}
-
-CoverPiece::Part CoverPiece::part(const CoverMesh::Triangle& triangle) const {
-  Part part;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
-    if (!is_before(a)) part.corners[part.count++] = seen_[a];
-    if (is_before(a) != is_before(b)) part.corners[part.count++] = cut(a, b);
-  }
-  return part;
+  reach_ = std::max(std::fabs(slopes_x_.front()), std::fabs(slopes_x_.back())) +
+           std::max(std::fabs(slopes_y_.front()), std::fabs(slopes_y_.back()));
 }
 
 bool CoverPiece::find(const CoverMesh& mesh) {
@@ -220,13 +74,15 @@ bool CoverPiece::find(const CoverMesh& mesh) {
   double nearest = kInfinity;
   for (std::uint32_t i = 0; i < seen_.size(); ++i) {
     if (is_cut_ && is_before(i)) continue;
-    all.hold(corners_[i]);
+    all.hold(vertices_[i].corner);
     nearest = std::min(nearest, seen_[i].forward);
   }
   if (is_cut_) {
     nearest = picture_.near();
-    for (const CoverMesh::Edge& edge : mesh_.edges) {
-      if (is_before(edge.from) != is_before(edge.to)) all.hold(corner(cut(edge.from, edge.to)));
+    for (const auto& [a, b, c] : mesh_.triangles) {
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        if (is_before(from) != is_before(to)) all.hold(cut(from, to).corner);
+      }
     }
   }
   if (all.is_empty()) return false;
@@ -237,62 +93,173 @@ bool CoverPiece::find(const CoverMesh& mesh) {
   return true;
 }
 
-int CoverPiece::sign(const CoverMesh::Triangle& triangle, bool is_closed) const {
+void CoverPiece::draw(const PixelRectangle& tiles) {
+  rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
+  work_ = static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
+  clear();
+  signs_.resize(mesh_.triangles.size());
+  for (std::size_t t = 0; t < signs_.size(); ++t) take(t);
+  for (std::size_t t = 0; t < signs_.size(); ++t) {
+    if (signs_[t] != 0) draw_sides(t);
+  }
+  close();
+}
+
+void CoverPiece::see() {
+  const std::size_t count = mesh_.vertices.size();
+  seen_.resize(count);
+  vertices_.resize(count);
+  is_cut_ = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    seen_[i] = picture_.see(mesh_.vertices[i]);
+    is_cut_ = is_cut_ || seen_[i].forward < picture_.near();
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!is_cut_ || !is_before(i)) vertices_[i] = vertex(seen_[i]);
+  }
+}
+
+CoverPiece::Vertex CoverPiece::vertex(const Seen& seen) const {
+  return {picture_.corner(seen), rounded_down(picture_.nearness(seen.forward) - picture_.nearness_error(seen.forward))};
+}
+
+CoverPiece::Vertex CoverPiece::cut(std::uint32_t a, std::uint32_t b) const {
+  const auto [from, to] = std::minmax(a, b);
+  return vertex(picture_.cut(seen_[from], seen_[to]));
+}
+
+CoverPiece::Outline CoverPiece::outline(const CoverMesh::Triangle& triangle) const {
+  Outline outline;
+  if (!is_cut_) {
+    for (const std::uint32_t i : triangle) outline.hold(vertices_[i]);
+    return outline;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
+    if (!is_before(a)) outline.hold(vertices_[a]);
+    if (is_before(a) != is_before(b)) outline.hold(cut(a, b));
+  }
+  return outline;
+}
+
+std::optional<PlaceRectangle> CoverPiece::places(std::size_t triangle) const {
+  if (signs_[triangle] == 0) return std::nullopt;
+  const Outline outline = this->outline(mesh_.triangles[triangle]);
+  return PlaceRectangle{outline.extent.low, outline.extent.high};
+}
+
+void CoverPiece::clear() {
+  tiles_across_ = picture_.width() / kTile;
+  const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(picture_.height() / kTile);
+  if (++piece_ == 0 || tiles_.size() != count) {
+    tiles_.assign(count, {});
+    degrees_.resize(static_cast<std::size_t>(tiles_across_));
+    closed_.resize(count);
+    nearness_.resize(count);
+    piece_ = 1;
+  }
+  const PixelRectangle& t = rectangle_;
+  for (int y = t.y0 / kTile; y < t.y1 / kTile; ++y) {
+    const auto row = nearness_.begin() + std::ptrdiff_t{y} * tiles_across_;
+    std::fill(row + t.x0 / kTile, row + t.x1 / kTile, std::numeric_limits<float>::infinity());
+  }
+}
+
+CoverPiece::Tile& CoverPiece::touch(int tile_x, int tile_y) {
+  Tile& tile = tiles_[tile_at(tile_x, tile_y)];
+  if (tile.piece != piece_) tile = {.piece = piece_};
+  return tile;
+}
+
+/// Takes a triangle that is somewhere in what is drawn.
+void CoverPiece::take(std::size_t triangle) {
+  const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
+  const Outline outline = this->outline(corners);
+  const auto& [low, high] = outline.extent;
+  const PixelRectangle& r = rectangle_;
+  const bool is_in = high.x >= r.x0 && low.x <= r.x1 && high.y >= r.y0 && low.y <= r.y1;
+  signs_[triangle] = static_cast<std::int8_t>(is_in ? sign(corners) : 0);
+  if (signs_[triangle] != 0) lay_depth(corners, outline);
+}
+
+/// Which way round it looks, up to rounding.
+int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
   const Seen &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
   const double side = picture_.is_perspective()
                           ? a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +
                                 c.forward * (a.right * b.up - a.up * b.right)
                           : (b.right - a.right) * (c.up - a.up) - (b.up - a.up) * (c.right - a.right);
-  return side > 0 ? 1 : side < 0 && !is_closed ? -1 : 0;
+  return side > 0 ? 1 : side < 0 ? -1 : 0;
 }
 
-/// Of closed surfaces what is turned to the eye, of others all.
-bool CoverPiece::take() {
-  signs_.resize(mesh_.triangles.size());
-  bool is_any = false;
-  for (std::size_t t = 0; t < signs_.size(); ++t) {
-    signs_[t] = static_cast<std::int8_t>(sign(mesh_.triangles[t], mesh_.is_closed[t] != 0));
-    is_any = is_any || signs_[t] != 0;
+/// A triangle is nowhere farther than its farthest corner, nor, within a tile, than its plane.
+void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle, const Outline& outline) {
+  const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
+  const PixelRectangle r{std::max(touched.x0, rectangle_.x0), std::max(touched.y0, rectangle_.y0),
+                         std::min(touched.x1, rectangle_.x1), std::min(touched.y1, rectangle_.y1)};
+  if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
+  const PixelRectangle tiles{r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
+  if (tiles.x1 - tiles.x0 == 1 && tiles.y1 - tiles.y0 == 1) {
+    lay(tiles.x0, tiles.y0, outline.nearness);
+    return;
   }
-  return is_any;
+  const auto& [a, b, c] = triangle;
+  const SeenPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
+  const bool is_large = tiles.x1 - tiles.x0 > 2 && tiles.y1 - tiles.y0 > 2;
+  std::array<SeenEdge, 4> edges;
+  for (std::size_t i = 0; is_large && i < outline.count; ++i) {
+    edges[i] = {outline.corners[i], outline.corners[i + 1 < outline.count ? i + 1 : 0]};
+  }
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    int x0 = tiles.x0, x1 = tiles.x1;
+    if (is_large) {
+      SeenEdge::Range range;
+      for (std::size_t i = 0; i < outline.count; ++i) range.hold(edges[i].between(y * kTile, (y + 1) * kTile));
+      x0 = std::max(pixel_at(range.low, picture_.width()) / kTile, x0);
+      x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, x1);
+    }
+    work_ += static_cast<std::size_t>(std::max(x1 - x0, 0));
+    const double* const slopes = slopes_x_.data();
+    const double of_rows = plane.of_rows(slopes_y_[static_cast<std::size_t>(y)], slopes_y_[static_cast<std::size_t>(y) + 1]);
+    for (int x = x0; x < x1; ++x) {
+      const double of_plane = plane.is_known() ? plane.least_nearness(of_rows, slopes[x], slopes[x + 1]) : -kInfinity;
+      lay(x, y, of_plane > outline.nearness ? rounded_down(of_plane) : outline.nearness);
+    }
+  }
 }
 
-int CoverPiece::degree(const CoverMesh::Edge& edge) const {
-  int sum = 0;
-  for (std::uint32_t u = edge.first_use; u < edge.end_use; ++u) {
-    const CoverMesh::Use use = mesh_.uses[u];
-    sum += use.ascends ? signs_[use.triangle] : -signs_[use.triangle];
+void CoverPiece::lay(int tile_x, int tile_y, float nearness) {
+  float& tile = nearness_[tile_at(tile_x, tile_y)];
+  tile = std::min(tile, nearness);
+}
+
+/// The sides that are border, each edge with its first triangle, and where it is cut.
+void CoverPiece::draw_sides(std::size_t triangle) {
+  const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const int degree = this->degree(static_cast<std::uint32_t>(3 * triangle) + i);
+    if (degree != 0) draw_edge(corners[i], corners[(i + 1) % 3], degree);
+  }
+  if (is_cut_) draw_cut(corners, signs_[triangle]);
+}
+
+/// How many more go along the side than the other way; 0 where one before it in its ring is drawn for it.
+int CoverPiece::degree(std::uint32_t side) const {
+  const auto from = [&](std::uint32_t s) { return mesh_.triangles[s / 3][s % 3]; };
+  int sum = signs_[side / 3];
+  for (std::uint32_t other = mesh_.next[side / 3][side % 3]; other != side; other = mesh_.next[other / 3][other % 3]) {
+    const int sign = signs_[other / 3];
+    if (sign != 0 && other < side) return 0;
+    sum += from(other) == from(side) ? sign : -sign;
   }
   return sum;
 }
 
-void CoverPiece::clear() {
-  const auto width = static_cast<std::size_t>(picture_.width()), height = static_cast<std::size_t>(picture_.height());
-  tiles_across_ = picture_.width() / kTile;
-  turns_.resize(width * height);
-  border_.resize(width * height + sizeof(std::uint64_t));  // mark() writes eight at a time
-  degrees_.resize(width);
-  tiles_.resize(width * height / (kTile * kTile));
-  const PixelRectangle& r = rectangle_;
-  const auto across = static_cast<std::size_t>(r.x1 - r.x0);
-  for (int y = r.y0; y < r.y1; ++y) {
-    std::memset(&turns_[at(r.x0, y)], 0, across);
-    std::memset(&border_[at(r.x0, y)], 0, across);
-  }
-  std::memset(&degrees_[static_cast<std::size_t>(r.x0)], 0, across);
-  for (int y = r.y0 / kTile; y < r.y1 / kTile; ++y) {
-    const auto row = tiles_.begin() + std::ptrdiff_t{y} * tiles_across_;
-    std::fill(row + r.x0 / kTile, row + r.x1 / kTile, std::numeric_limits<float>::infinity());
-  }
-}
-
-void CoverPiece::draw_edge(const CoverMesh::Edge& edge, int degree) {
-  if (!is_cut_) return draw_border(corners_[edge.from], corners_[edge.to], degree);
-  if (is_before(edge.from) && is_before(edge.to)) return;
-  const auto end = [&](std::uint32_t vertex) {
-    return is_before(vertex) ? corner(cut(edge.from, edge.to)) : corners_[vertex];
-  };
-  draw_border(end(edge.from), end(edge.to), degree);
+void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to, int degree) {
+  if (!is_cut_) return draw_border(vertices_[from].corner, vertices_[to].corner, degree);
+  if (is_before(from) && is_before(to)) return;
+  const auto end = [&](std::uint32_t vertex) { return (is_before(vertex) ? cut(from, to) : vertices_[vertex]).corner; };
+  draw_border(end(from), end(to), degree);
 }
 
 /// Where a triangle is cut is border: it goes back there from where the loop leaves what is drawn to where it returns.
@@ -303,7 +270,7 @@ void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle, int degree) {
     const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
     if (is_before(a) == is_before(b)) continue;
     is_cut = true;
-    (is_before(b) ? leaves : returns) = corner(cut(a, b));
+    (is_before(b) ? leaves : returns) = cut(a, b).corner;
   }
   if (is_cut) draw_border(leaves, returns, degree);
 }
@@ -318,26 +285,24 @@ void CoverPiece::draw_border(const Corner& from, const Corner& to, int degree) {
 }
 
 /// Marks all pixels that come so near the edge as its ends are out.
-void CoverPiece::mark_border(const Corner& p, const Corner& q) {
-  const Place &a = p.place.y <= q.place.y ? p.place : q.place, &b = p.place.y <= q.place.y ? q.place : p.place;
-  const double error = std::max(p.error, q.error);
-  const double rise = b.y - a.y, slope = rise > 0 ? (b.x - a.x) / rise : 0;
-  // A place on the edge rounds four times more.
-  const double wide = error + 0x1p-50 * (std::fabs(a.x) + std::fabs(b.x));
+void CoverPiece::mark_border(const Corner& from, const Corner& to) {
+  const SeenEdge edge(from, to);
   const PixelRectangle& r = rectangle_;
-  const PixelRectangle rows = picture_.pixels({0, a.y}, {0, b.y}, error);
-  const double low_x = std::min(a.x, b.x), high_x = std::max(a.x, b.x);
+  const PixelRectangle rows = picture_.pixels({0, edge.low()}, {0, edge.high()}, edge.error());
+  const double left = r.x0, right = r.x1;
   for (int row = std::max(rows.y0, r.y0); row < std::min(rows.y1, r.y1); ++row) {
-    // Within the row, or as near it as the error.
-    const auto at_y = [&](double y) { return y <= a.y ? a.x : y >= b.y ? b.x : a.x + (y - a.y) * slope; };
-    double from = low_x, to = high_x;
-    if (rise > 0) {
-      from = at_y(row - error);
-      to = at_y(row + 1 + error);
-      if (to < from) std::swap(from, to);
-    }
-    const PixelRectangle marked = picture_.pixels({from, 0}, {to, 0}, wide);
-    mark(&border_[at(0, row)], std::max(marked.x0, r.x0), std::min(marked.x1, r.x1));
+    const SeenEdge::Range range = edge.between(row, row + 1);
+    mark_row(row, static_cast<int>(std::min(std::max(range.low, left), right)),
+             static_cast<int>(std::min(std::max(range.high + 1, left), right)));
+  }
+}
+
+void CoverPiece::mark_row(int row, int x0, int x1) {
+  for (int x = x0; x < x1;) {
+    const int left = x & ~(kTile - 1), end = std::min(left + kTile, x1);
+    const std::uint64_t pixels = (std::uint64_t{1} << (end - left)) - (std::uint64_t{1} << (x - left));
+    touch(x / kTile, row / kTile).border |= pixels << (row % kTile * kTile);
+    x = end;
   }
 }
 
@@ -353,70 +318,31 @@ void CoverPiece::turn_degree(const Place& a, const Place& b, int degree) {
   for (int x = first_from(a.x); x < end; ++x) {
     const double y = a.y + (x + 0.5 - a.x) * slope;
     const int row = std::max(first_middle(y, picture_.height()), r.y0);
-    if (row < r.y1) turns_[at(x, row)] = static_cast<std::uint8_t>(turns_[at(x, row)] + degree);
+    if (row >= r.y1) continue;
+    std::uint64_t& turns = touch(x / kTile, row / kTile).turns[static_cast<std::size_t>(row % kTile)];
+    turns = add_bytes(turns, std::uint64_t{static_cast<std::uint8_t>(degree)} << (x % kTile * 8));
   }
-}
-
-std::optional<PlaceRectangle> CoverPiece::places(const CoverMesh::Triangle& triangle) const {
-  const Outline outline = this->outline(triangle);
-  if (outline.count == 0) return std::nullopt;
-  return PlaceRectangle{outline.extent.low, outline.extent.high};
-}
-
-/// A triangle is nowhere farther than its farthest corner, nor, within a tile, than its plane.
-void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle) {
-  const Outline outline = this->outline(triangle);
-  if (outline.count == 0) return;
-  const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
-  const PixelRectangle r{std::max(touched.x0, rectangle_.x0), std::max(touched.y0, rectangle_.y0),
-                         std::min(touched.x1, rectangle_.x1), std::min(touched.y1, rectangle_.y1)};
-  if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
-  const double farthest = outline.extent.farthest;
-  const float at_corners = rounded_down(picture_.nearness(farthest) - picture_.nearness_error(farthest));
-  const PixelRectangle tiles{r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
-  if (tiles.x1 - tiles.x0 == 1 && tiles.y1 - tiles.y0 == 1) {
-    lay(tiles.x0, tiles.y0, at_corners);
-    return;
-  }
-  const bool is_perspective = picture_.is_perspective();
-  const auto& [a, b, c] = triangle;
-  const SeenPlane plane(seen_[a], seen_[b], seen_[c], picture_.error(), picture_.rounding());
-  const bool is_known = plane.is_known(is_perspective);
-  for (int y = tiles.y0; y < tiles.y1; ++y) {
-    const auto [low_x, high_x] = outline.between(y * kTile, (y + 1) * kTile);
-    if (low_x > high_x) continue;
-    const int x0 = std::max(pixel_at(low_x, picture_.width()) / kTile, tiles.x0);
-    const int x1 = std::min(pixel_at(high_x, picture_.width()) / kTile + 1, tiles.x1);
-    work_ += static_cast<std::size_t>(std::max(x1 - x0, 0));
-    for (int x = x0; x < x1; ++x) {
-      float nearness = at_corners;
-      if (is_known) {
-        const Place low{slope_x(x), slope_y(y)}, high{slope_x(x + 1), slope_y(y + 1)};
-        const double of_plane =
-            is_perspective ? plane.least_nearness(low, high) : picture_.nearness(plane.most_forward(low, high));
-        nearness = std::max(nearness, rounded_down(of_plane));
-      }
-      lay(x, y, nearness);
-    }
-  }
-}
-
-void CoverPiece::lay(int tile_x, int tile_y, float nearness) {
-  float& tile = tiles_[static_cast<std::size_t>(tile_y * tiles_across_ + tile_x)];
-  tile = std::min(tile, nearness);
 }
 
 /// From turns and border to what is closed.
 void CoverPiece::close() {
-  const PixelRectangle& r = rectangle_;
-  const auto across = static_cast<std::size_t>(r.x1 - r.x0);
-  std::uint8_t* const degrees = &degrees_[static_cast<std::size_t>(r.x0)];
-  for (int y = r.y0; y < r.y1; ++y) {
-    const std::uint8_t* const turns = &turns_[at(r.x0, y)];
-    std::uint8_t* const border = &border_[at(r.x0, y)];
-    for (std::size_t i = 0; i < across; ++i) {
-      degrees[i] = static_cast<std::uint8_t>(degrees[i] + turns[i]);
-      border[i] = degrees[i] != 0 && border[i] == 0 ? 1 : 0;
+  const PixelRectangle tiles{rectangle_.x0 / kTile, rectangle_.y0 / kTile, rectangle_.x1 / kTile, rectangle_.y1 / kTile};
+  std::fill(degrees_.begin() + tiles.x0, degrees_.begin() + tiles.x1, 0);
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
+      std::uint64_t& degrees = degrees_[static_cast<std::size_t>(x)];
+      const Tile& tile = tiles_[tile_at(x, y)];
+      std::uint64_t& closed = closed_[tile_at(x, y)];
+      if (tile.piece != piece_) {
+        closed = nonzero_bytes(degrees) * kEachByte;
+        continue;
+      }
+      closed = 0;
+      for (unsigned row = 0; row < kTile; ++row) {
+        degrees = add_bytes(degrees, tile.turns[row]);
+        closed |= nonzero_bytes(degrees) << (row * kTile);
+      }
+      closed &= ~tile.border;
     }
   }
 }

@@ -4,13 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "bounds.h"
-#include "cover_frame.h"
 #include "cull_frame.h"
+#include "lazy.h"
 #include "occlude/culler/culler.h"
 #include "view_memory.h"
 
@@ -27,24 +25,28 @@ bool meet(const PlaceRectangle& a, const PlaceRectangle& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
+/// Watches a frame, and names for each cull by cover what hides it.
 class CoverReplay {
  public:
-  CoverReplay(const Hierarchy& hierarchy, const CoverPieces& meshes, CoverBuffer& buffer, std::size_t most,
-              std::vector<CoverWitness>& witnesses)
-      : hierarchy_(hierarchy), meshes_(meshes), buffer_(buffer), most_(most), witnesses_(witnesses) {}
+  CoverReplay(const Hierarchy& hierarchy, View::Memory& memory, std::size_t most, std::vector<CoverWitness>& witnesses)
+      : hierarchy_(hierarchy), memory_(memory), most_(most), witnesses_(witnesses) {}
 
-  /// After its mesh has closed something.
-  void keep(const HierarchyNode& leaf) {
-    const std::uint32_t mesh = meshes_.mesh_of(leaf.first);
-    std::vector<DrawnTriangle>& drawn = drawn_[mesh];
-    const CoverMesh triangles = meshes_[mesh];
-    for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
-      if (!buffer_.piece().is_taken(t)) continue;
-      const auto places = buffer_.piece().places(triangles.triangles[t]);
-      if (places) drawn.push_back({meshes_.polygon(mesh, t), *places});
+  void begin(const CoverFrame&) { memory_.cover.keep_owners(); }
+
+  void joined(const CoverFrame& frame) {
+    drawn_.resize(frame.groups() + std::size_t{1});
+    const auto polygons = memory_.group.polygons();
+    for (std::size_t t = 0; t < polygons.size(); ++t) {
+      const auto places = memory_.cover.piece().places(t);
+      if (places) drawn_.back().push_back({polygons[t], *places});
     }
   }
 
+  void culled(const Culled& culled) {
+    if (culled.by == Culled::By::cover) prove(culled.node);
+  }
+
+ private:
   void prove(std::uint32_t node) {
     const HierarchyNode& n = hierarchy_.nodes()[node];
     std::vector<std::uint32_t> polygons = polygons_before(n.box);
@@ -61,11 +63,10 @@ class CoverReplay {
     }
   }
 
- private:
   [[nodiscard]] std::vector<std::uint32_t> polygons_before(const kernel::Aabb& box) const {
     std::vector<std::uint32_t> polygons;
-    for (const auto& [mesh, places] : buffer_.owners(box)) {
-      for (const DrawnTriangle& triangle : drawn_.at(mesh)) {
+    for (const auto& [group, places] : memory_.cover.owners(box)) {
+      for (const DrawnTriangle& triangle : drawn_[group]) {
         if (meet(triangle.places, places)) polygons.push_back(triangle.polygon);
       }
     }
@@ -81,36 +82,20 @@ class CoverReplay {
   }
 
   const Hierarchy& hierarchy_;
-  const CoverPieces& meshes_;
-  CoverBuffer& buffer_;
+  View::Memory& memory_;
   std::size_t most_;
   std::vector<CoverWitness>& witnesses_;
-  std::unordered_map<std::uint32_t, std::vector<DrawnTriangle>> drawn_;  ///< of the meshes
+  std::vector<std::vector<DrawnTriangle>> drawn_;  ///< of the groups
 };
 
 }  // namespace
 
 void Culler::append_covers(const Camera& camera, const CullOptions& options, std::size_t most,
                            std::vector<CoverWitness>& witnesses) const {
-  const auto nodes = hierarchy_.nodes();
   const auto ask = [&](std::uint32_t node, auto&& question) { return hierarchy_.ask(node, question); };
   View::Memory memory;
-  const double reach = begin_frame(nodes, camera, options, memory);
-  CoverFrame frame(meshes(), camera, reach, options, memory);
-  memory.cover.keep_owners();
-  CoverReplay replay(hierarchy_, meshes(), memory.cover, most, witnesses);
-  std::vector<std::uint32_t> seen;
-  const auto see = [&](std::uint32_t leaf) {
-    seen.push_back(leaf);
-    if (frame.close(nodes[leaf])) replay.keep(nodes[leaf]);
-  };
-  const auto cull = [&](const Culled& culled) {
-    if (culled.by == Culled::By::cover) replay.prove(culled.node);
-  };
-  frame.descend(nodes, ask, see, cull);
-  for (const std::uint32_t leaf : seen) {
-    if (memory.cover.hides(nodes[leaf].box)) replay.prove(leaf);
-  }
+  const CoverSource source{hierarchy_.nodes(), triangles()};
+  cull_by_cover(source, ask, camera, options, memory, CoverReplay(hierarchy_, memory, most, witnesses));
 }
 
 std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {

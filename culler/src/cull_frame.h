@@ -14,7 +14,6 @@
 
 #include "bounds.h"
 #include "cover_frame.h"
-#include "cover_pieces.h"
 #include "node_tests.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
@@ -48,33 +47,50 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const 
   memory.history.record(source.occluders.size(), memory.result.occluders, memory.probes);
 }
 
+/// Is told of a frame by cover what it does, and wants nothing of it.
+struct Unwatched {
+  static void begin(const CoverFrame&) {}
+  static void joined(const CoverFrame&) {}
+  static void culled(const Culled&) {}
+};
+
 /// A model by cover: what is seen of it is what hides.
-template <class Ask>
-void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, const CoverPieces& meshes, const Camera& camera,
-                   const CullOptions& options, View::Memory& memory) {
-  const double reach = begin_frame(nodes, camera, options, memory);
-  CoverFrame frame(meshes, camera, reach, options, memory);
-  const auto see = [&](std::uint32_t leaf) {
-    frame.see(leaf);
-    frame.close(nodes[leaf]);
+template <class Ask, class Watch = Unwatched>
+void cull_by_cover(const CoverSource& source, const Ask& ask, const Camera& camera, const CullOptions& options,
+                   View::Memory& memory, Watch&& watch = {}) {
+  const double reach = begin_frame(source.nodes, camera, options, memory);
+  CoverFrame frame(source, camera, reach, options, memory);
+  watch.begin(frame);
+  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint) {
+    frame.see(leaf, footprint);
+    frame.take(leaf, footprint);
   };
-  frame.descend(nodes, ask, see, [&](const Culled& culled) { frame.cull(nodes, culled); });
-  frame.finish(nodes);
+  const auto cull = [&](const Culled& culled) {
+    watch.culled(culled);
+    frame.cull(source.nodes, culled);
+  };
+  const auto join = [&] {
+    if (frame.join()) watch.joined(frame);
+  };
+  frame.descend(source.nodes, ask, see, cull, join);
+  frame.finish(source.nodes, cull);
 }
 
 /// Objects by cover: first what is seen of the occluders closes pixels, then the objects are asked.
 template <class Ask>
-void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const HierarchyNode> occluders,
-                   const CoverPieces& meshes, const Camera& camera, const CullOptions& options, View::Memory& memory) {
+void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, const CoverSource& source, const Camera& camera,
+                   const CullOptions& options, View::Memory& memory) {
   double reach = begin_frame(nodes, camera, options, memory);
-  if (!occluders.empty()) reach = std::max(reach, depth(occluders[0].box, camera.eye));
-  CoverFrame frame(meshes, camera, reach, options, memory);
-  const auto ask_occluders = [&](std::uint32_t node, auto&& question) { return question(occluders[node].box); };
-  const auto close = [&](std::uint32_t leaf) { frame.close(occluders[leaf]); };
-  frame.descend(occluders, ask_occluders, close, [](const Culled&) {});
-  const auto see = [&](std::uint32_t leaf) { frame.see(leaf); };
-  frame.descend(nodes, ask, see, [&](const Culled& culled) { frame.cull(nodes, culled); });
-  frame.finish(nodes);
+  if (!source.nodes.empty()) reach = std::max(reach, depth(source.nodes[0].box, camera.eye));
+  CoverFrame frame(source, camera, reach, options, memory);
+  const auto ask_occluders = [&](std::uint32_t node, auto&& question) { return question(source.nodes[node].box); };
+  const auto take = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { frame.take(leaf, footprint); };
+  frame.descend(
+      source.nodes, ask_occluders, take, [](const Culled&) {}, [&] { frame.join(); });
+  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { frame.see(leaf, footprint); };
+  const auto cull = [&](const Culled& culled) { frame.cull(nodes, culled); };
+  frame.descend(nodes, ask, see, cull, [] {});
+  frame.finish(nodes, cull);
 }
 
 }  // namespace occlude::culler

@@ -43,7 +43,7 @@ Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpo
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
       occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders, checkpoint)),
       grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid, checkpoint)),
-      meshes_(std::make_shared<LazyPieces>()) {}
+      triangles_(std::make_shared<LazyTriangles>()) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
@@ -51,13 +51,13 @@ Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint&
       occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders, checkpoint)),
       grid_(
           OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid, std::move(preprocess.lists))),
-      meshes_(std::make_shared<LazyPieces>()) {}
+      triangles_(std::make_shared<LazyTriangles>()) {}
 
-const CoverPieces& Culler::meshes(const Checkpoint& checkpoint) const {
-  return meshes_->get([&] { return CoverPieces::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });
+const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
+  return triangles_->get([&] { return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });
 }
 
-void Culler::prepare_cover(const Checkpoint& checkpoint) const { static_cast<void>(meshes(checkpoint)); }
+void Culler::prepare_cover(const Checkpoint& checkpoint) const { static_cast<void>(triangles(checkpoint)); }
 
 CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
   View view;
@@ -70,7 +70,8 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
   View::Memory& memory = view.memory();
   if (options.method == Method::cover) {
-    cull_by_cover(hierarchy_.nodes(), volumes_of(hierarchy_), meshes(), camera, options, memory);
+    const CoverSource source{hierarchy_.nodes(), triangles()};
+    cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
     cull_by_frusta(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_),
                    {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);

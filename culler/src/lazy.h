@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is made when it is first asked for: who culls by frusta alone pays nothing for meshes.
+// What is made when it is first asked for: who culls by frusta alone pays nothing for what covers need.
 #pragma once
 
 #include <mutex>
 
-#include "cover_pieces.h"
+#include "cover_triangles.h"
 
 namespace occlude::culler {
 
@@ -24,6 +24,6 @@ class Lazy {
   T value_;
 };
 
-class LazyPieces : public Lazy<CoverPieces> {};
+class LazyTriangles : public Lazy<CoverTriangles> {};
 
 }  // namespace occlude::culler

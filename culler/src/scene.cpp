@@ -47,20 +47,21 @@ void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn
 
 }  // namespace
 
-/// A tree of the occluders, none of no occluders, and what is drawn of them into the coarse picture.
+/// A tree of the occluders, none of no occluders, and their triangles.
 struct OccluderTree {
   std::optional<Hierarchy> tree;
-  CoverPieces meshes;
+  CoverTriangles triangles;
 
   OccluderTree(const PolygonSoup& soup, const Checkpoint& checkpoint) {
     if (soup.empty()) return;
-    tree = Hierarchy::build(soup, {.leaf_size = CoverPieces::kMost}, checkpoint);
-    meshes = CoverPieces::find(tree->soup(), tree->nodes(), checkpoint);
+    constexpr std::uint32_t kLeaf = 4;  // as models are culled best
+    tree = Hierarchy::build(soup, {.leaf_size = kLeaf}, checkpoint);
+    triangles = CoverTriangles::find(tree->soup(), tree->nodes(), checkpoint);
   }
   OccluderTree() = default;
 
-  [[nodiscard]] std::span<const HierarchyNode> nodes() const {
-    return tree ? tree->nodes() : std::span<const HierarchyNode>{};
+  [[nodiscard]] CoverSource source() const {
+    return {tree ? tree->nodes() : std::span<const HierarchyNode>{}, triangles};
   }
 };
 
@@ -84,7 +85,7 @@ const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options,
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
   if (options.method == Method::cover) {
     const OccluderTree& occluders = cover_->get([&] { return OccluderTree(soup_, {}); });
-    cull_by_cover(objects_->nodes(), ask, occluders.nodes(), occluders.meshes, camera, options, memory);
+    cull_by_cover(objects_->nodes(), ask, occluders.source(), camera, options, memory);
   } else {
     cull_by_frusta(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
   }

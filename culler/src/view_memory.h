@@ -8,12 +8,19 @@
 
 #include "candidate_order.h"
 #include "cover_buffer.h"
+#include "cover_group.h"
 #include "occlude/culler/occluder_history.h"
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/polytope_silhouette.h"
 
 namespace occlude::culler {
+
+/// A leaf that a frame by cover has not culled, and where it is in the coarse picture.
+struct SeenLeaf {
+  std::uint32_t leaf;
+  CoverBuffer::Footprint footprint;
+};
 
 struct View::Memory {
   CullResult result;
@@ -30,10 +37,12 @@ struct View::Memory {
   std::vector<std::uint32_t> holding;  ///< the traversal's stacks
   std::vector<std::uint32_t> active;
 
-  CoverBuffer cover;                       ///< what the last frame closed, if it was culled so
-  std::vector<std::uint32_t> mesh_frames;  ///< of each mesh, the last frame that drew it
+  CoverBuffer cover;                          ///< what the last frame closed, if it was culled so
+  CoverGroup group;                           ///< what is being drawn into it
+  std::vector<std::uint32_t> polygon_frames;  ///< of each polygon, the last frame that drew it there
   std::uint32_t frame = 0;
-  std::vector<std::uint32_t> seen;  ///< leaves that a frame by cover has not culled so far
+  std::vector<std::uint32_t> taken;  ///< leaves whose polygons are drawn next
+  std::vector<SeenLeaf> seen;        ///< what a frame by cover has not culled so far
 
   /// Makes planes of the result's view.
   void take_planes();

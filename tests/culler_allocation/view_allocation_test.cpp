@@ -59,7 +59,7 @@ TEST(View, AllocatesNothingByCoverEither) {
   const CullOptions options{.method = Method::cover, .cover_width = 256, .cover_height = 144};
   EXPECT_GT(pass(culler, options, Projection::perspective, view), 0U);
   EXPECT_EQ(pass(culler, options, Projection::perspective, view), 0U);
-  EXPECT_GT(view.result().stats.cover_meshes, 0U);
+  EXPECT_GT(view.result().stats.cover_groups, 0U);
 }
 
 }  // namespace

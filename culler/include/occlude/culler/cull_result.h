@@ -112,7 +112,7 @@ struct CullStats {
   std::size_t union_tests = 0;                        ///< box against two of them together
   std::size_t probe_tests = 0;                        ///< box against the shadow of a probe
   std::size_t cover_tests = 0;                        ///< box against the coarse picture
-  std::size_t cover_meshes = 0, cover_triangles = 0;  ///< that were drawn into it
+  std::size_t cover_groups = 0, cover_triangles = 0;  ///< drawn into it: joined meshes, and their triangles
   std::size_t exact_shadow_tests = 0;                 ///< of these, decided by the kernel's exact stage
   std::size_t potential_occluders = 0, occluders_in_view = 0;
   std::size_t sort_kept = 0;   ///< candidates that the frame before had as well

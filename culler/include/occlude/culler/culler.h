@@ -16,8 +16,8 @@
 namespace occlude::culler {
 
 class CoverBuffer;
-class CoverPieces;
-class LazyPieces;
+class CoverTriangles;
+class LazyTriangles;
 
 /// Const calls may run on several threads at once.
 class Culler {
@@ -68,13 +68,13 @@ class Culler {
   [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
 
  private:
-  const CoverPieces& meshes(const Checkpoint& checkpoint = {}) const;
+  const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
 
   BuildConfig config_;
   Hierarchy hierarchy_;
   PotentialOccluders occluders_;
   OccluderGrid grid_;
-  std::shared_ptr<LazyPieces> meshes_;
+  std::shared_ptr<LazyTriangles> triangles_;
 };
 
 }  // namespace occlude::culler

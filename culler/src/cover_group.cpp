@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "cover_group.h"
+
+namespace occlude::culler {
+
+void CoverGroup::clear() {
+  vertex_index_.clear();
+  triangle_index_.clear();
+  vertices_.clear();
+  triangles_.clear();
+  polygons_.clear();
+  ids_.clear();
+}
+
+void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon) {
+  for (std::uint32_t t = triangles.first(polygon); t < triangles.first(polygon + 1); ++t) {
+    const CoverMesh::Triangle& corners = triangles.corners(t);
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    CoverMesh::Triangle own{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      own[i] = vertex_index_.number(corners[i]);
+      if (own[i] == vertices_.size()) vertices_.push_back(triangles.vertex(corners[i]));
+    }
+    triangle_index_.number(t);
+    triangles_.push_back(own);
+    polygons_.push_back(polygon);
+    ids_.push_back(t);
+  }
+}
+
+CoverMesh CoverGroup::mesh(const CoverTriangles& triangles) {
+  next_.resize(triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const auto& next = triangles.next(ids_[t]);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      // Along the ring to the next side of a triangle of the group: in the end to itself.
+      RingStep step = next[i];
+      std::uint32_t owner = triangle_index_.find(step.side / 3);
+      while (owner == LocalIndex::kNone && step.is_of_two == 0) {
+        step = triangles.next(step.side / 3)[step.side % 3];
+        owner = triangle_index_.find(step.side / 3);
+      }
+      next_[t][i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
+    }
+  }
+  return {vertices_, triangles_, next_};
+}
+
+}  // namespace occlude::culler

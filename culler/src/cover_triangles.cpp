@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "cover_triangles.h"
+
+#include <algorithm>
+#include <compare>
+
+#include "occlude/culler/adjacency.h"
+#include "parallel_sort.h"
+
+namespace occlude::culler {
+namespace {
+
+/// Along one edge so many sides make a ring: more would make frames slow, and hide hardly more.
+constexpr std::size_t kMostInRing = 16;
+
+/// Of polygons about a leaf: one of more sides is not among them, nor are those at a corner where more meet, nor what would
+/// make them more than so many triangles for each of its own.
+constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 8;
+
+/// A side of a triangle by the edge that it runs along.
+struct Side {
+  std::uint32_t low, high, side;
+
+  [[nodiscard]] bool is_along(const Side& other) const { return low == other.low && high == other.high; }
+  auto operator<=>(const Side&) const = default;
+};
+
+std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triangle> triangles,
+                                               const Checkpoint& checkpoint) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  std::vector<std::array<RingStep, 3>> next(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    checkpoint.at(t);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      sides.push_back({low, high, 3 * t + i});
+    }
+  }
+  parallel_sort(sides, checkpoint);
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    checkpoint.at(i);
+    while (end < sides.size() && end - i < kMostInRing && sides[end].is_along(sides[i])) ++end;
+    for (std::size_t k = i; k < end; ++k) {
+      const std::uint32_t from = sides[k].side, to = sides[k + 1 < end ? k + 1 : i].side;
+      next[from / 3][from % 3] = {to & 0x7FFFFFFFU, end - i <= 2 ? 1U : 0U};
+    }
+  }
+  return next;
+}
+
+/// Which polygons have a vertex.
+class Incidence {
+ public:
+  Incidence(const PolygonSoup& soup, std::span<const std::uint32_t> weld)
+      : first_(soup.vertices.size() + 1), polygons_(soup.indices.size()) {
+    for (const std::uint32_t v : soup.indices) ++first_[weld[v] + std::size_t{1}];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t p = 0; p < soup.size(); ++p) {
+      for (const std::uint32_t v : soup.loop(p)) polygons_[next[weld[v]]++] = p;
+    }
+  }
+  [[nodiscard]] std::span<const std::uint32_t> polygons_at(std::uint32_t vertex) const {
+    return std::span(polygons_).subspan(first_[vertex], first_[vertex + std::size_t{1}] - first_[vertex]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> polygons_;
+};
+
+/// Appends the polygons around leaves.
+class Around {
+ public:
+  Around(const PolygonSoup& soup, std::span<const std::uint32_t> weld)
+      : soup_(soup), weld_(weld), incidence_(soup, weld), leaf_of_(soup.size(), kNone) {}
+
+  void append(const HierarchyNode& leaf, std::vector<std::uint32_t>& around) {
+    const std::uint32_t end = leaf.first + leaf.count;
+    for (std::uint32_t p = leaf.first; p < end; ++p) leaf_of_[p] = leaf.first;
+    std::size_t left = kMostAround * (soup_.first[end] - soup_.first[leaf.first] - 2 * std::size_t{leaf.count});
+    for (std::uint32_t p = leaf.first; p < end; ++p) {
+      for (const std::uint32_t v : soup_.loop(p)) {
+        const auto at_corner = incidence_.polygons_at(weld_[v]);
+        if (at_corner.size() > kMostAtCorner) continue;
+        for (const std::uint32_t other : at_corner) {
+          if (leaf_of_[other] == leaf.first || soup_.loop(other).size() > kMostSides) continue;
+          if (soup_.triangles(other) > left) return;
+          left -= soup_.triangles(other);
+          leaf_of_[other] = leaf.first;
+          around.push_back(other);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+  const PolygonSoup& soup_;
+  std::span<const std::uint32_t> weld_;
+  Incidence incidence_;
+  std::vector<std::uint32_t> leaf_of_;  ///< of each polygon, the first of the last leaf that has it in or about it
+};
+
+}  // namespace
+
+CoverTriangles CoverTriangles::find(const PolygonSoup& soup, std::span<const HierarchyNode> nodes,
+                                    const Checkpoint& checkpoint) {
+  const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
+  CoverTriangles result;
+  constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  std::vector<std::uint32_t> numbers(soup.vertices.size(), kNone);
+  const auto number = [&](std::uint32_t v) {
+    std::uint32_t& n = numbers[weld[v]];
+    if (n == kNone) {
+      n = static_cast<std::uint32_t>(result.vertices_.size());
+      result.vertices_.push_back(soup.vertices[v]);
+    }
+    return n;
+  };
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    result.first_.push_back(static_cast<std::uint32_t>(result.corners_.size()));
+    const auto loop = soup.loop(p);
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      result.corners_.push_back({number(loop[0]), number(loop[i]), number(loop[i + 1])});
+    }
+  }
+  result.first_.push_back(static_cast<std::uint32_t>(result.corners_.size()));
+  result.next_ = find_next(result.corners_, checkpoint);
+  Around around(soup, weld);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    checkpoint.at(n);
+    result.first_around_.push_back(result.around_.size());
+    if (nodes[n].is_leaf()) around.append(nodes[n], result.around_);
+  }
+  result.first_around_.push_back(result.around_.size());
+  return result;
+}
+
+}  // namespace occlude::culler
