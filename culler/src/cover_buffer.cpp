@@ -35,21 +35,25 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
 
 void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 
-bool CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
-  if (!piece_.find(mesh)) return false;
-  const auto tiles = tiles_to_draw();
-  if (!tiles) return false;
-  piece_.draw(*tiles);
+void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
+  piece_.see(mesh);
+  for (std::size_t sheet = 0; sheet < piece_.sheets(); ++sheet) {
+    if (!piece_.find(sheet)) continue;
+    if (const auto tiles = tiles_to_draw()) add_sheet(*tiles, id);
+  }
+}
+
+void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
+  piece_.draw(tiles);
   work_ += piece_.work();
-  for (int y = tiles->y0; y < tiles->y1; ++y) {
-    for (int x = tiles->x0; x < tiles->x1; ++x) {
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
       const std::uint64_t closed = piece_.closed(x, y);
       const float nearness = piece_.nearness(x, y);
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
       if (closed != 0 && nearness > farthest_[tile] && nearness < kInfinity) close(tile, closed, nearness, id);
     }
   }
-  return true;
 }
 
 std::optional<PixelRectangle> CoverBuffer::tiles_to_draw() const {

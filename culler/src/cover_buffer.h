@@ -38,8 +38,7 @@ class CoverBuffer {
   void keep_owners();
 
   /// Closes what the mesh closes, as far as it is beyond the near plane. `id` is what owners() calls it.
-  /// False where it closes nothing.
-  bool add(const CoverMesh& mesh, std::uint32_t id = 0);
+  void add(const CoverMesh& mesh, std::uint32_t id = 0);
 
   /// Where a box is in the picture.
   struct Footprint {
@@ -81,6 +80,7 @@ class CoverBuffer {
   [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
   /// Those of the piece's tiles between which all lie that it may close or bring nearer; none where there are none.
   [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
+  void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
   /// Calls found(open) with the pixels of each tile of the rectangle that do not hide what is no nearer than `most`, if any,
   /// until it returns true; whether it has.

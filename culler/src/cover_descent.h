@@ -51,7 +51,7 @@ class CoverDescent {
  public:
   /// A subtree of so many items at most is few; a leaf is, however many it has. Fewer delay less what is seen for what comes
   /// behind it, more have less of a border.
-  static constexpr std::uint32_t kFew = 8;
+  static constexpr std::uint32_t kFew = 256;
 
   CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,
                const CullOptions& options, const Camera& camera, const CoverBuffer& buffer, CullStats& stats, const See& see,

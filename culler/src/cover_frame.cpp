@@ -52,7 +52,8 @@ bool CoverFrame::join() {
   CullStats& stats = memory_.result.stats;
   ++stats.cover_groups;
   stats.cover_triangles += group.polygons().size();
-  return memory_.cover.add(group.mesh(source_.triangles), ++groups_);
+  memory_.cover.add(group.mesh(source_.triangles), ++groups_);
+  return true;
 }
 
 /// What this frame has drawn before.

@@ -38,7 +38,7 @@ class CoverFrame {
   /// Keeps the polygons of a leaf of the source for join(), unless hardly anything of it is seen.
   void take(std::uint32_t leaf, const CoverBuffer::Footprint& footprint);
   /// Draws what was taken into the coarse picture, with what was drawn before and touches it, so that no seam stays open
-  /// between. True where it may have closed something: then it has the number groups().
+  /// between. False where nothing was; else it has the number groups().
   bool join();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
 

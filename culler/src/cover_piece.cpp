@@ -39,6 +39,10 @@ struct Extent {
     low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
     high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
   }
+  void hold(const Extent& other) {
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+  }
   [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
 };
 
@@ -67,45 +71,8 @@ void CoverPiece::begin(const BeamPicture& picture) {
            std::max(std::fabs(slopes_y_.front()), std::fabs(slopes_y_.back()));
 }
 
-bool CoverPiece::find(const CoverMesh& mesh) {
+void CoverPiece::see(const CoverMesh& mesh) {
   mesh_ = mesh;
-  see();
-  Extent all;
-  double nearest = kInfinity;
-  for (std::uint32_t i = 0; i < seen_.size(); ++i) {
-    if (is_cut_ && is_before(i)) continue;
-    all.hold(vertices_[i].corner);
-    nearest = std::min(nearest, seen_[i].forward);
-  }
-  if (is_cut_) {
-    nearest = picture_.near();
-    for (const auto& [a, b, c] : mesh_.triangles) {
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-        if (is_before(from) != is_before(to)) all.hold(cut(from, to).corner);
-      }
-    }
-  }
-  if (all.is_empty()) return false;
-  const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
-  if (r.x1 - r.x0 < kLeastSide || r.y1 - r.y0 < kLeastSide) return false;
-  found_ = {r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
-  nearest_ = rounded_up(picture_.nearness(nearest));
-  return true;
-}
-
-void CoverPiece::draw(const PixelRectangle& tiles) {
-  rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
-  work_ = static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
-  clear();
-  signs_.resize(mesh_.triangles.size());
-  for (std::size_t t = 0; t < signs_.size(); ++t) take(t);
-  for (std::size_t t = 0; t < signs_.size(); ++t) {
-    if (signs_[t] != 0) draw_sides(t);
-  }
-  close();
-}
-
-void CoverPiece::see() {
   const std::size_t count = mesh_.vertices.size();
   seen_.resize(count);
   vertices_.resize(count);
@@ -117,6 +84,38 @@ void CoverPiece::see() {
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!is_cut_ || !is_before(i)) vertices_[i] = vertex(seen_[i]);
   }
+  signs_.resize(mesh_.triangles.size());
+  for (std::size_t t = 0; t < signs_.size(); ++t) signs_[t] = static_cast<std::int8_t>(sign(mesh_.triangles[t]));
+  sheets_.part(mesh_, signs_);
+  taken_.resize(signs_.size());
+}
+
+bool CoverPiece::find(std::size_t sheet) {
+  sheet_ = sheets_[sheet];
+  Extent all;
+  double nearest = kInfinity;
+  for (const std::uint32_t t : sheet_) {
+    const Outline outline = this->outline(mesh_.triangles[t]);
+    all.hold(outline.extent);
+    for (const std::uint32_t v : mesh_.triangles[t]) nearest = std::min(nearest, seen_[v].forward);
+  }
+  if (all.is_empty()) return false;
+  const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
+  if (r.x1 - r.x0 < kLeastSide || r.y1 - r.y0 < kLeastSide) return false;
+  found_ = {r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
+  nearest_ = rounded_up(picture_.nearness(picture_.is_perspective() ? std::max(nearest, picture_.near()) : nearest));
+  return true;
+}
+
+void CoverPiece::draw(const PixelRectangle& tiles) {
+  rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
+  work_ = static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
+  clear();
+  for (const std::uint32_t t : sheet_) take(t);
+  for (const std::uint32_t t : sheet_) {
+    if (is_taken(t)) draw_sides(t);
+  }
+  close();
 }
 
 CoverPiece::Vertex CoverPiece::vertex(const Seen& seen) const {
@@ -172,14 +171,13 @@ CoverPiece::Tile& CoverPiece::touch(int tile_x, int tile_y) {
 }
 
 /// Takes a triangle that is somewhere in what is drawn.
-void CoverPiece::take(std::size_t triangle) {
-  const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
-  const Outline outline = this->outline(corners);
+void CoverPiece::take(std::uint32_t triangle) {
+  const Outline outline = this->outline(mesh_.triangles[triangle]);
   const auto& [low, high] = outline.extent;
   const PixelRectangle& r = rectangle_;
   const bool is_in = high.x >= r.x0 && low.x <= r.x1 && high.y >= r.y0 && low.y <= r.y1;
-  signs_[triangle] = static_cast<std::int8_t>(is_in ? sign(corners) : 0);
-  if (signs_[triangle] != 0) lay_depth(corners, outline);
+  taken_[triangle] = is_in ? piece_ : 0;
+  if (is_in) lay_depth(mesh_.triangles[triangle], outline);
 }
 
 /// Which way round it looks, up to rounding.
@@ -234,25 +232,23 @@ void CoverPiece::lay(int tile_x, int tile_y, float nearness) {
 }
 
 /// The sides that are border, each edge with its first triangle, and where it is cut.
-void CoverPiece::draw_sides(std::size_t triangle) {
+void CoverPiece::draw_sides(std::uint32_t triangle) {
   const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
+  const auto sign_of = [&](std::uint32_t t) { return is_taken(t) ? signs_[t] : 0; };
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const int degree = this->degree(static_cast<std::uint32_t>(3 * triangle) + i);
-    if (degree != 0) draw_edge(corners[i], corners[(i + 1) % 3], degree);
+    const std::uint32_t side = 3 * triangle + i;
+    if (!is_first(side)) continue;
+    if (const int count = degree(mesh_, side, sign_of); count != 0) draw_edge(corners[i], corners[(i + 1) % 3], count);
   }
   if (is_cut_) draw_cut(corners, signs_[triangle]);
 }
 
-/// How many more go along the side than the other way; 0 where one before it in its ring is drawn for it.
-int CoverPiece::degree(std::uint32_t side) const {
-  const auto from = [&](std::uint32_t s) { return mesh_.triangles[s / 3][s % 3]; };
-  int sum = signs_[side / 3];
-  for (std::uint32_t other = mesh_.next[side / 3][side % 3]; other != side; other = mesh_.next[other / 3][other % 3]) {
-    const int sign = signs_[other / 3];
-    if (sign != 0 && other < side) return 0;
-    sum += from(other) == from(side) ? sign : -sign;
+/// Whether no side of a triangle taken goes before it in the ring.
+bool CoverPiece::is_first(std::uint32_t side) const {
+  for (std::uint32_t other = mesh_.next_of(side); other != side; other = mesh_.next_of(other)) {
+    if (other < side && is_taken(other / 3)) return false;
   }
-  return sum;
+  return true;
 }
 
 void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to, int degree) {

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
-// A mesh in the coarse picture: which pixels it closes, and how near it is there.
+// Meshes in the coarse picture: which pixels they close, and how near they are there.
 //
-// Triangles that look clockwise are turned over: so many of the mesh as a ray meets, that is its degree. It changes only
-// where a ray crosses the border: the edges along which the triangles go more often one way than the other, and where they
-// are cut at the near plane. All rays of a pixel that the border does not touch have the degree of its middle; where that is
-// not 0, all of them meet the mesh. Which triangles are taken, which way they are turned and whether they overlap can make a
-// pixel stay open, and never close a wrong one: only the border is drawn.
+// Triangles that look clockwise are turned over: so many of a set of them as a ray meets, that is its degree. It changes
+// only where a ray crosses the border of the set: the edges along which its triangles go more often one way than the other,
+// and where they are cut at the near plane. All rays of a pixel that the border does not touch have the degree of its
+// middle; where that is not 0, all of them meet the set. Which triangles are in it, which way they are turned and whether
+// they overlap can make a pixel stay open, and never close a wrong one: only the border is drawn.
+//
+// So a mesh is drawn sheet by sheet: what hangs together across edges that, as seen, have a triangle on either side. It has
+// no fold and no border within, and is as near as it alone is.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "beam_picture.h"
 #include "cover_mesh.h"
+#include "cover_sheets.h"
 #include "cover_tile.h"
 
 namespace occlude::culler {
@@ -24,22 +29,26 @@ class CoverPiece {
  public:
   /// What follows is drawn into this picture. REQUIRES: a width and a height of multiples of kTile.
   void begin(const BeamPicture& picture);
-  /// Finds where the mesh is in the picture. False where it closes nothing. REQUIRES: begin(); the mesh stays as it is.
-  [[nodiscard]] bool find(const CoverMesh& mesh);
-  /// The tiles that hold all pixels which the mesh may close.
+  /// Sees a mesh, and parts it into sheets. REQUIRES: begin(); the mesh stays as it is while its sheets are drawn.
+  void see(const CoverMesh& mesh);
+  [[nodiscard]] std::size_t sheets() const { return sheets_.size(); }
+
+  /// Finds where a sheet is in the picture. False where it closes nothing.
+  [[nodiscard]] bool find(std::size_t sheet);
+  /// The tiles that hold all pixels which the sheet may close.
   [[nodiscard]] const PixelRectangle& tiles() const { return found_; }
-  /// How near, at most, the mesh is.
+  /// How near, at most, the sheet is.
   [[nodiscard]] float nearest() const { return nearest_; }
 
   /// Draws what was found, in these tiles. REQUIRES: tiles of the picture, one at least.
   void draw(const PixelRectangle& tiles);
-  /// The pixels of a tile that the mesh closes.
+  /// The pixels of a tile that the sheet closes.
   [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
-  /// How near, at least, the mesh is there.
+  /// How near, at least, it is there.
   [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
   /// Tiles that it took to draw, and tiles of each triangle.
   [[nodiscard]] std::size_t work() const { return work_; }
-  /// Holds a triangle, wherever it is by what it is out; none where it was not drawn.
+  /// Holds a triangle of the mesh, wherever it is by what it is out; none where it is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;
 
  private:
@@ -61,18 +70,18 @@ class CoverPiece {
 
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
   [[nodiscard]] Tile& touch(int tile_x, int tile_y);
-  void see();
   [[nodiscard]] Vertex vertex(const Seen& seen) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] Vertex cut(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Outline outline(const CoverMesh::Triangle& triangle) const;
   void clear();
-  void take(std::size_t triangle);
+  void take(std::uint32_t triangle);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
   void lay_depth(const CoverMesh::Triangle& triangle, const Outline& outline);
   void lay(int tile_x, int tile_y, float nearness);
-  void draw_sides(std::size_t triangle);
-  [[nodiscard]] int degree(std::uint32_t side) const;
+  void draw_sides(std::uint32_t triangle);
+  [[nodiscard]] bool is_taken(std::uint32_t triangle) const { return taken_[triangle] == piece_; }
+  [[nodiscard]] bool is_first(std::uint32_t side) const;
   void draw_edge(std::uint32_t from, std::uint32_t to, int degree);
   void draw_cut(const CoverMesh::Triangle& triangle, int degree);
   void draw_border(const Corner& from, const Corner& to, int degree);
@@ -87,7 +96,10 @@ class CoverPiece {
   CoverMesh mesh_;
   std::vector<Seen> seen_;  ///< the vertices
   std::vector<Vertex> vertices_;
-  std::vector<std::int8_t> signs_;  ///< of the triangles: 0 where it is not taken, -1 where it is turned over
+  std::vector<std::int8_t> signs_;  ///< of the triangles: 0 where it is seen edge-on, -1 where it is turned over
+  CoverSheets sheets_;
+  std::span<const std::uint32_t> sheet_;  ///< that was found: its triangles
+  std::vector<std::uint32_t> taken_;      ///< of the triangles, the last piece that they were drawn for
   bool is_cut_ = false;
   PixelRectangle found_{};      ///< tiles
   PixelRectangle rectangle_{};  ///< pixels that are drawn
@@ -95,7 +107,7 @@ class CoverPiece {
   std::size_t work_ = 0;
 
   int tiles_across_ = 0;
-  std::uint32_t piece_ = 0;
+  std::uint32_t piece_ = 0;  ///< counts what was drawn
   std::vector<Tile> tiles_;
   std::vector<std::uint64_t> degrees_;  ///< of the topmost row so far, as Tile::turns, of each tile
   std::vector<std::uint64_t> closed_;   ///< of the tiles

@@ -10,9 +10,6 @@
 namespace occlude::culler {
 namespace {
 
-/// Along one edge so many sides make a ring: more would make frames slow, and hide hardly more.
-constexpr std::size_t kMostInRing = 16;
-
 /// Of polygons about a leaf: one of more sides is not among them, nor are those at a corner where more meet, nor what would
 /// make them more than so many triangles for each of its own.
 constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 8;

@@ -13,7 +13,14 @@ namespace occlude::culler {
 
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  DisjointSets() = default;
+  explicit DisjointSets(std::size_t size) { reset(size); }
+
+  /// Each element is a set of its own.
+  void reset(std::size_t size) {
+    parent_.resize(size);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
 
   /// The element that stands for the set of i.
   [[nodiscard]] std::uint32_t find(std::uint32_t i) {

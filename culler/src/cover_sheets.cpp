@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "cover_sheets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace occlude::culler {
+
+void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs) {
+  const auto count = static_cast<std::uint32_t>(signs.size());
+  sets_.reset(count);
+  for (std::uint32_t side = 0; side < 3 * count; ++side) join_ring(mesh, signs, side);
+  // Sheets in the order of their first triangles, each with its triangles in order.
+  sheet_of_.assign(count, 0);
+  begins_.assign(1, 0);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    if (signs[t] == 0) continue;
+    const std::uint32_t root = sets_.find(t);
+    if (root == t) {
+      sheet_of_[t] = static_cast<std::uint32_t>(size());
+      begins_.push_back(0);
+    }
+    ++begins_[sheet_of_[root] + 1];
+  }
+  for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+  next_.assign(begins_.begin(), begins_.end() - 1);
+  triangles_.resize(begins_.back());
+  for (std::uint32_t t = 0; t < count; ++t) {
+    if (signs[t] != 0) triangles_[next_[sheet_of_[sets_.find(t)]]++] = t;
+  }
+}
+
+/// Joins the triangles of a ring two by two. Nothing unless no side goes before the first.
+void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first) {
+  const std::uint32_t from = mesh.triangles[first / 3][first % 3];
+  // The triangles of one way that have no partner yet, or of the other.
+  std::array<std::uint32_t, kMostInRing> alone{};
+  std::size_t count = 0;
+  int way = 0;
+  std::uint32_t side = first;
+  do {
+    if (side < first) return;
+    const std::uint32_t triangle = side / 3;
+    const int turned = mesh.triangles[triangle][side % 3] == from ? signs[triangle] : -signs[triangle];
+    if (turned != 0 && count > 0 && turned == -way) {
+      const std::uint32_t a = sets_.find(alone[--count]), b = sets_.find(triangle);
+      if (a != b) sets_.join(std::min(a, b), std::max(a, b));
+    } else if (turned != 0) {
+      alone[count++] = triangle;
+      way = turned;
+    }
+    side = mesh.next_of(side);
+  } while (side != first);
+}
+
+}  // namespace occlude::culler

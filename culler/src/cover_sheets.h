@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The sheets of a mesh as seen from a viewpoint: what hangs together without a fold.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cover_mesh.h"
+#include "disjoint_sets.h"
+
+namespace occlude::culler {
+
+/// So many more of the triangles that sign_of(triangle) turns along the edge of a side go its way than the other.
+template <class SignOf>
+[[nodiscard]] int degree(const CoverMesh& mesh, std::uint32_t side, const SignOf& sign_of) {
+  const auto from = [&](std::uint32_t s) { return mesh.triangles[s / 3][s % 3]; };
+  int sum = sign_of(side / 3);
+  for (std::uint32_t other = mesh.next_of(side); other != side; other = mesh.next_of(other)) {
+    const int sign = sign_of(other / 3);
+    sum += from(other) == from(side) ? sign : -sign;
+  }
+  return sum;
+}
+
+/// Of the triangles that share an edge, two hang together when, as seen, they are on either side of it; where several are on
+/// one side, each with one of the other. A triangle of sign 0 is in no sheet.
+class CoverSheets {
+ public:
+  void part(const CoverMesh& mesh, std::span<const std::int8_t> signs);
+
+  [[nodiscard]] std::size_t size() const { return begins_.size() - 1; }
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t sheet) const {
+    return std::span(triangles_).subspan(begins_[sheet], begins_[sheet + 1] - begins_[sheet]);
+  }
+
+ private:
+  void join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first);
+
+  DisjointSets sets_;
+  std::vector<std::uint32_t> sheet_of_;  ///< of the triangle that stands for its set
+  std::vector<std::uint32_t> triangles_, begins_ = {0}, next_;
+};
+
+}  // namespace occlude::culler
