@@ -30,27 +30,30 @@ void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs
   }
 }
 
-/// Joins the triangles of a ring two by two. Nothing unless no side goes before the first.
+/// Joins the triangles of a ring two by two, when asked with its first side.
 void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first) {
-  const std::uint32_t from = mesh.triangles[first / 3][first % 3];
-  // The triangles of one way that have no partner yet, or of the other.
-  std::array<std::uint32_t, kMostInRing> alone{};
+  std::array<std::uint32_t, kMostInRing> ring{};
   std::size_t count = 0;
-  int way = 0;
-  std::uint32_t side = first;
-  do {
+  for (std::uint32_t side = first; count == 0 || side != first; side = mesh.next_of(side)) {
     if (side < first) return;
+    ring[count++] = side;
+  }
+  const std::uint32_t from = mesh.triangles[first / 3][first % 3];
+  std::array<std::uint32_t, kMostInRing> alone{};  // triangles that have no partner so far, all of one way
+  std::size_t left = 0;
+  int way = 0;
+  for (const std::uint32_t side : std::span(ring).first(count)) {
     const std::uint32_t triangle = side / 3;
     const int turned = mesh.triangles[triangle][side % 3] == from ? signs[triangle] : -signs[triangle];
-    if (turned != 0 && count > 0 && turned == -way) {
-      const std::uint32_t a = sets_.find(alone[--count]), b = sets_.find(triangle);
+    if (turned == 0) continue;
+    if (left > 0 && turned == -way) {
+      const std::uint32_t a = sets_.find(alone[--left]), b = sets_.find(triangle);
       if (a != b) sets_.join(std::min(a, b), std::max(a, b));
-    } else if (turned != 0) {
-      alone[count++] = triangle;
+    } else {
+      alone[left++] = triangle;
       way = turned;
     }
-    side = mesh.next_of(side);
-  } while (side != first);
+  }
 }
 
 }  // namespace occlude::culler

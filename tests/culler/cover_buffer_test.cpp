@@ -139,8 +139,20 @@ TEST(CoverBuffer, LayersOfOneMeshDoNotCancel) {
   EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "turned at random";
 }
 
-/// Of a cube the near and the far side are two layers.
-TEST(CoverBuffer, AClosedSurfaceHidesWhatIsBehindIt) {
+/// What hangs on a wall, apart from it, has a border of its own, and the wall hides across that.
+TEST(CoverBuffer, APictureOnAWallOpensNothing) {
+  Mesh mesh = square(2, 1);
+  const Mesh picture = square(1.9, 0.4);
+  for (const Triangle& t : picture.pieces[0]) {
+    Triangle own{};
+    for (std::size_t i = 0; i < 3; ++i) own[i] = mesh.vertex(picture.vertices[t[i]]);
+    mesh.pieces[0].push_back(own);
+  }
+  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8)));
+}
+
+/// Of a cube the near side is as near as it is alone: what is within is hidden.
+TEST(CoverBuffer, OfAClosedSurfaceTheNearSideHides) {
   Mesh mesh;
   std::array<std::uint32_t, 8> v{};
   for (unsigned i = 0; i < 8; ++i) v[i] = mesh.vertex({i & 1U ? 6.0 : 4.0, i & 2U ? 1.0 : -1.0, i & 4U ? 1.0 : -1.0});
@@ -150,7 +162,9 @@ TEST(CoverBuffer, AClosedSurfaceHidesWhatIsBehindIt) {
     mesh.pieces[0].push_back({v[f[0]], v[f[1]], v[f[2]]});
     mesh.pieces[0].push_back({v[f[0]], v[f[2]], v[f[3]]});
   }
-  EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({8, 0, 0}, 0.8)));
+  const Judge judge(looking_along_x(), mesh, 100);
+  EXPECT_TRUE(judge.hides(cube({4.5, 0, 0}, 0.3)));
+  EXPECT_TRUE(judge.hides(cube({8, 0, 0}, 0.8)));
 }
 
 /// With a margin less is hidden, by that much in the picture.

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// How a mesh is parted into sheets, what of it is gathered, and the pixels of a tile as bits.
+#include "cover_sheets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <vector>
+
+#include "cover_group.h"
+#include "cover_tile.h"
+#include "cover_triangles.h"
+#include "local_index.h"
+#include "occlude/culler/polygon_soup.h"
+
+namespace {
+
+using namespace occlude::culler;
+
+/// Of quadrilaterals in x and y, each a polygon; all else of the points does not matter here.
+class Quads {
+ public:
+  void add(const std::array<glm::dvec3, 4>& corners) {
+    const auto first = static_cast<std::uint32_t>(soup_.vertices.size());
+    soup_.vertices.insert(soup_.vertices.end(), corners.begin(), corners.end());
+    soup_.add_polygon(std::array{first, first + 1, first + 2, first + 3});
+  }
+
+  /// The polygons of each sheet, with the signs of the triangles in the plane.
+  [[nodiscard]] std::vector<std::vector<std::uint32_t>> sheets() {
+    triangles_ = CoverTriangles::find(soup_, {});
+    CoverGroup group;
+    for (std::uint32_t p = 0; p < soup_.size(); ++p) group.add(triangles_, p);
+    const CoverMesh mesh = group.mesh(triangles_);
+    std::vector<std::int8_t> signs;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const glm::dvec3 u = mesh.vertices[b] - mesh.vertices[a], v = mesh.vertices[c] - mesh.vertices[a];
+      const double side = u.x * v.y - u.y * v.x;
+      signs.push_back(static_cast<std::int8_t>(side > 0 ? 1 : side < 0 ? -1 : 0));
+    }
+    CoverSheets sheets;
+    sheets.part(mesh, signs);
+    std::vector<std::vector<std::uint32_t>> result;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      std::vector<std::uint32_t>& polygons = result.emplace_back();
+      for (const std::uint32_t t : sheets[i]) {
+        if (polygons.empty() || polygons.back() != group.polygons()[t]) polygons.push_back(group.polygons()[t]);
+      }
+    }
+    return result;
+  }
+
+ private:
+  PolygonSoup soup_;
+  CoverTriangles triangles_;
+};
+
+using Polygons = std::vector<std::vector<std::uint32_t>>;
+
+std::array<glm::dvec3, 4> square(double x, double y, double z = 0) {
+  return {glm::dvec3{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}};
+}
+
+TEST(CoverSheets, NeighboursHangTogetherWhicheverWayTheyAreTurned) {
+  Quads quads;
+  quads.add(square(0, 0));
+  quads.add(square(1, 0));
+  auto turned = square(2, 0);
+  std::ranges::reverse(turned);
+  quads.add(turned);
+  quads.add(square(9, 0));
+  EXPECT_EQ(quads.sheets(), (Polygons{{0, 1, 2}, {3}}));
+}
+
+/// A fold has both of its sides on one side of it in the picture.
+TEST(CoverSheets, AFoldParts) {
+  Quads quads;
+  quads.add(square(0, 0));
+  quads.add({glm::dvec3{1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 1, 0}});
+  EXPECT_EQ(quads.sheets(), (Polygons{{0}, {1}}));
+}
+
+/// Of two equal walls each may be the one that goes on.
+TEST(CoverSheets, WhatIsThereTwiceDoesNotPart) {
+  Quads quads;
+  quads.add(square(0, 0));
+  quads.add(square(0, 0));
+  quads.add(square(1, 0));
+  const Polygons sheets = quads.sheets();
+  ASSERT_EQ(sheets.size(), 2U);
+  const auto with_neighbour = std::ranges::find_if(sheets, [](const auto& s) { return s.back() == 2; });
+  ASSERT_NE(with_neighbour, sheets.end());
+  EXPECT_EQ(with_neighbour->size(), 2U);
+}
+
+TEST(CoverSheets, WhatIsSeenEdgeOnIsInNone) {
+  Quads quads;
+  quads.add({glm::dvec3{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}});
+  quads.add(square(0, 0));
+  EXPECT_EQ(quads.sheets(), (Polygons{{1}}));
+}
+
+/// Along one edge very many polygons: rings are cut, and nothing is lost but hanging together.
+TEST(CoverSheets, ManyAlongOneEdgeAreAllInASheet) {
+  Quads quads;
+  for (int i = 0; i < 100; ++i) {
+    quads.add({glm::dvec3{0, 0, 0}, {0, 1, 0}, {i % 2 == 0 ? 1.0 : -1.0, 1, i}, {i % 2 == 0 ? 1.0 : -1.0, 0, i}});
+  }
+  std::size_t polygons = 0;
+  for (const auto& sheet : quads.sheets()) polygons += sheet.size();
+  EXPECT_EQ(polygons, 100U);
+}
+
+TEST(LocalIndex, CountsWhatIsNewAndForgetsAll) {
+  std::mt19937 random(5);
+  LocalIndex index;
+  for (const std::size_t size : {3U, 1000U, 10U, 5000U}) {
+    index.clear();
+    std::vector<std::uint32_t> things;
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto thing = static_cast<std::uint32_t>(random() % (2 * size));
+      const auto known = std::ranges::find(things, thing);
+      const auto number = static_cast<std::uint32_t>(known - things.begin());
+      EXPECT_EQ(index.find(thing), known == things.end() ? LocalIndex::kNone : number);
+      EXPECT_EQ(index.number(thing), number);
+      if (known == things.end()) things.push_back(thing);
+      EXPECT_EQ(index.size(), things.size());
+    }
+  }
+}
+
+TEST(CoverTile, PixelsAreBits) {
+  EXPECT_EQ(tile_pixels(0, 0, 8, 8), ~std::uint64_t{0});
+  for (int x0 = 0; x0 < 8; ++x0) {
+    for (int x1 = x0 + 1; x1 <= 8; ++x1) {
+      for (int y0 = 0; y0 < 8; ++y0) {
+        for (int y1 = y0 + 1; y1 <= 8; ++y1) {
+          std::uint64_t expected = 0;
+          for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x) expected |= std::uint64_t{1} << (8 * y + x);
+          }
+          ASSERT_EQ(tile_pixels(x0, y0, x1, y1), expected);
+        }
+      }
+    }
+  }
+}
+
+TEST(CoverTile, BringsNearerWhatTheMaskHas) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 1000; ++i) {
+    std::array<float, kTilePixels> pixels;
+    for (float& pixel : pixels) pixel = static_cast<float>(random() % 16);
+    const std::uint64_t mask = (std::uint64_t{random()} << 32U | random()) & (i % 2 == 0 ? ~std::uint64_t{0} : random());
+    const auto nearness = static_cast<float>(random() % 16);
+    std::array<float, kTilePixels> expected = pixels;
+    std::uint64_t nearer = 0;
+    for (std::size_t k = 0; k < kTilePixels; ++k) {
+      if ((mask >> k & 1U) != 0) expected[k] = std::max(expected[k], nearness);
+      if (expected[k] > nearness) nearer |= std::uint64_t{1} << k;
+    }
+    EXPECT_EQ(bring_nearer(pixels.data(), mask, nearness), std::ranges::min(expected));
+    EXPECT_EQ(pixels, expected);
+    EXPECT_EQ(nearer_pixels(pixels.data(), nearness), nearer);
+  }
+}
+
+}  // namespace
