@@ -228,6 +228,25 @@ TEST_P(Batch, EveryFrustumAgainstTheBoxPutToIt) {
   variety.expect_all();
 }
 
+TEST_P(Batch, ProfilesHaveABoundOfTheirOwn) {
+  // The eye is all but in the plane of the triangle, so that no plane of the frustum has an offset to speak of; that of the
+  // profile, through the nearest edge and parallel to y, has one. The box reaches this edge and no farther. Rounding moves
+  // the value of the plane there by 1.05 times what the bound of the frustum's own planes allows for.
+  const OnlyTarget target(GetParam());
+  const Vec3 eye{0x1.99d1ff9a4acfcp-42, 0, -0x1.53f5255fdfa0ep-41};
+  const std::array triangle{Vec3{0x1.fcdcb38c565d3p-1, 0x1.24babd9910a26p-22, 0x1.b4c78022b11a4p-1},
+                            Vec3{0x1.b2f7456b9168p-1, 0x1.24badb79487b9p-22, 0x1.fa007e7d859dbp-1},
+                            Vec3{0x1.eab049658976p+0, 0x1.24bae87f1a968p-22, 0x1.ebdd85764872ap+0}};
+  const Aabb box{{-0x1.d588e0e9cb075p-1, -0x1.4b5f4b0a44289p-1, -0x1.bccc9acbdae18p-1},
+                 {0x1.d83cecc1bd784p-1, 0x1.4b5f4b0a44289p-1, 0x1.d7164de12ce11p-1}};
+  const ShadowFrustum frustum = ShadowFrustum::make(Viewpoint::eye(eye), triangle, Near::surface).frustum.value();
+  const std::array expected{overlap_certified(frustum, box)};
+  EXPECT_EQ(expected[0].relation, Relation::partial);
+  expect_answers(expected, [&](std::span<Relation> answers) {
+    overlap_certified(frustum, BoxBatch(std::span(&box, 1)), NearBoundary::closed, answers);
+  });
+}
+
 INSTANTIATE_TEST_SUITE_P(Targets, Batch, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
                          [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
 
