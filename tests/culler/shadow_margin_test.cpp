@@ -170,6 +170,26 @@ TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
   }
 }
 
+/// Two walls that meet in the picture, one 20 away and one 5, and what is behind both. Positions that are out move the
+/// shadow of the nearer one more, whichever comes first.
+TEST(ShadowMargin, OfTwoIsThatOfTheNearer) {
+  constexpr double kRounding = 0.01, kDepth = kRounding / kSinglePrecision, kNone = 1e-12;
+  const Camera camera;
+  const auto shadow = [&](const std::vector<kernel::Vec3>& wall) {
+    return kernel::ShadowFrustum::make(camera.viewpoint(), wall, kernel::Near::surface).frustum.value();
+  };
+  const auto far = shadow({{20, -20, -20}, {20, 0, -20}, {20, 0, 20}, {20, -20, 20}});
+  const auto near = shadow({{5, 0, -5}, {5, 5, -5}, {5, 5, 5}, {5, 0, 5}});
+  const ShadowMargin margin(camera, kNone, kDepth);
+  // The side is x >= y, and the box is grown along both axes.
+  const double side = 40 - 2 * (40 * kRounding / 5 + 2 * kRounding);
+  for (const kernel::ShadowUnion& both : {kernel::ShadowUnion{far, near}, kernel::ShadowUnion{near, far}}) {
+    const auto keeps = [&](double y) { return margin.keeps(both, kernel::Aabb{{40, -1, 0}, {40, y, 0}}); };
+    EXPECT_TRUE(keeps(side - 1e-6));
+    EXPECT_FALSE(keeps(side + 1e-6));
+  }
+}
+
 /// A wall at distance 10 that hides 10 to each side, and one at 20 that reaches to `side`.
 bool is_drawn_behind(double side, const CullOptions& options) {
   PolygonSoup soup;
