@@ -142,20 +142,27 @@ class CountedFiles : public Assimp::DefaultIOSystem {
     try {
       const std::uint64_t size = require_readable(file);
       if (seen_.insert(file).second) change_limits(limits_for(bytes_ += size));
-    } catch (const InputError&) {
+    } catch (const InputError& error) {
+      // Without files that are not there importers may well do.
+      if (fault_.empty() && Exists(file)) fault_ = error.what();
       return nullptr;
     }
     return DefaultIOSystem::Open(file, mode);
   }
 
+  /// Why a file that is there could not be opened; empty when all could.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+
  private:
   std::set<std::string> seen_;
   std::uint64_t bytes_ = 0;
+  std::string fault_;
 };
 
 PolygonSoup import(const std::filesystem::path& file) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new CountedFiles);  // owned by the importer
+  auto* const files = new CountedFiles;  // owned by the importer
+  importer.SetIOHandler(files);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   constexpr unsigned kNoPostProcessing = 0;  // above all no triangulation
   const aiScene* const scene = importer.ReadFile(file.string(), kNoPostProcessing);
@@ -167,7 +174,7 @@ PolygonSoup import(const std::filesystem::path& file) {
   } catch (...) {
   }
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    const std::string reason = printable(importer.GetErrorString());
+    const std::string reason = printable(files->fault().empty() ? importer.GetErrorString() : files->fault());
     throw InputError(file.string() +
                      ": cannot import: " + (reason.empty() ? "the import library does not say why" : reason));
   }

@@ -102,7 +102,7 @@ class ObjReader {
     for (auto word = next_word(arguments); !word.empty() && word[0] != '#'; word = next_word(arguments)) {
       // Behind a slash come indices of texture coordinates and normals.
       const auto number = parse_number<std::int64_t>(word.substr(0, word.find('/')));
-      if (!number) fail(line_, "expected a vertex index");
+      if (!number) fail(line_, "expected a vertex index, an integer of at most 64 bits");
       indices_.push_back(from_zero(*number));
     }
   }

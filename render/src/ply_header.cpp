@@ -108,7 +108,7 @@ class HeaderParser {
   void add_element(const std::vector<std::string_view>& words) {
     if (words.size() != 3) fail("expected \"element NAME COUNT\"");
     const auto count = parse_number<std::size_t>(words[2]);
-    if (!count) fail("expected the number of elements");
+    if (!count) fail("expected the number of elements, an integer of at most 64 bits");
     if (header_.find(words[1])) fail("the element was declared before");
     if (header_.elements.size() == kMostDeclarations) fail("too many elements");
     header_.elements.push_back({std::string(words[1]), *count, {}});

@@ -69,7 +69,8 @@ std::string_view ValueReader::token() {
 template <class T>
 T ValueReader::take_text() {
   const auto number = parse_number<T>(token());
-  if (!number) throw InputError(fmt::format("{}:{}: expected a number", file_.string(), line_));
+  const char* const what = std::is_integral_v<T> ? "an integer of at most 64 bits" : "a number";
+  if (!number) throw InputError(fmt::format("{}:{}: expected {}", file_.string(), line_, what));
   return *number;
 }
 
