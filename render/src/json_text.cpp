@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "input_file.h"
 #include "occlude/render/errors.h"
@@ -37,6 +39,29 @@ std::optional<std::size_t> find_too_deep(std::string_view text) {
     if (c == '[' || c == '{') ++depth;
     if ((c == ']' || c == '}') && depth > 0) --depth;
     if (depth > kDeepest) return i;
+  }
+  return std::nullopt;
+}
+
+/// The string that `quoted` is in JSON.
+std::string unquoted(std::string_view quoted) {
+  if (quoted.find('\\') != quoted.npos) return Json::parse(quoted).get<std::string>();
+  return std::string(quoted.substr(1, quoted.size() - 2));
+}
+
+/// Where an object has a key that it has before: which of the values counts, nobody could say. REQUIRES: the text is JSON
+/// but for special numbers.
+std::optional<std::size_t> find_repeated_key(std::string_view text) {
+  std::vector<std::set<std::string>> objects;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{') objects.emplace_back();
+    if (text[i] == '}') objects.pop_back();
+    if (text[i] != '"') continue;
+    const std::string_view word = text.substr(i, end_of_string(text, i) - i);
+    const std::size_t behind = text.find_first_not_of(" \t\r\n", i + word.size());
+    const bool is_key = behind != text.npos && text[behind] == ':';
+    if (is_key && !objects.back().insert(unquoted(word)).second) return i;
+    i += word.size() - 1;
   }
   return std::nullopt;
 }
@@ -89,15 +114,21 @@ Json parse_with_special_numbers(std::string_view text) {
   }
 }
 
-}  // namespace
-
-Json parse_json(std::string_view text) {
-  if (const auto at = find_too_deep(text)) throw JsonError("nested too deeply", *at);
+Json parse_any(std::string_view text) {
   try {
     return Json::parse(text);
   } catch (const Json::exception&) {
     return parse_with_special_numbers(text);
   }
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text) {
+  if (const auto at = find_too_deep(text)) throw JsonError("nested too deeply", *at);
+  Json value = parse_any(text);
+  if (const auto at = find_repeated_key(text)) throw JsonError("a key that its object has before", *at);
+  return value;
 }
 
 Json read_json(const std::filesystem::path& file) {

@@ -471,6 +471,9 @@ done
 expect_error "line.jsonl:1: not JSON, near column 1" timeout 10 "$occlude" classify line.jsonl
 echo '{"eye":[NaN,NaN,NaN,NaN}' >line.jsonl
 expect_error "line.jsonl:1: not JSON, near column 24" "$occlude" classify line.jsonl
+# Of two values under one key neither counts.
+echo '{"eye":[0,0,0],"eye":[1,0,0]}' >line.jsonl
+expect_error "line.jsonl:1: a key that its object has before, near column 16" "$occlude" classify line.jsonl
 # A line without end is not read to its end, and whoever reads it says how much is read.
 for command in "classify" "fuzz" "validate good.ply --path path.json --witness"; do
   expect_error "/dev/zero:1: the line is longer than 16 MiB" timeout 60 "$occlude" $command /dev/zero
@@ -511,6 +514,14 @@ fi
 (ulimit -s 64 && exec "$occlude" walk deep.ply --path still.json --out little) >/dev/null 2>stderr
 [ $? -eq 2 ] && grep -q 'the stack is limited to 64 KiB' stderr || fail "little stack: $(cat stderr)"
 rm many.obj
+# The import library does not say that no more files may be open.
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
+for files in 5 6 7 8; do
+  (ulimit -n $files && exec "$occlude" preprocess a.stl --out few.pre) >/dev/null 2>stderr
+  code=$?
+  [ $code -eq 127 ] && continue # not even its libraries are loaded
+  [ $code -eq 0 ] || { [ $code -eq 2 ] && grep -q 'Too many open files' stderr; } || fail "$files files: exit $code: $(cat stderr)"
+done
 # A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
 expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out

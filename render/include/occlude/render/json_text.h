@@ -11,14 +11,15 @@
 
 namespace occlude::render {
 
-/// What is not JSON, or too deep; `at` is the byte of the text that shows it.
+/// What is not JSON, too deep, or says a thing twice; `at` is the byte of the text that shows it.
 struct JsonError : std::runtime_error {
   JsonError(const char* what, std::size_t byte) : runtime_error(what), at(byte) {}
   std::size_t at;
 };
 
-/// The value that `text` is, at most sixteen levels deep. Takes NaN, Infinity and numbers beyond the doubles as well: as the
-/// strings "nan", "inf" and "-inf", so that whoever needs a number there can say which.
+/// The value that `text` is, at most sixteen levels deep and without a key twice in an object. Takes NaN, Infinity and
+/// numbers beyond the doubles as well: as the strings "nan", "inf" and "-inf", so that whoever needs a number there can say
+/// which.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text);
 
 /// The value that the file holds. Throws InputError, naming the file and the line.
