@@ -87,8 +87,10 @@ File run_in_child(const ChildLimits& limits, const std::function<void(std::FILE*
 }
 
 void change_limits(const ChildLimits& limits) {
-  static const std::uint64_t memory_before = address_space_in_use();
-  limit_resource(RLIMIT_AS, memory_before + limits.memory_bytes);
+  // Sanitizers set aside all the address space that they will ever hand out: what is written to counts as well.
+  static const std::uint64_t space_before = address_space_in_use(), data_before = data_in_use();
+  limit_resource(RLIMIT_AS, space_before + limits.memory_bytes);
+  limit_resource(RLIMIT_DATA, data_before + limits.memory_bytes);
   limit_resource(RLIMIT_FSIZE, limits.memory_bytes);
   limit_resource(RLIMIT_CPU, limits.seconds);
 }

@@ -16,13 +16,19 @@ namespace {
 
 std::uint64_t page() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
 
-}  // namespace
-
-std::uint64_t address_space_in_use() {
+/// Number `which`, from 0, of those that the system keeps of this process's memory, in bytes.
+std::uint64_t memory_statistic(int which) {
+  std::ifstream statistics("/proc/self/statm");
   std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
+  for (int i = 0; i <= which; ++i) statistics >> pages;
   return pages * page();
 }
+
+}  // namespace
+
+std::uint64_t address_space_in_use() { return memory_statistic(0); }
+
+std::uint64_t data_in_use() { return memory_statistic(5); }
 
 bool can_have_memory(std::uint64_t bytes) {
   void* const memory = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace occlude::render {
 namespace {
@@ -59,6 +60,18 @@ TEST(ChildProcess, GetsNoMoreMemoryThanItMayHave) {
   EXPECT_EQ(failure(kAmple, allocate(kAmple.memory_bytes / 2)), "no failure");
   // "needs more memory than it may have", or however a sanitizer ends the process.
   EXPECT_NE(failure(kAmple, allocate(2 * kAmple.memory_bytes)), "no failure");
+}
+
+TEST(ChildProcess, GetsNoMoreInSmallPieces) {
+  const auto allocate = [](std::size_t bytes) {
+    return [bytes](std::FILE*) {
+      std::vector<std::vector<char>> pieces;
+      for (std::size_t sum = 0; sum < bytes; sum += pieces.back().size()) pieces.emplace_back(1U << 10U);
+    };
+  };
+  const ChildLimits small{64U << 20U, 60};
+  EXPECT_EQ(failure(small, allocate(small.memory_bytes / 4)), "no failure");
+  EXPECT_NE(failure(small, allocate(2 * small.memory_bytes)), "no failure");
 }
 
 TEST(ChildProcess, MayBeGivenMoreOnTheWay) {
