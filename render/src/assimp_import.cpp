@@ -187,8 +187,9 @@ PolygonSoup import(const std::filesystem::path& file) {
 template <class Items>
 void put(std::FILE* out, const Items& items) {
   const std::uint64_t count = items.size();
-  if (std::fwrite(&count, sizeof(count), 1, out) != 1 || std::fwrite(items.data(), sizeof(items[0]), count, out) != count)
-    throw std::runtime_error("a temporary file cannot be written");
+  bool is_written = std::fwrite(&count, sizeof(count), 1, out) == 1;
+  if (count != 0) is_written = is_written && std::fwrite(items.data(), sizeof(items[0]), count, out) == count;
+  if (!is_written) throw std::runtime_error("a temporary file cannot be written");
 }
 
 /// What a child has written that may have damaged its own memory before.
@@ -215,6 +216,7 @@ class Handover {
 
  private:
   void take(void* to, std::size_t bytes) {
+    if (bytes == 0) return;  // `to` may be null
     if (bytes > left_ || std::fread(to, 1, bytes, file_) != bytes) fail();
     left_ -= bytes;
   }
