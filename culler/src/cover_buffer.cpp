@@ -37,8 +37,10 @@ void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 
 void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
   piece_.see(mesh);
-  for (std::size_t sheet = 0; sheet < piece_.sheets(); ++sheet) {
+  for (std::size_t sheet = 0; sheet < piece_.sheets() && !is_spent(); ++sheet) {
     if (!piece_.find(sheet)) continue;
+    const PixelRectangle& r = piece_.tiles();
+    work_ += static_cast<std::size_t>(r.x1 - r.x0) * static_cast<std::size_t>(r.y1 - r.y0);
     if (const auto tiles = tiles_to_draw()) add_sheet(*tiles, id);
   }
 }

@@ -31,8 +31,8 @@ class CoverBuffer {
   /// it, and however it is moved by the margin in the picture. REQUIRES: the camera has no fault(); margin >= 0.
   void begin(const Camera& camera, double depth, int width, int height, double margin);
 
-  /// Tiles that were drawn since begin(), and tiles of each triangle: some nanoseconds each.
-  [[nodiscard]] std::size_t work() const { return work_; }
+  /// Whether as much was drawn since begin() as may be: from then on nothing is closed.
+  [[nodiscard]] bool is_spent() const { return work_ > kMostWork; }
 
   /// From now on it is kept which mesh was the last to bring a pixel nearer.
   void keep_owners();
@@ -73,6 +73,10 @@ class CoverBuffer {
   [[nodiscard]] const CoverPiece& piece() const { return piece_; }
 
  private:
+  /// Tiles of each sheet, and of each triangle, some nanoseconds each: a tenth of a second or so. The models tried take
+  /// a tenth of it.
+  static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
+
   struct Outline {
     PlaceRectangle places;
     double nearest;  ///< along the line of sight; 0 where it is not all beyond the near plane

@@ -49,8 +49,8 @@ class FrontToBack {
 template <class Ask, class See, class Cull, class Join>
 class CoverDescent {
  public:
-  /// A subtree of so many items at most is few; a leaf is, however many it has. Fewer delay less what is seen for what comes
-  /// behind it, more have less of a border.
+  /// A subtree of so many items at most is few; a leaf is, however many it has. Fewer draw more that was drawn before, more
+  /// delay what is seen for what comes behind it: from 64 to 2,048 it is all the same.
   static constexpr std::uint32_t kFew = 256;
 
   CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,

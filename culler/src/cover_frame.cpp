@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cover_frame.h"
 
-#include <cstddef>
-
 namespace occlude::culler {
 namespace {
 
@@ -12,10 +10,6 @@ int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSid
 /// A leaf that is seen through fewer pixels is not drawn: slits that nothing closes. With 4 there would be half as many
 /// triangles more, and what is culled more for it is a few thousandths.
 constexpr int kWorthClosing = 8;
-
-/// CoverBuffer::work() of a frame, a tenth of a second or so: beyond, what is seen closes no more. The models tried take a
-/// tenth of it.
-constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
 }  // namespace
 
@@ -34,7 +28,7 @@ CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double r
 }
 
 void CoverFrame::take(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) {
-  if (memory_.cover.work() > kMostWork || !memory_.cover.has_open(footprint, kWorthClosing)) return;
+  if (memory_.cover.is_spent() || !memory_.cover.has_open(footprint, kWorthClosing)) return;
   memory_.taken.push_back(leaf);
 }
 

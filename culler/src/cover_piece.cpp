@@ -87,7 +87,7 @@ void CoverPiece::see(const CoverMesh& mesh) {
   signs_.resize(mesh_.triangles.size());
   for (std::size_t t = 0; t < signs_.size(); ++t) signs_[t] = static_cast<std::int8_t>(sign(mesh_.triangles[t]));
   sheets_.part(mesh_, signs_);
-  taken_.resize(signs_.size());
+  taken_.assign(signs_.size(), 0);
 }
 
 bool CoverPiece::find(std::size_t sheet) {
@@ -109,7 +109,7 @@ bool CoverPiece::find(std::size_t sheet) {
 
 void CoverPiece::draw(const PixelRectangle& tiles) {
   rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
-  work_ = static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
+  work_ = 0;
   clear();
   for (const std::uint32_t t : sheet_) take(t);
   for (const std::uint32_t t : sheet_) {

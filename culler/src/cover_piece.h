@@ -46,7 +46,7 @@ class CoverPiece {
   [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
   /// How near, at least, it is there.
   [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
-  /// Tiles that it took to draw, and tiles of each triangle.
+  /// Tiles of its triangles that it took to draw.
   [[nodiscard]] std::size_t work() const { return work_; }
   /// Holds a triangle of the mesh, wherever it is by what it is out; none where it is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;

@@ -29,7 +29,7 @@ class Culler {
   /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
   Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint = {});
 
-  /// Makes what frames by cover need, which else the first of them does: some seconds for a million polygons. What
+  /// Makes what frames by cover need, which else the first of them does: half a second for a million polygons. What
   /// `checkpoint` throws comes out.
   void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
