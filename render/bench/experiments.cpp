@@ -37,6 +37,7 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);
   if (is_chosen("sweeps")) result.sweeps = measure_sweeps(subject, options);
   if (is_chosen("sort")) result.sort = measure_sorting(subject, options);
+  if (is_chosen("joined")) result.joined = measure_joined(subject, options);
   if (is_chosen("growth")) result.growth = measure_growth(options);
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include "figure4.h"
 #include "growth.h"
+#include "joined.h"
 #include "occlude/render/walk.h"
 #include "setting.h"
 #include "sorting.h"
@@ -17,7 +18,7 @@
 namespace occlude::experiments {
 
 /// In the order in which they are made.
-inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "growth"};
+inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "growth"};
 
 /// Of the experiments that were chosen.
 struct Result {
@@ -27,6 +28,7 @@ struct Result {
   std::optional<Figure4> figure4;
   std::optional<Sweeps> sweeps;
   std::optional<Sorting> sort;
+  std::optional<Joined> joined;
   std::optional<Growth> growth;
 };
 

@@ -72,6 +72,23 @@ std::string sweeps_section(const Sweeps& sweeps) {
          section(by_threshold.title, sweep_figures("steradians", thresholds, sweeps.threshold) + html_of(by_threshold));
 }
 
+std::string joined_figures(const render::Axis& along, const std::vector<double>& x, const std::vector<JoinedPoint>& points) {
+  const auto culled = values(points, [](const JoinedPoint& p) { return 100 * p.culled_share; });
+  const auto cull_ms = values(points, [](const JoinedPoint& p) { return p.cull_ms; });
+  return figure(line_chart(along, {"% of the polygons in view"}, x, {{"culled", kMain, culled}})) +
+         figure(line_chart(along, {"milliseconds"}, x, {{"culling a frame", kMain, cull_ms}}));
+}
+
+std::string joined_section(const Joined& joined) {
+  const auto widths = values(joined.pictures, [](const JoinedPoint& p) { return p.width; });
+  const auto leaves = values(joined.leaves, [](const JoinedPoint& p) { return p.leaf; });
+  const Table by_picture = pictures_table(joined), by_leaf = leaves_table(joined);
+  return section(by_picture.title,
+                 joined_figures({"pixels across", Scale::logarithmic}, widths, joined.pictures) + html_of(by_picture)) +
+         section(by_leaf.title,
+                 joined_figures({"polygons a leaf", Scale::logarithmic}, leaves, joined.leaves) + html_of(by_leaf));
+}
+
 std::string sort_section(const Sorting& sorting) {
   const Table table = sort_table(sorting);
   return section(table.title, html_of(table));
@@ -98,6 +115,7 @@ std::string report_html(const Result& result, const Options& options) {
   if (result.figure4) body += figure4_section(*result.figure4);
   if (result.sweeps) body += sweeps_section(*result.sweeps);
   if (result.sort) body += sort_section(*result.sort);
+  if (result.joined) body += joined_section(*result.joined);
   if (result.growth) body += growth_section(*result.growth);
   body += section("Conditions", R"(<p class="soft">)" + render::escaped(conditions(options)) + "</p>");
   return render::page("occlude: the culler on " + model, body);

@@ -85,6 +85,18 @@ Json sort_json(const Sorting& sorting) {
             {"comparisons_anew", if_known(sorting.anew_exponent)}}}};
 }
 
+Json joined_json(const std::vector<JoinedPoint>& points) {
+  Json json = Json::array();
+  for (const JoinedPoint& p : points) {
+    json.push_back({{"cover_size", {p.width, p.height}},
+                    {"leaf", p.leaf},
+                    {"culled_share", p.culled_share},
+                    {"drawn", p.drawn},
+                    {"cull_ms", p.cull_ms}});
+  }
+  return json;
+}
+
 Json growth_json(const Growth& growth) {
   Json points = Json::array();
   for (const GrowthPoint& p : growth.points) {
@@ -119,6 +131,10 @@ std::string report_json(const Result& result, const Options& options) {
     json["sweeps"] = {{"regions", sweep_json(result.sweeps->regions)}, {"threshold", sweep_json(result.sweeps->threshold)}};
   }
   json["sort"] = result.sort ? sort_json(*result.sort) : Json(nullptr);
+  json["joined"] = nullptr;
+  if (result.joined) {
+    json["joined"] = {{"pictures", joined_json(result.joined->pictures)}, {"leaves", joined_json(result.joined->leaves)}};
+  }
   json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
   json["machine"] = render::machine_json(result.table2 ? result.table2->renderer : "");
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

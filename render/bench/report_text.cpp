@@ -18,6 +18,10 @@ std::string report_text(const Result& result, const Options& options) {
     add(text_of(threshold_table(*result.sweeps)));
   }
   if (result.sort) add(text_of(sort_table(*result.sort)));
+  if (result.joined) {
+    add(text_of(pictures_table(*result.joined)));
+    add(text_of(leaves_table(*result.joined)));
+  }
   if (result.growth) add(text_of(growth_table(*result.growth)));
   add(conditions(options) + "\n");
   return text;

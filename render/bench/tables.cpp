@@ -43,6 +43,15 @@ Table sweep_table(const std::string& title, const std::string& varied, const std
   return table;
 }
 
+Table joined_table(const std::string& title, const std::string& varied, const std::vector<JoinedPoint>& points,
+                   std::string (*name)(const JoinedPoint&)) {
+  Table table{title, {varied, "culled, %", "drawn", "cull, ms"}, {}, {}};
+  for (const JoinedPoint& p : points) {
+    table.rows.push_back({name(p), percent(p.culled_share), grouped(p.drawn), two(p.cull_ms)});
+  }
+  return table;
+}
+
 }  // namespace
 
 Table figure4_table(const Figure4& figure) {
@@ -91,6 +100,16 @@ Table sort_table(const Sorting& sorting) {
                   if_known(sorting.moves_exponent, two), if_known(sorting.comparisons_exponent, two),
                   if_known(sorting.anew_exponent, two)));
   return table;
+}
+
+Table pictures_table(const Joined& joined) {
+  return joined_table("Joined shadows, size of the coarse picture", "pixels", joined.pictures,
+                      [](const JoinedPoint& p) { return fmt::format("{}x{}", p.width, p.height); });
+}
+
+Table leaves_table(const Joined& joined) {
+  return joined_table("Joined shadows, size of the leaves", "polygons", joined.leaves,
+                      [](const JoinedPoint& p) { return std::to_string(p.leaf); });
 }
 
 Table growth_table(const Growth& growth) {

@@ -4,6 +4,7 @@
 
 #include "figure4.h"
 #include "growth.h"
+#include "joined.h"
 #include "sorting.h"
 #include "sweeps.h"
 #include "table.h"
@@ -14,6 +15,8 @@ namespace occlude::experiments {
 [[nodiscard]] Table regions_table(const Sweeps& sweeps);
 [[nodiscard]] Table threshold_table(const Sweeps& sweeps);
 [[nodiscard]] Table sort_table(const Sorting& sorting);
+[[nodiscard]] Table pictures_table(const Joined& joined);
+[[nodiscard]] Table leaves_table(const Joined& joined);
 [[nodiscard]] Table growth_table(const Growth& growth);
 
 /// What the times are, and of what machine.

@@ -104,7 +104,7 @@ void add_bench_culler(CLI::App& bench, int&) {
   command->add_option("--seed", a->seed, "whole number; same seed, same cities")->capture_default_str();
   command
       ->add_option("--only", a->only,
-                   "experiments, with commas: table2, figure4, sweeps, sort, growth (default: all; those "
+                   "experiments, with commas: table2, figure4, sweeps, sort, joined, growth (default: all; those "
                    "of a MODEL without growth, which is about cities)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end())));

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "joined.h"
+
+#include <array>
+
+#include "bench.h"
+#include "occlude/culler/culler.h"
+#include "occlude/render/progress.h"
+#include "pass.h"
+
+namespace occlude::experiments {
+namespace {
+
+/// Each about twice as many pixels, around the default; of 16 to 9.
+constexpr std::array<int, 5> kWidths{256, 384, 512, 768, 1024};
+constexpr std::array<std::uint32_t, 5> kLeaves{1, 2, 4, 8, 16};
+/// What is not varied.
+constexpr int kWidth = 512;
+constexpr std::uint32_t kLeaf = 4;
+
+JoinedPoint point_at(int width, std::uint32_t leaf) { return {width, width * 9 / 16, leaf, 0, 0, 0}; }
+
+/// A point, and what was timed of it, one number a round.
+struct Trial {
+  JoinedPoint point;
+  std::vector<double> cull_ms;
+};
+
+void run(Trial& trial, const Subject& subject, const Options& options) {
+  culler::BuildConfig config = options.walk.build;
+  config.hierarchy.leaf_size = trial.point.leaf;
+  config.grid.regions = 1;  // no list is asked
+  const culler::Culler culler(subject.soup, config, render::check_interrupt);
+  culler.prepare_cover(render::check_interrupt);
+  culler::CullOptions cull = options.walk.cull;
+  cull.method = culler::Method::cover;
+  cull.cover_width = trial.point.width;
+  cull.cover_height = trial.point.height;
+  const Pass pass = pass_along(culler, subject.path, options.walk, cull);
+  trial.cull_ms.push_back(pass.cull_ms);
+  trial.point.drawn = pass.drawn;
+  trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
+}
+
+}  // namespace
+
+Joined measure_joined(const Subject& subject, const Options& options) {
+  std::vector<Trial> trials;
+  for (const int width : kWidths) trials.push_back({point_at(width, kLeaf), {}});
+  for (const std::uint32_t leaf : kLeaves) trials.push_back({point_at(kWidth, leaf), {}});
+
+  render::Progress progress("joined shadows", options.repetitions * trials.size());
+  std::size_t done = 0;
+  for (std::size_t round = 0; round < options.repetitions; ++round) {
+    for (Trial& trial : trials) {
+      render::check_interrupt();
+      run(trial, subject, options);
+      progress.update(++done);
+    }
+  }
+  Joined joined;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].point.cull_ms = bench::median(trials[i].cull_ms);
+    (i < kWidths.size() ? joined.pictures : joined.leaves).push_back(trials[i].point);
+  }
+  return joined;
+}
+
+}  // namespace occlude::experiments
