@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A mesh that is narrower, in pixels, closes at most a few of them.
+/// A sheet that is narrower, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 6;
 
 constexpr std::uint64_t kEachByte = 0x0101010101010101U, kHighBits = 0x80 * kEachByte;
