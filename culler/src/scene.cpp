@@ -60,9 +60,7 @@ struct OccluderTree {
   }
   OccluderTree() = default;
 
-  [[nodiscard]] CoverSource source() const {
-    return {tree ? tree->nodes() : std::span<const HierarchyNode>{}, triangles};
-  }
+  [[nodiscard]] CoverSource source() const { return {tree ? tree->nodes() : std::span<const HierarchyNode>{}, triangles}; }
 };
 
 class CoverOccluders : public Lazy<OccluderTree> {};

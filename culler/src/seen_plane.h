@@ -2,6 +2,7 @@
 // How near the plane of a triangle is, at least, along the rays of a coarse picture.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>

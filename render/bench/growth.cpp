@@ -9,6 +9,7 @@
 #include "occlude/render/progress.h"
 #include "pass.h"
 #include "peak_memory.h"
+#include "rounds.h"
 #include "stopwatch.h"
 #include "trends.h"
 
@@ -83,14 +84,7 @@ std::optional<double> exponent(const std::vector<GrowthPoint>& points, double Gr
 Growth measure_growth(const Options& options) {
   std::vector<Trial> trials;
   for (const std::size_t size : sizes(options.largest)) trials.push_back({size, {}, {}, {}, {}, {}});
-  render::Progress progress("growth: cities", options.repetitions * trials.size());
-  std::size_t done = 0;
-  for (std::size_t round = 0; round < options.repetitions; ++round) {
-    for (Trial& trial : trials) {
-      run(trial, options);
-      progress.update(++done);
-    }
-  }
+  run_in_rounds("growth: cities", options.repetitions, trials, [&](Trial& trial) { run(trial, options); });
   Growth growth;
   for (const Trial& trial : trials) growth.points.push_back(point_of(trial));
   growth.build_exponent = exponent(growth.points, &GrowthPoint::build_s);

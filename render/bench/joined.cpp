@@ -7,6 +7,7 @@
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
 #include "pass.h"
+#include "rounds.h"
 
 namespace occlude::experiments {
 namespace {
@@ -49,15 +50,7 @@ Joined measure_joined(const Subject& subject, const Options& options) {
   for (const int width : kWidths) trials.push_back({point_at(width, kLeaf), {}});
   for (const std::uint32_t leaf : kLeaves) trials.push_back({point_at(kWidth, leaf), {}});
 
-  render::Progress progress("joined shadows", options.repetitions * trials.size());
-  std::size_t done = 0;
-  for (std::size_t round = 0; round < options.repetitions; ++round) {
-    for (Trial& trial : trials) {
-      render::check_interrupt();
-      run(trial, subject, options);
-      progress.update(++done);
-    }
-  }
+  run_in_rounds("joined shadows", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
   Joined joined;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trials[i].point.cull_ms = bench::median(trials[i].cull_ms);

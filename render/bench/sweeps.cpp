@@ -7,6 +7,7 @@
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
 #include "pass.h"
+#include "rounds.h"
 #include "stopwatch.h"
 
 namespace occlude::experiments {
@@ -58,15 +59,7 @@ Sweeps measure_sweeps(const Subject& subject, const Options& options) {
   for (const double regions : kRegions) trials.push_back({{Grid{standard.threshold, regions}}, {}, {}});
   for (const double threshold : kThresholds) trials.push_back({{Grid{threshold, standard.regions}}, {}, {}});
 
-  render::Progress progress("sweeps: grids", options.repetitions * trials.size());
-  std::size_t done = 0;
-  for (std::size_t round = 0; round < options.repetitions; ++round) {
-    for (Trial& trial : trials) {
-      render::check_interrupt();
-      run(trial, subject, options);
-      progress.update(++done);
-    }
-  }
+  run_in_rounds("sweeps: grids", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
   Sweeps sweeps;
   for (std::size_t i = 1; i < trials.size(); ++i) {
     (i <= kRegions.size() ? sweeps.regions : sweeps.threshold).push_back(point_of(trials[i], trials[0]));
