@@ -25,6 +25,7 @@
 #include "occlude/render/preprocess_file.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/view_along_path.h"
 #include "occlude/render/witness.h"
 #include "proof.h"
 #include "validation.h"
@@ -155,11 +156,11 @@ template <class OnFrame>
 void cull_frames(const Walked& walked, const char* label, OnFrame&& on_frame) {
   const std::vector<std::size_t> frames = render::frames_of(walked.path, walked.options);
   render::Progress progress(label, frames.size());
-  culler::View view;
+  render::ViewAlongPath along(walked.culler, walked.path, walked.options, walked.options.cull);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     render::check_interrupt();
     const culler::Camera camera = walked.path.camera(frames[i], render::aspect(walked.options));
-    on_frame(frames[i], camera, walked.culler.cull(camera, walked.options.cull, view));
+    on_frame(frames[i], camera, walked.culler.cull(camera, walked.options.cull, along.before(frames[i])));
     progress.update(i + 1);
   }
 }

@@ -2,6 +2,7 @@
 #include "pass.h"
 
 #include "occlude/render/progress.h"
+#include "occlude/render/view_along_path.h"
 #include "thread_time.h"
 
 namespace occlude::experiments {
@@ -9,11 +10,12 @@ namespace occlude::experiments {
 Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, const render::WalkOptions& walk,
                 const culler::CullOptions& cull, const OnCulled& on_culled) {
   Pass sum;
-  culler::View view;
+  render::ViewAlongPath along(culler, path, walk, cull);
   const auto frames = frames_of(path, walk);
   for (const std::size_t frame : frames) {
     render::check_interrupt();
     const culler::Camera camera = path.camera(frame, aspect(walk));
+    culler::View& view = along.before(frame);
     const ThreadTime time;
     const culler::CullResult& culled = culler.cull(camera, cull, view);
     sum.cull_ms += time.milliseconds();

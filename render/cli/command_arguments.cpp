@@ -113,7 +113,10 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   options.insert(
       options.end(),
       {
-          command.add_option("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all")->capture_default_str(),
+          command
+              .add_option("--frames", frames_,
+                          "A:B:STEP, frames A, A+STEP, ... below B, or all; those between are only culled")
+              ->capture_default_str(),
           choice("--method", method_, {"frusta", "cover"},
                  "what hides: the shadows of a few chosen occluders, or all that is seen, joined in a coarse picture"),
           command.add_option("--cover-size", cover_size_, "WxH, size of that picture in pixels, each from 64 to 4096")

@@ -250,6 +250,12 @@ nothing_left() {
   [ ! -e out ] && [ ! -e out.json ] || fail "a full disk: $options leaves files"
 done
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
+# A frame is culled with the same past, whatever the step: polygons in view, drawn, seen; occluders; sorting; tests.
+walk_city() { "$occlude" walk city.ply --path city.json --no-render --out "$1" --frames "$2" >/dev/null || fail "walk --frames $2"; }
+walk_city every 0:31
+walk_city third 0:31:10
+cmp -s <(cut -d, -f1-4,9-16 every/frames.csv | awk -F, 'NR == 1 || $1 % 10 == 0') <(cut -d, -f1-4,9-16 third/frames.csv) ||
+  fail "a walk with a step does not cull the frames between"
 limited() { # limited KIBIBYTES COMMAND...
   exit_code 2 bash -c 'ulimit -f $0; "$@"' "$@"
   grep -q 'File too large' stderr || fail "ulimit -f: $*: $(cat stderr)"

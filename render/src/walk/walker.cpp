@@ -5,6 +5,7 @@
 
 #include "comparison.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/view_along_path.h"
 #include "stopwatch.h"
 
 namespace occlude::render {
@@ -121,10 +122,11 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
     culler::View warm_up;  // the first picture pays for what the renderer prepares once
     static_cast<void>(walker.frame(frames.front(), false, warm_up));
   }
-  culler::View view;
+  ViewAlongPath along(culler, path, options, options.cull);
   Progress progress("frame", frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const bool is_reference = i % step == 0;
+    culler::View& view = along.before(frames[i]);
     result.frames.push_back(walker.frame(frames[i], is_reference, view));
     if (is_reference && options.render) ++result.reference_frames;
     if (on_frame) on_frame(result.frames.back(), view.result(), is_reference);

@@ -15,7 +15,7 @@
 namespace occlude::render {
 ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                              std::size_t frame)
-    : culler_(culler), options_(options), number_(frame) {
+    : culler_(culler), options_(options), number_(frame), along_(culler, path, options, options.cull) {
   const std::vector<std::size_t> frames = frames_of(path, options);
   const auto found = std::ranges::find(frames, frame);
   if (found == frames.end()) {
@@ -24,8 +24,7 @@ ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& pat
   camera_ = path.camera(frame, aspect(options));
   Progress progress("frame", static_cast<std::size_t>(found - frames.begin()) + 1);
   for (auto f = frames.begin(); f <= found; ++f) {
-    check_interrupt();
-    culler.cull(path.camera(*f, aspect(options)), options.cull, view_);
+    culler.cull(path.camera(*f, aspect(options)), options.cull, along_.before(*f));
     progress.update(static_cast<std::size_t>(f - frames.begin()) + 1);
   }
 }

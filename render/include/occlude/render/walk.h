@@ -32,8 +32,9 @@ struct ShadowTest {
 inline constexpr double kPixelMargin = 1.0 / 128;
 
 struct WalkOptions {
-  int width = 640, height = 360;                    ///< of the picture, pixels
-  std::size_t begin = 0, end = SIZE_MAX, step = 1;  ///< frames walked: begin, begin + step, ... below end
+  int width = 640, height = 360;  ///< of the picture, pixels
+  std::size_t begin = 0, end = SIZE_MAX,
+              step = 1;  ///< frames drawn, compared and counted: begin, begin + step, ... below end
   culler::CullOptions cull;
   culler::BuildConfig build;
   std::filesystem::path preprocess;                       ///< of `occlude preprocess`, used instead of `build`; or empty
@@ -47,7 +48,8 @@ struct WalkOptions {
   return static_cast<double>(options.width) / options.height;
 }
 
-/// The frames that a walk of this path visits. Throws InputError when there are none.
+/// The frames that a walk of this path counts; those between are culled, for what comes after them. Throws InputError when
+/// there are none.
 [[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
 
 /// Every so many frames of a walk is one of the few of which more is asked: the whole model is drawn for reference, and

@@ -16,6 +16,7 @@
 #include "occlude/render/image.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
+#include "occlude/render/view_along_path.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::render {
@@ -30,14 +31,14 @@ class ReplayedFrame {
   [[nodiscard]] const WalkOptions& options() const { return options_; }
   [[nodiscard]] std::size_t number() const { return number_; }
   [[nodiscard]] const culler::Camera& camera() const { return camera_; }
-  [[nodiscard]] const culler::CullResult& result() const { return view_.result(); }
+  [[nodiscard]] const culler::CullResult& result() const { return along_.view().result(); }
 
  private:
   const culler::Culler& culler_;
   const WalkOptions& options_;
   std::size_t number_;
   culler::Camera camera_;
-  culler::View view_;
+  ViewAlongPath along_;
 };
 
 /// How a box lies to the shadow of one of the frame's occluders.
