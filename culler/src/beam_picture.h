@@ -62,10 +62,15 @@ class BeamPicture {
   /// As given: what is out by error() and no more lies within it.
   [[nodiscard]] double depth() const { return depth_; }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
+  /// What see() measures along: nearly of length 1.
+  [[nodiscard]] const glm::dvec3& right() const { return right_; }
+  [[nodiscard]] const glm::dvec3& up() const { return up_; }
+  [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
+  /// A place is middle() and a slope times scale(); of parallel rays, what lies right and up times it.
+  [[nodiscard]] const Place& middle() const { return middle_; }
+  [[nodiscard]] const Place& scale() const { return scale_; }
 
   [[nodiscard]] Seen see(const glm::dvec3& point) const;
-  /// All corners of a box, each as see() has it.
-  [[nodiscard]] std::array<Seen, 8> corners(const kernel::Aabb& box) const;
   /// Where the edge from a to b passes near(): the same point whichever triangle asks, as long as a and b are not exchanged.
   [[nodiscard]] Seen cut(const Seen& a, const Seen& b) const;
   /// REQUIRES: in perspective a point at near() or beyond; and so below.
@@ -123,23 +128,6 @@ inline constexpr double kBoundRounded = 1 + 0x1p-40;
 inline Seen BeamPicture::see(const glm::dvec3& point) const {
   const glm::dvec3 y = point - eye_;
   return {glm::dot(right_, y), glm::dot(up_, y), glm::dot(forward_, y)};
-}
-
-inline std::array<Seen, 8> BeamPicture::corners(const kernel::Aabb& box) const {
-  // The terms of the three products, for both ends of the box.
-  std::array<std::array<Seen, 2>, 3> terms;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.min[axis] - eye_[axis], high = box.max[axis] - eye_[axis];
-    const double right = right_[axis], up = up_[axis], forward = forward_[axis];
-    terms[static_cast<std::size_t>(axis)] = {Seen{right * low, up * low, forward * low},
-                                             Seen{right * high, up * high, forward * high}};
-  }
-  std::array<Seen, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Seen &x = terms[0][i & 1U], &y = terms[1][i >> 1U & 1U], &z = terms[2][i >> 2U];
-    corners[i] = {x.right + y.right + z.right, x.up + y.up + z.up, x.forward + y.forward + z.forward};
-  }
-  return corners;
 }
 
 inline Place BeamPicture::place(const Seen& seen) const {

@@ -12,7 +12,6 @@
 namespace occlude::culler {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Pixels about the camera's picture: what reaches beyond it a little is hidden all the same. Twice as many hide no more in
 /// the models tried, and leave the picture fewer.
 constexpr double kBorder = 16;
@@ -25,7 +24,8 @@ void CoverBuffer::begin(const Camera& camera, double depth, int width, int heigh
   picture_ = BeamPicture(camera, depth, {width, height, kBorder}, margin > 0 ? kSinglePrecision * depth : 0);
   piece_.begin(picture_);
   tiles_across_ = width / kTile;
-  wider_ = margin >= 0 ? margin * (height - 2 * kBorder) : kInfinity;  // of what is no margin nothing is hidden
+  // Of what is no margin nothing is hidden.
+  boxes_ = BoxPicture(picture_, margin >= 0 ? margin * (height - 2 * kBorder) : std::numeric_limits<double>::infinity());
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);
@@ -53,7 +53,8 @@ void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
       const std::uint64_t closed = piece_.closed(x, y);
       const float nearness = piece_.nearness(x, y);
       const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
-      if (closed != 0 && nearness > farthest_[tile] && nearness < kInfinity) close(tile, closed, nearness, id);
+      if (closed != 0 && nearness > farthest_[tile] && nearness < std::numeric_limits<float>::infinity())
+        close(tile, closed, nearness, id);
     }
   }
 }
@@ -81,65 +82,36 @@ void CoverBuffer::close(std::size_t tile, std::uint64_t pixels, float nearness, 
   farthest_[tile] = bring_nearer(old, pixels, nearness);
 }
 
-CoverBuffer::Outline CoverBuffer::outline(const kernel::Aabb& box) const {
-  const std::array<Seen, 8> corners = picture_.corners(box);
-  double nearest = kInfinity;
-  for (const Seen& corner : corners) nearest = std::min(nearest, corner.forward);
-  if (!(nearest > picture_.near())) return {{}, 0};
-  Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
-  for (const Seen& corner : corners) {
-    const Place place = picture_.place(corner);
-    low = {std::min(low.x, place.x), std::min(low.y, place.y)};
-    high = {std::max(high.x, place.x), std::max(high.y, place.y)};
-  }
-  // What is nearer, and what is farther aside, is out by more.
-  const double error = std::max(picture_.place_error(low, nearest), picture_.place_error(high, nearest));
-  return {{{low.x - error, low.y - error}, {high.x + error, high.y + error}}, nearest};
+SeenBoxes CoverBuffer::seen(const kernel::Aabb& box) const {
+  SeenBoxes boxes;
+  boxes.add(boxes_, box);
+  boxes.see(boxes_);
+  return boxes;
 }
 
-CoverBuffer::Footprint CoverBuffer::footprint(const kernel::Aabb& box) const {
-  const auto [places, nearest] = outline(box);
-  if (nearest == 0) return {{0, 0, picture_.width(), picture_.height()}, std::numeric_limits<float>::infinity(), false};
-  const PixelRectangle r = picture_.pixels(places.low, places.high, wider_), clipped = picture_.clipped(r);
-  const bool is_in_picture = r.x0 >= 0 && r.y0 >= 0 && r.x1 <= picture_.width() && r.y1 <= picture_.height();
-  return {clipped, rounded_up(picture_.nearness(nearest) + picture_.nearness_error(nearest)), is_in_picture};
+CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_t i) const {
+  const float most = boxes.most[i];
+  const PixelRectangle r{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]}, all{0, 0, picture_.width(), picture_.height()};
+  if (most == std::numeric_limits<float>::infinity()) return {all, most, false};
+  const bool is_in_picture = r.x0 >= 0 && r.y0 >= 0 && r.x1 <= all.x1 && r.y1 <= all.y1;
+  return {picture_.clipped(r), most, is_in_picture};
 }
 
-template <class Found>
-bool CoverBuffer::find_open(const PixelRectangle& r, float most, const Found& found) const {
-  for (int y = r.y0 / kTile; y * kTile < r.y1; ++y) {
-    for (int x = r.x0 / kTile; x * kTile < r.x1; ++x) {
-      const auto tile = static_cast<std::size_t>(y * tiles_across_ + x);
-      if (farthest_[tile] > most) continue;
-      const std::uint64_t pixels = tile_pixels(std::max(r.x0 - x * kTile, 0), std::max(r.y0 - y * kTile, 0),
-                                               std::min(r.x1 - x * kTile, kTile), std::min(r.y1 - y * kTile, kTile));
-      const std::uint64_t open = pixels & ~nearer_pixels(&nearness_[tile * kTilePixels], most);
-      if (open != 0 && found(open)) return true;
-    }
-  }
-  return false;
-}
-
-bool CoverBuffer::hides(const Footprint& box) const {
-  return box.is_in_picture && !find_open(box.pixels, box.most, [](std::uint64_t) { return true; });
-}
+bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box.pixels, box.most, 1) == 0; }
 
 CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
   const Footprint footprint = this->footprint(box);
   if (!footprint.is_in_picture) return Gap::beyond_picture;
   if (hides(footprint)) return Gap::none;
-  const bool is_open = find_open(footprint.pixels, std::numeric_limits<float>::lowest(), [](std::uint64_t) { return true; });
-  return is_open ? Gap::open : Gap::not_behind;
+  return open(footprint.pixels, std::numeric_limits<float>::lowest(), 1) > 0 ? Gap::open : Gap::not_behind;
 }
 
-bool CoverBuffer::has_open(const Footprint& box, int count) const {
-  int found = 0;
-  return find_open(box.pixels, box.most, [&](std::uint64_t open) { return (found += std::popcount(open)) >= count; });
-}
+bool CoverBuffer::has_open(const Footprint& box, int count) const { return open(box.pixels, box.most, count) >= count; }
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
-  const auto& [low, high] = outline(box).places;
-  const PixelRectangle r = footprint(box).pixels;
+  const SeenBoxes boxes = seen(box);
+  const Place low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};
+  const PixelRectangle r = footprint(boxes, 0).pixels;
   std::vector<Owner> runs;
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;

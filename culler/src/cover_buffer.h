@@ -18,6 +18,7 @@
 #include "cover_mesh.h"
 #include "cover_piece.h"
 #include "occlude/kernel/types.h"
+#include "seen_boxes.h"
 
 namespace occlude::culler {
 
@@ -46,7 +47,10 @@ class CoverBuffer {
     float most;             ///< nothing of it is nearer
     bool is_in_picture;     ///< all of it, and beyond the near plane
   };
-  [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const;
+  [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const { return footprint(seen(box), 0); }
+  /// Of one of several that were seen in box_picture().
+  [[nodiscard]] Footprint footprint(const SeenBoxes& boxes, std::size_t i) const;
+  [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
 
   /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. REQUIRES: a box no farther from the eye than `depth` of begin(). False of a box that reaches beyond the
@@ -77,25 +81,22 @@ class CoverBuffer {
   /// a tenth of it.
   static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
-  struct Outline {
-    PlaceRectangle places;
-    double nearest;  ///< along the line of sight; 0 where it is not all beyond the near plane
-  };
-  [[nodiscard]] Outline outline(const kernel::Aabb& box) const;
   /// Those of the piece's tiles between which all lie that it may close or bring nearer; none where there are none.
   [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
-  /// Calls found(open) with the pixels of each tile of the rectangle that do not hide what is no nearer than `most`, if any,
-  /// until it returns true; whether it has.
-  template <class Found>
-  bool find_open(const PixelRectangle& r, float most, const Found& found) const;
+  /// How many pixels of the rectangle do not hide what is no nearer than `most`: counted until there are enough.
+  [[nodiscard]] int open(const PixelRectangle& r, float most, int enough) const {
+    return open_pixels({nearness_.data(), farthest_.data(), tiles_across_}, r, most, enough);
+  }
+
+  [[nodiscard]] SeenBoxes seen(const kernel::Aabb& box) const;
 
   BeamPicture picture_;
+  BoxPicture boxes_;  ///< with the margin
   CoverPiece piece_;
   int tiles_across_ = 0;
   std::size_t work_ = 0;
-  double wider_ = 0;                   ///< the margin, in pixels
   std::vector<float> nearness_;        ///< of each pixel, tile after tile; -infinity while it is open
   std::vector<float> farthest_;        ///< of each tile, the least of it
   std::vector<std::uint32_t> owners_;  ///< as nearness_; empty unless they are kept

@@ -5,43 +5,19 @@
 // Nothing hides itself: a box reaches what it holds, and is not strictly beyond it.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 #include <span>
 
-#include "bounds.h"
 #include "cover_buffer.h"
-#include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/half_space.h"
+#include "seen_boxes.h"
 
 namespace occlude::culler {
-
-/// Which of two boxes is nearer to a camera: a heuristic.
-class FrontToBack {
- public:
-  explicit FrontToBack(const Camera& camera)
-      : eye_(camera.eye), forward_(camera.axes().forward), is_perspective_(camera.projection == Projection::perspective) {}
-
-  [[nodiscard]] double distance(const kernel::Aabb& box) const {
-    if (!is_perspective_) return least(forward_, to_kernel(eye_), box);
-    double squared = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double outside = std::max({box.min[axis] - eye_[axis], eye_[axis] - box.max[axis], 0.0});
-      squared += outside * outside;
-    }
-    return squared;
-  }
-
- private:
-  glm::dvec3 eye_, forward_;
-  bool is_perspective_;
-};
 
 /// `ask` calls a question with the bounding volume of a node; see(leaf, footprint) is told what is not culled,
 /// cull(Culled) what is. After
@@ -54,54 +30,106 @@ class CoverDescent {
   static constexpr std::uint32_t kFew = 256;
 
   CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,
-               const CullOptions& options, const Camera& camera, const CoverBuffer& buffer, CullStats& stats, const See& see,
-               const Cull& cull, const Join& join)
+               const CullOptions& options, const CoverBuffer& buffer, CullStats& stats, const See& see, const Cull& cull,
+               const Join& join)
       : nodes_(nodes),
         ask_(ask),
         planes_(planes),
         arithmetic_(options.arithmetic),
-        order_(camera),
         buffer_(buffer),
         stats_(stats),
         see_(see),
         cull_(cull),
         join_(join) {}
 
-  void run() { visit(0, planes_.size() < 32 ? (std::uint32_t{1} << planes_.size()) - 1 : ~std::uint32_t{0}, false); }
+  void run() {
+    Visit root{0, planes_.size() < 32 ? (std::uint32_t{1} << planes_.size()) - 1 : ~std::uint32_t{0}, is_few(0)};
+    if (!is_in_view(root)) return;
+    visit_below(root);
+    if (root.is_part) join_();
+  }
 
  private:
-  /// `across`: a bit for each plane that the node may be across. `is_part`: of a subtree of few items.
-  void visit(std::uint32_t index, std::uint32_t across, bool is_part) {
-    const HierarchyNode& node = nodes_[index];
+  struct Visit {
+    std::uint32_t node;
+    std::uint32_t across;  ///< a bit for each plane that the node may be across
+    bool is_part;          ///< of a subtree of few items
+  };
+  /// Nodes that are asked together.
+  struct Batch {
+    std::array<Visit, SeenBoxes::kMost> visits;
+    SeenBoxes boxes;
+  };
+
+  [[nodiscard]] bool is_few(std::uint32_t node) const { return nodes_[node].is_leaf() || nodes_[node].count <= kFew; }
+
+  /// What is below a node, or the leaf itself: three levels of the tree at once, nearest first.
+  void visit_below(const Visit& visit) {
+    Batch batch;
+    gather(visit, kLevels, batch);
+    batch.boxes.see(buffer_.box_picture());
+    std::array<std::uint8_t, SeenBoxes::kMost> order{};
+    for (std::uint8_t i = 0; i < batch.boxes.size; ++i) {
+      std::size_t k = i;
+      for (; k > 0 && batch.boxes.distance[order[k - 1]] > batch.boxes.distance[i]; --k) order[k] = order[k - 1];
+      order[k] = i;
+    }
+    for (const std::uint8_t i : std::span(order).first(batch.boxes.size)) {
+      decide(batch.visits[i], buffer_.footprint(batch.boxes, i));
+    }
+  }
+
+  /// Adds what is in view so many levels below; nothing beneath a subtree of few items, but from within.
+  void gather(const Visit& visit, int levels, Batch& batch) {
+    const HierarchyNode& node = nodes_[visit.node];
+    const bool is_start = levels == kLevels;
+    if (node.is_leaf() || levels == 0 || (!is_start && !visit.is_part && is_few(visit.node))) {
+      batch.visits[batch.boxes.size] = visit;
+      batch.boxes.add(buffer_.box_picture(), node.box);
+      return;
+    }
+    for (const std::uint32_t below : {visit.node + 1, node.right}) {
+      Visit next{below, visit.across, visit.is_part};
+      if (is_in_view(next)) gather(next, levels - 1, batch);
+    }
+  }
+
+  /// Culls what is not.
+  bool is_in_view(Visit& visit) {
     ++stats_.nodes_visited;
-    for (std::uint32_t left = across; left != 0; left &= left - 1) {
+    for (std::uint32_t left = visit.across; left != 0; left &= left - 1) {
       const auto plane = static_cast<std::uint32_t>(std::countr_zero(left));
       ++stats_.view_tests;
       const kernel::Relation relation =
-          ask_(index, [&](const auto& box) { return kernel::relation(planes_[plane], box, arithmetic_); });
-      if (relation == kernel::Relation::outside) return cull_({index, Culled::By::view, plane});
-      if (relation == kernel::Relation::inside) across &= ~(std::uint32_t{1} << plane);
+          ask_(visit.node, [&](const auto& box) { return kernel::relation(planes_[plane], box, arithmetic_); });
+      if (relation == kernel::Relation::outside) {
+        cull_({visit.node, Culled::By::view, plane});
+        return false;
+      }
+      if (relation == kernel::Relation::inside) visit.across &= ~(std::uint32_t{1} << plane);
     }
-    ++stats_.cover_tests;
-    const CoverBuffer::Footprint footprint = buffer_.footprint(node.box);
-    if (buffer_.hides(footprint)) return cull_({index, Culled::By::cover});
-    const bool is_few = node.is_leaf() || node.count <= kFew;
-    if (node.is_leaf()) {
-      see_(index, footprint);
-    } else {
-      const std::uint32_t left = index + 1, right = node.right;
-      const bool is_left_first = order_.distance(nodes_[left].box) <= order_.distance(nodes_[right].box);
-      visit(is_left_first ? left : right, across, is_part || is_few);
-      visit(is_left_first ? right : left, across, is_part || is_few);
-    }
-    if (is_few && !is_part) join_();
+    return true;
   }
+
+  void decide(const Visit& visit, const CoverBuffer::Footprint& footprint) {
+    ++stats_.cover_tests;
+    if (buffer_.hides(footprint)) return cull_({visit.node, Culled::By::cover});
+    const bool is_few = this->is_few(visit.node);
+    if (nodes_[visit.node].is_leaf()) {
+      see_(visit.node, footprint);
+    } else {
+      visit_below({visit.node, visit.across, visit.is_part || is_few});
+    }
+    if (is_few && !visit.is_part) join_();
+  }
+
+  static constexpr int kLevels = 3;
+  static_assert(1U << kLevels == SeenBoxes::kMost);
 
   std::span<const HierarchyNode> nodes_;
   const Ask& ask_;
   std::span<const kernel::HalfSpace> planes_;
   kernel::Arithmetic arithmetic_;
-  FrontToBack order_;
   const CoverBuffer& buffer_;
   CullStats& stats_;
   const See& see_;

@@ -15,7 +15,7 @@ constexpr int kWorthClosing = 8;
 
 CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double reach, const CullOptions& options,
                        View::Memory& memory)
-    : source_(source), camera_(camera), options_(options), memory_(memory) {
+    : source_(source), options_(options), memory_(memory) {
   memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
   memory.result.method = Method::cover;  // the picture is this frame's
   memory.seen.clear();

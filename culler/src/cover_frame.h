@@ -30,7 +30,7 @@ class CoverFrame {
   template <class Ask, class See, class Cull, class Join>
   void descend(std::span<const HierarchyNode> nodes, const Ask& ask, const See& see, const Cull& cull, const Join& join) {
     if (nodes.empty()) return;
-    CoverDescent(nodes, ask, memory_.planes, options_, camera_, memory_.cover, memory_.result.stats, see, cull, join).run();
+    CoverDescent(nodes, ask, memory_.planes, options_, memory_.cover, memory_.result.stats, see, cull, join).run();
   }
 
   /// A leaf of the tree of `nodes` is seen: what comes behind it may hide it yet.
@@ -64,7 +64,6 @@ class CoverFrame {
   void add_around(std::uint32_t leaf);
 
   const CoverSource& source_;
-  const Camera& camera_;
   const CullOptions& options_;
   View::Memory& memory_;
   std::uint32_t groups_ = 0;

@@ -18,19 +18,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A sheet that is narrower, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 6;
 
-constexpr std::uint64_t kEachByte = 0x0101010101010101U, kHighBits = 0x80 * kEachByte;
-
-/// The sums of bytes, modulo 256.
-std::uint64_t add_bytes(std::uint64_t a, std::uint64_t b) {
-  return ((a & ~kHighBits) + (b & ~kHighBits)) ^ ((a ^ b) & kHighBits);
-}
-
-/// A bit for each byte that is not 0, the lowest first.
-std::uint64_t nonzero_bytes(std::uint64_t bytes) {
-  const std::uint64_t high = (((bytes & ~kHighBits) + ~kHighBits) | bytes) & kHighBits;
-  return (high >> 7U) * 0x0102040810204080U >> 56U;  // bit 8 i goes to bit 56 + i, and none meet there
-}
-
 /// The smallest upright rectangle about places, with what they are out by.
 struct Extent {
   Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
@@ -88,6 +75,7 @@ void CoverPiece::see(const CoverMesh& mesh) {
   for (std::size_t t = 0; t < signs_.size(); ++t) signs_[t] = static_cast<std::int8_t>(sign(mesh_.triangles[t]));
   sheets_.part(mesh_, signs_);
   taken_.assign(signs_.size(), 0);
+  piece_ = 0;
 }
 
 bool CoverPiece::find(std::size_t sheet) {
@@ -110,12 +98,13 @@ bool CoverPiece::find(std::size_t sheet) {
 void CoverPiece::draw(const PixelRectangle& tiles) {
   rectangle_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
   work_ = 0;
-  clear();
+  clear(tiles);
+  ++piece_;
   for (const std::uint32_t t : sheet_) take(t);
   for (const std::uint32_t t : sheet_) {
     if (is_taken(t)) draw_sides(t);
   }
-  close();
+  border_.find_closed(closed_);
 }
 
 CoverPiece::Vertex CoverPiece::vertex(const Seen& seen) const {
@@ -147,27 +136,16 @@ std::optional<PlaceRectangle> CoverPiece::places(std::size_t triangle) const {
   return PlaceRectangle{outline.extent.low, outline.extent.high};
 }
 
-void CoverPiece::clear() {
+void CoverPiece::clear(const PixelRectangle& tiles) {
   tiles_across_ = picture_.width() / kTile;
   const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(picture_.height() / kTile);
-  if (++piece_ == 0 || tiles_.size() != count) {
-    tiles_.assign(count, {});
-    degrees_.resize(static_cast<std::size_t>(tiles_across_));
-    closed_.resize(count);
-    nearness_.resize(count);
-    piece_ = 1;
-  }
-  const PixelRectangle& t = rectangle_;
-  for (int y = t.y0 / kTile; y < t.y1 / kTile; ++y) {
+  border_.begin(picture_, tiles);
+  closed_.resize(count);
+  nearness_.resize(count);
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
     const auto row = nearness_.begin() + std::ptrdiff_t{y} * tiles_across_;
-    std::fill(row + t.x0 / kTile, row + t.x1 / kTile, std::numeric_limits<float>::infinity());
+    std::fill(row + tiles.x0, row + tiles.x1, std::numeric_limits<float>::infinity());
   }
-}
-
-CoverPiece::Tile& CoverPiece::touch(int tile_x, int tile_y) {
-  Tile& tile = tiles_[tile_at(tile_x, tile_y)];
-  if (tile.piece != piece_) tile = {.piece = piece_};
-  return tile;
 }
 
 /// Takes a triangle that is somewhere in what is drawn.
@@ -252,10 +230,10 @@ bool CoverPiece::is_first(std::uint32_t side) const {
 }
 
 void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to, int degree) {
-  if (!is_cut_) return draw_border(vertices_[from].corner, vertices_[to].corner, degree);
+  if (!is_cut_) return border_.draw(vertices_[from].corner, vertices_[to].corner, degree);
   if (is_before(from) && is_before(to)) return;
   const auto end = [&](std::uint32_t vertex) { return (is_before(vertex) ? cut(from, to) : vertices_[vertex]).corner; };
-  draw_border(end(from), end(to), degree);
+  border_.draw(end(from), end(to), degree);
 }
 
 /// Where a triangle is cut is border: it goes back there from where the loop leaves what is drawn to where it returns.
@@ -268,79 +246,7 @@ void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle, int degree) {
     is_cut = true;
     (is_before(b) ? leaves : returns) = cut(a, b).corner;
   }
-  if (is_cut) draw_border(leaves, returns, degree);
-}
-
-void CoverPiece::draw_border(const Corner& from, const Corner& to, int degree) {
-  mark_border(from, to);
-  if (from.place.x <= to.place.x) {
-    turn_degree(from.place, to.place, degree);
-  } else {
-    turn_degree(to.place, from.place, -degree);
-  }
-}
-
-/// Marks all pixels that come so near the edge as its ends are out.
-void CoverPiece::mark_border(const Corner& from, const Corner& to) {
-  const SeenEdge edge(from, to);
-  const PixelRectangle& r = rectangle_;
-  const PixelRectangle rows = picture_.pixels({0, edge.low()}, {0, edge.high()}, edge.error());
-  const double left = r.x0, right = r.x1;
-  for (int row = std::max(rows.y0, r.y0); row < std::min(rows.y1, r.y1); ++row) {
-    const SeenEdge::Range range = edge.between(row, row + 1);
-    mark_row(row, static_cast<int>(std::min(std::max(range.low, left), right)),
-             static_cast<int>(std::min(std::max(range.high + 1, left), right)));
-  }
-}
-
-void CoverPiece::mark_row(int row, int x0, int x1) {
-  for (int x = x0; x < x1;) {
-    const int left = x & ~(kTile - 1), end = std::min(left + kTile, x1);
-    const std::uint64_t pixels = (std::uint64_t{1} << (end - left)) - (std::uint64_t{1} << (x - left));
-    touch(x / kTile, row / kTile).border |= pixels << (row % kTile * kTile);
-    x = end;
-  }
-}
-
-/// Changes the degree of all pixels whose middle is above the edge, which goes from a to the right to b.
-void CoverPiece::turn_degree(const Place& a, const Place& b, int degree) {
-  const double run = b.x - a.x;
-  if (!(run > 0)) return;
-  const double slope = (b.y - a.y) / run;
-  const PixelRectangle& r = rectangle_;
-  // Columns whose middle is beyond a.x and not beyond b.x.
-  const auto first_from = [&](double x) { return std::clamp(first_middle(x, picture_.width()), r.x0, r.x1); };
-  const int end = first_from(b.x);
-  for (int x = first_from(a.x); x < end; ++x) {
-    const double y = a.y + (x + 0.5 - a.x) * slope;
-    const int row = std::max(first_middle(y, picture_.height()), r.y0);
-    if (row >= r.y1) continue;
-    std::uint64_t& turns = touch(x / kTile, row / kTile).turns[static_cast<std::size_t>(row % kTile)];
-    turns = add_bytes(turns, std::uint64_t{static_cast<std::uint8_t>(degree)} << (x % kTile * 8));
-  }
-}
-
-/// From turns and border to what is closed.
-void CoverPiece::close() {
-  const PixelRectangle tiles{rectangle_.x0 / kTile, rectangle_.y0 / kTile, rectangle_.x1 / kTile, rectangle_.y1 / kTile};
-  std::fill(degrees_.begin() + tiles.x0, degrees_.begin() + tiles.x1, 0);
-  for (int y = tiles.y0; y < tiles.y1; ++y) {
-    for (int x = tiles.x0; x < tiles.x1; ++x) {
-      std::uint64_t& degrees = degrees_[static_cast<std::size_t>(x)];
-      const Tile& tile = tiles_[tile_at(x, y)];
-      std::uint64_t& closed = closed_[tile_at(x, y)];
-      if (tile.piece != piece_) {
-        closed = nonzero_bytes(degrees) * kEachByte;
-        continue;
-      }
-      closed = 0;
-      for (unsigned row = 0; row < kTile; ++row) {
-        degrees = add_bytes(degrees, tile.turns[row]);
-        closed |= nonzero_bytes(degrees) << (row * kTile);
-      }
-      closed &= ~tile.border;
-    }
-  }
+  if (is_cut) border_.draw(leaves, returns, degree);
 }
 
 }  // namespace occlude::culler

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "beam_picture.h"
+#include "cover_border.h"
 #include "cover_mesh.h"
 #include "cover_sheets.h"
 #include "cover_tile.h"
@@ -60,21 +61,12 @@ class CoverPiece {
   /// What is drawn of a triangle: a convex loop.
   struct Outline;
 
-  /// What is drawn of the border into a tile.
-  struct Tile {
-    std::uint64_t border = 0;  ///< pixels that it touches
-    /// By how much the degree changes from the pixel below to a pixel, modulo 256: a byte of the row for each column.
-    std::array<std::uint64_t, kTile> turns{};
-    std::uint32_t piece = 0;  ///< nothing is, unless this is the piece's number
-  };
-
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
-  [[nodiscard]] Tile& touch(int tile_x, int tile_y);
   [[nodiscard]] Vertex vertex(const Seen& seen) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] Vertex cut(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Outline outline(const CoverMesh::Triangle& triangle) const;
-  void clear();
+  void clear(const PixelRectangle& tiles);
   void take(std::uint32_t triangle);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
   void lay_depth(const CoverMesh::Triangle& triangle, const Outline& outline);
@@ -84,11 +76,6 @@ class CoverPiece {
   [[nodiscard]] bool is_first(std::uint32_t side) const;
   void draw_edge(std::uint32_t from, std::uint32_t to, int degree);
   void draw_cut(const CoverMesh::Triangle& triangle, int degree);
-  void draw_border(const Corner& from, const Corner& to, int degree);
-  void mark_border(const Corner& from, const Corner& to);
-  void mark_row(int row, int x0, int x1);
-  void turn_degree(const Place& a, const Place& b, int degree);
-  void close();
 
   BeamPicture picture_;
   std::vector<double> slopes_x_, slopes_y_;  ///< of the rays between tiles
@@ -107,10 +94,9 @@ class CoverPiece {
   std::size_t work_ = 0;
 
   int tiles_across_ = 0;
-  std::uint32_t piece_ = 0;  ///< counts what was drawn
-  std::vector<Tile> tiles_;
-  std::vector<std::uint64_t> degrees_;  ///< of the topmost row so far, as Tile::turns, of each tile
-  std::vector<std::uint64_t> closed_;   ///< of the tiles
+  std::uint32_t piece_ = 0;  ///< counts what was drawn of the mesh
+  CoverBorder border_;
+  std::vector<std::uint64_t> closed_;  ///< of the tiles
   std::vector<float> nearness_;
 };
 

@@ -6,6 +6,9 @@
 // foreach_target.h goes first.
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <bit>
+
 #include "cover_tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,16 +21,35 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Eight pixels at most, a row of a tile.
 using Floats = hn::CappedTag<float, kTile>;
 
-std::uint64_t nearer_pixels(const float* pixels, float most) {
+/// Of a row of a tile, a bit for each that is no nearer than the limit.
+HWY_INLINE unsigned open_in_row(const float* row, hn::Vec<Floats> limit) {
   const Floats d;
-  const auto limit = hn::Set(d, most);
-  std::uint64_t result = 0;
-  for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(d)) {
+  unsigned open = 0;
+  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, pixels + i), limit), bits);
-    result |= std::uint64_t{bits[0]} << i;
+    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, row + i), limit), bits);
+    open |= unsigned{bits[0]} << i;
   }
-  return result;
+  return open;
+}
+
+int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
+  const auto limit = hn::Set(Floats(), most);
+  int found = 0;
+  for (int y = r.y0 & -kTile; y < r.y1; y += kTile) {
+    const int row0 = std::max(r.y0 - y, 0), row1 = std::min(r.y1 - y, kTile);
+    for (int x = r.x0 & -kTile; x < r.x1; x += kTile) {
+      const auto tile = static_cast<std::size_t>(y / kTile * picture.tiles_across + x / kTile);
+      if (picture.farthest[tile] > most) continue;
+      const float* const pixels = picture.nearness + tile * kTilePixels;
+      const unsigned columns = 0xFFU >> std::max(x + kTile - r.x1, 0) & 0xFFU << std::max(r.x0 - x, 0);
+      for (int row = row0; row < row1; ++row) {
+        found += std::popcount(open_in_row(pixels + row * kTile, limit) & columns);
+        if (found >= enough) return found;
+      }
+    }
+  }
+  return found;
 }
 
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {
@@ -52,11 +74,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace occlude::culler {
 namespace {
-HWY_EXPORT(nearer_pixels);
+HWY_EXPORT(open_pixels);
 HWY_EXPORT(bring_nearer);
 }  // namespace
 
-std::uint64_t nearer_pixels(const float* pixels, float most) { return HWY_DYNAMIC_DISPATCH(nearer_pixels)(pixels, most); }
+int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
+  return HWY_DYNAMIC_DISPATCH(open_pixels)(picture, r, most, enough);
+}
 
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {
   return HWY_DYNAMIC_DISPATCH(bring_nearer)(pixels, mask, nearness);

@@ -5,20 +5,22 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "beam_picture.h"
+
 namespace occlude::culler {
 
 /// How near things are, at least, is kept for squares of so many pixels a side. A bit for each pixel of one: bit 8 y + x.
 inline constexpr int kTile = 8;
 inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 
-/// The pixels from x0 to before x1 of the rows y0 to before y1. REQUIRES: 0 <= x0 < x1 <= kTile, and likewise y0 and y1.
-[[nodiscard]] constexpr std::uint64_t tile_pixels(int x0, int y0, int x1, int y1) {
-  const std::uint64_t row = 0xFFU >> (8 - x1) & 0xFFU << x0;
-  return row * 0x0101010101010101U & ~std::uint64_t{0} >> (64 - 8 * y1) & ~std::uint64_t{0} << (8 * y0);
-}
-
-/// Which of the pixels are nearer than `most`.
-[[nodiscard]] std::uint64_t nearer_pixels(const float* pixels, float most);
+/// How near things are, in tiles.
+struct TilePicture {
+  const float* nearness;  ///< of the pixels, tile after tile
+  const float* farthest;  ///< of the tiles, the least of it
+  int tiles_across;
+};
+/// How many pixels of the rectangle are no nearer than `most`; counted, a row at a time, until there are enough.
+[[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
 /// Brings those of the mask to `nearness` unless they are nearer, and returns the least of all.
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "beam_picture.h"
 
@@ -28,13 +29,15 @@ class SeenEdge {
         error_(std::max(p.error, q.error)),
         rise_(high_.y - low_.y),
         slope_((high_.x - low_.x) / rise_),  // not used without a rise
-        // A place on the edge rounds five times more.
-        wide_(error_ + 0x1p-50 * (std::fabs(low_.x) + std::fabs(high_.x))),
+        // A place on the edge rounds ten times more.
+        wide_(error_ + 0x1p-49 * (std::fabs(low_.x) + std::fabs(high_.x))),
         whole_{std::min(low_.x, high_.x) - wide_, std::max(low_.x, high_.x) + wide_} {}
 
   [[nodiscard]] double low() const { return low_.y; }
   [[nodiscard]] double high() const { return high_.y; }
   [[nodiscard]] double error() const { return error_; }
+  /// By which a place on it is out across.
+  [[nodiscard]] double wide() const { return wide_; }
 
   /// From where to where it reaches across between two heights, or as near them as its ends are out. None where it does not
   /// come near them.
@@ -46,7 +49,32 @@ class SeenEdge {
     return {std::min(first, last) - wide_, std::max(first, last) + wide_};
   }
 
+  /// The part of it, from its low to its high end, beyond which nothing comes as near the window as its ends are out; none
+  /// where nothing does. It ends a few pixels from the window at most.
+  [[nodiscard]] std::optional<PlaceRectangle> within(const PlaceRectangle& window) const {
+    if (!(wide_ < kMostWide)) return PlaceRectangle{window.low, {window.low.x, window.high.y}};
+    const double from = std::max(window.low.y - error_ - low_.y, 0.0), to = std::min(window.high.y + error_ - low_.y, rise_);
+    if (from > to) return std::nullopt;
+    PlaceRectangle part{low_, high_};
+    if (from > 0) part.low = {low_.x + from * slope_, low_.y + from};
+    if (to < rise_) part.high = {low_.x + to * slope_, low_.y + to};
+    const double left = window.low.x - wide_ - kBeyond, right = window.high.x + wide_ + kBeyond;
+    if (std::max(part.low.x, part.high.x) < left || std::min(part.low.x, part.high.x) > right) return std::nullopt;
+    const double run = part.high.x - part.low.x, rise = part.high.y - part.low.y;
+    const auto end_at = [&](Place& end, double x) {
+      if (x != end.x) end = {x, end.y + (x - end.x) / run * rise};
+    };
+    end_at(part.low, std::clamp(part.low.x, left, right));
+    end_at(part.high, std::clamp(part.high.x, left, right));
+    return part;
+  }
+
  private:
+  /// Farther from the picture a part of an edge need not be cut off. More than rounding has it out by.
+  static constexpr double kBeyond = 2;
+  /// What is out by more pixels may be anywhere.
+  static constexpr double kMostWide = 0x1p20;
+
   Place low_{}, high_{};
   double error_ = 0, rise_ = 0, slope_ = 0, wide_ = 0;
   Range whole_;

@@ -132,20 +132,35 @@ TEST(LocalIndex, CountsWhatIsNewAndForgetsAll) {
   }
 }
 
-TEST(CoverTile, PixelsAreBits) {
-  EXPECT_EQ(tile_pixels(0, 0, 8, 8), ~std::uint64_t{0});
-  for (int x0 = 0; x0 < 8; ++x0) {
-    for (int x1 = x0 + 1; x1 <= 8; ++x1) {
-      for (int y0 = 0; y0 < 8; ++y0) {
-        for (int y1 = y0 + 1; y1 <= 8; ++y1) {
-          std::uint64_t expected = 0;
-          for (int y = y0; y < y1; ++y) {
-            for (int x = x0; x < x1; ++x) expected |= std::uint64_t{1} << (8 * y + x);
-          }
-          ASSERT_EQ(tile_pixels(x0, y0, x1, y1), expected);
-        }
+TEST(CoverTile, CountsWhatIsOpen) {
+  std::mt19937 random(5);
+  constexpr int kAcross = 3, kDown = 2;
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<float> nearness(kAcross * kDown * kTilePixels), farthest(kAcross * kDown);
+    for (float& pixel : nearness)
+      pixel = random() % 8 == 0 ? -std::numeric_limits<float>::infinity() : static_cast<float>(random() % 4);
+    for (std::size_t tile = 0; tile < farthest.size(); ++tile) {
+      farthest[tile] = *std::min_element(&nearness[tile * kTilePixels], &nearness[tile * kTilePixels] + kTilePixels);
+    }
+    const auto ordered = [&](int end) {
+      const auto [low, high] = std::minmax(static_cast<int>(random() % static_cast<unsigned>(end)),
+                                           static_cast<int>(random() % static_cast<unsigned>(end)));
+      return std::pair{low, high + 1};
+    };
+    const auto [x0, x1] = ordered(kAcross * kTile);
+    const auto [y0, y1] = ordered(kDown * kTile);
+    const auto most = static_cast<float>(random() % 5) - 1;
+    int expected = 0;
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        const int tile = y / kTile * kAcross + x / kTile;
+        if (!(nearness[static_cast<std::size_t>(tile * 64 + y % kTile * kTile + x % kTile)] > most)) ++expected;
       }
     }
+    const TilePicture picture{nearness.data(), farthest.data(), kAcross};
+    EXPECT_EQ(open_pixels(picture, {x0, y0, x1, y1}, most, 1000), expected);
+    const int enough = 1 + static_cast<int>(random() % 8);
+    EXPECT_EQ(open_pixels(picture, {x0, y0, x1, y1}, most, enough) >= enough, expected >= enough);
   }
 }
 
@@ -157,14 +172,11 @@ TEST(CoverTile, BringsNearerWhatTheMaskHas) {
     const std::uint64_t mask = (std::uint64_t{random()} << 32U | random()) & (i % 2 == 0 ? ~std::uint64_t{0} : random());
     const auto nearness = static_cast<float>(random() % 16);
     std::array<float, kTilePixels> expected = pixels;
-    std::uint64_t nearer = 0;
     for (std::size_t k = 0; k < kTilePixels; ++k) {
       if ((mask >> k & 1U) != 0) expected[k] = std::max(expected[k], nearness);
-      if (expected[k] > nearness) nearer |= std::uint64_t{1} << k;
     }
     EXPECT_EQ(bring_nearer(pixels.data(), mask, nearness), std::ranges::min(expected));
     EXPECT_EQ(pixels, expected);
-    EXPECT_EQ(nearer_pixels(pixels.data(), nearness), nearer);
   }
 }
 

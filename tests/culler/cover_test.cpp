@@ -16,6 +16,7 @@
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
+#include "only_target.h"
 #include "outer_box.h"
 #include "scenes.h"
 
@@ -153,6 +154,19 @@ TEST(CoverFrame, HasNoPast) {
     EXPECT_EQ(frame.drawn, alone.drawn);
     EXPECT_EQ(frame.culled.size(), alone.culled.size());
     EXPECT_TRUE(frame.occluders.empty());
+  }
+}
+
+TEST(CoverFrame, IsTheSameForEveryInstructionSet) {
+  std::mt19937 random(8);
+  const Culler culler = culler_of(random_town_of_houses(8, 1500));
+  for (int i = 0; i < 20; ++i) {
+    const Camera camera = random_camera(random);
+    const CullResult expected = culler.cull(camera, kCover);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      const OnlyTarget only(target);
+      EXPECT_EQ(culler.cull(camera, kCover).drawn, expected.drawn) << hwy::TargetName(target);
+    }
   }
 }
 

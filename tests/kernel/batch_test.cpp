@@ -3,7 +3,6 @@
 #include "occlude/kernel/batch.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
@@ -17,27 +16,13 @@
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"
+#include "only_target.h"
 
 namespace {
 
 using namespace occlude;
 using namespace occlude::kernel;
 using fuzz::Family;
-
-/// Lets Highway choose this target alone while it lives.
-class OnlyTarget {
- public:
-  explicit OnlyTarget(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(target);
-  }
-  ~OnlyTarget() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();  // the next call chooses anew
-  }
-  OnlyTarget(const OnlyTarget&) = delete;
-  OnlyTarget& operator=(const OnlyTarget&) = delete;
-};
 
 /// Below, at and above whole vectors, and the 1024 tests between two rounds of finishing what the filter leaves.
 constexpr std::array<std::size_t, 11> kSizes{0, 1, 2, 3, 7, 8, 9, 1023, 1024, 1025, 3000};

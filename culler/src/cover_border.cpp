@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// Compiled once for every instruction set, chosen at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cover_border.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target.h goes first.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "cover_border.h"
+#include "rounded_float.h"
+#include "seen_edge.h"
+
+#ifndef OCCLUDE_COVER_BORDER_ONCE
+#define OCCLUDE_COVER_BORDER_ONCE
+namespace occlude::culler {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the first byte of a row is its lowest");
+
+/// Tiles that are drawn into.
+struct BorderTiles {
+  BorderTile* tiles;
+  int across;
+  std::uint32_t border;
+
+  /// One of them, which is empty at first.
+  BorderTile& at(int x, int y) const {
+    BorderTile& tile = tiles[y * across + x];
+    if (tile.border != border) tile = {.border = border};
+    return tile;
+  }
+};
+
+/// A part of an edge in floats: from x to the right by slope for each row from y up, as far as rise.
+struct EdgePart {
+  double y;
+  float x, slope, rise;
+  float error, wide;  ///< by which it may be out, up and down, and across
+  int row0, row1;     ///< of the picture, to draw
+  float left, right;  ///< columns likewise
+};
+
+/// An edge over columns: how high it is in the middle of the first, and by how much more in each further one.
+struct EdgeColumns {
+  double y, slope;
+  int column0, column1;  ///< to draw
+  int row0, row1;
+  std::uint8_t degree;
+};
+
+}  // namespace
+}  // namespace occlude::culler
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace occlude::culler {
+namespace {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A lane for each row, or column, of a tile. All round alike, whatever their number: nothing is fused.
+using FloatTag = hn::CappedTag<float, kTile>;
+using IntegerTag = hn::RebindToSigned<FloatTag>;
+using Floats = hn::Vec<FloatTag>;
+using Integers = hn::Vec<IntegerTag>;
+
+constexpr FloatTag kD;
+constexpr IntegerTag kDi;
+
+HWY_INLINE Floats clamp(Floats x, Floats low, Floats high) { return hn::Min(hn::Max(x, low), high); }
+HWY_INLINE Integers clamp_to_tile(Integers x) { return hn::Min(hn::Max(x, hn::Zero(kDi)), hn::Set(kDi, kTile)); }
+
+/// Touches pixels of the rows of a tile from y on, from x0 to before x1 in each.
+HWY_INLINE void touch_rows(const BorderTiles& tiles, int y, Integers x0, Integers x1) {
+  const hn::Rebind<std::uint32_t, IntegerTag> du;
+  const hn::Rebind<std::uint8_t, IntegerTag> bytes;
+  const int first = hn::GetLane(hn::MinOfLanes(kDi, x0)), end = hn::GetLane(hn::MaxOfLanes(kDi, x1));
+  const auto one = hn::Set(du, 1);
+  for (int x = first & -kTile; x < end; x += kTile) {
+    const Integers low = clamp_to_tile(hn::Sub(x0, hn::Set(kDi, x)));
+    const Integers high = hn::Max(low, clamp_to_tile(hn::Sub(x1, hn::Set(kDi, x))));
+    const auto bits = hn::Sub(hn::Shl(one, hn::BitCast(du, high)), hn::Shl(one, hn::BitCast(du, low)));
+    std::uint64_t rows = 0;
+    std::uint8_t row_bytes[kTile] = {};
+    hn::StoreU(hn::U8FromU32(bits), bytes, row_bytes);
+    std::memcpy(&rows, row_bytes, sizeof rows);
+    tiles.at(x / kTile, y / kTile).touched |= rows << (y % kTile * kTile);
+  }
+}
+
+void touch(const BorderTiles& tiles, const EdgePart& edge) {
+  const Floats zero = hn::Zero(kD), one = hn::Set(kD, 1.0F), rise = hn::Set(kD, edge.rise), slope = hn::Set(kD, edge.slope);
+  const Floats x = hn::Set(kD, edge.x), error = hn::Set(kD, edge.error), wide = hn::Set(kD, edge.wide);
+  const Floats left = hn::Set(kD, edge.left), right = hn::Set(kD, edge.right);
+  const int lanes = static_cast<int>(hn::Lanes(kD));
+  for (int y = edge.row0 & -lanes; y < edge.row1; y += lanes) {
+    const Floats row = hn::Add(hn::Set(kD, static_cast<float>(y - edge.y)), hn::Iota(kD, 0));
+    const Floats from = hn::Sub(row, error), to = hn::Add(hn::Add(row, one), error);
+    const Floats first = hn::Add(x, hn::Mul(clamp(from, zero, rise), slope));
+    const Floats last = hn::Add(x, hn::Mul(clamp(to, zero, rise), slope));
+    const Integers rows = hn::Add(hn::Set(kDi, y), hn::Iota(kDi, 0));
+    const auto is_drawn = hn::And(
+        hn::And(hn::Ge(to, zero), hn::Le(from, rise)),
+        hn::RebindMask(kD, hn::And(hn::Gt(rows, hn::Set(kDi, edge.row0 - 1)), hn::Lt(rows, hn::Set(kDi, edge.row1)))));
+    const Floats low = clamp(hn::Sub(hn::Min(first, last), wide), left, right);
+    const Floats high = clamp(hn::Add(hn::Add(hn::Max(first, last), wide), one), left, right);
+    touch_rows(tiles, y, hn::ConvertTo(kDi, hn::IfThenElse(is_drawn, low, right)),
+               hn::ConvertTo(kDi, hn::IfThenElse(is_drawn, high, left)));
+  }
+}
+
+/// Turns the degree in each column from the first pixel on whose middle is above the edge.
+void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
+  const int lanes = static_cast<int>(hn::Lanes(kD));
+  const Floats half = hn::Set(kD, 0.5F), low = hn::Set(kD, static_cast<float>(edge.row0)),
+               high = hn::Set(kD, static_cast<float>(edge.row1));
+  const Floats slopes = hn::Mul(hn::Iota(kD, 0), hn::Set(kD, static_cast<float>(edge.slope)));
+  for (int x = edge.column0; x < edge.column1; x += lanes) {
+    const Floats y = hn::Add(hn::Set(kD, static_cast<float>(edge.y + (x - edge.column0) * edge.slope)), slopes);
+    std::int32_t rows[kTile];
+    hn::StoreU(hn::ConvertTo(kDi, clamp(hn::Add(y, half), low, high)), kDi, rows);
+    for (int i = 0; i < std::min(lanes, edge.column1 - x); ++i) {
+      if (rows[i] >= edge.row1) continue;
+      const int column = x + i;
+      std::uint8_t& turned = tiles.at(column / kTile, rows[i] / kTile)
+                                 .turns[static_cast<std::size_t>(rows[i] % kTile)][static_cast<std::size_t>(column % kTile)];
+      turned = static_cast<std::uint8_t>(turned + edge.degree);
+    }
+  }
+}
+
+/// Adds the turns of each row to the degrees, and finds those that are not 0.
+std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
+  const hn::CappedTag<std::uint8_t, kTile> d;
+  std::uint64_t closed = 0;
+  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
+    auto sums = hn::LoadU(d, degrees + i);
+    for (std::size_t row = 0; row < kTile; ++row) {
+      sums = hn::Add(sums, hn::LoadU(d, tile.turns[row].data() + i));
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, hn::Ne(sums, hn::Zero(d)), bits);
+      closed |= std::uint64_t{bits[0]} << (row * kTile + i);
+    }
+    hn::StoreU(sums, d, degrees + i);
+  }
+  return closed & ~tile.touched;
+}
+
+/// Row after row of tiles, from below.
+void find_closed(const BorderTiles& tiles, const PixelRectangle& r, std::uint8_t* degrees, std::uint64_t* closed) {
+  static constexpr BorderTile kEmpty;
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0; x < r.x1; ++x) {
+      const BorderTile& tile = tiles.tiles[y * tiles.across + x];
+      closed[y * tiles.across + x] = close(tile.border == tiles.border ? tile : kEmpty, degrees + x * kTile);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace occlude::culler
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace occlude::culler {
+namespace {
+HWY_EXPORT(touch);
+HWY_EXPORT(turn);
+HWY_EXPORT(find_closed);
+
+constexpr double kLeastRise = 0x1p-20;
+/// Steeper, or farther away, an edge is so all the same.
+constexpr double kMost = 0x1p100;
+}  // namespace
+
+void CoverBorder::begin(const BeamPicture& picture, const PixelRectangle& tiles) {
+  width_ = picture.width();
+  height_ = picture.height();
+  tiles_across_ = width_ / kTile;
+  tiles_ = tiles;
+  pixels_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
+  const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(height_ / kTile);
+  if (++border_ == 0 || drawn_.size() != count) {
+    drawn_.assign(count, {});
+    degrees_.resize(static_cast<std::size_t>(width_));
+    border_ = 1;
+  }
+}
+
+void CoverBorder::draw(const Corner& from, const Corner& to, int degree) {
+  touch(from, to);
+  if (from.place.x <= to.place.x) {
+    turn(from.place, to.place, degree);
+  } else {
+    turn(to.place, from.place, -degree);
+  }
+}
+
+void CoverBorder::touch(const Corner& from, const Corner& to) {
+  const SeenEdge edge(from, to);
+  const auto part = edge.within({{static_cast<double>(pixels_.x0), static_cast<double>(pixels_.y0)},
+                                 {static_cast<double>(pixels_.x1), static_cast<double>(pixels_.y1)}});
+  if (!part) return;
+  const auto& [low, high] = *part;
+  // In floats, out by u = 2^-24 of a number: how far a row is from the edge's low end rounds three times, a place on the
+  // edge by five. Twice that makes room for what is second order. So the edge may also end a little higher than it does: its
+  // slope stays in range.
+  const double rise = std::max(high.y - low.y, kLeastRise);
+  const double error = edge.error() + kLeastRise + 0x1p-21 * (rise + kTile);
+  const double wide = edge.wide() + 0x1p-20 * (std::fabs(low.x) + std::fabs(high.x));
+  const int row0 = std::max(pixel_at(low.y - error, height_), pixels_.y0);
+  const int row1 = std::min(pixel_at(low.y + rise + error, height_) + 1, pixels_.y1);
+  if (row0 >= row1) return;
+  HWY_DYNAMIC_DISPATCH(touch)
+  ({drawn_.data(), tiles_across_, border_},
+   {low.y, static_cast<float>(low.x), static_cast<float>((high.x - low.x) / rise), static_cast<float>(rise),
+    rounded_up(error), rounded_up(wide), row0, row1, static_cast<float>(pixels_.x0), static_cast<float>(pixels_.x1)});
+}
+
+/// Columns whose middle is beyond a.x and not beyond b.x.
+void CoverBorder::turn(const Place& a, const Place& b, int degree) {
+  const double run = b.x - a.x;
+  if (!(run > 0)) return;
+  const auto first_from = [&](double x) { return std::clamp(first_middle(x, width_), pixels_.x0, pixels_.x1); };
+  const int column0 = first_from(a.x), column1 = first_from(b.x);
+  if (column0 >= column1) return;
+  const double slope = std::clamp((b.y - a.y) / run, -kMost, kMost);
+  const double y = std::clamp(a.y + (column0 + 0.5 - a.x) * slope, -kMost, kMost);
+  HWY_DYNAMIC_DISPATCH(turn)
+  ({drawn_.data(), tiles_across_, border_},
+   {y, slope, column0, column1, pixels_.y0, pixels_.y1, static_cast<std::uint8_t>(degree)});
+}
+
+void CoverBorder::find_closed(std::vector<std::uint64_t>& closed) {
+  std::fill(degrees_.begin() + pixels_.x0, degrees_.begin() + pixels_.x1, 0);
+  HWY_DYNAMIC_DISPATCH(find_closed)({drawn_.data(), tiles_across_, border_}, tiles_, degrees_.data(), closed.data());
+}
+
+}  // namespace occlude::culler
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Borders in the coarse picture: what an edge may touch is touched and little more, and degrees are winding numbers.
+#include "cover_border.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+constexpr int kWidth = 48, kHeight = 32;
+
+BeamPicture picture() {
+  Camera camera;
+  camera.aspect = 1.5;
+  return {camera, 100, {kWidth, kHeight, 16}, 0};
+}
+
+/// What is closed of all tiles, row after row.
+std::vector<std::uint64_t> closed_by(CoverBorder& border) {
+  std::vector<std::uint64_t> closed(kWidth / kTile * kHeight / kTile);
+  border.find_closed(closed);
+  return closed;
+}
+
+bool has(const std::vector<std::uint64_t>& tiles, int x, int y) {
+  const auto tile = static_cast<std::size_t>(y / kTile * (kWidth / kTile) + x / kTile);
+  return (tiles[tile] >> (y % kTile * kTile + x % kTile) & 1U) != 0;
+}
+
+/// How far the segment is from the pixel, across and up and down: 0 in both where they meet.
+double distance(const Place& a, const Place& b, int x, int y) {
+  // The nearest of the parts of it in a column, or beside them; Chebyshev, which is convex along the segment.
+  const auto at = [&](double t) {
+    const double px = a.x + t * (b.x - a.x), py = a.y + t * (b.y - a.y);
+    return std::max({x - px, px - (x + 1), y - py, py - (y + 1), 0.0});
+  };
+  double low = 0, high = 1;
+  for (int i = 0; i < 100; ++i) {
+    const double third = (high - low) / 3;
+    (at(low + third) <= at(high - third) ? high : low) = at(low + third) <= at(high - third) ? high - third : low + third;
+  }
+  return std::min({at(low), at(0), at(1)});
+}
+
+class Edges {
+ public:
+  /// Within the picture, at its pixels' corners, along an axis, or far away.
+  Place place() {
+    const double size = std::vector<double>{1, 1, 1, 4, 1e3, 1e7}[random_() % 6];
+    Place place{uniform(-0.2, 1.2) * kWidth, uniform(-0.2, 1.2) * kHeight};
+    if (random_() % 4 == 0) place = {std::round(place.x), std::round(place.y)};
+    place = {(place.x - 24) * size + 24, (place.y - 16) * size + 16};
+    if (random_() % 4 == 0) place.x = last_.x;
+    if (random_() % 4 == 0) place.y = last_.y + (random_() % 2 == 0 ? 0 : uniform(-1e-7, 1e-7));
+    return last_ = place;
+  }
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+
+ private:
+  std::mt19937 random_{7};
+  Place last_{};
+};
+
+/// A pixel is closed all round, but where an edge of degree 0 touches it: what is left is touched.
+TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
+  Edges edges;
+  CoverBorder border;
+  const BeamPicture picture = ::picture();
+  const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
+  std::size_t near = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Corner a{edges.place(), i % 3 == 0 ? 0.25 : 1e-9}, b{edges.place(), 1e-9};
+    border.begin(picture, all);
+    // Degree 1 everywhere: below the picture an edge goes to the right.
+    border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9}, 1);
+    border.draw(a, b, 0);
+    const auto closed = closed_by(border);
+    const double error = std::max(a.error, b.error);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const double away = distance(a.place, b.place, x, y);
+        const bool is_touched = !has(closed, x, y);
+        if (away <= error) {
+          EXPECT_TRUE(is_touched) << i << ": " << x << " " << y;
+        }
+        if (away > error * 2 + 2e-4) {
+          EXPECT_FALSE(is_touched) << i << ": " << x << " " << y << " is " << away << " away";
+        }
+        near += away <= error;
+      }
+    }
+  }
+  EXPECT_GT(near, 2000U);
+}
+
+TEST(CoverBorder, DegreesAreWindingNumbers) {
+  Edges edges;
+  CoverBorder border;
+  const BeamPicture picture = ::picture();
+  std::size_t closed_pixels = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Corner> loop(3 + static_cast<std::size_t>(i % 5));
+    for (Corner& corner : loop) corner = {edges.place(), 1e-9};
+    const PixelRectangle tiles = i % 2 == 0 ? PixelRectangle{0, 0, 6, 4} : PixelRectangle{1, 1, 5, 3};
+    border.begin(picture, tiles);
+    const int degree = i % 3 == 0 ? 255 : 1;
+    for (std::size_t k = 0; k < loop.size(); ++k) border.draw(loop[k], loop[(k + 1) % loop.size()], degree);
+    const auto closed = closed_by(border);
+    for (int y = tiles.y0 * kTile; y < tiles.y1 * kTile; ++y) {
+      for (int x = tiles.x0 * kTile; x < tiles.x1 * kTile; ++x) {
+        int winding = 0;
+        bool is_touched = false;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Place &a = loop[k].place, &b = loop[(k + 1) % loop.size()].place;
+          is_touched = is_touched || distance(a, b, x, y) < 1e-2;
+          const double side = (b.x - a.x) * (y + 0.5 - a.y) - (b.y - a.y) * (x + 0.5 - a.x);
+          if (a.x <= x + 0.5 && b.x > x + 0.5 && side > 0) ++winding;
+          if (b.x <= x + 0.5 && a.x > x + 0.5 && side < 0) --winding;
+        }
+        if (is_touched) continue;
+        EXPECT_EQ(has(closed, x, y), winding != 0) << i << ": " << x << " " << y;
+        closed_pixels += winding != 0;
+      }
+    }
+  }
+  EXPECT_GT(closed_pixels, 5000U);
+}
+
+/// What was drawn before is gone.
+TEST(CoverBorder, BeginsEmpty) {
+  CoverBorder border;
+  const BeamPicture picture = ::picture();
+  const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
+  border.begin(picture, all);
+  border.draw({{-1e3, -9}, 1e-9}, {{1e3, 60}, 1e-9}, 1);
+  closed_by(border);
+  border.begin(picture, all);
+  for (const std::uint64_t closed : closed_by(border)) EXPECT_EQ(closed, 0U);
+}
+
+}  // namespace
