@@ -135,6 +135,18 @@ void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
   }
 }
 
+/// A bit for each column whose degree is not 0.
+std::uint64_t nonzero(const std::uint8_t* degrees) {
+  const hn::CappedTag<std::uint8_t, kTile> d;
+  std::uint64_t result = 0;
+  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, degrees + i), hn::Zero(d)), bits);
+    result |= std::uint64_t{bits[0]} << i;
+  }
+  return result;
+}
+
 /// Adds the turns of each row to the degrees, and finds those that are not 0.
 std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
   const hn::CappedTag<std::uint8_t, kTile> d;
@@ -154,11 +166,15 @@ std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
 
 /// Row after row of tiles, from below.
 void find_closed(const BorderTiles& tiles, const PixelRectangle& r, std::uint8_t* degrees, std::uint64_t* closed) {
-  static constexpr BorderTile kEmpty;
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x) {
       const BorderTile& tile = tiles.tiles[y * tiles.across + x];
-      closed[y * tiles.across + x] = close(tile.border == tiles.border ? tile : kEmpty, degrees + x * kTile);
+      std::uint64_t& bits = closed[y * tiles.across + x];
+      if (tile.border == tiles.border) {
+        bits = close(tile, degrees + x * kTile);
+      } else {
+        bits = nonzero(degrees + x * kTile) * 0x0101010101010101U;  // in each row
+      }
     }
   }
 }

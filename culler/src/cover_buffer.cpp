@@ -106,8 +106,6 @@ CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
   return open(footprint.pixels, std::numeric_limits<float>::lowest(), 1) > 0 ? Gap::open : Gap::not_behind;
 }
 
-bool CoverBuffer::has_open(const Footprint& box, int count) const { return open(box.pixels, box.most, count) >= count; }
-
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
   const SeenBoxes boxes = seen(box);
   const Place low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};

@@ -61,8 +61,9 @@ class CoverBuffer {
   enum class Gap { none, beyond_picture, open, not_behind };
   [[nodiscard]] Gap gap(const kernel::Aabb& box) const;
 
-  /// Whether at least so many pixels of the picture that the box touches do not hide it.
-  [[nodiscard]] bool has_open(const Footprint& box, int count) const;
+  /// How many pixels of the picture that the box touches do not hide it: counted until there are enough. 0 of a box in the
+  /// picture when it is hidden.
+  [[nodiscard]] int open(const Footprint& box, int enough) const { return open(box.pixels, box.most, enough); }
 
   /// A mesh that closes pixels of a box, and the places between which these are, as far as the box may reach.
   struct Owner {

@@ -7,10 +7,6 @@ namespace {
 /// A side of the coarse picture: whole tiles.
 int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
 
-/// A leaf that is seen through fewer pixels is not drawn: slits that nothing closes. With 4 there would be half as many
-/// triangles more, and what is culled more for it is a few thousandths.
-constexpr int kWorthClosing = 8;
-
 }  // namespace
 
 CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double reach, const CullOptions& options,
@@ -27,13 +23,8 @@ CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double r
   }
 }
 
-void CoverFrame::take(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) {
-  if (memory_.cover.is_spent() || !memory_.cover.has_open(footprint, kWorthClosing)) return;
-  memory_.taken.push_back(leaf);
-}
-
 bool CoverFrame::join() {
-  if (memory_.taken.empty()) return false;
+  if (memory_.taken.empty() || memory_.cover.is_spent()) return false;
   CoverGroup& group = memory_.group;
   group.clear();
   for (const std::uint32_t leaf : memory_.taken) {

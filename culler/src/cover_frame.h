@@ -35,10 +35,10 @@ class CoverFrame {
 
   /// A leaf of the tree of `nodes` is seen: what comes behind it may hide it yet.
   void see(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { memory_.seen.push_back({leaf, footprint}); }
-  /// Keeps the polygons of a leaf of the source for join(), unless hardly anything of it is seen.
-  void take(std::uint32_t leaf, const CoverBuffer::Footprint& footprint);
+  /// Keeps the polygons of a leaf of the source for join().
+  void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
   /// Draws what was taken into the coarse picture, with what was drawn before and touches it, so that no seam stays open
-  /// between. False where nothing was; else it has the number groups().
+  /// between. False where nothing was, or no more may be; else it has the number groups().
   bool join();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A sheet that is narrower, in pixels, closes at most a few of them.
-constexpr int kLeastSide = 6;
+constexpr int kLeastSide = 4;
 
 /// The smallest upright rectangle about places, with what they are out by.
 struct Extent {

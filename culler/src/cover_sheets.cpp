@@ -30,8 +30,21 @@ void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs
   }
 }
 
+void CoverSheets::join(std::uint32_t triangle, std::uint32_t other) {
+  const std::uint32_t a = sets_.find(triangle), b = sets_.find(other);
+  if (a != b) sets_.join(std::min(a, b), std::max(a, b));
+}
+
 /// Joins the triangles of a ring two by two, when asked with its first side.
 void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first) {
+  const std::uint32_t second = mesh.next_of(first);
+  if (second <= first) return;  // alone, or not the first
+  if (mesh.next_of(second) == first) {
+    const std::uint32_t a = first / 3, b = second / 3;
+    const bool is_along = mesh.triangles[a][first % 3] == mesh.triangles[b][second % 3];
+    if (signs[a] * signs[b] == (is_along ? -1 : 1)) join(a, b);
+    return;
+  }
   std::array<std::uint32_t, kMostInRing> ring{};
   std::size_t count = 0;
   for (std::uint32_t side = first; count == 0 || side != first; side = mesh.next_of(side)) {
@@ -47,8 +60,7 @@ void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> 
     const int turned = mesh.triangles[triangle][side % 3] == from ? signs[triangle] : -signs[triangle];
     if (turned == 0) continue;
     if (left > 0 && turned == -way) {
-      const std::uint32_t a = sets_.find(alone[--left]), b = sets_.find(triangle);
-      if (a != b) sets_.join(std::min(a, b), std::max(a, b));
+      join(alone[--left], triangle);
     } else {
       alone[left++] = triangle;
       way = turned;

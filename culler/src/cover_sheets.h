@@ -36,6 +36,7 @@ class CoverSheets {
   }
 
  private:
+  void join(std::uint32_t triangle, std::uint32_t other);
   void join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first);
 
   DisjointSets sets_;

@@ -7,7 +7,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "cover_tile.h"
 
@@ -21,32 +20,29 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Eight pixels at most, a row of a tile.
 using Floats = hn::CappedTag<float, kTile>;
 
-/// Of a row of a tile, a bit for each that is no nearer than the limit.
-HWY_INLINE unsigned open_in_row(const float* row, hn::Vec<Floats> limit) {
-  const Floats d;
-  unsigned open = 0;
-  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, row + i), limit), bits);
-    open |= unsigned{bits[0]} << i;
-  }
-  return open;
-}
-
 int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
-  const auto limit = hn::Set(Floats(), most);
+  const Floats d;
+  const hn::RebindToSigned<Floats> di;
+  const auto limit = hn::Set(d, most);
+  const int lanes = static_cast<int>(hn::Lanes(d));
   int found = 0;
   for (int y = r.y0 & -kTile; y < r.y1; y += kTile) {
     const int row0 = std::max(r.y0 - y, 0), row1 = std::min(r.y1 - y, kTile);
     for (int x = r.x0 & -kTile; x < r.x1; x += kTile) {
-      const auto tile = static_cast<std::size_t>(y / kTile * picture.tiles_across + x / kTile);
+      const int tile = y / kTile * picture.tiles_across + x / kTile;
       if (picture.farthest[tile] > most) continue;
-      const float* const pixels = picture.nearness + tile * kTilePixels;
-      const unsigned columns = 0xFFU >> std::max(x + kTile - r.x1, 0) & 0xFFU << std::max(r.x0 - x, 0);
-      for (int row = row0; row < row1; ++row) {
-        found += std::popcount(open_in_row(pixels + row * kTile, limit) & columns);
-        if (found >= enough) return found;
+      const float* const pixels = picture.nearness + tile * static_cast<int>(kTilePixels);
+      for (int i = 0; i < kTile; i += lanes) {
+        // Of each column, minus how many are open.
+        auto open = hn::Zero(di);
+        for (int row = row0; row < row1; ++row) {
+          open = hn::Add(open, hn::BitCast(di, hn::VecFromMask(d, hn::Le(hn::LoadU(d, pixels + row * kTile + i), limit))));
+        }
+        const auto column = hn::Add(hn::Iota(di, 0), hn::Set(di, x + i));
+        const auto is_asked = hn::And(hn::Gt(column, hn::Set(di, r.x0 - 1)), hn::Lt(column, hn::Set(di, r.x1)));
+        found -= hn::GetLane(hn::SumOfLanes(di, hn::IfThenElseZero(is_asked, open)));
       }
+      if (found >= enough) return found;
     }
   }
   return found;

@@ -19,7 +19,7 @@ struct TilePicture {
   const float* farthest;  ///< of the tiles, the least of it
   int tiles_across;
 };
-/// How many pixels of the rectangle are no nearer than `most`; counted, a row at a time, until there are enough.
+/// How many pixels of the rectangle are no nearer than `most`; counted, a tile at a time, until there are enough.
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
 /// Brings those of the mask to `nearness` unless they are nearer, and returns the least of all.
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness);

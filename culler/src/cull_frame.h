@@ -61,9 +61,9 @@ void cull_by_cover(const CoverSource& source, const Ask& ask, const Camera& came
   const double reach = begin_frame(source.nodes, camera, options, memory);
   CoverFrame frame(source, camera, reach, options, memory);
   watch.begin(frame);
-  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint) {
+  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint, bool is_worth_closing) {
     frame.see(leaf, footprint);
-    frame.take(leaf, footprint);
+    if (is_worth_closing) frame.take(leaf);
   };
   const auto cull = [&](const Culled& culled) {
     watch.culled(culled);
@@ -84,10 +84,12 @@ void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, const C
   if (!source.nodes.empty()) reach = std::max(reach, depth(source.nodes[0].box, camera.eye));
   CoverFrame frame(source, camera, reach, options, memory);
   const auto ask_occluders = [&](std::uint32_t node, auto&& question) { return question(source.nodes[node].box); };
-  const auto take = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { frame.take(leaf, footprint); };
+  const auto take = [&](std::uint32_t leaf, const CoverBuffer::Footprint&, bool is_worth_closing) {
+    if (is_worth_closing) frame.take(leaf);
+  };
   frame.descend(
       source.nodes, ask_occluders, take, [](const Culled&) {}, [&] { frame.join(); });
-  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { frame.see(leaf, footprint); };
+  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint, bool) { frame.see(leaf, footprint); };
   const auto cull = [&](const Culled& culled) { frame.cull(nodes, culled); };
   frame.descend(nodes, ask, see, cull, [] {});
   frame.finish(nodes, cull);

@@ -143,9 +143,9 @@ TEST(CoverTile, CountsWhatIsOpen) {
       farthest[tile] = *std::min_element(&nearness[tile * kTilePixels], &nearness[tile * kTilePixels] + kTilePixels);
     }
     const auto ordered = [&](int end) {
-      const auto [low, high] = std::minmax(static_cast<int>(random() % static_cast<unsigned>(end)),
-                                           static_cast<int>(random() % static_cast<unsigned>(end)));
-      return std::pair{low, high + 1};
+      const auto below = [&] { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+      const int a = below(), b = below();
+      return std::pair{std::min(a, b), std::max(a, b) + 1};
     };
     const auto [x0, x1] = ordered(kAcross * kTile);
     const auto [y0, y1] = ordered(kDown * kTile);
