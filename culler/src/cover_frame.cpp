@@ -23,8 +23,15 @@ CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double r
   }
 }
 
+bool CoverFrame::may_draw_more() const {
+  if (memory_.cover.is_spent() || memory_.result.stats.cover_triangles >= options_.cover_triangles) return false;
+  if (options_.cover_ms == std::numeric_limits<double>::infinity()) return true;
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
+  return taken.count() < options_.cover_ms;
+}
+
 bool CoverFrame::join() {
-  if (memory_.taken.empty() || memory_.cover.is_spent()) return false;
+  if (memory_.taken.empty() || !may_draw_more()) return false;
   CoverGroup& group = memory_.group;
   group.clear();
   for (const std::uint32_t leaf : memory_.taken) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <span>
 
@@ -60,12 +61,14 @@ class CoverFrame {
   }
 
  private:
+  [[nodiscard]] bool may_draw_more() const;
   void draw(const HierarchyNode& leaf);
   void add_around(std::uint32_t leaf);
 
   const CoverSource& source_;
   const CullOptions& options_;
   View::Memory& memory_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::uint32_t groups_ = 0;
 };
 

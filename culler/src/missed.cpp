@@ -17,7 +17,7 @@ MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const C
     : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), frame_(frame) {
   for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
   if (frame.method == Method::cover) {
-    cover_ = culler.cover(camera, options);
+    cover_ = culler.cover(frame, camera, options);
   } else {
     keep_others(culler, camera, options);
   }

@@ -123,7 +123,7 @@ class CullJudge {
   std::string fault_of_covers() {
     constexpr std::size_t kMost = 64;  // so that some are proved in parts
     std::vector<culler::CoverWitness> witnesses;
-    culler_.append_covers(camera_, options_, kMost, witnesses);
+    culler_.append_covers(result_, camera_, options_, kMost, witnesses);
     std::vector<char> is_proved(is_drawn_.size());
     for (const culler::CoverWitness& witness : witnesses) {
       for (std::size_t p = witness.range.first; p < std::size_t{witness.range.first} + witness.range.count; ++p) {

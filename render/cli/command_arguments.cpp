@@ -102,6 +102,7 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   const auto number = [&](const char* name, std::size_t& value, const char* text) {
     return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(std::size_t{0}, kMostOccluders));
   };
+  constexpr double kLongest = 1e9;         // milliseconds; nobody waits so long
   constexpr double kLargestMargin = 8192;  // a picture has no more pixels
   constexpr double kLargestWeight = 16;    // powers of what differs a thousandfold stay within the doubles
   const auto weight = [&](const char* name, double& value, const char* text) {
@@ -121,6 +122,14 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
                  "what hides: the shadows of a few chosen occluders, or all that is seen, joined in a coarse picture"),
           command.add_option("--cover-size", cover_size_, "WxH, size of that picture in pixels, each from 64 to 4096")
               ->capture_default_str(),
+          command
+              .add_option("--cover-triangles", cull_.cover_triangles,
+                          "draw no more into it than about so many triangles a frame; unless given, all that are seen")
+              ->check(CLI::NonNegativeNumber),
+          command
+              .add_option("--budget-ms", cull_.cover_ms,
+                          "draw no more into it once a frame has taken so many milliseconds; unless given, whatever it takes")
+              ->check(number_in(0, kLongest)),
           number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
           number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
           choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),

@@ -90,7 +90,7 @@ TEST_P(CoverFrames, WhatIsCulledIsHiddenByWhatIsNamed) {
     expect_whole(culler, frame);
     std::vector<CoverWitness> witnesses;
     constexpr std::size_t kMost = 60;  // so that some are split
-    culler.append_covers(camera, options, kMost, witnesses);
+    culler.append_covers(frame, camera, options, kMost, witnesses);
     std::vector<bool> is_proved(ours.size());
     for (const CoverWitness& witness : witnesses) {
       ASSERT_TRUE(is_hidden(ours, witness.polygons, camera, witness.box)) << "seed " << seed << ", camera " << i;
@@ -155,6 +155,45 @@ TEST(CoverFrame, HasNoPast) {
     EXPECT_EQ(frame.culled.size(), alone.culled.size());
     EXPECT_TRUE(frame.occluders.empty());
   }
+}
+
+/// Fewer triangles hide less, and what they hide is proved as ever, whether triangles or time have run out.
+TEST(CoverFrame, ABudgetIsKept) {
+  const Culler culler = culler_of(panels(40));
+  Camera camera;
+  camera.target = {1, 0, 0};
+  const auto culled = [](const CullResult& frame) { return frame.stats.shadow_culled_polygons; };
+  const CullResult whole = culler.cull(camera, kCover);
+  std::size_t last = 0;
+  for (const std::size_t budget : {std::size_t{0}, std::size_t{300}, whole.stats.cover_triangles}) {
+    CullOptions options = kCover;
+    options.cover_triangles = budget;
+    const CullResult frame = culler.cull(camera, options);
+    expect_whole(culler, frame);
+    EXPECT_LE(frame.stats.cover_triangles, budget + 2000);
+    EXPECT_GE(culled(frame), last);
+    last = culled(frame);
+    std::vector<CoverWitness> witnesses;
+    culler.append_covers(frame, camera, options, 1024, witnesses);
+    std::size_t proved = 0;
+    for (const CoverWitness& witness : witnesses) proved += witness.range.count;
+    EXPECT_EQ(proved, culled(frame));
+  }
+  EXPECT_EQ(last, culled(whole));
+  EXPECT_GT(last, 0U);
+  CullOptions hurried = kCover;
+  for (const double budget : {0.0, -1.0, 1e-9}) {
+    hurried.cover_ms = budget;
+    EXPECT_EQ(culled(culler.cull(camera, hurried)), 0U);
+  }
+  // Whatever was in time: what is named hides all that was culled, and nothing else.
+  hurried.cover_ms = 0.2;
+  const CullResult frame = culler.cull(camera, hurried);
+  std::vector<CoverWitness> witnesses;
+  culler.append_covers(frame, camera, hurried, 1024, witnesses);
+  std::size_t proved = 0;
+  for (const CoverWitness& witness : witnesses) proved += witness.range.count;
+  EXPECT_EQ(proved, culled(frame));
 }
 
 TEST(CoverFrame, IsTheSameForEveryInstructionSet) {

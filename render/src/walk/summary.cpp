@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <thread>
 
 #include "occlude/render/machine.h"
@@ -39,12 +40,21 @@ Json operations(const kernel::Operations& counted) {
           {"cross_per_test", each(counted.cross)}};
 }
 
+/// Null where there is no limit.
+template <class Number>
+Json if_limited(Number most) {
+  const bool is_limited = most < std::numeric_limits<Number>::max();
+  return is_limited ? Json(most) : Json();
+}
+
 }  // namespace
 
 Json options_json(const WalkOptions& options, const culler::BuildConfig& build) {
   const culler::Objective& objective = options.cull.objective;
   return {{"size", {options.width, options.height}},
           {"cover_size", {options.cull.cover_width, options.cull.cover_height}},
+          {"cover_triangles", if_limited(options.cull.cover_triangles)},
+          {"budget_ms", if_limited(options.cull.cover_ms)},
           {"leaf", build.hierarchy.leaf_size},
           {"occluders", options.cull.occluders},
           {"probes", options.cull.probes},

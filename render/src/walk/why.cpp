@@ -34,7 +34,7 @@ namespace {
 /// The polygons that hide the culled subtree, or the part of it that has the polygon.
 std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t polygon) {
   std::vector<culler::CoverWitness> covers;
-  frame.culler().append_covers(frame.camera(), frame.options().cull, kMostCoverVertices, covers);
+  frame.culler().append_covers(frame.result(), frame.camera(), frame.options().cull, kMostCoverVertices, covers);
   for (const culler::CoverWitness& cover : covers) {
     if (polygon >= cover.range.first && polygon - cover.range.first < cover.range.count) return cover.polygons;
   }

@@ -127,7 +127,7 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
   }
   if (options.method != culler::Method::cover) return;
   std::vector<culler::CoverWitness> covers;
-  culler.append_covers(camera, options, kMostCoverVertices, covers);
+  culler.append_covers(result, camera, options, kMostCoverVertices, covers);
   for (const culler::CoverWitness& cover : covers) {
     append(cover.range, box_member(cover.box), R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) {
                                                  return std::to_string(hierarchy.original(p));

@@ -46,6 +46,12 @@ struct CullOptions {
   /// The size of the coarse picture, rounded up to multiples of 8 and taken into the limits above. A larger one hides more
   /// and costs more. Cover alone.
   int cover_width = 512, cover_height = 288;
+  /// Once so many triangles were drawn into it, no more are: the nearest hide what is behind them. Those drawn last may be
+  /// some hundred too many. Cover alone.
+  std::size_t cover_triangles = std::numeric_limits<std::size_t>::max();
+  /// The same once the frame has taken so many milliseconds. What it culls then depends on the machine; nothing visible is
+  /// culled all the same. Cover alone.
+  double cover_ms = std::numeric_limits<double>::infinity();
   /// Frusta alone, as all that is below but the margin and `arithmetic`, which is then that of the half-spaces.
   /// n_occ, how many occluders a frame uses; 0 is view-frustum culling alone. The paper finds 5 to 10 worth their cost.
   std::size_t occluders = 8;

@@ -50,12 +50,13 @@ class Culler {
   void append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const;
 
   /// The same of the culls by cover, found again: a cull is proved as one, or, while its proof has more than `most` corners,
-  /// as its two halves, and a leaf polygon by polygon. `options` are those of a frame by cover of this camera.
-  void append_covers(const Camera& camera, const CullOptions& options, std::size_t most,
+  /// as its two halves, and a leaf polygon by polygon. `camera` and `options` are those of the frame.
+  void append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
 
-  /// The coarse picture as a frame by cover leaves it.
-  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const Camera& camera, const CullOptions& options) const;
+  /// The coarse picture as a frame by cover has left it; `camera` and `options` are those of the frame.
+  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const CullResult& frame, const Camera& camera,
+                                                         const CullOptions& options) const;
 
   /// The cull of the frame that took polygon p of the tree; null where it is drawn.
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
