@@ -15,6 +15,7 @@ namespace {
 render::WalkResult measure_table2(const Subject& subject, const Options& options) {
   const render::Stopwatch stopwatch;
   const culler::Culler culler(subject.soup, options.walk.build, render::check_interrupt);
+  if (options.walk.cull.method == culler::Method::cover) culler.prepare_cover(render::check_interrupt);
   const double preprocess_s = stopwatch.seconds();
   const render::Stage stage(culler, options.walk);
   render::WalkResult result = walk_frames(culler, subject.path, options.walk, stage);
@@ -33,7 +34,10 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   result.first_frame = frames.front();
   result.last_frame = frames.back();
   result.frames = frames.size();
-  if (is_chosen("table2")) result.table2 = measure_table2(subject, options);
+  if (is_chosen("table2")) {
+    result.table2 = measure_table2(subject, options);
+    result.methods = measure_methods(subject, options, *result.table2);
+  }
   if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);
   if (is_chosen("sweeps")) result.sweeps = measure_sweeps(subject, options);
   if (is_chosen("sort")) result.sort = measure_sorting(subject, options);

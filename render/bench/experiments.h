@@ -10,6 +10,7 @@
 #include "figure4.h"
 #include "growth.h"
 #include "joined.h"
+#include "methods.h"
 #include "occlude/render/walk.h"
 #include "setting.h"
 #include "sorting.h"
@@ -25,6 +26,7 @@ struct Result {
   std::string model;
   std::size_t polygons = 0, first_frame = 0, last_frame = 0, frames = 0;
   std::optional<render::WalkResult> table2;  ///< and figures 2 and 3
+  std::optional<Methods> methods;            ///< beside table2: the same walk by each
   std::optional<Figure4> figure4;
   std::optional<Sweeps> sweeps;
   std::optional<Sorting> sort;

@@ -30,6 +30,7 @@ std::string figure(const std::string& chart) { return "<figure>" + chart + "</fi
 std::string table2_section(const Result& result, const Options& options) {
   const auto summary = summarise(*result.table2, options.walk, result.model);
   return section("Averages (the paper's table 2)", render::table2_html(summary)) +
+         section(methods_table(*result.methods).title, html_of(methods_table(*result.methods))) +
          render::figures_html(*result.table2, options.walk.render);
 }
 

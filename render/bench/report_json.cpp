@@ -20,6 +20,19 @@ Json table2_json(const Result& result, const Options& options) {
   return json;
 }
 
+Json methods_json(const Methods& methods) {
+  Json json = Json::array();
+  for (const MethodRow& m : methods) {
+    json.push_back({{"method", m.name},
+                    {"drawn", m.drawn},
+                    {"hidden_culled", if_known(m.hidden_culled)},
+                    {"cull_ms", m.cull_ms},
+                    {"worst_cull_ms", m.worst_cull_ms},
+                    {"frame_ms", if_known(m.frame_ms)}});
+  }
+  return json;
+}
+
 /// Figures 2 and 3.
 Json frames_json(const render::WalkResult& walk, bool rendered) {
   const auto each = [&](auto member) {
@@ -35,7 +48,8 @@ Json frames_json(const render::WalkResult& walk, bool rendered) {
           {"visible_polygons", if_rendered(&Record::visible_polygons)},
           {"cull_ms", each(&Record::cull_ms)},
           {"frame_ms", if_rendered(&Record::frame_ms)},
-          {"frame_ms_view_frustum_only", if_rendered(&Record::view_frustum_frame_ms)}};
+          {"frame_ms_view_frustum_only", if_rendered(&Record::view_frustum_frame_ms)},
+          {"frame_ms_visible_only", if_rendered(&Record::visible_frame_ms)}};
 }
 
 Json figure4_json(const Figure4& figure) {
@@ -124,6 +138,7 @@ std::string report_json(const Result& result, const Options& options) {
             {"frames", {{"first", result.first_frame}, {"last", result.last_frame}, {"count", result.frames}}},
             {"options", settings}};
   json["table2"] = result.table2 ? table2_json(result, options) : Json(nullptr);
+  json["methods"] = result.methods ? methods_json(*result.methods) : Json(nullptr);
   json["figures_2_and_3"] = result.table2 ? frames_json(*result.table2, rendered) : Json(nullptr);
   json["figure4"] = result.figure4 ? figure4_json(*result.figure4) : Json(nullptr);
   json["sweeps"] = nullptr;

@@ -54,6 +54,22 @@ Table joined_table(const std::string& title, const std::string& varied, const st
 
 }  // namespace
 
+Table methods_table(const Methods& methods) {
+  Table table{"Table 2 by every method, averages per frame",
+              {"method", "polygons drawn", "of the hidden culled, %", "cull, ms", "worst cull, ms", "frame, ms",
+               "frame, ratio to drawing only what shows"},
+              {},
+              {}};
+  const std::optional<double> least = methods.back().frame_ms;
+  for (const MethodRow& m : methods) {
+    const bool is_culled = m.worst_cull_ms > 0;
+    table.rows.push_back({m.name, grouped(m.drawn), if_known(m.hidden_culled, percent), is_culled ? two(m.cull_ms) : "-",
+                          is_culled ? two(m.worst_cull_ms) : "-", if_known(m.frame_ms, one),
+                          m.frame_ms ? two(*m.frame_ms / *least) : "-"});
+  }
+  return table;
+}
+
 Table figure4_table(const Figure4& figure) {
   Table table{"Figure 4, % of the polygons in view culled, against the number of occluders", {"chosen by"}, {}, {}};
   for (const std::size_t n : kOccluders) table.head.push_back(std::to_string(n));

@@ -5,12 +5,14 @@
 #include "figure4.h"
 #include "growth.h"
 #include "joined.h"
+#include "methods.h"
 #include "sorting.h"
 #include "sweeps.h"
 #include "table.h"
 
 namespace occlude::experiments {
 
+[[nodiscard]] Table methods_table(const Methods& methods);
 [[nodiscard]] Table figure4_table(const Figure4& figure);
 [[nodiscard]] Table regions_table(const Sweeps& sweeps);
 [[nodiscard]] Table threshold_table(const Sweeps& sweeps);

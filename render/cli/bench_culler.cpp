@@ -86,12 +86,10 @@ void bench_culler(Arguments& arguments) {
 void add_bench_culler(CLI::App& bench, int&) {
   CLI::App* command =
       bench.add_subcommand("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
-  command->footer(
-      "Without MODEL on a generated city. Coherence needs frames that follow one another: a STEP above 1 hides it.\n" +
-      render::limits_help() +
-      "\n"
-      "Example: occlude bench culler --out report\n"
-      "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
+  command->footer("Without MODEL on a generated city.\n" + render::limits_help() +
+                  "\n"
+                  "Example: occlude bench culler --out report\n"
+                  "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
   const auto a = std::make_shared<Arguments>();
   CLI::Option* model = add_input(*command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
   CLI::Option* path = add_input(*command, "--path", a->path, "camera path (JSON)");

@@ -85,10 +85,8 @@ std::vector<CLI::Option*> BuildArguments::add_to(CLI::App& command) {
 }
 
 culler::BuildConfig BuildArguments::config(culler::Method method) const {
-  constexpr std::uint32_t kCoverLeaf = 4;  // what is hidden but for a corner of its leaf is drawn: culler/README.md
   culler::BuildConfig config;
-  if (method == culler::Method::cover) config.hierarchy.leaf_size = kCoverLeaf;
-  if (leaf_ != 0) config.hierarchy.leaf_size = leaf_;
+  config.hierarchy.leaf_size = leaf_ != 0 ? leaf_ : culler::leaf_size_for(method);
   config.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
   config.occluders.shells = shapes_ == "polytope";
   return config;
@@ -127,8 +125,9 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
                           "draw no more into it than about so many triangles a frame; unless given, all that are seen")
               ->check(CLI::NonNegativeNumber),
           command
-              .add_option("--budget-ms", cull_.cover_ms,
-                          "draw no more into it once a frame has taken so many milliseconds; unless given, whatever it takes")
+              .add_option(
+                  "--budget-ms", cull_.cover_ms,
+                  "draw no more into it once a frame has taken so many milliseconds; unless given, whatever it takes")
               ->check(number_in(0, kLongest)),
           number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
           number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),

@@ -70,8 +70,8 @@ bool is_snapping(const glm::dvec2& centre, const Projector& project, const culle
 
 }  // namespace
 
-void compare(const Picture& full, const Picture& culled, const culler::Culler& culler, const culler::Camera& camera,
-             const culler::CullResult& result, FrameRecord& record) {
+std::vector<std::uint32_t> compare(const Picture& full, const Picture& culled, const culler::Culler& culler,
+                                   const culler::Camera& camera, const culler::CullResult& result, FrameRecord& record) {
   std::vector<std::uint32_t> visible;
   std::set<std::uint32_t> falsely_culled;
   const int width = full.items.width, height = full.items.height;
@@ -92,8 +92,10 @@ void compare(const Picture& full, const Picture& culled, const culler::Culler& c
     }
   }
   std::sort(visible.begin(), visible.end());
-  record.visible_polygons = static_cast<std::size_t>(std::unique(visible.begin(), visible.end()) - visible.begin());
+  visible.erase(std::unique(visible.begin(), visible.end()), visible.end());
+  record.visible_polygons = visible.size();
   record.false_culls += falsely_culled.size();
+  return visible;
 }
 
 }  // namespace occlude::render

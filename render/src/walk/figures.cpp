@@ -40,14 +40,17 @@ std::string table2_html(const Json& summary) {
       R"(<div class="wide"><table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
 <tr><td>View-frustum culling</td><td>{}</td><td>{}</td><td>49,196</td><td>3.6</td></tr>
 <tr><td>With occlusion culling</td><td>{}</td><td>{}</td><td>29,749</td><td>5.6</td></tr>
+<tr><td>Drawing only what shows</td><td>{}</td><td>{}</td><td>&ndash;</td><td>&ndash;</td></tr>
 <tr><td>Polygons culled; speedup</td><td>{:.1f} %</td><td>{}</td><td>39.5 %</td><td>+55 %</td></tr>
 <tr><td>Limit of the speedup: ratio of polygons drawn</td><td></td><td>{}</td><td></td><td>+65 %</td></tr>
 <tr><td>Limit of the speedup: drawing only what is visible</td><td></td><td>{}</td><td></td><td>&ndash;</td></tr>
 <tr><td>Of the hidden polygons in the view frustum, culled</td><td>{}</td><td></td><td></td><td></td></tr>
 </tbody></table></div>)",
       grouped(mean["view_frustum_polygons"].get<double>()), fps(mean["frame_ms_view_frustum_only"]),
-      grouped(mean["rendered_polygons"].get<double>()), fps(mean["frame_ms"]), 100 * summary["culled_share"].get<double>(),
-      gain(summary["speedup"]), gain(summary["speedup_limit"]["polygons"]), times(summary["speedup_limit"]["visible"]),
+      grouped(mean["rendered_polygons"].get<double>()), fps(mean["frame_ms"]),
+      mean["visible_polygons"].is_null() ? "&ndash;" : grouped(mean["visible_polygons"].get<double>()),
+      fps(mean["frame_ms_visible_only"]), 100 * summary["culled_share"].get<double>(), gain(summary["speedup"]),
+      gain(summary["speedup_limit"]["polygons"]), times(summary["speedup_limit"]["visible"]),
       share(summary["culled_share_of_hidden"]));
 }
 

@@ -93,12 +93,15 @@ std::string table2_text(const Json& summary) {
       "                                  polygons      fps      polygons      fps\n"
       "view-frustum culling            {:>10.0f} {:>8}        49,196      3.6\n"
       "with occlusion culling          {:>10.0f} {:>8}        29,749      5.6\n"
+      "drawing only what shows         {:>10} {:>8}             -        -\n"
       "polygons culled                 {:>9.1f} %                 39.5 %\n"
       "speedup                         {:>19}                      +55 %\n"
       "  limit by polygons drawn       {:>19}                      +65 %\n",
       mean["view_frustum_polygons"].get<double>(), fps(mean["frame_ms_view_frustum_only"]),
-      mean["rendered_polygons"].get<double>(), fps(mean["frame_ms"]), 100 * summary["culled_share"].get<double>(),
-      percent(summary["speedup"]), percent(summary["speedup_limit"]["polygons"]));
+      mean["rendered_polygons"].get<double>(), fps(mean["frame_ms"]),
+      mean["visible_polygons"].is_null() ? "-" : fmt::format("{:.0f}", mean["visible_polygons"].get<double>()),
+      fps(mean["frame_ms_visible_only"]), 100 * summary["culled_share"].get<double>(), percent(summary["speedup"]),
+      percent(summary["speedup_limit"]["polygons"]));
 }
 
 Json summarise(const WalkResult& result, const WalkOptions& options, const std::string& model) {
@@ -131,7 +134,8 @@ Json summarise(const WalkResult& result, const WalkOptions& options, const std::
                   {"cull_ms", mean_of(&FrameRecord::cull_ms)},
                   {"witness_ms", mean_of(&FrameRecord::witness_ms)},
                   {"frame_ms", if_rendered(frame_ms)},
-                  {"frame_ms_view_frustum_only", if_rendered(viewed_ms)}};
+                  {"frame_ms_view_frustum_only", if_rendered(viewed_ms)},
+                  {"frame_ms_visible_only", if_rendered(mean_of(&FrameRecord::visible_frame_ms))}};
   json["culled_share"] = viewed == 0 ? 0 : 1 - drawn / viewed;
   json["culled_share_of_hidden"] = if_rendered(hidden == 0 ? 0 : (viewed - drawn) / hidden);
   json["speedup"] = if_rendered(viewed_ms / frame_ms);
@@ -155,15 +159,16 @@ std::string frames_csv(const WalkResult& result) {
       "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
       "exact_shadow_tests,view_culled_polygons,shadow_"
       "culled_polygons,"
-      "wrong_pixels,snapped_pixels,false_culls\n";
+      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(
-        std::back_inserter(csv), "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-        r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
-        r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view,
-        r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests,
-        r.stats.probe_tests, r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons,
-        r.wrong_pixels, r.snapped_pixels, r.false_culls);
+    fmt::format_to(std::back_inserter(csv),
+                   "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f}\n",
+                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
+                   r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
+                   r.stats.occluders_in_view, r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited,
+                   r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests, r.stats.exact_shadow_tests,
+                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
+                   r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms);
   }
   return csv;
 }

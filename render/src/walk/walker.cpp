@@ -54,7 +54,7 @@ class Walker {
       const PolygonRange all{0, static_cast<std::uint32_t>(culler_.hierarchy().soup().size())};
       full = draw(camera, std::span(&all, 1));
     }
-    compare(full, picture, culler_, camera, culled, record);
+    record.visible_frame_ms = draw_only(camera, compare(full, picture, culler_, camera, culled, record));
     return record;
   }
 
@@ -82,6 +82,22 @@ class Walker {
       picture = {renderer_->image(), renderer_->item_buffer(camera, result.drawn)};
     }
     return timing;
+  }
+
+  /// Milliseconds that it takes.
+  double draw_only(const culler::Camera& camera, const std::vector<std::uint32_t>& polygons) const {
+    std::vector<PolygonRange> ranges;
+    for (const std::uint32_t p : polygons) {
+      if (!ranges.empty() && ranges.back().first + ranges.back().count == p) {
+        ++ranges.back().count;
+      } else {
+        ranges.push_back({p, 1});
+      }
+    }
+    const Stopwatch drawing;
+    const Layer layer{ranges, std::nullopt};
+    renderer_->draw(camera, std::span(&layer, 1));
+    return drawing.milliseconds();
   }
 
   Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {

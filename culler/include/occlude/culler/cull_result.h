@@ -38,6 +38,10 @@ enum class Method {
   cover,   ///< all that is found visible, front to back, joined in a coarse picture
 };
 
+/// The most polygons of a leaf that a tree does best with. By cover leaves are small: what is hidden but for a corner of its
+/// leaf is drawn.
+[[nodiscard]] inline constexpr std::uint32_t leaf_size_for(Method method) { return method == Method::cover ? 4 : 16; }
+
 /// Sides of the coarse picture of a cover, pixels.
 inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;
 

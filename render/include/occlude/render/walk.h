@@ -64,6 +64,7 @@ struct FrameRecord {
   std::size_t visible_polygons = 0;       ///< with a pixel in the item buffer
   double view_frustum_cull_ms = 0, view_frustum_frame_ms = 0;
   double cull_ms = 0, frame_ms = 0;
+  double visible_frame_ms = 0;  ///< drawing only the polygons with a pixel in the item buffer, culling aside
   double witness_ms = 0;  ///< that keeping the proof of every cull in memory takes on top of cull_ms
   std::size_t occluders = 0;
   culler::CullStats stats;
