@@ -2,6 +2,7 @@
 #include "joined.h"
 
 #include <array>
+#include <limits>
 
 #include "bench.h"
 #include "occlude/culler/culler.h"
@@ -15,11 +16,15 @@ namespace {
 /// Each about twice as many pixels, around the default; of 16 to 9.
 constexpr std::array<int, 5> kWidths{256, 384, 512, 768, 1024};
 constexpr std::array<std::uint32_t, 5> kLeaves{1, 2, 4, 8, 16};
+constexpr std::array<std::size_t, 6> kBudgets{1000, 2000, 4000, 8000, 16000, 32000};
 /// What is not varied.
 constexpr int kWidth = 512;
-constexpr std::uint32_t kLeaf = 4;
+constexpr std::uint32_t kLeaf = culler::leaf_size_for(culler::Method::cover);
+constexpr std::size_t kBudget = std::numeric_limits<std::size_t>::max();
 
-JoinedPoint point_at(int width, std::uint32_t leaf) { return {width, width * 9 / 16, leaf, 0, 0, 0}; }
+JoinedPoint point_at(int width, std::uint32_t leaf, std::size_t triangles) {
+  return {width, width * 9 / 16, leaf, triangles, 0, 0, 0};
+}
 
 /// A point, and what was timed of it, one number a round.
 struct Trial {
@@ -37,6 +42,7 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
   cull.method = culler::Method::cover;
   cull.cover_width = trial.point.width;
   cull.cover_height = trial.point.height;
+  cull.cover_triangles = trial.point.triangles;
   const Pass pass = pass_along(culler, subject.path, options.walk, cull);
   trial.cull_ms.push_back(pass.cull_ms);
   trial.point.drawn = pass.drawn;
@@ -47,14 +53,20 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
 
 Joined measure_joined(const Subject& subject, const Options& options) {
   std::vector<Trial> trials;
-  for (const int width : kWidths) trials.push_back({point_at(width, kLeaf), {}});
-  for (const std::uint32_t leaf : kLeaves) trials.push_back({point_at(kWidth, leaf), {}});
+  std::vector<std::vector<JoinedPoint> Joined::*> curves;  // that the trials are of
+  const auto add = [&](std::vector<JoinedPoint> Joined::*curve, const JoinedPoint& point) {
+    trials.push_back({point, {}});
+    curves.push_back(curve);
+  };
+  for (const int width : kWidths) add(&Joined::pictures, point_at(width, kLeaf, kBudget));
+  for (const std::uint32_t leaf : kLeaves) add(&Joined::leaves, point_at(kWidth, leaf, kBudget));
+  for (const std::size_t triangles : kBudgets) add(&Joined::budgets, point_at(kWidth, kLeaf, triangles));
 
   run_in_rounds("joined shadows", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
   Joined joined;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trials[i].point.cull_ms = bench::median(trials[i].cull_ms);
-    (i < kWidths.size() ? joined.pictures : joined.leaves).push_back(trials[i].point);
+    (joined.*curves[i]).push_back(trials[i].point);
   }
   return joined;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "experiments_report.h"
@@ -102,8 +103,10 @@ Json sort_json(const Sorting& sorting) {
 Json joined_json(const std::vector<JoinedPoint>& points) {
   Json json = Json::array();
   for (const JoinedPoint& p : points) {
+    const bool is_limited = p.triangles < std::numeric_limits<std::size_t>::max();
     json.push_back({{"cover_size", {p.width, p.height}},
                     {"leaf", p.leaf},
+                    {"cover_triangles", is_limited ? Json(p.triangles) : Json(nullptr)},
                     {"culled_share", p.culled_share},
                     {"drawn", p.drawn},
                     {"cull_ms", p.cull_ms}});
@@ -148,7 +151,9 @@ std::string report_json(const Result& result, const Options& options) {
   json["sort"] = result.sort ? sort_json(*result.sort) : Json(nullptr);
   json["joined"] = nullptr;
   if (result.joined) {
-    json["joined"] = {{"pictures", joined_json(result.joined->pictures)}, {"leaves", joined_json(result.joined->leaves)}};
+    json["joined"] = {{"pictures", joined_json(result.joined->pictures)},
+                      {"leaves", joined_json(result.joined->leaves)},
+                      {"budgets", joined_json(result.joined->budgets)}};
   }
   json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
   json["machine"] = render::machine_json(result.table2 ? result.table2->renderer : "");

@@ -22,6 +22,7 @@ std::string report_text(const Result& result, const Options& options) {
   if (result.joined) {
     add(text_of(pictures_table(*result.joined)));
     add(text_of(leaves_table(*result.joined)));
+    add(text_of(budgets_table(*result.joined)));
   }
   if (result.growth) add(text_of(growth_table(*result.growth)));
   add(conditions(options) + "\n");

@@ -128,6 +128,11 @@ Table leaves_table(const Joined& joined) {
                       [](const JoinedPoint& p) { return std::to_string(p.leaf); });
 }
 
+Table budgets_table(const Joined& joined) {
+  return joined_table("Joined shadows, triangles that a frame may draw into the picture", "triangles", joined.budgets,
+                      [](const JoinedPoint& p) { return std::to_string(p.triangles); });
+}
+
 Table growth_table(const Growth& growth) {
   Table table{"Growth with the number of polygons, generated cities",
               {"polygons", "in view", "drawn", "build, s", "cull, ms", "peak bytes/polygon", "held bytes/polygon"},

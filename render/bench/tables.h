@@ -19,6 +19,7 @@ namespace occlude::experiments {
 [[nodiscard]] Table sort_table(const Sorting& sorting);
 [[nodiscard]] Table pictures_table(const Joined& joined);
 [[nodiscard]] Table leaves_table(const Joined& joined);
+[[nodiscard]] Table budgets_table(const Joined& joined);
 [[nodiscard]] Table growth_table(const Growth& growth);
 
 /// What the times are, and of what machine.
