@@ -31,7 +31,12 @@ bool CoverFrame::may_draw_more() const {
 }
 
 bool CoverFrame::join() {
-  if (memory_.taken.empty() || !may_draw_more()) return false;
+  if (memory_.taken.empty()) return false;
+  if (!may_draw_more()) {
+    ++memory_.result.stats.cover_groups_left;
+    memory_.taken.clear();
+    return false;
+  }
   CoverGroup& group = memory_.group;
   group.clear();
   for (const std::uint32_t leaf : memory_.taken) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -89,14 +88,6 @@ class CoverReplay {
   std::vector<std::vector<DrawnTriangle>> drawn_;  ///< of the groups
 };
 
-/// Options by which the frame comes about again, whatever time that takes.
-CullOptions once_more(const CullResult& frame, const CullOptions& options) {
-  CullOptions again = options;
-  again.cover_triangles = frame.stats.cover_triangles;
-  again.cover_ms = std::numeric_limits<double>::infinity();
-  return again;
-}
-
 }  // namespace
 
 void Culler::append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
@@ -104,13 +95,12 @@ void Culler::append_covers(const CullResult& frame, const Camera& camera, const 
   const auto ask = [&](std::uint32_t node, auto&& question) { return hierarchy_.ask(node, question); };
   View::Memory memory;
   const CoverSource source{hierarchy_.nodes(), triangles()};
-  cull_by_cover(source, ask, camera, once_more(frame, options), memory, CoverReplay(hierarchy_, memory, most, witnesses));
+  cull_by_cover(source, ask, camera, repeated(frame, options), memory, CoverReplay(hierarchy_, memory, most, witnesses));
 }
 
-std::shared_ptr<const CoverBuffer> Culler::cover(const CullResult& frame, const Camera& camera,
-                                                 const CullOptions& options) const {
+std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {
   View view;
-  cull(camera, once_more(frame, options), view);
+  cull(camera, options, view);
   return std::make_shared<const CoverBuffer>(std::move(view.memory().cover));
 }
 

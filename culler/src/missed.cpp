@@ -17,7 +17,13 @@ MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const C
     : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), frame_(frame) {
   for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
   if (frame.method == Method::cover) {
-    cover_ = culler.cover(frame, camera, options);
+    cover_ = culler.cover(camera, repeated(frame, options));
+    if (frame.stats.cover_groups_left > 0) {
+      CullOptions unlimited = options;
+      unlimited.cover_triangles = std::numeric_limits<std::size_t>::max();
+      unlimited.cover_ms = std::numeric_limits<double>::infinity();
+      unlimited_ = culler.cover(camera, unlimited);
+    }
   } else {
     keep_others(culler, camera, options);
   }
@@ -142,17 +148,11 @@ bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) con
 Missed MissedReasons::missed_by_cover(const kernel::Aabb& box, Work& work) const {
   constexpr std::size_t kPlanes = 100;  // about as much time: a box is placed, and some tiles are looked at
   work.take(kPlanes);
-  switch (cover_->gap(box)) {
-    case CoverBuffer::Gap::none:
-      return Missed::coarse_node;
-    case CoverBuffer::Gap::beyond_picture:
-      return Missed::beyond_picture;
-    case CoverBuffer::Gap::open:
-      return Missed::open_pixel;
-    case CoverBuffer::Gap::not_behind:
-      return Missed::not_behind;
-  }
-  return Missed::open_pixel;
+  const CoverBuffer::Gap gap = cover_->gap(box);
+  if (gap == CoverBuffer::Gap::none) return Missed::coarse_node;
+  if (gap == CoverBuffer::Gap::beyond_picture) return Missed::beyond_picture;
+  if (unlimited_ && unlimited_->gap(box) == CoverBuffer::Gap::none) return Missed::over_budget;
+  return gap == CoverBuffer::Gap::open ? Missed::open_pixel : Missed::not_behind;
 }
 
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near, Work& work) const {

@@ -46,6 +46,7 @@ constexpr std::array<const char*, culler::kMissedReasons> kReasons{
     "an occluder that hides it was listed, and not chosen",
     "no listed occluder hides it alone, or it is seen between pixels",
     "its box reaches out of the coarse picture, or before the near plane",
+    "it would be hidden, but the frame's budget was spent",
     "a pixel of its box is open: a border runs there, or nothing closes it",
     "what closes the pixels of its box is not nearer than the box"};
 

@@ -15,6 +15,7 @@
 #include "bounds.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
+#include "occlude/culler/missed.h"
 #include "occlude/culler/scene.h"
 #include "only_target.h"
 #include "outer_box.h"
@@ -178,6 +179,13 @@ TEST(CoverFrame, ABudgetIsKept) {
     std::size_t proved = 0;
     for (const CoverWitness& witness : witnesses) proved += witness.range.count;
     EXPECT_EQ(proved, culled(frame));
+    const bool is_spent = frame.stats.cover_groups_left > 0;
+    EXPECT_EQ(is_spent, frame.stats.cover_triangles < whole.stats.cover_triangles);
+    const MissedReasons reasons(culler, camera, options, frame);
+    for (std::uint32_t p = 0; p < culler.hierarchy().soup().size(); ++p) {
+      if (!culler.cull_of(whole, p) || culler.cull_of(frame, p)) continue;
+      EXPECT_EQ(reasons.answer(p).reason, Missed::over_budget);
+    }
   }
   EXPECT_EQ(last, culled(whole));
   EXPECT_GT(last, 0U);

@@ -90,6 +90,8 @@ const char* why_missed(culler::Missed reason) {
       return "no listed occluder hides it alone, or it is seen between pixels";
     case culler::Missed::beyond_picture:
       return "its box reaches out of the coarse picture, or before the near plane";
+    case culler::Missed::over_budget:
+      return "it would be hidden if the frame had drawn all that is seen into its picture: the budget was spent";
     case culler::Missed::open_pixel:
       return "a pixel of its box is open: a border runs there, or nothing closes it";
     case culler::Missed::not_behind:

@@ -123,6 +123,7 @@ struct CullStats {
   std::size_t probe_tests = 0;                        ///< box against the shadow of a probe
   std::size_t cover_tests = 0;                        ///< box against the coarse picture
   std::size_t cover_groups = 0, cover_triangles = 0;  ///< drawn into it: joined meshes, and their triangles
+  std::size_t cover_groups_left = 0;                  ///< not drawn into it, for a budget was spent
   std::size_t exact_shadow_tests = 0;                 ///< of these, decided by the kernel's exact stage
   std::size_t potential_occluders = 0, occluders_in_view = 0;
   std::size_t sort_kept = 0;   ///< candidates that the frame before had as well
@@ -142,5 +143,12 @@ struct CullResult {
   std::vector<ShadowPair> pairs;  ///< none unless CullOptions::unions
   CullStats stats;
 };
+
+/// Options by which a frame by cover comes about again as it was, whatever time that takes.
+[[nodiscard]] inline CullOptions repeated(const CullResult& frame, CullOptions options) {
+  options.cover_triangles = frame.stats.cover_triangles;
+  options.cover_ms = std::numeric_limits<double>::infinity();
+  return options;
+}
 
 }  // namespace occlude::culler

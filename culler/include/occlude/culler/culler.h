@@ -54,9 +54,8 @@ class Culler {
   void append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
 
-  /// The coarse picture as a frame by cover has left it; `camera` and `options` are those of the frame.
-  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const CullResult& frame, const Camera& camera,
-                                                         const CullOptions& options) const;
+  /// The coarse picture as a frame by cover with these options leaves it.
+  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const Camera& camera, const CullOptions& options) const;
 
   /// The cull of the frame that took polygon p of the tree; null where it is drawn.
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;

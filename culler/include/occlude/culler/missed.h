@@ -15,7 +15,7 @@
 
 namespace occlude::culler {
 
-/// In the order in which they are asked: the first that holds is the reason. The first two and the last three are those of
+/// In the order in which they are asked: the first that holds is the reason. The first two and the last four are those of
 /// frames by cover, where what a cover closes takes the place of the shadow of an occluder: its picture as the frame leaves
 /// it.
 enum class Missed {
@@ -26,10 +26,11 @@ enum class Missed {
   not_chosen,      ///< no occluder of the frame, but another of the region's list has the polygon in its shadow
   no_single_one,   ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
   beyond_picture,  ///< its box reaches out of the coarse picture, or before the near plane
+  over_budget,     ///< it would be hidden if the frame had drawn all that is seen into its picture
   open_pixel,      ///< a pixel that its box touches is open: a border runs there, or nothing closes it
   not_behind       ///< all of these are closed, but in one nothing is nearer than the box
 };
-inline constexpr std::size_t kMissedReasons = 9;
+inline constexpr std::size_t kMissedReasons = 10;
 
 /// Whether a frame by this method can miss a polygon for this reason.
 [[nodiscard]] constexpr bool is_of(Missed reason, Method method) {
@@ -38,9 +39,9 @@ inline constexpr std::size_t kMissedReasons = 9;
 }
 
 [[nodiscard]] constexpr std::string_view to_string(Missed reason) {
-  constexpr std::array<std::string_view, kMissedReasons> kNames{"out_of_view",    "coarse_node", "straddling_box",
-                                                                "several",        "not_chosen",  "no_single_one",
-                                                                "beyond_picture", "open_pixel",  "not_behind"};
+  constexpr std::array<std::string_view, kMissedReasons> kNames{
+      "out_of_view",   "coarse_node",    "straddling_box", "several",    "not_chosen",
+      "no_single_one", "beyond_picture", "over_budget",    "open_pixel", "not_behind"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 
@@ -110,7 +111,8 @@ class MissedReasons {
   const PotentialOccluders& occluders_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
-  std::shared_ptr<const CoverBuffer> cover_;  ///< of a frame by cover
+  std::shared_ptr<const CoverBuffer> cover_;      ///< of a frame by cover
+  std::shared_ptr<const CoverBuffer> unlimited_;  ///< the same without a budget, if the frame has spent one
 };
 
 }  // namespace occlude::culler
