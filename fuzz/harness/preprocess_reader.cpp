@@ -16,6 +16,7 @@
 #include "finding.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/preprocess_file.h"
+#include "occlude/render/walk.h"
 #include "scratch_file.h"
 
 namespace occlude::harness {
@@ -83,8 +84,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const culler::PolygonSoup soup = harness::some_soup();
   static const std::vector<std::uint8_t> sound = harness::sound_file(soup);
   const harness::ScratchFile file(harness::edited(sound, {data, size}), ".pre");
+  render::WalkOptions options;
+  options.preprocess = file.path();
   try {
-    harness::judge(render::make_culler(soup, {}, file.path()));
+    harness::judge(render::make_culler(soup, options));
   } catch (const render::InputError&) {
     // The one way to refuse a file.
   }

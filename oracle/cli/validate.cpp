@@ -22,10 +22,10 @@
 #include "occlude/render/input_limits.h"
 #include "occlude/render/line_reader.h"
 #include "occlude/render/model_io.h"
-#include "occlude/render/preprocess_file.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
+#include "occlude/render/walk.h"
 #include "occlude/render/witness.h"
 #include "proof.h"
 #include "validation.h"
@@ -241,8 +241,7 @@ void validate(Arguments& arguments, int& exit_code) {
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   const Shard shard = parse_shard(arguments.shard, turns);
   std::optional<FailureFiles> files = failure_files(arguments.out);
-  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options.build, options.preprocess);
-  if (options.cull.method == culler::Method::cover) culler.prepare_cover();
+  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};

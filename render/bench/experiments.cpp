@@ -14,8 +14,7 @@ namespace {
 /// A walk, of which nothing is written.
 render::WalkResult measure_table2(const Subject& subject, const Options& options) {
   const render::Stopwatch stopwatch;
-  const culler::Culler culler(subject.soup, options.walk.build, render::check_interrupt);
-  if (options.walk.cull.method == culler::Method::cover) culler.prepare_cover(render::check_interrupt);
+  const culler::Culler culler = make_culler(subject.soup, options.walk);
   const double preprocess_s = stopwatch.seconds();
   const render::Stage stage(culler, options.walk);
   render::WalkResult result = walk_frames(culler, subject.path, options.walk, stage);

@@ -33,20 +33,18 @@ struct Trial {
 };
 
 void run(Trial& trial, const Subject& subject, const Options& options) {
-  culler::BuildConfig config = options.walk.build;
-  config.hierarchy.leaf_size = trial.point.leaf;
-  config.grid.regions = 1;  // no list is asked
-  const culler::Culler culler(subject.soup, config, render::check_interrupt);
-  culler.prepare_cover(render::check_interrupt);
-  culler::CullOptions cull = options.walk.cull;
-  cull.method = culler::Method::cover;
-  cull.cover_width = trial.point.width;
-  cull.cover_height = trial.point.height;
-  cull.cover_triangles = trial.point.triangles;
-  const Pass pass = pass_along(culler, subject.path, options.walk, cull);
+  render::WalkOptions walk = options.walk;
+  walk.build.hierarchy.leaf_size = trial.point.leaf;
+  walk.build.grid.regions = 1;  // no list is asked
+  walk.cull.method = culler::Method::cover;
+  walk.cull.cover_width = trial.point.width;
+  walk.cull.cover_height = trial.point.height;
+  walk.cull.cover_triangles = trial.point.triangles;
+  const culler::Culler culler = make_culler(subject.soup, walk);
+  const Pass pass = pass_along(culler, subject.path, walk, walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);
   trial.point.drawn = pass.drawn;
-  trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
+  trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, walk), pass.drawn);
 }
 
 }  // namespace

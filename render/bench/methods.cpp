@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "occlude/culler/culler.h"
-#include "occlude/render/progress.h"
 #include "walk/walker.h"
 
 namespace occlude::experiments {
@@ -48,8 +47,7 @@ render::WalkResult walk_by_other(const Subject& subject, const Options& options,
   std::uint32_t& leaf = walk.build.hierarchy.leaf_size;
   if (leaf == culler::leaf_size_for(walk.cull.method)) leaf = culler::leaf_size_for(other);
   walk.cull.method = other;
-  const culler::Culler culler(subject.soup, walk.build, render::check_interrupt);
-  if (other == culler::Method::cover) culler.prepare_cover(render::check_interrupt);
+  const culler::Culler culler = make_culler(subject.soup, walk);
   const render::Stage stage(culler, walk);
   return walk_frames(culler, subject.path, walk, stage);
 }

@@ -29,6 +29,7 @@ Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, co
 
 double polygons_in_view(const culler::Culler& culler, const render::CameraPath& path, const render::WalkOptions& walk) {
   culler::CullOptions view_only = walk.cull;
+  view_only.method = culler::Method::frusta;
   view_only.occluders = 0;
   return pass_along(culler, path, walk, view_only).drawn;
 }

@@ -18,7 +18,6 @@
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
-#include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
 
@@ -71,8 +70,7 @@ int why(const Arguments& arguments) {
   const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  const culler::Culler culler = render::make_culler(read_model(arguments), options.build, options.preprocess);
-  if (options.cull.method == culler::Method::cover) culler.prepare_cover();
+  const culler::Culler culler = render::make_culler(read_model(arguments), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);

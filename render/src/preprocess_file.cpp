@@ -149,15 +149,4 @@ culler::Preprocess read_preprocess(const std::filesystem::path& file, const cull
   return result;
 }
 
-culler::Culler make_culler(const culler::PolygonSoup& soup, const culler::BuildConfig& config,
-                           const std::filesystem::path& preprocess_file) {
-  if (preprocess_file.empty()) return culler::Culler(soup, config, check_interrupt);
-  culler::Preprocess preprocess = read_preprocess(preprocess_file, soup);
-  try {
-    return culler::Culler(soup, std::move(preprocess), check_interrupt);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(preprocess_file.string() + ": " + error.what());
-  }
-}
-
 }  // namespace occlude::render

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/walk.h"
 
 namespace {
 
@@ -42,6 +43,11 @@ class PreprocessFileTest : public testing::Test {
   ~PreprocessFileTest() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::filesystem::path file() const { return folder_ / "walls.pre"; }
+  [[nodiscard]] WalkOptions of_file() const {
+    WalkOptions options;
+    options.preprocess = file();
+    return options;
+  }
 
   /// What is said when the file has other bytes.
   std::string refusal(const std::function<void(std::string&)>& change) {
@@ -80,7 +86,7 @@ TEST_F(PreprocessFileTest, IsReadBackAsWritten) {
   EXPECT_EQ(read.lists.occluders, preprocess_.lists.occluders);
   EXPECT_EQ(read.lists.hidden, preprocess_.lists.hidden);
   EXPECT_FALSE(read.lists.hidden.empty());
-  EXPECT_EQ(make_culler(soup_, {}, file()).hierarchy().nodes().size(), preprocess_.layout.left.size());
+  EXPECT_EQ(make_culler(soup_, of_file()).hierarchy().nodes().size(), preprocess_.layout.left.size());
 }
 
 TEST_F(PreprocessFileTest, WhatIsRefused) {
@@ -116,7 +122,7 @@ TEST_F(PreprocessFileTest, WhatCannotBeOfTheModel) {
     write_preprocess(output, soup_, wrong);
     output.commit();
     try {
-      static_cast<void>(make_culler(soup_, {}, file()));
+      static_cast<void>(make_culler(soup_, of_file()));
     } catch (const InputError& error) {
       return error.what();
     }

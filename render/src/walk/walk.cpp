@@ -55,6 +55,20 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
   return frames;
 }
 
+culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options) {
+  culler::Culler culler = [&] {
+    if (options.preprocess.empty()) return culler::Culler(soup, options.build, check_interrupt);
+    culler::Preprocess preprocess = read_preprocess(options.preprocess, soup);
+    try {
+      return culler::Culler(soup, std::move(preprocess), check_interrupt);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(options.preprocess.string() + ": " + error.what());
+    }
+  }();
+  if (options.cull.method == culler::Method::cover) culler.prepare_cover(check_interrupt);
+  return culler;
+}
+
 WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
                 const std::string& model_name, WalkFiles& files) {
   if (soup.size() < 2) {
@@ -63,8 +77,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   static_cast<void>(frames_of(path, options));  // throws before the work
 
   const Stopwatch stopwatch;
-  const culler::Culler culler = make_culler(soup, options.build, options.preprocess);
-  if (options.cull.method == culler::Method::cover) culler.prepare_cover();
+  const culler::Culler culler = make_culler(soup, options);
   const double preprocess_s = stopwatch.seconds();
 
   Stage stage(culler, options);

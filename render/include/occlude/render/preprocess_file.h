@@ -25,9 +25,4 @@ void write_preprocess(OutputFile& file, const culler::PolygonSoup& soup, const c
 /// Allocates no more than the file is long. What the arrays mean is checked by Culler.
 [[nodiscard]] culler::Preprocess read_preprocess(const std::filesystem::path& file, const culler::PolygonSoup& soup);
 
-/// The culler of the model: from the preprocess file if one is named, else built now. Throws InputError as read_preprocess,
-/// also for arrays that cannot be of this model.
-[[nodiscard]] culler::Culler make_culler(const culler::PolygonSoup& soup, const culler::BuildConfig& config,
-                                         const std::filesystem::path& preprocess_file);
-
 }  // namespace occlude::render

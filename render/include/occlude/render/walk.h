@@ -48,6 +48,10 @@ struct WalkOptions {
   return static_cast<double>(options.width) / options.height;
 }
 
+/// The culler of a walk, with all that its method needs: from the preprocess file if one is named, else built now. Throws
+/// InputError as read_preprocess(), also for arrays that cannot be of this model, Interrupted on Ctrl-C.
+[[nodiscard]] culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options);
+
 /// The frames that a walk of this path counts; those between are culled, for what comes after them. Throws InputError when
 /// there are none.
 [[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
@@ -65,7 +69,7 @@ struct FrameRecord {
   double view_frustum_cull_ms = 0, view_frustum_frame_ms = 0;
   double cull_ms = 0, frame_ms = 0;
   double visible_frame_ms = 0;  ///< drawing only the polygons with a pixel in the item buffer, culling aside
-  double witness_ms = 0;  ///< that keeping the proof of every cull in memory takes on top of cull_ms
+  double witness_ms = 0;        ///< that keeping the proof of every cull in memory takes on top of cull_ms
   std::size_t occluders = 0;
   culler::CullStats stats;
   /// Pixels at which the pictures of the two methods differ, and those of them that the renderer's rounding of vertices to
