@@ -1,8 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The paper's experiment from nothing: installs what is missing, builds, makes the city, walks through it and says where the
-# report lies. Usage: bash render/demo.sh [OPTIONS OF occlude walk ...], for instance --frames 0:2748:10.
+# report lies. Usage: bash render/demo.sh [OPTIONS OF occlude walk ...], for instance --frames 0:2748:10. What is validated is
+# what was walked: in pictures of the same size.
 set -euo pipefail
+
+size=()
+for ((i = 1; i <= $#; ++i)); do
+  next=$((i + 1))
+  case ${!i} in
+    --size=*) size=("${!i}") ;;
+    --size) size=(--size "${!next:-}") ;;
+  esac
+done
+
 cd "$(dirname "$0")/.."
 bash .ci/packages.sh
 [ -f build/release/build.ninja ] || cmake --preset release >/dev/null
@@ -15,4 +26,5 @@ if [ ! -f "$demo/city.ply" ] || [ ! -f "$demo/city.json" ] || [ build/release/oc
 fi
 build/release/occlude walk "$demo/city.ply" --path "$demo/city.json" --out "$demo/report" \
   --witness "$demo/witness.jsonl" "$@"
-build/release/occlude validate "$demo/city.ply" --path "$demo/city.json" --witness "$demo/witness.jsonl"
+build/release/occlude validate "$demo/city.ply" --path "$demo/city.json" --witness "$demo/witness.jsonl" \
+  ${size[@]+"${size[@]}"}
