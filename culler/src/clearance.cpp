@@ -31,7 +31,9 @@ double reach(const kernel::Vec3& origin, const kernel::Obb& box) {
 
 template <class AnyBox>
 Clearance clearance_of(const kernel::ShadowFrustum& shadow, const AnyBox& box) {
-  Clearance result{std::numeric_limits<double>::infinity(), 0};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (shadow.is_none()) return {-kInfinity, 0};
+  Clearance result{kInfinity, 0};
   for (std::size_t i = 0; i < shadow.plane_count(); ++i) {
     const kernel::FilterPlane& plane = shadow.filter_planes()[i];
     const glm::dvec3 normal = to_glm(plane.normal);
@@ -46,6 +48,7 @@ Clearance clearance_of(const kernel::ShadowFrustum& shadow, const AnyBox& box) {
 /// the inequality of the means below (1 + t) |n|^2 + (1 + 1/t) (2 slope)^2, t the share that is given away.
 template <class AnyBox>
 double certain(const kernel::ShadowFrustum& shadow, const AnyBox& box) {
+  if (shadow.is_none()) return 0;
   constexpr double kGiven = 0x1p-20;
   const kernel::FilterBound& bound = shadow.filter_bound();
   const double error = 2 * (bound.slope * reach(shadow.origin(), box) + bound.base);  // twice, for its second order

@@ -30,6 +30,7 @@ double ShadowMargin::size(const kernel::ShadowFrustum& shadow) const {
 
 template <class AnyBox>
 bool ShadowMargin::keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const {
+  if (shadow.is_none()) return false;
   if (is_none()) return true;
   const double size = this->size(shadow);
   return std::ranges::all_of(shadow.filter_planes().first(shadow.plane_count()), [&](const kernel::FilterPlane& plane) {
@@ -47,6 +48,7 @@ bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Aabb
 bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) const { return keeps_in(shadow, box); }
 
 bool ShadowMargin::keeps(const kernel::ShadowUnion& shadows, const Box& box) const {
+  if (shadows.first.is_none() && shadows.second.is_none()) return false;
   if (is_none()) return true;
   const kernel::Aabb moved = grown(outer_box(box), std::max(size(shadows.first), size(shadows.second)));
   return kernel::overlap_certified(shadows, moved, kernel::NearBoundary::open).relation == kernel::Relation::inside;

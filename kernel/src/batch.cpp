@@ -184,6 +184,7 @@ HWY_AFTER_NAMESPACE();
 namespace occlude::kernel {
 namespace {
 
+  if (frustum.is_none()) return static_cast<void>(std::ranges::fill(out, Relation::partial));
 HWY_EXPORT(BoxesAgainstFrustum);
 HWY_EXPORT(FrustaAgainstBox);
 
@@ -253,7 +254,8 @@ FrustumBatch::FrustumBatch(std::span<const ShadowFrustum> frusta) : frusta_(frus
   for (std::size_t i = 0; i < frusta.size(); ++i) {
     const Vec3& origin = frusta[i].origin();
     const auto& [slope, base] = frusta[i].filter_bound();
-    const std::array frame{origin.x, origin.y, origin.z, slope, base};
+    // Of a frustum that was never made no value is known: it is left to the test of a single box.
+    const std::array frame{origin.x, origin.y, origin.z, slope, frusta[i].is_none() ? HUGE_VAL : base};
     for (std::size_t k = 0; k < frame.size(); ++k) frames_[k * stride_ + i] = frame[k];
     // Beyond every bound: a plane that no box reaches.
     const FilterPlane none{.normal = {}, .magnitudes = {}, .offset = HUGE_VAL, .farther = {}};

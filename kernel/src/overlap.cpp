@@ -50,8 +50,13 @@ bool is_parted_by_profile(const ShadowFrustum& frustum, const Obb& box, const Fr
   return visit_profile(frustum, {box.half_edges, false}, sign_along, parts);
 }
 
+/// Of a frustum that was never made.
+constexpr Decision kNotKnown{Relation::partial, Stage::filter};
+
 template <class A, class Box>
 Decision certified_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  if (frustum.is_none()) [[unlikely]]
+    return kNotKnown;
   const auto frame = frame_of<A>(box, frustum.origin());
   Decision decision = box_planes_certified(frustum, box, frame, near);
   if (decision.relation == Relation::partial && is_parted_by_profile(frustum, box, frame, decision.stage)) {
@@ -62,6 +67,8 @@ Decision certified_overlap(const ShadowFrustum& frustum, const Box& box, NearBou
 
 template <class A, class Box>
 Decision certified_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  if (frustum.is_none()) [[unlikely]]
+    return kNotKnown;
   return box_planes_certified(frustum, box, frame_of<A>(box, frustum.origin()), near);
 }
 

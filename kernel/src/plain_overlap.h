@@ -14,13 +14,14 @@ namespace occlude::kernel {
 
 template <class A, class Box>
 [[nodiscard]] Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
+  if (frustum.is_none()) return Relation::partial;
   return box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
 }
 
 template <class A, class Box>
 [[nodiscard]] Relation plain_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
   const Relation by_planes = plain_conservative<A>(frustum, box, near);
-  if (by_planes != Relation::partial) return by_planes;
+  if (by_planes != Relation::partial || frustum.is_none()) return by_planes;
   return edge_frustum<A>(frustum, box) || edge_slab<A>(frustum, box) ? Relation::partial : Relation::outside;
 }
 

@@ -112,6 +112,7 @@ bool edge_meets_occludee(const ShadowFrustum& frustum, const ConvexPolytope& occ
 
 Decision overlap_certified(const ShadowFrustum& frustum, const ConvexPolytope& occludee, NearBoundary near) {
   Stage stage = Stage::filter;
+  if (frustum.is_none()) return {Relation::partial, stage};
   const NearSide side = near_side(frustum, occludee, stage);
   if (side.is_before) return {Relation::outside, stage};
   if (const auto seen = ViewCone::make(frustum.viewpoint(), occludee).cone) {

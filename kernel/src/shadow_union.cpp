@@ -113,8 +113,9 @@ Decision union_overlap(const ShadowUnion& shadows, const Box& box, NearBoundary 
   Decision decision{Relation::partial, first.stage == Stage::exact ? first.stage : second.stage};
   if (first.relation == Relation::outside && second.relation == Relation::outside) {
     decision.relation = Relation::outside;
-  } else if (first.relation == Relation::partial && second.relation == Relation::partial &&
-             !has_corner_outside(shadows, box, near) && is_covered(shadows, box, near, decision.stage)) {
+  } else if (first.relation == Relation::partial && second.relation == Relation::partial && !shadows.first.is_none() &&
+             !shadows.second.is_none() && !has_corner_outside(shadows, box, near) &&
+             is_covered(shadows, box, near, decision.stage)) {
     decision.relation = Relation::inside;
   }
   return decision;

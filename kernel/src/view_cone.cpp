@@ -35,6 +35,7 @@ ViewConeResult ViewCone::make(const Viewpoint& viewpoint, const ConvexPolytope& 
 ConeOverlap overlap_certified(const ViewCone& occluder, const ViewCone& occludee) {
   Stage stage = Stage::filter;
   const auto orientation = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
+  if (occluder.corners().empty() || occludee.corners().empty()) return {Relation::partial, std::nullopt, Stage::filter};
     return sign_at(side_plane(occluder.viewpoint(), p, q), r, &stage);
   };
   ConeOverlap result = ConeSweep(orientation, occluder.corners(), occludee.corners()).overlap();

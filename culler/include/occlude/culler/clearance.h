@@ -12,7 +12,7 @@ namespace occlude::culler {
 
 /// How far a box is on the inner side of all the planes of a shadow: units of the scene.
 struct Clearance {
-  double distance = 0;    ///< up to rounding; negative: how far a corner sticks out
+  double distance = 0;    ///< up to rounding; negative: how far a corner sticks out, infinitely where there is no shadow
   std::size_t plane = 0;  ///< the nearest: those of the near side first, then one for each edge of the silhouette
 };
 
@@ -20,7 +20,7 @@ struct Clearance {
 [[nodiscard]] Clearance clearance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box);
 
 /// No more than the distance of the box, which is in the shadow, from any of the shadow's planes, whatever was rounded; 0
-/// where no more is certain. For every cull of a frame: takes one root.
+/// where no more is certain or there is no shadow (ShadowFrustum::is_none()). For every cull of a frame: takes one root.
 [[nodiscard]] double certain_distance(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box);
 [[nodiscard]] double certain_distance(const kernel::ShadowFrustum& shadow, const kernel::Obb& box);
 

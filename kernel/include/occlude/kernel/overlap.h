@@ -17,7 +17,8 @@ struct Decision {
 /// drawn. The definition of the shadow frustum is `closed`.
 enum class NearBoundary { closed, open };
 
-/// Relation of `box` to `frustum`. REQUIRES: check(box) == Refusal::none.
+/// Relation of `box` to `frustum`; `partial` where frustum.is_none(). REQUIRES: check(box) == Refusal::none, which is not
+/// checked, and rounding to nearest (validity.h).
 ///
 /// Properties of `certified`:
 /// (1) overlap: exactly the relation of the two sets of real numbers, touching being `partial` unless the box is inside.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "occlude/kernel/convex_polytope.h"
@@ -62,6 +63,10 @@ class ShadowFrustum {
 
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
   /// What the planes in doubles are relative to: the eye, or a corner of the silhouette for directions.
+  /// Whether there is no frustum here: none was made yet, or it was moved elsewhere. Then it hides nothing: every test
+  /// answers `partial`.
+  [[nodiscard]] bool is_none() const { return plane_count_ == 0; }
+
   [[nodiscard]] const Vec3& origin() const { return origin_; }
   /// The corners that matter, clockwise seen from the viewpoint (right-handed axes): side i passes through corners i, i + 1.
   [[nodiscard]] std::span<const Vec3> silhouette() const { return silhouette_; }
@@ -93,9 +98,27 @@ class ShadowFrustum {
   void finish();
 
   Viewpoint viewpoint_;
+  /// A number that a move leaves at zero, as it leaves a vector empty.
+  class Count {
+   public:
+    Count(std::size_t value = 0) : value_(value) {}  // NOLINT(google-explicit-constructor): a number like any other
+    Count(const Count&) = default;
+    Count& operator=(const Count&) = default;
+    Count(Count&& other) noexcept : value_(std::exchange(other.value_, 0)) {}
+    Count& operator=(Count&& other) noexcept {
+      value_ = std::exchange(other.value_, 0);
+      return *this;
+    }
+    ~Count() = default;
+    operator std::size_t() const { return value_; }  // NOLINT(google-explicit-constructor)
+
+   private:
+    std::size_t value_;
+  };
+
   Vec3 origin_;
   std::vector<Vec3> silhouette_;
-  std::size_t near_count_ = 0, plane_count_ = 0;
+  Count near_count_, plane_count_;
   std::vector<PlaneRecipe> recipes_;
   std::vector<FilterPlane> filter_planes_;
   std::vector<RefinedPlane> refined_planes_;

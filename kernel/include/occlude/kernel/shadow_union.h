@@ -16,7 +16,8 @@ struct ShadowUnion {
 
 /// Relation of `box` to the union, exact: `inside` also when each frustum hides a part of the box and both together all of
 /// it. With NearBoundary::open `inside` is said only when true, for boxes that both shadows share at a near plane not
-/// always. REQUIRES: check(box) == Refusal::none.
+/// always. A frustum that is_none() adds nothing to the union, whose border is not known then: it is never `outside`.
+/// REQUIRES: check(box) == Refusal::none, which is not checked, and rounding to nearest (validity.h).
 [[nodiscard]] Decision overlap_certified(const ShadowUnion& shadows, const Aabb& box,
                                          NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Decision overlap_certified(const ShadowUnion& shadows, const Obb& box,

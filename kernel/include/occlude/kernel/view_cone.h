@@ -28,7 +28,7 @@ class ViewCone {
   /// Refuses what ShadowFrustum::make() refuses. The proof that a loop is convex takes the square of the number of corners.
   [[nodiscard]] static ViewConeResult make(const Viewpoint& viewpoint, std::span<const Vec3> loop);
   [[nodiscard]] static ViewConeResult make(const Viewpoint& viewpoint, const ConvexPolytope& polytope);
-  /// The rays that the side planes of a shadow frustum bound.
+  /// The rays that the side planes of a shadow frustum bound; no cone where frustum.is_none().
   explicit ViewCone(const ShadowFrustum& frustum);
 
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
@@ -66,12 +66,13 @@ using CommonRay = std::variant<OccluderCorner, OccludeeCorner, Crossing>;
 
 struct ConeOverlap {
   Relation relation = Relation::outside;
-  std::optional<CommonRay> common;  ///< unless they are `outside`
+  std::optional<CommonRay> common;  ///< none where they are `outside`, or where one is no cone
   Stage stage = Stage::filter;
 };
 
 /// Relation of the cone of an occludee to that of an occluder, exactly: `inside` when it is a subset, `outside` when they
-/// share no ray. Linear in the number of corners of both. REQUIRES: both have the same viewpoint.
+/// share no ray; `partial` where one is no cone. Linear in the number of corners of both. REQUIRES: both have the same
+/// viewpoint, and rounding to nearest (validity.h).
 [[nodiscard]] ConeOverlap overlap_certified(const ViewCone& occluder, const ViewCone& occludee);
 
 }  // namespace occlude::kernel
