@@ -80,7 +80,8 @@ std::optional<Vec3> exact_middle(const Vec3& a, const Vec3& b) {
   return middle;
 }
 
-/// The ways to write a loop that leave its first vertex the first, which settles ties among the farthest.
+/// Ways to write a loop that leave its first vertex the first. Where several vertices are equally far the near plane of
+/// `farthest` is the same only if it is the first of them in both; so it is in all rows, of which none has a tie without it.
 std::vector<Loop> other_loops(const Loop& loop) {
   Loop reversed(loop.rbegin(), loop.rend());
   std::rotate(reversed.begin(), reversed.end() - 1, reversed.end());
@@ -140,6 +141,30 @@ TEST(Overlap, TieAmongFarthestGoesToTheFirstCorner) {
     const ShadowFrustum shadow = frustum({Viewpoint::eye({0, 0, 0}), corners, Near::farthest, touching});
     EXPECT_EQ(fuzz::overlap(shadow, touching).relation, Relation::inside);
     EXPECT_EQ(fuzz::overlap(shadow, before).relation, Relation::outside);
+  }
+}
+
+/// What overlap.h says of loops that go the other way round: with `surface` they are the same, with `farthest` unless
+/// several vertices are exactly equally far.
+TEST(Overlap, ReversingALoopChangesTiesAmongTheFarthestAlone) {
+  const Loop tied{{2, 0, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}, {2, -1, -1}};
+  Loop clear = tied;
+  clear[1].y = std::nextafter(1.0, 2);  // the farthest now
+  const fuzz::Box box = degenerate::point({2.75, 0.5, 0});
+  const auto relation = [&](const Loop& loop, Near near) {
+    return fuzz::overlap(frustum({Viewpoint::eye({0, 0, 0}), loop, near, box}), box).relation;
+  };
+  const auto reversed = [](const Loop& loop) { return Loop{loop[0], loop[4], loop[3], loop[2], loop[1]}; };
+  EXPECT_EQ(relation(tied, Near::farthest), Relation::inside);
+  EXPECT_EQ(relation(reversed(tied), Near::farthest), Relation::outside) << "the tie";
+  EXPECT_EQ(relation(clear, Near::farthest), relation(reversed(clear), Near::farthest));
+  for (const Loop& loop : {tied, clear}) {
+    Loop turned = loop;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      EXPECT_EQ(relation(turned, Near::surface), Relation::inside);
+      EXPECT_EQ(relation(Loop(turned.rbegin(), turned.rend()), Near::surface), Relation::inside);
+    }
   }
 }
 

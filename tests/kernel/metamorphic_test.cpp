@@ -61,7 +61,8 @@ std::vector<fuzz::Case> exact_copies(const fuzz::Case& c) {
   return copies;
 }
 
-/// Whether no vertex comes near to being as far as the farthest, so that the order of the vertices cannot matter.
+/// Whether no vertex comes near to being as far as the farthest, so that the order of the vertices cannot matter: it decides
+/// which of several equally far ones gives the near plane of `farthest` (overlap.h).
 bool has_clear_farthest(const Viewpoint& viewpoint, const Loop& loop) {
   std::vector<double> distances;
   for (const Vec3& v : loop) {

@@ -24,7 +24,9 @@ enum class NearBoundary { closed, open };
 /// (1) overlap: exactly the relation of the two sets of real numbers, touching being `partial` unless the box is inside.
 /// (2) conservative: `inside` and `outside` are exactly true; whatever no single plane of the frustum decides is `partial`.
 /// (3) The answer depends on the sets alone: permuting axes, mirroring, scaling by a power of two, exact translation,
-///     reversing the loop, repeated or collinear vertices change nothing.
+///     repeated or collinear vertices change nothing. Nor does it matter which way round the loop goes and where it begins:
+///     with Near::surface never, with Near::farthest unless several vertices of the silhouette are exactly as far as the
+///     farthest. Of these the first in the input gives the near plane, and the order of the input decides which that is.
 /// (4) A box within another that is `inside` is `inside`.
 /// `plain` is wrong where rounding makes it so.
 [[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box,
