@@ -4,8 +4,9 @@
 add_library(occlude_options INTERFACE)
 target_compile_features(occlude_options INTERFACE cxx_std_20)
 target_compile_options(occlude_options INTERFACE
-  # A contracted a*b+c rounds once instead of twice and differs between machines; the error bounds would still hold, but the
-  # `plain` arithmetic and every figure in the files would no longer be the same everywhere.
+  # A contracted a*b+c rounds once instead of twice. The error-free operations (kernel/src/error_free.h) work out what each
+  # rounding loses: should the compiler leave one out, what they give is no longer exact, and the exact stage is wrong. The
+  # filter's bounds would still hold, but `plain` and every figure in the files would differ between machines.
   -ffp-contract=off
   # Whoever embeds us may compile with -ffast-math; the kernel's arithmetic must not be rearranged.
   -fno-fast-math)

@@ -178,6 +178,7 @@ bool has_on_left(std::span<const Vec3> v, Index from, Index to, const Side& left
 ConvexPolytopeResult ConvexPolytope::make(const Polytope& polytope) {
   const auto refuse = [](Refusal refusal) { return ConvexPolytopeResult{std::nullopt, refusal}; };
   const std::vector<Vec3>& v = polytope.vertices;
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return refuse(refusal);
   if (const Refusal refusal = check(v); refusal != Refusal::none) return refuse(refusal);
   const std::vector<Index> first = first_at_same_place(v);
   std::vector<Side> sides;

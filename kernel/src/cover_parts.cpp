@@ -105,6 +105,7 @@ CoverParts in_units_for(const CoverParts& parts, double extent) {
 CoverResult Cover::make(const Viewpoint& viewpoint, std::span<const Polygon> polygons,
                         const std::optional<HalfSpace>& drawn) {
   const auto refused = [](Refusal refusal) { return CoverResult{std::nullopt, refusal}; };
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return refused(refusal);
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refused(refusal);
   for (const Polygon& polygon : polygons) {
     if (const Refusal refusal = check(polygon); refusal != Refusal::none) return refused(refusal);

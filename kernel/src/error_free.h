@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Error-free transformations: a rounded result and, exactly, what rounding lost (Knuth 1969, Dekker 1971).
 //
-// REQUIRES: round to nearest, no overflow, no underflow: the legal range (validity.h) guarantees both.
+// REQUIRES: round to nearest (validity.h), operations as they are written (cmake/compile_options.cmake), no overflow, no
+// underflow: the legal range (validity.h) guarantees the last two.
 #pragma once
 
 #include <cmath>
@@ -38,10 +39,10 @@ struct TwoTerms {
   return {high, a - high};
 }
 
-/// a * b. With a fused multiply-add in the instruction set it is one instruction; either way gives the same two numbers.
+/// a * b. Where a fused multiply-add is fast it is one more instruction; either way gives the same two numbers.
 [[nodiscard]] inline TwoTerms two_product(double a, double b) {
   const double high = a * b;
-#ifdef __FMA__
+#ifdef __FP_FAST_FMA
   return {high, std::fma(a, b, -high)};
 #else
   const auto [a1, a2] = split(a);

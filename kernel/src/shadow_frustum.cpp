@@ -84,6 +84,7 @@ void ShadowFrustum::begin(const Viewpoint& viewpoint, std::span<const Vec3> corn
 }
 
 Refusal ShadowFrustum::assign(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return refusal;
   if (const Refusal refusal = check(loop); refusal != Refusal::none) return refusal;
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refusal;
   Scratch scratch;
@@ -111,6 +112,7 @@ Refusal ShadowFrustum::assign(const Viewpoint& viewpoint, std::span<const Vec3> 
 
 Refusal ShadowFrustum::assign(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                               PolytopeSilhouette& seen) {
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return refusal;
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refusal;
   seen.update(viewpoint, polytope);
   if (seen.loop().empty()) return Refusal::eye_in_polytope;

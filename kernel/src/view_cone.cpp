@@ -15,6 +15,7 @@ ViewCone::ViewCone(const ShadowFrustum& frustum)
     : viewpoint_(frustum.viewpoint()), corners_(frustum.silhouette().begin(), frustum.silhouette().end()) {}
 
 ViewConeResult ViewCone::make(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(loop); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
   Scratch scratch;
@@ -24,6 +25,7 @@ ViewConeResult ViewCone::make(const Viewpoint& viewpoint, std::span<const Vec3> 
 }
 
 ViewConeResult ViewCone::make(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return {std::nullopt, refusal};
   if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return {std::nullopt, refusal};
   PolytopeSilhouette seen;
   seen.update(viewpoint, polytope);
@@ -33,9 +35,9 @@ ViewConeResult ViewCone::make(const Viewpoint& viewpoint, const ConvexPolytope& 
 }
 
 ConeOverlap overlap_certified(const ViewCone& occluder, const ViewCone& occludee) {
+  if (occluder.corners().empty() || occludee.corners().empty()) return {Relation::partial, std::nullopt, Stage::filter};
   Stage stage = Stage::filter;
   const auto orientation = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
-  if (occluder.corners().empty() || occludee.corners().empty()) return {Relation::partial, std::nullopt, Stage::filter};
     return sign_at(side_plane(occluder.viewpoint(), p, q), r, &stage);
   };
   ConeOverlap result = ConeSweep(orientation, occluder.corners(), occludee.corners()).overlap();

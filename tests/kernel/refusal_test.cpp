@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernel/cube.h"
+#include "kernel/rounding.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 
@@ -194,13 +195,17 @@ Refusal example_of(Refusal reason) {
       return ConvexPolytope::make(changed).refusal;
     case Refusal::eye_in_polytope:
       return ShadowFrustum::make(Viewpoint::eye({3, 0, 0}), *ConvexPolytope::make(whole).polytope, Near::surface).refusal;
+    case Refusal::rounding_mode: {
+      const occlude::WithRounding upward(FE_UPWARD);
+      return from_origin(triangle);
+    }
   }
   return Refusal::none;
 }
 
 TEST(Refusal, EveryReasonHasAnExampleAndAText) {
   std::set<std::string_view> texts;
-  constexpr int kReasons = static_cast<int>(Refusal::eye_in_polytope) + 1;
+  constexpr int kReasons = static_cast<int>(Refusal::rounding_mode) + 1;
   for (int i = 0; i < kReasons; ++i) {
     const auto reason = static_cast<Refusal>(i);
     EXPECT_EQ(to_string(example_of(reason)), to_string(reason));

@@ -31,7 +31,7 @@ class ConvexPolytope {
   /// inner side of every face, every piece of an edge belongs to two faces, and no two faces overlap. Faces may be split
   /// into coplanar parts, turn either way round, meet other faces' corners along their edges, and carry repeated or
   /// collinear vertices. Refuses with not_finite, out_of_range, bad_face_index, too_few_vertices, polytope_not_convex,
-  /// polytope_not_closed.
+  /// polytope_not_closed, rounding_mode.
   [[nodiscard]] static ConvexPolytopeResult make(const Polytope& polytope);
 
   [[nodiscard]] std::span<const Vec3> vertices() const { return vertices_; }

@@ -9,7 +9,8 @@
 namespace occlude::kernel {
 
 /// Relation of the polytope to the frustum, exactly, as the function of the same name answers for boxes. The viewpoint may
-/// lie in the polytope. `stage` is that of the answer; the polytope's silhouette is preparation, like the frustum's.
+/// lie in the polytope. REQUIRES: rounding to nearest (validity.h). `stage` is that of the answer; the polytope's silhouette
+/// is preparation, like the frustum's.
 [[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const ConvexPolytope& occludee,
                                          NearBoundary near = NearBoundary::closed);
 

@@ -22,7 +22,8 @@ class PolytopeSilhouette {
   };
 
   /// Moves on to this viewpoint. Asks the faces along the silhouette last seen and those that it moves across; all of them
-  /// the first time. REQUIRES: a legal viewpoint, and the same polytope at every call.
+  /// the first time. REQUIRES: a legal viewpoint, which is not checked, rounding to nearest
+  /// (validity.h), and the same polytope at every call.
   void update(const Viewpoint& viewpoint, const ConvexPolytope& polytope);
 
   /// In ascending order.

@@ -44,12 +44,13 @@ class ShadowFrustum {
   /// Builds the frustum of the convex polygon `loop` (in order, either way round) seen from `viewpoint`, any number of
   /// sides. Everything is decided exactly; repeated vertices and vertices in line with their neighbours change nothing.
   /// Refuses, with the reason, non-finite or out-of-range numbers, fewer than three distinct silhouette vertices, a loop
-  /// that is not convex seen from the viewpoint, a viewpoint in the polygon's plane, a zero direction.
+  /// that is not convex seen from the viewpoint, a viewpoint in the polygon's plane, a zero direction, and every frustum
+  /// while the processor does not round to nearest (validity.h).
   [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near);
 
   /// Builds the frustum of a convex polytope. Its silhouette runs between faces turned to the viewpoint and faces that are
   /// not; a face seen edge-on is not turned to it. Refuses non-finite or out-of-range numbers, a viewpoint in the polytope,
-  /// a zero direction.
+  /// a zero direction, and every frustum while the processor does not round to nearest.
   [[nodiscard]] static ShadowFrustumResult make(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near);
 
   /// The same into a frustum that is there, whose memory is used again: from frame to frame nothing is allocated. Returns

@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Which inputs the kernel answers for, and the reasons for which it refuses the others. Reading order: 2.
+//
+// What checks: everything that makes something of its input, ShadowFrustum, ConvexPolytope, ViewCone and Cover, and the
+// questions about a Cover. They refuse and say why. What does not: questions about boxes, points and half-spaces, which are
+// asked millions of times a second. They REQUIRE check() == Refusal::none of what they are given. Of other numbers their
+// answers mean nothing, but nothing is read or written out of place, whatever the numbers are.
+//
+// Rounding: everything REQUIRES that the processor rounds to nearest, as it does unless told otherwise; in other modes error
+// bounds and exact sums are void. What checks its input checks that too, and refuses. So a program that runs in another mode
+// has nothing to ask about. A program that changes the mode between making and asking has to change it back.
 #pragma once
 
 #include <bit>
@@ -25,6 +34,7 @@ enum class Refusal {
   polytope_not_convex,
   polytope_not_closed,
   eye_in_polytope,
+  rounding_mode,
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Refusal refusal) {
@@ -53,6 +63,8 @@ enum class Refusal {
       return "polytope is not closed";
     case Refusal::eye_in_polytope:
       return "viewpoint lies in the polytope";
+    case Refusal::rounding_mode:
+      return "processor does not round to nearest";
   }
   return "";
 }
@@ -62,6 +74,10 @@ enum class Refusal {
 /// 2^(6 * 101 + 12): neither underflows (2^-1022) nor overflows (2^1024).
 inline constexpr double kMinMagnitude = 0x1p-100;
 inline constexpr double kMaxMagnitude = 0x1p+100;
+
+/// Refusal::rounding_mode while the calling thread's additions are not rounded to nearest: asked of the additions
+/// themselves, for whoever sets the mode may have told the processor alone and not the library of C. Takes a nanosecond.
+[[nodiscard]] Refusal check_rounding();
 
 /// By the bits, which order magnitudes as numbers do: whoever embeds the kernel may have set the processor to take the
 /// smallest numbers for zero, or have told the compiler that there is no infinity.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Another rounding mode of the processor, for tests that everything notices it.
+#pragma once
+
+#include <array>
+#include <cfenv>
+
+namespace occlude {
+
+/// The mode as long as this lives.
+class WithRounding {
+ public:
+  explicit WithRounding(int mode) : before_(std::fegetround()) { std::fesetround(mode); }
+  ~WithRounding() { std::fesetround(before_); }
+  WithRounding(const WithRounding&) = delete;
+  WithRounding& operator=(const WithRounding&) = delete;
+
+ private:
+  int before_;
+};
+
+inline constexpr std::array kOtherRoundings{FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+
+}  // namespace occlude
