@@ -197,9 +197,16 @@ class BoxBehindCover {
   bool was_exact_ = false;
 };
 
+/// Integers are as long as their numbers are far apart: of others than legal ones they could fill the memory.
+template <class Box>
+Decision decide_legal(const Cover& cover, const Box& box) {
+  if (check(box) != Refusal::none) return {Relation::partial, Stage::filter};
+  return BoxBehindCover(cover.parts(), box).decide();
+}
+
 }  // namespace
 
-Decision overlap_certified(const Cover& cover, const Aabb& box) { return BoxBehindCover(cover.parts(), box).decide(); }
-Decision overlap_certified(const Cover& cover, const Obb& box) { return BoxBehindCover(cover.parts(), box).decide(); }
+Decision overlap_certified(const Cover& cover, const Aabb& box) { return decide_legal(cover, box); }
+Decision overlap_certified(const Cover& cover, const Obb& box) { return decide_legal(cover, box); }
 
 }  // namespace occlude::kernel

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -58,7 +57,8 @@ class Expansion {
 
  private:
   /// Compressed terms stand at least 53 binary places apart. The lowest bit of an input is at least 2^-152 and the kernel
-  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 12), which 30 terms span.
+  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 12), which 30 terms span. Of numbers that
+  /// are not legal there may be more; then the sum means nothing, and the terms beyond are dropped.
   static constexpr std::size_t kCapacity = 32;
 
   struct View {
@@ -131,13 +131,14 @@ class Expansion {
       if (term != 0) terms_[size_++] = term;
     }
 
-    std::array<double, 3 * kCapacity> terms_;
+    /// scale() leaves twice its terms and a carry, add() the terms of both and a carry: at most those of a product so far
+    /// and of an expansion scaled. That not one of them is zero takes numbers that are not legal, NaN for one.
+    std::array<double, 3 * kCapacity + 2> terms_;
     std::size_t size_ = 0;
   };
 
   void append(double term) {
-    if (term == 0) return;
-    assert(size_ < kCapacity);
+    if (term == 0 || size_ == kCapacity) return;
     terms_[size_++] = term;
   }
   [[nodiscard]] View view() const { return {terms_.data(), size_}; }

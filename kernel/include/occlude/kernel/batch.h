@@ -13,7 +13,7 @@
 
 namespace occlude::kernel {
 
-/// Axis-aligned boxes, coordinate by coordinate. REQUIRES of every box: check(box) == Refusal::none.
+/// Axis-aligned boxes, coordinate by coordinate. REQUIRES of every box: check(box) == Refusal::none; not checked.
 class BoxBatch {
  public:
   explicit BoxBatch(std::span<const Aabb> boxes);
@@ -32,7 +32,7 @@ class BoxBatch {
 };
 
 /// relation[i] becomes the relation of box i to the frustum, as the function of the same name answers for one box.
-/// REQUIRES: relation.size() == boxes.size().
+/// REQUIRES: relation.size() == boxes.size(), and rounding to nearest (validity.h).
 void conservative_certified(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near,
                             std::span<Relation> relation);
 void overlap_certified(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near, std::span<Relation> relation);
@@ -61,7 +61,8 @@ class FrustumBatch {
   std::vector<double> planes_, frames_;
 };
 
-/// relation[i] becomes the relation of the box to frustum i. REQUIRES: relation.size() == frusta.size().
+/// relation[i] becomes the relation of the box to frustum i. REQUIRES: relation.size() == frusta.size(), rounding to nearest
+/// and check(box) == Refusal::none; not checked.
 void conservative_certified(const FrustumBatch& frusta, const Aabb& box, NearBoundary near, std::span<Relation> relation);
 void overlap_certified(const FrustumBatch& frusta, const Aabb& box, NearBoundary near, std::span<Relation> relation);
 

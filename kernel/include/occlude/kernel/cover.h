@@ -45,7 +45,8 @@ struct CoverResult {
 };
 
 /// `inside` when every point of the box is in the shadow, else `partial`, exactly. The time grows with the square of the
-/// number of polygons before the box, and with the pieces into which they cut it. REQUIRES: check(box) == Refusal::none.
+/// number of polygons before the box, and with the pieces into which they cut it. A box of which check() is not
+/// Refusal::none is `partial`. REQUIRES: rounding to nearest (validity.h), as when the cover was made.
 ///
 /// Properties:
 /// (1) What is on a polygon is not in its shadow. A box that holds the viewpoint is in no shadow.

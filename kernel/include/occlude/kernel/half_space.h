@@ -12,7 +12,8 @@ struct HalfSpace {
   double offset = 0;
 };
 
-/// `inside` when all of the box is in the half-space, `outside` when none of it is; exact for `certified`.
+/// `inside` when all of the box is in the half-space, `outside` when none of it is; exact for `certified`. REQUIRES:
+/// coefficients within the legal range, check(box) == Refusal::none, which are not checked, and rounding to nearest.
 [[nodiscard]] Relation relation(const HalfSpace& half_space, const Aabb& box, Arithmetic arithmetic);
 [[nodiscard]] Relation relation(const HalfSpace& half_space, const Obb& box, Arithmetic arithmetic);
 
