@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "batch_values-inl.h"
 #include "occlude/kernel/batch.h"
 
 #ifndef OCCLUDE_BATCH_ONCE
@@ -20,8 +21,6 @@
 namespace occlude::kernel {
 namespace {
 
-/// No vector is taken longer, so that what is read and written beyond the end is bounded.
-constexpr std::size_t kMaxLanes = 32;
 /// So many tests run between two rounds of finishing what is left.
 constexpr std::size_t kChunk = 1024;
 
@@ -44,10 +43,6 @@ namespace occlude::kernel {
 namespace {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, kMaxLanes>;
-using Vector = hn::Vec<Doubles>;
 using Mask = hn::Mask<Doubles>;
 
 /// What the filter knows of the tests in the lanes of a vector: inside when none of these is set.
@@ -86,12 +81,6 @@ HWY_INLINE void store(const Lanes& lanes, std::size_t first, std::size_t count, 
   }
 }
 
-/// Sums and differences of the bounds of the boxes in the lanes, relative to the origin of a frustum: twice their centres
-/// and twice their half extents, in which both extremal vertices of every plane are alike to find.
-struct Block {
-  Vector center_x, center_y, center_z, extent_x, extent_y, extent_z;
-};
-
 HWY_INLINE Block load_block(const BoxBatch& boxes, std::size_t first, const Vec3& origin) {
   const Doubles d;
   const auto relative = [&](std::size_t k, double o) {
@@ -100,20 +89,6 @@ HWY_INLINE Block load_block(const BoxBatch& boxes, std::size_t first, const Vec3
   const Vector x0 = relative(0, origin.x), y0 = relative(1, origin.y), z0 = relative(2, origin.z);
   const Vector x1 = relative(3, origin.x), y1 = relative(4, origin.y), z1 = relative(5, origin.z);
   return {hn::Add(x0, x1), hn::Add(y0, y1), hn::Add(z0, z1), hn::Sub(x1, x0), hn::Sub(y1, y0), hn::Sub(z1, z0)};
-}
-
-/// Twice the values of a plane at the centres of the boxes, and twice what it gains from there to a vertex at most.
-struct Values {
-  Vector center, spread;
-};
-
-HWY_INLINE Values values(const Block& block, const FilterPlane& plane) {
-  const Doubles d;
-  const Vector nx = hn::Set(d, plane.normal.x), ny = hn::Set(d, plane.normal.y), nz = hn::Set(d, plane.normal.z);
-  const Vector z = hn::MulAdd(nz, block.center_z, hn::Set(d, 2 * plane.offset));
-  return {hn::MulAdd(nx, block.center_x, hn::MulAdd(ny, block.center_y, z)),
-          hn::MulAdd(hn::Abs(nx), block.extent_x,
-                     hn::MulAdd(hn::Abs(ny), block.extent_y, hn::Mul(hn::Abs(nz), block.extent_z)))};
 }
 
 /// Moves the boxes that planes of the profile part from the frustum from straddling to outside.
@@ -184,7 +159,6 @@ HWY_AFTER_NAMESPACE();
 namespace occlude::kernel {
 namespace {
 
-  if (frustum.is_none()) return static_cast<void>(std::ranges::fill(out, Relation::partial));
 HWY_EXPORT(BoxesAgainstFrustum);
 HWY_EXPORT(FrustaAgainstBox);
 
@@ -210,6 +184,7 @@ void in_chunks(std::size_t size, std::span<Relation> out, const Run& run, const 
 }
 
 void relate(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near, Test test, std::span<Relation> out) {
+  if (frustum.is_none()) return static_cast<void>(std::ranges::fill(out, Relation::partial));
   const double reach = reach_of(boxes.bounds(), frustum.origin());
   in_chunks(
       boxes.size(), out,

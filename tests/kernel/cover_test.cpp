@@ -23,7 +23,7 @@ using Polygons = std::vector<Cover::Polygon>;
 
 const Viewpoint kOrigin = Viewpoint::eye({0, 0, 0});
 const Viewpoint kAlongX = Viewpoint::direction({1, 0, 0});
-const double kUlpMore = std::nextafter(0.0, 1) + 0x1p-60;
+constexpr double kGap = 0x1p-60;
 
 /// The rectangle at this x, from (y0, z0) to (y1, z1).
 Cover::Polygon wall(double x, double y0, double y1, double z0 = -1, double z1 = 1) {
@@ -76,10 +76,10 @@ const Row kRows[] = {
     {"across_a_common_edge", kOrigin, {wall(2, -1, 0), wall(2, 0, 1)}, {{4, -1, -1}, {5, 1, 1}}, inside, exact},
     {"along_parallel_rays", kAlongX, {wall(2, -1, 0), wall(2, 0, 1)}, {{4, -1, -1}, {5, 1, 1}}, inside, exact},
     {"walls_that_overlap", kOrigin, {wall(2, -1, 0.25), wall(2, 0, 1)}, {{4, -1, -1}, {5, 1, 1}}, inside, exact},
-    {"a_gap_of_2^-60", kOrigin, {wall(2, -1, 0), wall(2, kUlpMore, 1)}, {{4, -1, -1}, {5, 1, 1}}, partial, exact},
+    {"a_gap_of_2^-60", kOrigin, {wall(2, -1, 0), wall(2, kGap, 1)}, {{4, -1, -1}, {5, 1, 1}}, partial, exact},
     {"which_something_else_closes",
      kOrigin,
-     {wall(2, -1, 0), wall(2, kUlpMore, 1), wall(3, -0.5, 0.5, -2, 2)},
+     {wall(2, -1, 0), wall(2, kGap, 1), wall(3, -0.5, 0.5, -2, 2)},
      {{4, -1, -1}, {5, 1, 1}},
      inside,
      exact},
@@ -118,7 +118,7 @@ const Row kRows[] = {
      exact},
     {"which_leave_an_ulp",
      kOrigin,
-     {{{2, -1, 0}, {2, 0, 0}, {2, 0, 0}}, {{3, kUlpMore, 0}, {3, 2, 0}, {2.5, 1, 0}}},
+     {{{2, -1, 0}, {2, 0, 0}, {2, 0, 0}}, {{3, kGap, 0}, {3, 2, 0}, {2.5, 1, 0}}},
      {{4, -2, 0}, {4, 2, 0}},
      partial,
      exact},

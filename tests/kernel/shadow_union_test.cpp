@@ -26,7 +26,7 @@ struct Row {
   Relation relation;
 };
 
-const double kUlp = std::nextafter(0.0, 1) + 0x1p-60;
+constexpr double kGap = 0x1p-60;
 
 const Row kRows[] = {
     {"in_the_first_alone", 0, 1, {{4, -2, -1}, {5, -1, 1}}, Relation::inside},
@@ -35,7 +35,7 @@ const Row kRows[] = {
     {"one_ulp_beyond_both", 0, 1, {{4, -2, -2}, {5, std::nextafter(2.0, 3), 2}}, Relation::partial},
     {"face_on_the_near_plane", 0, 1, {{2, -1, -1}, {3, 1, 1}}, Relation::inside},
     {"before_the_near_plane", 0, 1, {{std::nextafter(2.0, 1), -1, -1}, {3, 1, 1}}, Relation::partial},
-    {"a_gap_of_2^-60", kUlp, 1, {{4, -1, -1}, {5, 1, 1}}, Relation::partial},
+    {"a_gap_of_2^-60", kGap, 1, {{4, -1, -1}, {5, 1, 1}}, Relation::partial},
     {"walls_that_overlap", -0.5, 1, {{4, -2, -2}, {5, 2, 2}}, Relation::inside},
     {"in_neither_touching_both", 0, 1, {{4, -1, 2}, {4, 1, 3}}, Relation::partial},
     {"in_neither", 0, 1, {{4, -1, 3}, {5, 1, 4}}, Relation::outside},

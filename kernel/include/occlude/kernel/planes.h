@@ -16,6 +16,8 @@ namespace occlude::kernel {
 struct ExactPlane {
   bool direct = false;
   Vec3 a_to, a_from, b_to, b_from, origin;
+
+  friend bool operator==(const ExactPlane&, const ExactPlane&) = default;
 };
 
 /// Through the edge in which side `side` meets the one near plane, parallel to `axis`: the positive combination
@@ -23,6 +25,8 @@ struct ExactPlane {
 struct CutEdgePlane {
   std::uint32_t side;  ///< number of the plane
   Vec3 axis;
+
+  friend bool operator==(const CutEdgePlane&, const CutEdgePlane&) = default;
 };
 
 /// Parallel to `face`, through the point in which the frustum's edge through a corner of the silhouette meets the one near
@@ -30,6 +34,8 @@ struct CutEdgePlane {
 struct CutVertexPlane {
   std::uint32_t corner;
   ExactPlane face;
+
+  friend bool operator==(const CutVertexPlane&, const CutVertexPlane&) = default;
 };
 
 using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
@@ -38,6 +44,8 @@ using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 /// they are off by at most slope * reach + base (error_bounds.h).
 struct FilterBound {
   double slope = 0, base = 0;
+
+  friend bool operator==(const FilterBound&, const FilterBound&) = default;
 };
 
 /// A plane in doubles, for points relative to the origin of the frustum, each coordinate rounded once. It is scaled by a
@@ -47,6 +55,8 @@ struct FilterPlane {
   double offset = 0;
   /// Where CornerFrame keeps the coordinates of the vertex farthest along the normal: axis + (0 for min, 4 for max).
   std::array<std::uint8_t, 4> farther{};
+
+  friend bool operator==(const FilterPlane&, const FilterPlane&) = default;
 };
 
 /// The next 53 bits of the same: |N - (normal of the filter plane + normal)| <= slope in sum of components, the offset
@@ -54,12 +64,16 @@ struct FilterPlane {
 struct RefinedPlane {
   Vec3 normal;
   double offset = 0, slope = 0, base = 0;
+
+  friend bool operator==(const RefinedPlane&, const RefinedPlane&) = default;
 };
 
 /// An edge of the frustum as the paper's tests take it: from a point to another, or from a point along a direction.
 struct PlainEdge {
   Vec3 from, to;
   bool is_ray = false;  ///< `to` is a direction
+
+  friend bool operator==(const PlainEdge&, const PlainEdge&) = default;
 };
 
 }  // namespace occlude::kernel

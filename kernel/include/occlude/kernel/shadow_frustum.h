@@ -28,6 +28,8 @@ enum class Near { farthest, surface };
 /// The near plane as numbers, for those who prove a cull from the outside: shadow where normal . (x - point) >= 0.
 struct SupportPlane {
   Vec3 normal, point;
+
+  friend bool operator==(const SupportPlane&, const SupportPlane&) = default;
 };
 
 struct ShadowFrustumResult;
@@ -39,6 +41,8 @@ class ShadowFrustum {
   struct CapEdge {
     Vec3 from, to;
     std::uint32_t left, right;
+
+    friend bool operator==(const CapEdge&, const CapEdge&) = default;
   };
 
   /// Builds the frustum of the convex polygon `loop` (in order, either way round) seen from `viewpoint`, any number of
@@ -59,15 +63,15 @@ class ShadowFrustum {
   [[nodiscard]] Refusal assign(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                                PolytopeSilhouette& seen);
 
+  /// Whether there is no frustum here: none was made yet, or it was moved elsewhere. Then it hides nothing: every test
+  /// answers `partial`.
+  [[nodiscard]] bool is_none() const { return plane_count_ == 0; }
+
   /// Makes room for so many planes, sides and faces: up to that assign() allocates nothing even the first time.
   void reserve(std::size_t planes);
 
   [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
   /// What the planes in doubles are relative to: the eye, or a corner of the silhouette for directions.
-  /// Whether there is no frustum here: none was made yet, or it was moved elsewhere. Then it hides nothing: every test
-  /// answers `partial`.
-  [[nodiscard]] bool is_none() const { return plane_count_ == 0; }
-
   [[nodiscard]] const Vec3& origin() const { return origin_; }
   /// The corners that matter, clockwise seen from the viewpoint (right-handed axes): side i passes through corners i, i + 1.
   [[nodiscard]] std::span<const Vec3> silhouette() const { return silhouette_; }
@@ -94,11 +98,6 @@ class ShadowFrustum {
   [[nodiscard]] const std::optional<SupportPlane>& support_plane() const { return support_plane_; }
 
  private:
-  void begin(const Viewpoint& viewpoint, std::span<const Vec3> corners);
-  void add_sides();
-  void finish();
-
-  Viewpoint viewpoint_;
   /// A number that a move leaves at zero, as it leaves a vector empty.
   class Count {
    public:
@@ -117,6 +116,11 @@ class ShadowFrustum {
     std::size_t value_;
   };
 
+  void begin(const Viewpoint& viewpoint, std::span<const Vec3> corners);
+  void add_sides();
+  void finish();
+
+  Viewpoint viewpoint_;
   Vec3 origin_;
   std::vector<Vec3> silhouette_;
   Count near_count_, plane_count_;
