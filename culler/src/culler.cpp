@@ -17,8 +17,8 @@ namespace occlude::culler {
 namespace {
 
 const PolygonSoup& checked(const PolygonSoup& soup) {
-  if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
   require_legal(soup);
+  if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
   return soup;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which models the cullers take.
+// Which models the cullers take, and in which rounding mode.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -11,9 +12,38 @@
 
 namespace occlude::culler {
 
-/// Throws std::invalid_argument, with the vertex and the reason, for a coordinate that is not finite or out of the kernel's
-/// legal range.
+/// Throws std::runtime_error while the processor does not round to nearest.
+inline void require_rounding() {
+  if (const auto refusal = kernel::check_rounding(); refusal != kernel::Refusal::none) {
+    throw std::runtime_error(std::string(kernel::to_string(refusal)));
+  }
+}
+
+/// Throws std::invalid_argument, with the polygon and the reason, unless the soup is well formed (polygon_soup.h).
+inline void require_well_formed(const PolygonSoup& soup) {
+  const auto refuse = [](std::size_t polygon, const std::string& reason) {
+    throw std::invalid_argument("polygon " + std::to_string(polygon) + ": " + reason);
+  };
+  if (soup.first.empty() || soup.first[0] != 0) throw std::invalid_argument("the soup's `first` does not begin with 0");
+  for (std::size_t p = 0; p < soup.size(); ++p) {
+    const std::size_t begin = soup.first[p], end = soup.first[p + 1];
+    if (end < begin || end > soup.indices.size()) refuse(p, "its corners are not among the indices");
+    if (end - begin < 3) refuse(p, "fewer than 3 corners");
+    for (std::size_t i = begin; i < end; ++i) {
+      if (soup.indices[i] >= soup.vertices.size()) {
+        refuse(p, "corner " + std::to_string(i - begin) + " is vertex " + std::to_string(soup.indices[i]) + " of " +
+                      std::to_string(soup.vertices.size()));
+      }
+    }
+  }
+  if (soup.first.back() != soup.indices.size()) throw std::invalid_argument("the soup has indices after its last polygon");
+}
+
+/// Throws as both, and std::invalid_argument, with the vertex and the reason, for a coordinate that is not finite or out of
+/// the kernel's legal range.
 inline void require_legal(const PolygonSoup& soup) {
+  require_rounding();
+  require_well_formed(soup);
   for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
     if (const auto refusal = kernel::check(to_kernel(soup.vertices[v])); refusal != kernel::Refusal::none) {
       throw std::invalid_argument("vertex " + std::to_string(v) + ": " + std::string(kernel::to_string(refusal)));

@@ -22,9 +22,10 @@ class LazyTriangles;
 /// Const calls may run on several threads at once.
 class Culler {
  public:
-  /// Throws std::invalid_argument, with the vertex and the reason, for a soup that is empty or has a coordinate that is not
-  /// finite or out of the kernel's legal range, and for a grid that cannot be. Seconds for millions of polygons: what
-  /// `checkpoint` throws meanwhile comes out.
+  /// Throws std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
+  /// (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a grid that cannot
+  /// be; std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h). Seconds for millions
+  /// of polygons: what `checkpoint` throws meanwhile comes out.
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
   /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
   Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint = {});

@@ -76,9 +76,10 @@ class Scene {
  public:
   using Config = SceneConfig;
 
-  /// Any of the three may be empty. Throws std::invalid_argument, with the place and the reason, for a vertex that is not
-  /// legal and for a box that the kernel refuses, or, of an oriented one, the axis-aligned box around it. What
-  /// `checkpoint` throws while the scene is prepared comes out.
+  /// Any of the three may be empty. Throws std::invalid_argument, with the place and the reason, for a soup
+  /// that is not well formed (polygon_soup.h), for a vertex that is not legal and for a box that the kernel refuses, or, of
+  /// an oriented one, the axis-aligned box around it. What `checkpoint` throws while the scene is prepared comes out. Throws
+  /// std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h).
   Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config = {}, const Checkpoint& checkpoint = {});
   ~Scene();
   Scene(Scene&&) noexcept;
