@@ -14,6 +14,7 @@
 
 #include "bounds.h"
 #include "cover_frame.h"
+#include "legal_soup.h"
 #include "node_tests.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
@@ -23,13 +24,22 @@
 
 namespace occlude::culler {
 
-/// What all frames begin with: the half-spaces of the view, and an empty result. Throws std::invalid_argument for a camera
-/// with a fault(), and leaves the last frame as it was.
+/// Throws std::invalid_argument for a camera with a fault(), std::runtime_error while the processor does not round to
+/// nearest.
+inline void require_sound(const Camera& camera) {
+  require_rounding();
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
+}
+
+/// What all frames begin with: the half-spaces of the view, and an empty result. Throws as require_sound(), and leaves the
+/// last frame as it was.
 inline double begin_frame(std::span<const HierarchyNode> nodes, const Camera& camera, const CullOptions& options,
                           View::Memory& memory) {
-  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
+  require_sound(camera);
   memory.begin_frame();
   const double reach = nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
+  memory.eye = camera.eye;
+  memory.reach = reach;
   append_view_frustum(camera, reach, memory.result.view);
   memory.result.method = Method::frusta;
   memory.result.margin = ShadowMargin(camera, options.margin, reach);

@@ -68,7 +68,8 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
 }
 
 const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
-  View::Memory& memory = view.memory();
+  require_sound(camera);
+  View::Memory& memory = view.memory_for(identity_);
   if (options.method == Method::cover) {
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);

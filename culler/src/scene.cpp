@@ -77,7 +77,8 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options, SceneView& view) const {
-  View::Memory& memory = view.view_.memory();
+  require_sound(camera);
+  View::Memory& memory = view.view_.memory_for(identity_);
   const auto ask = [&](std::uint32_t node, auto&& question) { return objects_->ask(node, question); };
   // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };

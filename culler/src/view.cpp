@@ -2,17 +2,20 @@
 #include "occlude/culler/view.h"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "bounds.h"
+#include "legal_soup.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/validity.h"
 #include "outer_box.h"
+#include "single_precision.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -21,10 +24,17 @@ namespace {
 using kernel::NearBoundary;
 using kernel::Relation;
 
+/// The half-spaces have a margin for what reaches as far as the model. A box that reaches farther has them moved outwards by
+/// its own, which is enough for what the sum loses: their offset has room for more roundings than it took. Normals are no
+/// longer than 1.
 template <class AnyBox>
-bool is_out_of_view(const CullResult& frame, const AnyBox& box) {
-  return std::ranges::any_of(frame.view, [&](const HalfSpace& h) {
-    return kernel::relation({to_kernel(h.normal), h.offset}, box, kernel::Arithmetic::certified) == Relation::outside;
+bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
+  const double own_reach = depth(outer_box(box), memory.eye);
+  const double moved = own_reach > memory.reach ? kDepthMargin * own_reach : 0;
+  return std::ranges::any_of(memory.result.view, [&](const HalfSpace& h) {
+    const double offset = h.offset + moved;
+    if (kernel::check(offset) != kernel::Refusal::none) return false;
+    return kernel::relation({to_kernel(h.normal), offset}, box, kernel::Arithmetic::certified) == Relation::outside;
   });
 }
 
@@ -49,10 +59,21 @@ bool hides_any(const CoverBuffer& cover, const kernel::Aabb& box) {
 
 }  // namespace
 
+Identity::Identity() {
+  static std::atomic<std::uint64_t> made = 0;
+  number_ = ++made;
+}
+
 View::View() : memory_(std::make_unique<Memory>()) {}
 View::~View() = default;
 View::View(View&&) noexcept = default;
 View& View::operator=(View&&) noexcept = default;
+
+View::Memory& View::memory_for(const Identity& owner) {
+  if (owner_ != owner) *memory_ = Memory();
+  owner_ = owner;
+  return *memory_;
+}
 
 const CullResult& View::result() const { return memory_->result; }
 
@@ -61,14 +82,15 @@ Visibility View::visibility(const Box& box) const {
     return memory_->result.method == Method::cover ? hides_any(memory_->cover, outer_box(b))
                                                    : is_in_shadow(memory_->result, b);
   };
+  require_rounding();
   return std::visit(
       [&](const auto& b) {
         if (const kernel::Refusal refusal = kernel::check(b); refusal != kernel::Refusal::none) {
           throw std::invalid_argument(std::string(kernel::to_string(refusal)));
         }
-        return is_out_of_view(memory_->result, b) ? Visibility::out_of_view
-               : is_hidden(b)                     ? Visibility::occluded
-                                                  : Visibility::visible;
+        return is_out_of_view(*memory_, b) ? Visibility::out_of_view
+               : is_hidden(b)              ? Visibility::occluded
+                                           : Visibility::visible;
       },
       box);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <unordered_map>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct SeenLeaf {
 
 struct View::Memory {
   CullResult result;
+  glm::dvec3 eye{};  ///< of the frame
+  double reach = 0;  ///< depth() of all that its half-spaces are about
   OccluderHistory history;
   CandidateOrder order;
   std::unordered_map<std::uint32_t, kernel::PolytopeSilhouette> silhouettes;  ///< of shells, by occluder

@@ -23,6 +23,127 @@ using namespace occlude;
 using namespace occlude::culler;
 using kernel::Aabb;
 
+Camera camera_at(int frame) {
+  Camera camera;
+  camera.eye = {-40.0 + frame, 1, 2};
+  camera.target = camera.eye + glm::dvec3{1, 0.1, 0};
+  return camera;
+}
+
+void expect_same(const CullResult& a, const CullResult& b) {
+  EXPECT_EQ(a.drawn, b.drawn);
+  ASSERT_EQ(a.occluders.size(), b.occluders.size());
+  for (std::size_t i = 0; i < a.occluders.size(); ++i) {
+    EXPECT_EQ(a.occluders[i].index, b.occluders[i].index);
+    EXPECT_EQ(a.occluders[i].hidden, b.occluders[i].hidden);
+  }
+  EXPECT_EQ(a.stats.sort_kept, b.stats.sort_kept);
+  EXPECT_EQ(a.stats.silhouette_faces_asked, b.stats.silhouette_faces_asked);
+  EXPECT_EQ(a.stats.cover_triangles, b.stats.cover_triangles);
+}
+
+constexpr int kFrames = 6;
+
+/// Walks with one view through each thing in turn, and holds every frame against those of a view that saw that thing alone.
+template <class AnyView, class Thing>
+void expect_foreign_views_start_anew(const std::vector<const Thing*>& things) {
+  for (const Method method : {Method::frusta, Method::cover}) {
+    CullOptions options;
+    options.method = method;
+    AnyView shared;
+    for (const Thing* thing : things) {
+      AnyView own;
+      for (int i = 0; i < kFrames; ++i) {
+        thing->cull(camera_at(i), options, shared);
+        thing->cull(camera_at(i), options, own);
+        if constexpr (std::is_same_v<AnyView, View>) {
+          expect_same(shared.result(), own.result());
+        } else {
+          expect_same(shared.frame(), own.frame());
+          EXPECT_EQ(shared.result().statics, own.result().statics);
+          EXPECT_EQ(shared.result().dynamics, own.result().dynamics);
+        }
+        ASSERT_FALSE(testing::Test::HasFailure()) << "frame " << i;
+      }
+    }
+  }
+}
+
+TEST(View, StartsAnewWithAnotherCuller) {
+  const Culler large(random_town_of_houses(1, 3000)), small(random_town_of_houses(2, 120)), other(random_town(3, 3000));
+  expect_foreign_views_start_anew<View, Culler>({&large, &small, &other, &large});
+}
+
+/// A copy is the same culler: there is nothing to forget.
+TEST(View, GoesOnWithACopy) {
+  const Culler culler(random_town_of_houses(1, 1000));
+  const Culler copy = culler;  // NOLINT(performance-unnecessary-copy-initialization)
+  View both, one;
+  for (int i = 0; i < kFrames; ++i) {
+    (i % 2 == 0 ? culler : copy).cull(camera_at(i), {}, both);
+    culler.cull(camera_at(i), {}, one);
+    expect_same(both.result(), one.result());
+  }
+  EXPECT_GT(one.result().stats.sort_kept, 0U);
+}
+
+TEST(View, KeepsItsLastFrameWhenAForeignCameraIsFaulty) {
+  const Culler first(random_town(1, 500)), second(random_town(2, 50));
+  View view;
+  const CullResult frame = first.cull(camera_at(0), {}, view);
+  Camera faulty = camera_at(0);
+  faulty.target = faulty.eye;
+  EXPECT_THROW(second.cull(faulty, {}, view), std::invalid_argument);
+  expect_same(view.result(), frame);
+}
+
+std::vector<Box> boxes(std::size_t count) {
+  std::vector<Box> result;
+  std::mt19937 random(5);
+  for (std::size_t i = 0; i < count; ++i) {
+    const kernel::Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 5)};
+    result.push_back(Aabb{at, {at.x + 1, at.y + 1, at.z + 1}});
+  }
+  return result;
+}
+
+TEST(SceneView, StartsAnewWithAnotherScene) {
+  const auto many = boxes(2000), few = boxes(20);
+  const Scene large({.statics = many, .dynamics = few}, random_town_of_houses(1, 2000));
+  const Scene small({.statics = few, .dynamics = {}}, random_town_of_houses(2, 100));
+  const Scene empty({}, {});
+  expect_foreign_views_start_anew<SceneView, Scene>({&large, &small, &empty, &large});
+}
+
+/// With an opening of 90 degrees the border of the picture is y = x, and the half-space there leans by what the tangent of
+/// 45 degrees is rounded by: far beyond the model it is before the border.
+TEST(View, NothingInThePictureIsOutOfViewHoweverFar) {
+  PolygonSoup soup;
+  add_wall(soup, 2, -1, 1, -1, 1);
+  const Culler culler(soup);
+  for (const Method method : {Method::frusta, Method::cover}) {
+    CullOptions options;
+    options.method = method;
+    View view;
+    Camera camera;
+    camera.eye = {0, 0, 0};
+    camera.target = {1, 0, 0};
+    camera.fov_y_deg = 90;
+    camera.aspect = 1;
+    culler.cull(camera, options, view);
+    for (double x = 1; x < 0x1p99; x *= 2) {
+      for (const double y : {x, -x}) {
+        EXPECT_NE(view.visibility(Aabb{{x, y, 0}, {x, y, 0}}), Visibility::out_of_view) << x;
+        EXPECT_NE(view.visibility(Aabb{{x, 0, y}, {x, 0, y}}), Visibility::out_of_view) << x;
+        if (x > 2) {
+          EXPECT_EQ(view.visibility(Aabb{{x / 2, y, 0}, {x / 2, y, 0}}), Visibility::out_of_view) << x;
+        }
+      }
+      EXPECT_EQ(view.visibility(Aabb{{-x, 0, 0}, {-x, 0, 0}}), Visibility::out_of_view) << x;
+    }
+  }
+}
+
 PolygonSoup triangle() {
   PolygonSoup soup;
   add(soup, {{2, -1, -1}, {2, 1, -1}, {2, 0, 1}});
@@ -63,6 +184,41 @@ TEST(Soup, IsRefusedUnlessWellFormed) {
 TEST(Soup, NumbersDoNotWrap) {
   EXPECT_EQ(PolygonSoup::narrowed(4294967295U), 4294967295U);
   EXPECT_THROW(static_cast<void>(PolygonSoup::narrowed(4294967296U)), std::length_error);
+}
+
+TEST(Clearance, WithoutAShadowThereIsNone) {
+  const kernel::ShadowFrustum none;
+  const Aabb box{{3, 0, 0}, {4, 1, 1}};
+  const kernel::Obb oriented{{3, 0, 0}, {}};
+  EXPECT_EQ(clearance(none, box).distance, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(clearance(none, oriented).distance, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(certain_distance(none, box), 0);
+  EXPECT_EQ(certain_distance(none, oriented), 0);
+  for (const ShadowMargin& margin : {ShadowMargin(), ShadowMargin(camera_at(0), 0.01, 100)}) {
+    EXPECT_FALSE(margin.keeps(none, box));
+    EXPECT_FALSE(margin.keeps(none, oriented));
+    EXPECT_FALSE(margin.keeps(kernel::ShadowUnion{none, none}, box));
+  }
+}
+
+TEST(Rounding, NothingIsCulledUnlessToNearest) {
+  const Culler culler(triangle());
+  const Scene scene({}, triangle());
+  View view;
+  SceneView scene_view;
+  culler.cull(camera_at(0), {}, view);
+  for (const int mode : kOtherRoundings) {
+    const WithRounding other(mode);
+    for (const Method method : {Method::frusta, Method::cover}) {
+      CullOptions options;
+      options.method = method;
+      EXPECT_THROW(culler.cull(camera_at(1), options, view), std::runtime_error);
+      EXPECT_THROW(scene.cull(camera_at(1), options, scene_view), std::runtime_error);
+    }
+    EXPECT_THROW(static_cast<void>(view.visibility(Aabb{{3, 0, 0}, {3, 0, 0}})), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(Culler(triangle())), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(Scene({}, triangle())), std::runtime_error);
+  }
 }
 
 }  // namespace

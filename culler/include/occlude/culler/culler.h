@@ -35,12 +35,15 @@ class Culler {
   void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
-  /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault().
+  /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault(),
+  /// and std::runtime_error while the processor does not round to nearest.
   [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
   /// The same for the next frame of a camera that moves: occluders are chosen by what they hid in the frames before, which
-  /// culls far more. Returns view.result().
+  /// culls far more. Returns view.result(). A view that was used with another culler or scene starts anew.
   const CullResult& cull(const Camera& camera, const CullOptions& options, View& view) const;
+
+  // What follows REQUIRES that `frame` is one of this culler, which is not checked.
 
   /// Calls `visit` for every test of a box against a shadow that `frame` took, in the order of the traversal. `options` are
   /// those of the frame.
@@ -71,6 +74,7 @@ class Culler {
  private:
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
 
+  Identity identity_;
   BuildConfig config_;
   Hierarchy hierarchy_;
   PotentialOccluders occluders_;

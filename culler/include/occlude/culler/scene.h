@@ -89,7 +89,8 @@ class Scene {
   void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for the next frame of this camera. After some frames along a path nothing is allocated any more. Returns
-  /// view.result(). Throws std::invalid_argument for a camera with a fault(), and the view keeps its last frame.
+  /// view.result(). A view that was used with another scene starts anew. Throws std::invalid_argument for a camera with a
+  /// fault(), std::runtime_error while the processor does not round to nearest, and the view keeps its last frame.
   const SceneResult& cull(const Camera& camera, const CullOptions& options, SceneView& view) const;
 
   /// Where the object is from the next update() on; until then the scene is as it was. Threads may set different objects at
@@ -108,6 +109,7 @@ class Scene {
   [[nodiscard]] const PotentialOccluders& occluders() const { return occluders_; }
 
  private:
+  Identity identity_;
   std::unique_ptr<ObjectTree> objects_;
   PolygonSoup soup_;
   PotentialOccluders occluders_;

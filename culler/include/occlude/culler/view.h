@@ -2,6 +2,8 @@
 // One camera as it moves: its last frame, and what is kept of it for the next. Reading order: 11.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "occlude/culler/box.h"
@@ -15,8 +17,23 @@ enum class Visibility {
   out_of_view,  ///< all of it is beyond a half-space of the view
 };
 
-/// A view belongs to one camera and one culler, and to one thread at a time; different views may be culled at once. After
-/// some frames along a path nothing is allocated any more.
+/// Tells the cullers and scenes of a program from each other, so that a view notices which of them it is used with. A copy
+/// holds the same and is the same.
+class Identity {
+ public:
+  Identity();
+  friend bool operator==(const Identity&, const Identity&) = default;
+
+ private:
+  friend class View;
+  Identity(std::nullptr_t) {}  ///< of no culler
+
+  std::uint64_t number_ = 0;
+};
+
+/// A view belongs to one camera, and to one thread at a time; different views may be culled at once. Used with another
+/// culler or scene than in the frame before it starts anew, as if it had just been made. After some frames along a path
+/// nothing is allocated any more.
 class View {
  public:
   View();
@@ -29,17 +46,21 @@ class View {
 
   /// What the last frame makes of any box, say of something about to be created: by the same half-spaces and occluders, or
   /// cover, with its margin, and certified whatever the frame was. Shadows are strictly beyond their near planes. Everything
-  /// is visible before the first frame. A box that reaches farther than all that the culler knows may be out of view by a
-  /// plane that rounding, in its last digits, has tilted before it. Many threads may ask one view at a time, between its
-  /// frames. Throws std::invalid_argument for a box that the kernel refuses.
+  /// is visible before the first frame. For a box that reaches farther than all that the culler knows the half-spaces are
+  /// taken as much larger as they would be, had the culler known of it. Many threads may ask one view at a time, between its
+  /// frames. Throws std::invalid_argument for a box that the kernel refuses, std::runtime_error while the processor does not
+  /// round to nearest (occlude/kernel/validity.h).
   [[nodiscard]] Visibility visibility(const Box& box) const;
 
   /// For the cullers alone: src/view_memory.h.
   struct Memory;
   [[nodiscard]] Memory& memory() const { return *memory_; }
+  /// The same for a frame of this culler or scene: empty unless the frame before was one of it.
+  [[nodiscard]] Memory& memory_for(const Identity& owner);
 
  private:
   std::unique_ptr<Memory> memory_;
+  Identity owner_{nullptr};
 };
 
 }  // namespace occlude::culler
