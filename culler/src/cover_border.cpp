@@ -135,29 +135,33 @@ void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
   }
 }
 
-/// A bit for each column whose degree is not 0.
-std::uint64_t nonzero(const std::uint8_t* degrees) {
-  const hn::CappedTag<std::uint8_t, kTile> d;
-  std::uint64_t result = 0;
-  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Ne(hn::LoadU(d, degrees + i), hn::Zero(d)), bits);
-    result |= std::uint64_t{bits[0]} << i;
-  }
-  return result;
+using BytesTag = hn::CappedTag<std::uint8_t, kTile>;
+
+/// A bit for each degree that is not 0.
+HWY_INLINE std::uint64_t nonzero(hn::Vec<BytesTag> degrees) {
+  const BytesTag d;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, hn::Ne(degrees, hn::Zero(d)), bits);
+  return bits[0];
 }
 
-/// Adds the turns of each row to the degrees, and finds those that are not 0.
+/// The pixels whose degree is not 0 where the border has drawn nothing: the same in each row.
+std::uint64_t close(const std::uint8_t* degrees) {
+  const BytesTag d;
+  std::uint64_t row = 0;
+  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) row |= nonzero(hn::LoadU(d, degrees + i)) << i;
+  return row * 0x0101010101010101U;
+}
+
+/// Those that it does not touch; adds the turns of each row to the degrees.
 std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
-  const hn::CappedTag<std::uint8_t, kTile> d;
+  const BytesTag d;
   std::uint64_t closed = 0;
   for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
     auto sums = hn::LoadU(d, degrees + i);
     for (std::size_t row = 0; row < kTile; ++row) {
       sums = hn::Add(sums, hn::LoadU(d, tile.turns[row].data() + i));
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, hn::Ne(sums, hn::Zero(d)), bits);
-      closed |= std::uint64_t{bits[0]} << (row * kTile + i);
+      closed |= nonzero(sums) << (row * kTile + i);
     }
     hn::StoreU(sums, d, degrees + i);
   }
@@ -173,7 +177,7 @@ void find_closed(const BorderTiles& tiles, const PixelRectangle& r, std::uint8_t
       if (tile.border == tiles.border) {
         bits = close(tile, degrees + x * kTile);
       } else {
-        bits = nonzero(degrees + x * kTile) * 0x0101010101010101U;  // in each row
+        bits = close(degrees + x * kTile);
       }
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cover_frame.h"
 
+#include "occlude/culler/append_range.h"
+
 namespace occlude::culler {
 namespace {
 
@@ -69,13 +71,8 @@ void CoverFrame::cull(std::span<const HierarchyNode> nodes, const Culled& culled
 }
 
 void CoverFrame::draw(const HierarchyNode& leaf) {
-  CullResult& result = memory_.result;
-  result.stats.drawn_polygons += leaf.count;
-  if (!result.drawn.empty() && result.drawn.back().first + result.drawn.back().count == leaf.first) {
-    result.drawn.back().count += leaf.count;
-  } else {
-    result.drawn.push_back({leaf.first, leaf.count});
-  }
+  memory_.result.stats.drawn_polygons += leaf.count;
+  append_range(memory_.result.drawn, {leaf.first, leaf.count});
 }
 
 }  // namespace occlude::culler

@@ -92,6 +92,7 @@ class CoverReplay {
 
 void Culler::append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                            std::vector<CoverWitness>& witnesses) const {
+  require_sound(camera);
   const auto ask = [&](std::uint32_t node, auto&& question) { return hierarchy_.ask(node, question); };
   View::Memory memory;
   const CoverSource source{hierarchy_.nodes(), triangles()};

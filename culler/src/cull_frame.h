@@ -31,11 +31,9 @@ inline void require_sound(const Camera& camera) {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
 }
 
-/// What all frames begin with: the half-spaces of the view, and an empty result. Throws as require_sound(), and leaves the
-/// last frame as it was.
+/// What all frames begin with: the half-spaces of the view, and an empty result. REQUIRES: require_sound(camera).
 inline double begin_frame(std::span<const HierarchyNode> nodes, const Camera& camera, const CullOptions& options,
                           View::Memory& memory) {
-  require_sound(camera);
   memory.begin_frame();
   const double reach = nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
   memory.eye = camera.eye;

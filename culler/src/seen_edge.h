@@ -33,8 +33,6 @@ class SeenEdge {
         wide_(error_ + 0x1p-49 * (std::fabs(low_.x) + std::fabs(high_.x))),
         whole_{std::min(low_.x, high_.x) - wide_, std::max(low_.x, high_.x) + wide_} {}
 
-  [[nodiscard]] double low() const { return low_.y; }
-  [[nodiscard]] double high() const { return high_.y; }
   [[nodiscard]] double error() const { return error_; }
   /// By which a place on it is out across.
   [[nodiscard]] double wide() const { return wide_; }

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 
@@ -144,12 +145,7 @@ class Traversal {
   }
 
   void draw(const HierarchyNode& node) {
-    auto& drawn = result_.drawn;
-    if (!drawn.empty() && drawn.back().first + drawn.back().count == node.first) {
-      drawn.back().count += node.count;
-    } else {
-      drawn.push_back({node.first, node.count});
-    }
+    append_range(result_.drawn, {node.first, node.count});
     result_.stats.drawn_polygons += node.count;
     for (const std::uint32_t p : holding_) probes_[p].hidden += node.count;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "occlude/culler/culler.h"
+#include "walk/means.h"
 #include "walk/walker.h"
 
 namespace occlude::experiments {
@@ -12,20 +13,6 @@ namespace {
 using render::FrameRecord;
 using render::WalkResult;
 
-template <class Number>
-double mean(const WalkResult& walk, Number FrameRecord::*member) {
-  double sum = 0;
-  for (const FrameRecord& record : walk.frames) sum += static_cast<double>(record.*member);
-  return sum / static_cast<double>(walk.frames.size());
-}
-
-std::optional<double> hidden_culled(const WalkResult& walk, double drawn) {
-  const double viewed = mean(walk, &FrameRecord::view_frustum_polygons),
-               visible = mean(walk, &FrameRecord::visible_polygons);
-  if (viewed <= visible) return std::nullopt;
-  return (viewed - drawn) / (viewed - visible);
-}
-
 /// What a walk says of its method, or of another member of its frames.
 MethodRow row(const std::string& name, const WalkResult& walk, bool is_drawn, std::size_t FrameRecord::*drawn,
               double FrameRecord::*cull_ms, double FrameRecord::*frame_ms) {
@@ -33,7 +20,8 @@ MethodRow row(const std::string& name, const WalkResult& walk, bool is_drawn, st
   row.name = name;
   row.drawn = mean(walk, drawn);
   if (is_drawn) {
-    row.hidden_culled = hidden_culled(walk, row.drawn);
+    const double viewed = mean(walk, &FrameRecord::view_frustum_polygons), hidden = mean_hidden(walk);
+    if (hidden > 0) row.hidden_culled = (viewed - row.drawn) / hidden;
     row.frame_ms = mean(walk, frame_ms);
   }
   if (cull_ms == nullptr) return row;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "means.h"
 #include "occlude/render/machine.h"
 #include "occlude/render/printable.h"
 
@@ -15,13 +16,6 @@ namespace occlude::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-template <class Member>
-double mean(const WalkResult& result, Member&& member) {
-  double sum = 0;
-  for (const FrameRecord& record : result.frames) sum += static_cast<double>(member(record));
-  return sum / static_cast<double>(result.frames.size());
-}
 
 template <class Member>
 std::size_t total(const WalkResult& result, Member&& member) {
@@ -107,15 +101,13 @@ std::string table2_text(const Json& summary) {
 Json summarise(const WalkResult& result, const WalkOptions& options, const std::string& model) {
   const bool rendered = options.render;
   const auto if_rendered = [&](auto value) { return rendered ? Json(value) : Json(nullptr); };
-  const auto mean_of = [&](auto member) { return mean(result, [&](const FrameRecord& r) { return r.*member; }); };
+  const auto mean_of = [&](auto member) { return mean(result, member); };
   const auto total_of = [&](auto member) { return total(result, [&](const FrameRecord& r) { return r.*member; }); };
 
   const double viewed = mean_of(&FrameRecord::view_frustum_polygons), drawn = mean_of(&FrameRecord::rendered_polygons);
   const double visible = mean_of(&FrameRecord::visible_polygons);
   const double viewed_ms = mean_of(&FrameRecord::view_frustum_frame_ms), frame_ms = mean_of(&FrameRecord::frame_ms);
-  const double hidden = mean(result, [](const FrameRecord& r) {
-    return r.view_frustum_polygons - std::min(r.view_frustum_polygons, r.visible_polygons);
-  });
+  const double hidden = mean_hidden(result);
 
   Json json;
   json["model"] = model;

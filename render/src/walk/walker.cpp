@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "comparison.h"
+#include "occlude/culler/append_range.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
 #include "stopwatch.h"
@@ -87,13 +88,7 @@ class Walker {
   /// Milliseconds that it takes.
   double draw_only(const culler::Camera& camera, const std::vector<std::uint32_t>& polygons) const {
     std::vector<PolygonRange> ranges;
-    for (const std::uint32_t p : polygons) {
-      if (!ranges.empty() && ranges.back().first + ranges.back().count == p) {
-        ++ranges.back().count;
-      } else {
-        ranges.push_back({p, 1});
-      }
-    }
+    for (const std::uint32_t p : polygons) culler::append_range(ranges, {p, 1});
     const Stopwatch drawing;
     const Layer layer{ranges, std::nullopt};
     renderer_->draw(camera, std::span(&layer, 1));

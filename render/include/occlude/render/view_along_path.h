@@ -19,8 +19,9 @@ class ViewAlongPath {
                 const culler::CullOptions& cull)
       : culler_(culler), path_(path), walk_(walk), cull_(cull), next_(walk.begin) {}
 
-  /// The view as the frame finds it, for the caller to cull it: frames before it that were left out are culled now; by cover
-  /// none is, where no frame has a past. REQUIRES: a frame after that of the last call. Throws Interrupted on Ctrl-C.
+  /// The view as the frame finds it, for the caller to cull it: frames before it that were left out are culled now. By
+  /// cover, or without occluders, none is, for no frame has a past there. REQUIRES: a frame after that of the last call.
+  /// Throws Interrupted on Ctrl-C.
   [[nodiscard]] culler::View& before(std::size_t frame);
   [[nodiscard]] const culler::View& view() const { return view_; }
 
