@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "covers.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/oracle/cover.h"
+#include "occlude/oracle/visibility.h"
 #include "to_oracle.h"
 #include "verdict.h"
 
@@ -151,9 +154,32 @@ std::optional<Question> some_question(Random& random) {
   return is_legal ? question : std::nullopt;
 }
 
-std::optional<oracle::HalfSpaceCoefficients> to_oracle(const std::optional<kernel::HalfSpace>& drawn) {
+std::optional<oracle::HalfSpaceCoefficients> coefficients(const std::optional<kernel::HalfSpace>& drawn) {
   if (!drawn) return std::nullopt;
   return oracle::HalfSpaceCoefficients{drawn->normal.x, drawn->normal.y, drawn->normal.z, drawn->offset};
+}
+
+/// Exact visibility, which knows no shadows, of what is said to be hidden: of the faces of the box nothing may show between
+/// the polygons.
+bool shows(const Question& question, const kernel::Aabb& box) {
+  std::vector<oracle::Triangle> triangles;
+  const auto add_fan = [&](const oracle::Loop& loop) {
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) triangles.push_back({loop[0], loop[i], loop[i + 1]});
+  };
+  const auto corner = [&](int bits) {
+    return to_oracle(Vec3{(bits & 1 ? box.max : box.min).x, (bits & 2 ? box.max : box.min).y, (bits & 4 ? box.max : box.min).z});
+  };
+  for (const auto& [a, b] : {std::pair{1, 2}, {2, 4}, {4, 1}}) {
+    const int other = 7 - a - b;
+    add_fan({corner(0), corner(a), corner(a + b), corner(b)});
+    add_fan({corner(other), corner(other + a), corner(7), corner(other + b)});
+  }
+  const auto faces = static_cast<std::ptrdiff_t>(triangles.size());
+  for (const Polygon& polygon : question.polygons) add_fan(to_oracle(polygon));
+  oracle::Picture picture;
+  if (const auto drawn = coefficients(question.drawn)) picture.depth.push_back(*drawn);
+  const std::vector<bool> visible = oracle::visible_triangles(to_oracle(question.viewpoint), triangles, picture);
+  return std::find(visible.begin(), visible.begin() + faces, true) != visible.begin() + faces;
 }
 
 }  // namespace
@@ -168,7 +194,11 @@ void run_covers(std::uint64_t seed, Report& report) {
     const kernel::Decision decision =
         std::visit([&](const auto& kind) { return kernel::overlap_certified(cover, kind); }, box);
     judge(report, "cover", seed, "box " + std::to_string(i), decision.relation, decision.stage,
-          oracle::relation_to_cover(to_oracle(question.viewpoint), polygons, to_oracle(box), to_oracle(question.drawn)));
+          oracle::relation_to_cover(to_oracle(question.viewpoint), polygons, to_oracle(box), coefficients(question.drawn)));
+    const auto* const aabb = std::get_if<kernel::Aabb>(&box);
+    if (aabb == nullptr || decision.relation != kernel::Relation::inside || !is_judged_twice(seed * kGroup + i)) continue;
+    ++report.tally.judged_twice;
+    if (shows(question, *aabb)) add_finding(report, "cover", seed, "second oracle", "box " + std::to_string(i) + " shows");
   }
 }
 

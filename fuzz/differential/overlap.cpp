@@ -16,6 +16,7 @@
 #include "occlude/oracle/second.h"
 #include "rivals.h"
 #include "to_oracle.h"
+#include "verdict.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -29,9 +30,6 @@ constexpr const char* kSecondOracle = "second oracle";
 oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustumResult& made) {
   return {to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made)};
 }
-
-/// Whether a case is for the second oracle too, which is slow: one in a hundred.
-bool is_judged_twice(std::uint64_t number) { return Random(number).bits() % 100 == 0; }
 
 /// One shadow, and what becomes of the boxes put to it.
 class Judgement {

@@ -7,9 +7,13 @@
 #include <string_view>
 
 #include "answers.h"
+#include "occlude/fuzz/random.h"
 #include "report.h"
 
 namespace occlude::fuzz {
+
+/// Whether a case is for the second oracle too, which is slow: one in a hundred.
+[[nodiscard]] inline bool is_judged_twice(std::uint64_t number) { return Random(number).bits() % 100 == 0; }
 
 /// A finding about a question that a case file cannot hold; the family and the seed make it again.
 inline void add_finding(Report& report, std::string_view family, std::uint64_t seed, std::string_view kind,
