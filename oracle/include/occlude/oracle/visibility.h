@@ -16,7 +16,7 @@ using Triangle = std::array<Point, 3>;
 
 /// What a picture has of a scene.
 struct Picture {
-  /// What is outside of one of these, the near and the far plane, neither shows nor hides.
+  /// The near and the far plane. What is outside of one of these, or lies in its plane, neither shows nor hides.
   std::vector<HalfSpaceCoefficients> depth;
   /// What is outside of one of these shows nothing, but may hide: the sides of the picture, which in doubles hardly ever
   /// pass through the viewpoint exactly, and would cut what hides a hair's breadth more than what is hidden.
