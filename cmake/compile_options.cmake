@@ -18,6 +18,12 @@ if(PROJECT_IS_TOP_LEVEL)
   endif()
 endif()
 
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+  # SVE vectors have no size that a compiler knows, so they cannot be members, as ours are. NEON takes their place.
+  target_compile_definitions(occlude_options INTERFACE
+    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+endif()
+
 set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined, thread or several with commas")
 if(OCCLUDE_SANITIZE)
   target_compile_options(occlude_options INTERFACE
