@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs the Debian packages that the project builds with, where they are missing. Needs root or sudo only then.
+# Installs the Debian packages that the project builds with, where they are missing, and the packages that it is given.
+# Needs root or sudo only then. Usage: bash .ci/packages.sh [PACKAGE...]
 set -euo pipefail
 
 packages=(
@@ -11,6 +12,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
   libgtest-dev patch                          # tests
+  "$@"
 )
 
 missing=()

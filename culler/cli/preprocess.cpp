@@ -71,9 +71,9 @@ void preprocess(Arguments& arguments) {
 
 }  // namespace
 
-void add_preprocess(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("preprocess", "Find out once about a model what every walk can use");
-  command->footer(
+void add_preprocess(Command app, int&) {
+  Command command = app.add_command("preprocess", "Find out once about a model what every walk can use");
+  command.footer(
       "Stores the order of the tree, the occluders that each region of space lists, and what they hide as sampled there, "
       "for\n"
       "walk and validate with --preprocess. Nothing in it can make a cull wrong.\n" +
@@ -81,29 +81,25 @@ void add_preprocess(CLI::App& app, int&) {
       "\n"
       "Example: occlude preprocess city.ply --out city.pre");
   const auto a = std::make_shared<Arguments>();
-  add_input(*command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
-  add_output(*command, "--out", a->out, "file to write")->required();
-  a->build.add_to(*command);
-  command->add_option("--regions", a->grid.grid.regions, "regions of space aimed at")
-      ->capture_default_str()
-      ->check(CLI::Range(1.0, 1e7));
-  command->add_option("--threshold", a->grid.grid.threshold, "steradians above which a region lists an occluder")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 10.0));
+  add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
+  add_output(command, "--out", a->out, "file to write").required();
+  a->build.add_to(command);
+  command.add("--regions", a->grid.grid.regions, "regions of space aimed at").show_default().in_range(1.0, 1e7);
+  command.add("--threshold", a->grid.grid.threshold, "steradians above which a region lists an occluder")
+      .show_default()
+      .in_range(1e-6, 10.0);
   command
-      ->add_option("--entries", a->grid.grid.entries,
-                   "most entries of all lists together; where there would be more, the longest keep what looks largest")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30U));
-  command->add_option("--samples", a->samples.viewpoints, "viewpoints sampled in each region: minutes for a large model")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{0}, std::size_t{1000}));
-  command->add_option("--pattern", a->pattern, "how viewpoints are spread")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"even", "random"}));
-  command->add_option("--seed", a->seed, "whole number; same seed, same viewpoints, on any machine")->capture_default_str();
-  command->add_flag("--json", a->json, "print the counts as JSON");
-  command->callback([a] { preprocess(*a); });
+      .add("--entries", a->grid.grid.entries,
+           "most entries of all lists together; where there would be more, the longest keep what looks largest")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{1} << 30U);
+  command.add("--samples", a->samples.viewpoints, "viewpoints sampled in each region: minutes for a large model")
+      .show_default()
+      .in_range(std::size_t{0}, std::size_t{1000});
+  command.add("--pattern", a->pattern, "how viewpoints are spread").show_default().one_of({"even", "random"});
+  command.add("--seed", a->seed, "whole number; same seed, same viewpoints, on any machine").show_default();
+  command.add_flag("--json", a->json, "print the counts as JSON");
+  command.run([a] { preprocess(*a); });
 }
 
 }  // namespace occlude::cli

@@ -55,11 +55,11 @@ std::vector<fuzz::Experiment> chosen(const std::vector<std::string>& families) {
 /// "i/n" as shard i of n.
 void read_shard(const std::string& text, fuzz::Campaign& campaign) {
   const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) throw CLI::ValidationError("--shard", "expected i/n, not " + text);
+  if (slash == std::string::npos) refuse("--shard", "expected i/n, not " + text);
   campaign.shard = whole_number("--shard", text.substr(0, slash));
   campaign.shards = whole_number("--shard", text.substr(slash + 1));
   if (campaign.shard >= campaign.shards || campaign.shards > kMostShards) {
-    throw CLI::ValidationError("--shard", fmt::format("expected i/n with i from 0 to n - 1 and n up to {}", kMostShards));
+    refuse("--shard", fmt::format("expected i/n with i from 0 to n - 1 and n up to {}", kMostShards));
   }
 }
 
@@ -70,7 +70,7 @@ fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
   campaign.jobs = a.jobs;
   const std::uint64_t per_round = experiments * fuzz::kGroup;
   const std::uint64_t cases = whole_number("--cases", a.cases);
-  if (cases == 0 || cases > kMostCases) throw CLI::ValidationError("--cases", fmt::format("expected 1 to {}", kMostCases));
+  if (cases == 0 || cases > kMostCases) refuse("--cases", fmt::format("expected 1 to {}", kMostCases));
   campaign.rounds = a.seconds > 0 ? kMostCases : (cases + per_round - 1) / per_round;
   return campaign;
 }
@@ -260,9 +260,8 @@ void fuzz_command(const Arguments& a, int& exit_code) {
 
 /// From the least that shows anything to a season.
 std::string check_seconds(const std::string& text) {
-  double seconds = 0;
-  const bool is_number = CLI::detail::lexical_cast(text, seconds);
-  return is_number && seconds >= 0.001 && seconds <= 1e7 ? "" : text + " is not from 0.001 to 1e7";
+  const std::optional<double> seconds = parse_number(text);
+  return seconds && *seconds >= 0.001 && *seconds <= 1e7 ? "" : text + " is not from 0.001 to 1e7";
 }
 
 std::string check_family(const std::string& name) {
@@ -273,9 +272,9 @@ std::string check_family(const std::string& name) {
 
 }  // namespace
 
-void add_fuzz(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("fuzz", "Hold kernel and culler against the exact oracle on degenerate cases");
-  command->footer(
+void add_fuzz(Command app, int& exit_code) {
+  Command command = app.add_command("fuzz", "Hold kernel and culler against the exact oracle on degenerate cases");
+  command.footer(
       "Same seed, same cases, for any number of jobs; round r of a run has the seed S + r, so that --seed R --family F "
       "--cases 1\n"
       "makes a finding's group again. Exit code 0 when nothing is wrong, 1 for a finding (its case line is printed and "
@@ -287,30 +286,27 @@ void add_fuzz(CLI::App& app, int& exit_code) {
       "Example: occlude fuzz --seconds 30\n"
       "Example: occlude fuzz --cases 100000000 --shard 3/16 --out part3.json     then: occlude fuzz --merge part*.json");
   const auto a = std::make_shared<Arguments>();
-  CLI::Option* files = add_inputs(*command, "FILE", a->files, "case files to be judged instead of families");
-  CLI::Option* cases = command->add_option(
-      "--cases", a->cases,
-      fmt::format("at least so many, all families alike, 16 or more of each; default {}", kDefaultCases));
-  CLI::Option* seconds =
-      command->add_option("--seconds", a->seconds, "as many as this time allows")->check(check_seconds)->excludes(cases);
-  CLI::Option* family =
-      command->add_option("--family", a->families, "only these families, one or more")->check(check_family);
-  CLI::Option* seed = command->add_option("--seed", a->seed, "whole number")->capture_default_str();
-  CLI::Option* jobs = command->add_option("--jobs", a->jobs, "threads")->capture_default_str()->check(CLI::Range(1U, 1024U));
-  CLI::Option* shard =
-      command->add_option("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
-          ->capture_default_str()
-          ->excludes(seconds);
-  CLI::Option* merged = add_inputs(*command, "--merge", a->merged, "results of shards (--out), to be added up");
-  CLI::Option* stop = command->add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding")->excludes(shard);
-  command->add_option("--findings", a->findings,
-                      "file for the case lines of findings, written when there are any; default fuzz_findings.jsonl, and "
-                      "none for case files; an empty name: none");
-  add_output(*command, "--out", a->out, "file for the results as JSON");
-  command->add_flag("--json", a->json, "print the results as JSON");
-  for (CLI::Option* option : {cases, seconds, family, seed, jobs, shard, stop}) option->excludes(files)->excludes(merged);
-  files->excludes(merged);
-  command->callback([a, &exit_code] { fuzz_command(*a, exit_code); });
+  Option files = add_inputs(command, "FILE", a->files, "case files to be judged instead of families");
+  Option cases =
+      command.add("--cases", a->cases,
+                  fmt::format("at least so many, all families alike, 16 or more of each; default {}", kDefaultCases));
+  Option seconds = command.add("--seconds", a->seconds, "as many as this time allows").check(check_seconds).excludes(cases);
+  Option family = command.add("--family", a->families, "only these families, one or more").check(check_family);
+  Option seed = command.add("--seed", a->seed, "whole number").show_default();
+  Option jobs = command.add("--jobs", a->jobs, "threads").show_default().in_range(std::size_t{1}, std::size_t{1024});
+  Option shard = command.add("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
+                     .show_default()
+                     .excludes(seconds);
+  Option merged = add_inputs(command, "--merge", a->merged, "results of shards (--out), to be added up");
+  Option stop = command.add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding").excludes(shard);
+  command.add("--findings", a->findings,
+              "file for the case lines of findings, written when there are any; default fuzz_findings.jsonl, and "
+              "none for case files; an empty name: none");
+  add_output(command, "--out", a->out, "file for the results as JSON");
+  command.add_flag("--json", a->json, "print the results as JSON");
+  for (Option option : {cases, seconds, family, seed, jobs, shard, stop}) option.excludes(files).excludes(merged);
+  files.excludes(merged);
+  command.run([a, &exit_code] { fuzz_command(*a, exit_code); });
 }
 
 }  // namespace occlude::cli

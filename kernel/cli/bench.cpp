@@ -54,21 +54,19 @@ void bench_kernel(Arguments& arguments) {
 
 }  // namespace
 
-void add_bench_kernel(CLI::App& bench, int&) {
-  CLI::App* kernel =
-      bench.add_subcommand("kernel", "The kernel's tests, certified and plain, beside those of other projects");
-  kernel->footer("Example: occlude bench kernel --boxes 32768 --repetitions 15 --json");
+void add_bench_kernel(Command bench, int&) {
+  Command kernel = bench.add_command("kernel", "The kernel's tests, certified and plain, beside those of other projects");
+  kernel.footer("Example: occlude bench kernel --boxes 32768 --repetitions 15 --json");
   const auto arguments = std::make_shared<Arguments>();
-  kernel->add_option("--boxes", arguments->options.boxes, "boxes in each workload")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{262'144}));
-  kernel->add_option("--repetitions", arguments->options.repetitions, "rounds in which everything is measured once")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-  kernel->add_option("--seed", arguments->seed, "whole number; same seed, same boxes, on any machine")
-      ->capture_default_str();
-  kernel->add_flag("--json", arguments->json, "print everything measured as JSON");
-  kernel->callback([arguments] { bench_kernel(*arguments); });
+  kernel.add("--boxes", arguments->options.boxes, "boxes in each workload")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{262'144});
+  kernel.add("--repetitions", arguments->options.repetitions, "rounds in which everything is measured once")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{1000});
+  kernel.add("--seed", arguments->seed, "whole number; same seed, same boxes, on any machine").show_default();
+  kernel.add_flag("--json", arguments->json, "print everything measured as JSON");
+  kernel.run([arguments] { bench_kernel(*arguments); });
 }
 
 }  // namespace occlude::cli

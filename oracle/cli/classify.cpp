@@ -95,10 +95,9 @@ void classify_file(const std::string& file, int& exit_code) {
 
 }  // namespace
 
-void add_classify(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("classify", "Answer cases (JSON Lines) by every arithmetic and by the exact oracle");
-  command->footer(
+void add_classify(Command app, int& exit_code) {
+  Command command = app.add_command("classify", "Answer cases (JSON Lines) by every arithmetic and by the exact oracle");
+  command.footer(
       "Touching counts as sharing a point, on the near plane as well; \"near\" is \"farthest\" where a case does not say.\n"
       "Exit code 0; 1 when the oracle differs from `certified`, refutes `conservative` or is not what a case has in "
       "\"expect\";\n"
@@ -113,8 +112,8 @@ void add_classify(CLI::App& app, int& exit_code) {
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
   const auto file = std::make_shared<std::string>("-");
-  add_input(*command, "FILE", *file, "case file, - for standard input")->capture_default_str();
-  command->callback([file, &exit_code] { classify_file(*file, exit_code); });
+  add_input(command, "FILE", *file, "case file, - for standard input").show_default();
+  command.run([file, &exit_code] { classify_file(*file, exit_code); });
 }
 
 }  // namespace occlude::cli

@@ -55,9 +55,9 @@ struct Shard {
 
 Shard parse_shard(const std::string& text, const Turns& turns) {
   const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) throw CLI::ValidationError("--shard", "expected I/N");
+  if (slash == std::string::npos) refuse("--shard", "expected I/N");
   const std::size_t i = whole_number("--shard", text.substr(0, slash)), n = whole_number("--shard", text.substr(slash + 1));
-  if (i == 0 || i > n) throw CLI::ValidationError("--shard", "expected I/N with I from 1 to N");
+  if (i == 0 || i > n) refuse("--shard", "expected I/N with I from 1 to N");
   return {i - 1, n, turns};
 }
 
@@ -279,35 +279,34 @@ void validate(Arguments& arguments, int& exit_code) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("validate", "Prove every cull of a walk in exact arithmetic, and that nothing culled shows");
-  command->footer(
+void add_validate(Command app, int& exit_code) {
+  Command command =
+      app.add_command("validate", "Prove every cull of a walk in exact arithmetic, and that nothing culled shows");
+  command.footer(
       "Exit code 0; 1 when a witness is not proved or a culled triangle shows (it is printed); 2 for bad input.\n" +
       render::limits_help() +
       "\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
   const auto a = std::make_shared<Arguments>();
-  add_input(*command, "MODEL", a->model, "the model walked through")->required();
-  add_input(*command, "--path", a->path, "camera path (JSON)")->required();
-  CLI::Option* witness = add_input(*command, "--witness", a->witness,
-                                   "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
+  add_input(command, "MODEL", a->model, "the model walked through").required();
+  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  Option witness = add_input(command, "--witness", a->witness,
+                             "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   command
-      ->add_option("--exact-up-to", a->exact_up_to,
-                   "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{0}, std::size_t{1000000}));
+      .add("--exact-up-to", a->exact_up_to,
+           "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
+      .show_default()
+      .in_range(std::size_t{0}, std::size_t{1000000});
   command
-      ->add_option(
-          "--shard", a->shard,
-          "I/N: of N runs, on one machine or several, the one that takes frames I - 1, I - 1 + N, ...; their counts add up")
-      ->capture_default_str();
-  add_output(*command, "--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
-  a->walk.add_size_to(*command);
-  for (CLI::Option* option : a->walk.add_culling_to(*command)) option->excludes(witness);
-  a->walk.add_preprocess_to(*command)->excludes(witness);
-  command->add_flag("--json", a->json, "print the counts as JSON");
-  command->callback([a, &exit_code] { validate(*a, exit_code); });
+      .add("--shard", a->shard,
+           "I/N: of N runs, on one machine or several, the one that takes frames I - 1, I - 1 + N, ...; their counts add up")
+      .show_default();
+  add_output(command, "--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
+  a->walk.add_size_to(command);
+  for (Option option : a->walk.add_culling_to(command)) option.excludes(witness);
+  a->walk.add_preprocess_to(command).excludes(witness);
+  command.add_flag("--json", a->json, "print the counts as JSON");
+  command.run([a, &exit_code] { validate(*a, exit_code); });
 }
 
 }  // namespace occlude::cli

@@ -64,7 +64,7 @@ void bench_culler(Arguments& arguments) {
   options.seed = whole_number("--seed", arguments.seed);
   options.largest = whole_number("--largest", arguments.largest);
   if (options.largest < experiments::kSmallestCity || options.largest > 20'000'000) {
-    throw CLI::ValidationError("--largest", "expected 20000 to 2e7 polygons");
+    refuse("--largest", "expected 20000 to 2e7 polygons");
   }
   std::optional<Files> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
@@ -83,46 +83,44 @@ void bench_culler(Arguments& arguments) {
 
 }  // namespace
 
-void add_bench_culler(CLI::App& bench, int&) {
-  CLI::App* command =
-      bench.add_subcommand("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
-  command->footer("Without MODEL on a generated city.\n" + render::limits_help() +
-                  "\n"
-                  "Example: occlude bench culler --out report\n"
-                  "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
+void add_bench_culler(Command bench, int&) {
+  Command command = bench.add_command("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
+  command.footer("Without MODEL on a generated city.\n" + render::limits_help() +
+                 "\n"
+                 "Example: occlude bench culler --out report\n"
+                 "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
   const auto a = std::make_shared<Arguments>();
-  CLI::Option* model = add_input(*command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
-  CLI::Option* path = add_input(*command, "--path", a->path, "camera path (JSON)");
-  model->needs(path);
-  path->needs(model);
-  command->add_option("--polygons", a->polygons, "at least so many polygons in the city")
-      ->capture_default_str()
-      ->check(CLI::Range(experiments::kSmallestCity, std::size_t{20'000'000}))
-      ->excludes(model);
-  command->add_option("--seed", a->seed, "whole number; same seed, same cities")->capture_default_str();
+  Option model = add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
+  Option path = add_input(command, "--path", a->path, "camera path (JSON)");
+  model.needs(path);
+  path.needs(model);
+  command.add("--polygons", a->polygons, "at least so many polygons in the city")
+      .show_default()
+      .in_range(experiments::kSmallestCity, std::size_t{20'000'000})
+      .excludes(model);
+  command.add("--seed", a->seed, "whole number; same seed, same cities").show_default();
   command
-      ->add_option("--only", a->only,
-                   "experiments, with commas: table2, figure4, sweeps, sort, joined, growth (default: all; those "
-                   "of a MODEL without growth, which is about cities)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end())));
-  a->walk.add_size_to(*command);
-  a->walk.add_culling_to(*command);
-  command->add_option("--regions", a->options.regions, "grid regions of figure 4; sampling takes time for each")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24U));
-  command->add_option("--samples", a->options.samples, "viewpoints a region for depth complexity; 0 leaves its curves out")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{0}, std::size_t{1000}));
-  command->add_option("--repetitions", a->options.repetitions, "rounds in which everything timed is measured once")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-  command->add_option("--largest", a->largest, "polygons of the largest city of the growth, up to 2e7")
-      ->capture_default_str();
-  command->add_flag("--no-render", a->no_render, "draw nothing: table 2 without frame times");
-  add_output(*command, "--out", a->out, "folder to write culler.json and culler.html to");
-  command->add_flag("--json", a->json, "print culler.json instead of tables");
-  command->callback([a] { bench_culler(*a); });
+      .add("--only", a->only,
+           "experiments, with commas: table2, figure4, sweeps, sort, joined, growth (default: all; those "
+           "of a MODEL without growth, which is about cities)")
+      .split_at(',')
+      .one_of(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end()));
+  a->walk.add_size_to(command);
+  a->walk.add_culling_to(command);
+  command.add("--regions", a->options.regions, "grid regions of figure 4; sampling takes time for each")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{1} << 24U);
+  command.add("--samples", a->options.samples, "viewpoints a region for depth complexity; 0 leaves its curves out")
+      .show_default()
+      .in_range(std::size_t{0}, std::size_t{1000});
+  command.add("--repetitions", a->options.repetitions, "rounds in which everything timed is measured once")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{1000});
+  command.add("--largest", a->largest, "polygons of the largest city of the growth, up to 2e7").show_default();
+  command.add_flag("--no-render", a->no_render, "draw nothing: table 2 without frame times");
+  add_output(command, "--out", a->out, "folder to write culler.json and culler.html to");
+  command.add_flag("--json", a->json, "print culler.json instead of tables");
+  command.run([a] { bench_culler(*a); });
 }
 
 }  // namespace occlude::cli

@@ -10,7 +10,7 @@
 namespace occlude::cli {
 namespace {
 
-/// The numbers of "A:B:STEP" or "WxH"; throws CLI::ValidationError for anything else.
+/// The numbers of "A:B:STEP" or "WxH"; refuse()s anything else.
 std::vector<std::size_t> numbers(const std::string& option, const std::string& text, char separator) {
   std::vector<std::size_t> values;
   const char* at = text.data();
@@ -18,10 +18,10 @@ std::vector<std::size_t> numbers(const std::string& option, const std::string& t
   for (;;) {
     std::size_t value = 0;
     const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc()) throw CLI::ValidationError(option, "cannot read '" + text + "'");
+    if (error != std::errc()) refuse(option, "cannot read '" + text + "'");
     values.push_back(value);
     if (next == end) return values;
-    if (*next != separator) throw CLI::ValidationError(option, "cannot read '" + text + "'");
+    if (*next != separator) refuse(option, "cannot read '" + text + "'");
     at = next + 1;
   }
 }
@@ -29,11 +29,11 @@ std::vector<std::size_t> numbers(const std::string& option, const std::string& t
 void parse_frames(const std::string& text, render::WalkOptions& options) {
   if (text == "all") return;
   const auto values = numbers("--frames", text, ':');
-  if (values.size() < 2 || values.size() > 3) throw CLI::ValidationError("--frames", "expected A:B, A:B:STEP or all");
+  if (values.size() < 2 || values.size() > 3) refuse("--frames", "expected A:B, A:B:STEP or all");
   options.begin = values[0];
   options.end = values[1];
   options.step = values.size() == 3 ? values[2] : 1;
-  if (options.step == 0) throw CLI::ValidationError("--frames", "STEP must be at least 1");
+  if (options.step == 0) refuse("--frames", "STEP must be at least 1");
 }
 
 struct PictureSize {
@@ -45,43 +45,34 @@ PictureSize parse_size(const std::string& option, const std::string& text, std::
   const auto values = numbers(option, text, 'x');
   const auto is_side = [&](std::size_t side) { return side >= least && side <= most; };
   if (values.size() != 2 || !is_side(values[0]) || !is_side(values[1])) {
-    throw CLI::ValidationError(option, "expected WxH, each from " + std::to_string(least) + " to " + std::to_string(most));
+    refuse(option, "expected WxH, each from " + std::to_string(least) + " to " + std::to_string(most));
   }
   return {static_cast<int>(values[0]), static_cast<int>(values[1])};
-}
-
-/// A number from `least` to `most`; CLI::Range alone lets "nan" pass.
-CLI::Validator number_in(double least, double most) {
-  const auto is_number = [](std::string& text) {
-    double value = 0;
-    return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? "" : "'" + text + "' is not a number";
-  };
-  return CLI::Validator(is_number, "") & CLI::Range(least, most);
 }
 
 /// An empty name is a slip, such as a variable that a script never set.
 std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
 
-CLI::Option* choice(CLI::App& command, const char* name, std::string& value, const std::vector<std::string>& choices,
-                    const char* text) {
-  return command.add_option(name, value, text)->capture_default_str()->check(CLI::IsMember(choices));
+Option choice(Command command, const char* name, std::string& value, const std::vector<std::string>& choices,
+              const char* text) {
+  return command.add(name, value, text).show_default().one_of(choices);
 }
 
 }  // namespace
 
-void WalkArguments::add_size_to(CLI::App& command) {
-  command.add_option("--size", size_, "WxH, size of the pictures in pixels")->capture_default_str();
+void WalkArguments::add_size_to(Command command) {
+  command.add("--size", size_, "WxH, size of the pictures in pixels").show_default();
 }
 
-std::vector<CLI::Option*> BuildArguments::add_to(CLI::App& command) {
-  return {choice(command, "--bounds", bounds_, {"aabb", "obb"},
-                 "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
-          command
-              .add_option("--leaf", leaf_,
-                          "polygons in a leaf of the hierarchy at most; unless given, 16 for frusta and 4 for a cover")
-              ->check(CLI::Range(1, 4096)),
-          choice(command, "--shapes", shapes_, {"polytope", "polygon"},
-                 "what can be an occluder: closed convex shells as well, or what is flat alone")};
+std::vector<Option> BuildArguments::add_to(Command command) {
+  return {
+      choice(command, "--bounds", bounds_, {"aabb", "obb"},
+             "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
+      command
+          .add("--leaf", leaf_, "polygons in a leaf of the hierarchy at most; unless given, 16 for frusta and 4 for a cover")
+          .in_range(std::size_t{1}, std::size_t{4096}),
+      choice(command, "--shapes", shapes_, {"polytope", "polygon"},
+             "what can be an occluder: closed convex shells as well, or what is flat alone")};
 }
 
 culler::BuildConfig BuildArguments::config(culler::Method method) const {
@@ -92,43 +83,40 @@ culler::BuildConfig BuildArguments::config(culler::Method method) const {
   return config;
 }
 
-std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
+std::vector<Option> WalkArguments::add_culling_to(Command command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs a test at every node that it does not decide
   const auto choice = [&](const char* name, std::string& value, const std::vector<std::string>& choices, const char* text) {
     return cli::choice(command, name, value, choices, text);
   };
   const auto number = [&](const char* name, std::size_t& value, const char* text) {
-    return command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(std::size_t{0}, kMostOccluders));
+    return command.add(name, value, text).show_default().in_range(std::size_t{0}, kMostOccluders);
   };
   constexpr double kLongest = 1e9;         // milliseconds; nobody waits so long
   constexpr double kLargestMargin = 8192;  // a picture has no more pixels
   constexpr double kLargestWeight = 16;    // powers of what differs a thousandfold stay within the doubles
   const auto weight = [&](const char* name, double& value, const char* text) {
-    return command.add_option(name, value, text)->capture_default_str()->check(number_in(0, kLargestWeight));
+    return command.add(name, value, text).show_default().in_range(0, kLargestWeight);
   };
   culler::Objective& objective = cull_.objective;
   build_options_ = build_.add_to(command);
-  std::vector<CLI::Option*> options = build_options_;
+  std::vector<Option> options = build_options_;
   options.insert(
       options.end(),
       {
-          command
-              .add_option("--frames", frames_,
-                          "A:B:STEP, frames A, A+STEP, ... below B, or all; those between are only culled")
-              ->capture_default_str(),
+          command.add("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all; those between are only culled")
+              .show_default(),
           choice("--method", method_, {"frusta", "cover"},
                  "what hides: the shadows of a few chosen occluders, or all that is seen, joined in a coarse picture"),
-          command.add_option("--cover-size", cover_size_, "WxH, size of that picture in pixels, each from 64 to 4096")
-              ->capture_default_str(),
+          command.add("--cover-size", cover_size_, "WxH, size of that picture in pixels, each from 64 to 4096")
+              .show_default(),
           command
-              .add_option("--cover-triangles", cull_.cover_triangles,
-                          "draw no more into it than about so many triangles a frame; unless given, all that are seen")
-              ->check(CLI::NonNegativeNumber),
+              .add("--cover-triangles", cull_.cover_triangles,
+                   "draw no more into it than about so many triangles a frame; unless given, all that are seen")
+              .not_negative(),
           command
-              .add_option(
-                  "--budget-ms", cull_.cover_ms,
-                  "draw no more into it once a frame has taken so many milliseconds; unless given, whatever it takes")
-              ->check(number_in(0, kLongest)),
+              .add("--budget-ms", cull_.cover_ms,
+                   "draw no more into it once a frame has taken so many milliseconds; unless given, whatever it takes")
+              .in_range(0, kLongest),
           number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
           number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
           choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),
@@ -139,12 +127,11 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
           command.add_flag("--unions", cull_.unions,
                            "pairs of occluders that share an edge hide together what neither hides alone"),
           command
-              .add_option(
-                  "--pixel-margin", pixel_margin_,
-                  "pixels by which shadows are taken smaller, so that the renderer's rounding shows nothing that they "
-                  "hide; 0: all that is exactly hidden may be culled")
-              ->capture_default_str()
-              ->check(number_in(0, kLargestMargin)),
+              .add("--pixel-margin", pixel_margin_,
+                   "pixels by which shadows are taken smaller, so that the renderer's rounding shows nothing that they "
+                   "hide; 0: all that is exactly hidden may be culled")
+              .show_default()
+              .in_range(0, kLargestMargin),
           choice("--near", near_, {"surface", "farthest"},
                  "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
           choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
@@ -153,10 +140,9 @@ std::vector<CLI::Option*> WalkArguments::add_culling_to(CLI::App& command) {
   return options;
 }
 
-CLI::Option* WalkArguments::add_preprocess_to(CLI::App& command) {
-  CLI::Option* preprocess =
-      add_input(command, "--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
-  for (CLI::Option* option : build_options_) preprocess->excludes(option);
+Option WalkArguments::add_preprocess_to(Command command) {
+  Option preprocess = add_input(command, "--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
+  for (Option option : build_options_) preprocess.excludes(option);
   return preprocess;
 }
 
@@ -191,20 +177,20 @@ std::uint64_t whole_number(const std::string& option, const std::string& text) {
   const auto [rest, fault] = std::from_chars(text.data(), end, number);
   const bool is_whole =
       fault == std::errc() && rest == end && number >= 0 && number <= 0x1p53 && number == std::floor(number);
-  if (!is_whole) throw CLI::ValidationError(option, "'" + text + "' is not a whole number, or too large");
+  if (!is_whole) refuse(option, "'" + text + "' is not a whole number, or too large");
   return static_cast<std::uint64_t>(number);
 }
 
-CLI::Option* add_input(CLI::App& command, const char* name, std::string& file, const char* text) {
-  return command.add_option(name, file, text)->check(check_named)->each(render::keep_input);
+Option add_input(Command command, const char* name, std::string& file, const char* text) {
+  return command.add(name, file, text).check(check_named).each(render::keep_input);
 }
 
-CLI::Option* add_inputs(CLI::App& command, const char* name, std::vector<std::string>& files, const char* text) {
-  return command.add_option(name, files, text)->check(check_named)->each(render::keep_input);
+Option add_inputs(Command command, const char* name, std::vector<std::string>& files, const char* text) {
+  return command.add(name, files, text).check(check_named).each(render::keep_input);
 }
 
-CLI::Option* add_output(CLI::App& command, const char* name, std::string& path, const char* text) {
-  return command.add_option(name, path, text)->check(check_named);
+Option add_output(Command command, const char* name, std::string& path, const char* text) {
+  return command.add(name, path, text).check(check_named);
 }
 
 }  // namespace occlude::cli

@@ -2,11 +2,11 @@
 // Options that several subcommands share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "command_line.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::cli {
@@ -15,7 +15,7 @@ namespace occlude::cli {
 class BuildArguments {
  public:
   /// Returns the options.
-  std::vector<CLI::Option*> add_to(CLI::App& command);
+  std::vector<Option> add_to(Command command);
 
   /// `method` is what the model is prepared for.
   [[nodiscard]] culler::BuildConfig config(culler::Method method = culler::Method::frusta) const;
@@ -31,13 +31,13 @@ class WalkArguments {
   /// `frames` are taken where the user names none.
   explicit WalkArguments(std::string frames = "all") : frames_(std::move(frames)) {}
 
-  void add_size_to(CLI::App& command);
+  void add_size_to(Command command);
   /// The options that decide what is culled; returns them.
-  std::vector<CLI::Option*> add_culling_to(CLI::App& command);
+  std::vector<Option> add_culling_to(Command command);
   /// The option that takes the place of those about how the model is prepared. After add_culling_to().
-  CLI::Option* add_preprocess_to(CLI::App& command);
+  Option add_preprocess_to(Command command);
 
-  /// What the user chose. Throws CLI::ValidationError for text that cannot be read.
+  /// What the user chose. refuse()s text that cannot be read.
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
@@ -45,19 +45,19 @@ class WalkArguments {
   std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
               test_ = "conservative", angle_ = "area", preprocess_;
   BuildArguments build_;
-  std::vector<CLI::Option*> build_options_;
+  std::vector<Option> build_options_;
   double pixel_margin_ = render::kPixelMargin;
   culler::CullOptions cull_;
 };
 
-/// The whole number in `text`; throws CLI::ValidationError, naming the option, for anything else.
+/// The whole number in `text`; refuse()s anything else.
 [[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);
 
 /// An option, or without dashes an argument, for a file that the command reads; its outputs will not replace it.
-CLI::Option* add_input(CLI::App& command, const char* name, std::string& file, const char* text);
-CLI::Option* add_inputs(CLI::App& command, const char* name, std::vector<std::string>& files, const char* text);
+Option add_input(Command command, const char* name, std::string& file, const char* text);
+Option add_inputs(Command command, const char* name, std::vector<std::string>& files, const char* text);
 
 /// The same for a file or folder that it writes.
-CLI::Option* add_output(CLI::App& command, const char* name, std::string& path, const char* text);
+Option add_output(Command command, const char* name, std::string& path, const char* text);
 
 }  // namespace occlude::cli

@@ -4,22 +4,22 @@
 // is thrown as InputError.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "command_line.h"
 
 namespace occlude::cli {
 
 inline constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2, kInterrupted = 130;  // 128 + SIGINT, as shells expect
 
-void add_generate(CLI::App& app, int& exit_code);
-void add_preprocess(CLI::App& app, int& exit_code);
-void add_walk(CLI::App& app, int& exit_code);
-void add_classify(CLI::App& app, int& exit_code);
-void add_why(CLI::App& app, int& exit_code);
-void add_validate(CLI::App& app, int& exit_code);
-void add_fuzz(CLI::App& app, int& exit_code);
+void add_generate(Command app, int& exit_code);
+void add_preprocess(Command app, int& exit_code);
+void add_walk(Command app, int& exit_code);
+void add_classify(Command app, int& exit_code);
+void add_why(Command app, int& exit_code);
+void add_validate(Command app, int& exit_code);
+void add_fuzz(Command app, int& exit_code);
 
 /// Of the command `bench`.
-void add_bench_kernel(CLI::App& bench, int& exit_code);
-void add_bench_culler(CLI::App& bench, int& exit_code);
+void add_bench_kernel(Command bench, int& exit_code);
+void add_bench_culler(Command bench, int& exit_code);
 
 }  // namespace occlude::cli

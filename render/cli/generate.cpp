@@ -48,22 +48,22 @@ void generate(const Arguments& arguments) {
 
 }  // namespace
 
-void add_generate(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("generate", "Make a model and a camera path");
-  command->require_subcommand(1);
-  command->footer("Example: occlude generate city --out city.ply --path city.json");
-  CLI::App* city =
-      command->add_subcommand("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
-  city->footer("Example: occlude generate city --polygons 500000 --seed 1 --out city.ply --path city.json");
+void add_generate(Command app, int&) {
+  Command command = app.add_command("generate", "Make a model and a camera path");
+  command.require_command();
+  command.footer("Example: occlude generate city --out city.ply --path city.json");
+  Command city =
+      command.add_command("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
+  city.footer("Example: occlude generate city --polygons 500000 --seed 1 --out city.ply --path city.json");
   const auto arguments = std::make_shared<Arguments>();
-  city->add_option("--polygons", arguments->polygons, "at least so many polygons")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{20'000}, std::size_t{20'000'000}));
-  city->add_option("--seed", arguments->seed, "whole number; same seed, same bytes, on any machine")->capture_default_str();
-  add_output(*city, "--out", arguments->out, "PLY file to write")->required();
-  add_output(*city, "--path", arguments->path, "JSON file to write the camera path to")->required();
-  city->add_flag("--json", arguments->json, "print the counts as JSON");
-  city->callback([arguments] { generate(*arguments); });
+  city.add("--polygons", arguments->polygons, "at least so many polygons")
+      .show_default()
+      .in_range(std::size_t{20'000}, std::size_t{20'000'000});
+  city.add("--seed", arguments->seed, "whole number; same seed, same bytes, on any machine").show_default();
+  add_output(city, "--out", arguments->out, "PLY file to write").required();
+  add_output(city, "--path", arguments->path, "JSON file to write the camera path to").required();
+  city.add_flag("--json", arguments->json, "print the counts as JSON");
+  city.run([arguments] { generate(*arguments); });
 }
 
 }  // namespace occlude::cli

@@ -2,6 +2,7 @@
 // The command `occlude`: assembles the subcommands and turns what they throw into one line and an exit code.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -19,12 +20,12 @@ namespace {
 using occlude::cli::kBadInput;
 using occlude::cli::kInterrupted;
 
-void add_bench(CLI::App& app, int& exit_code) {
-  CLI::App* bench = app.add_subcommand("bench", "Measure how fast the answers come, and how much is culled");
-  bench->require_subcommand(1);
-  bench->footer("Example: occlude bench kernel");
-  occlude::cli::add_bench_kernel(*bench, exit_code);
-  occlude::cli::add_bench_culler(*bench, exit_code);
+void add_bench(occlude::cli::Command app, int& exit_code) {
+  occlude::cli::Command bench = app.add_command("bench", "Measure how fast the answers come, and how much is culled");
+  bench.require_command();
+  bench.footer("Example: occlude bench kernel");
+  occlude::cli::add_bench_kernel(bench, exit_code);
+  occlude::cli::add_bench_culler(bench, exit_code);
 }
 
 void run(int argc, char** argv, int& exit_code) {
@@ -34,14 +35,15 @@ void run(int argc, char** argv, int& exit_code) {
       "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json --out "
       "report");
   app.set_version_flag("--version", OCCLUDE_VERSION);
-  occlude::cli::add_generate(app, exit_code);
-  occlude::cli::add_preprocess(app, exit_code);
-  occlude::cli::add_walk(app, exit_code);
-  occlude::cli::add_why(app, exit_code);
-  occlude::cli::add_classify(app, exit_code);
-  occlude::cli::add_validate(app, exit_code);
-  occlude::cli::add_fuzz(app, exit_code);
-  add_bench(app, exit_code);
+  const occlude::cli::Command command(app);
+  occlude::cli::add_generate(command, exit_code);
+  occlude::cli::add_preprocess(command, exit_code);
+  occlude::cli::add_walk(command, exit_code);
+  occlude::cli::add_why(command, exit_code);
+  occlude::cli::add_classify(command, exit_code);
+  occlude::cli::add_validate(command, exit_code);
+  occlude::cli::add_fuzz(command, exit_code);
+  add_bench(command, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -62,28 +62,27 @@ void walk(const Arguments& arguments, int& exit_code) {
 
 }  // namespace
 
-void add_walk(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("walk", "Walk a path through a model with and without occlusion culling, and compare");
-  command->footer(
+void add_walk(Command app, int& exit_code) {
+  Command command = app.add_command("walk", "Walk a path through a model with and without occlusion culling, and compare");
+  command.footer(
       "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
       "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n" +
       render::limits_help() +
       "\n"
       "Example: occlude walk city.ply --path city.json --out report");
   const auto a = std::make_shared<Arguments>();
-  add_input(*command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...")->required();
-  add_input(*command, "--path", a->path, "camera path (JSON)")->required();
-  add_output(*command, "--out", a->out, "folder to write to")->required();
-  a->walk.add_size_to(*command);
-  a->walk.add_culling_to(*command);
-  a->walk.add_preprocess_to(*command);
-  command->add_flag("--no-render", a->no_render, "measure culling alone");
-  add_output(*command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
-  add_output(*command, "--cases", a->cases,
+  add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
+  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  add_output(command, "--out", a->out, "folder to write to").required();
+  a->walk.add_size_to(command);
+  a->walk.add_culling_to(command);
+  a->walk.add_preprocess_to(command);
+  command.add_flag("--no-render", a->no_render, "measure culling alone");
+  add_output(command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
+  add_output(command, "--cases", a->cases,
              "write the shadow tests of some 48 of the frames to this file, as cases for occlude classify and fuzz");
-  command->add_flag("--json", a->json, "print summary.json instead of Table 2");
-  command->callback([a, &exit_code] { walk(*a, exit_code); });
+  command.add_flag("--json", a->json, "print summary.json instead of Table 2");
+  command.run([a, &exit_code] { walk(*a, exit_code); });
 }
 
 }  // namespace occlude::cli

@@ -53,11 +53,11 @@ struct Pixel {
 
 Pixel parse_pixel(const std::string& text, const render::WalkOptions& options) {
   const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) throw CLI::ValidationError("--pixel", "expected X,Y");
+  if (comma == std::string::npos) refuse("--pixel", "expected X,Y");
   const std::uint64_t x = whole_number("--pixel", text.substr(0, comma)),
                       y = whole_number("--pixel", text.substr(comma + 1));
   if (x >= static_cast<std::uint64_t>(options.width) || y >= static_cast<std::uint64_t>(options.height)) {
-    throw CLI::ValidationError("--pixel", fmt::format("the picture has {}x{} pixels", options.width, options.height));
+    refuse("--pixel", fmt::format("the picture has {}x{} pixels", options.width, options.height));
   }
   return {static_cast<int>(x), static_cast<int>(y)};
 }
@@ -92,26 +92,25 @@ int why(const Arguments& arguments) {
 
 }  // namespace
 
-void add_why(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("why", "Tell why a frame of a walk drew or culled a polygon");
-  command->footer("The frames before are culled first, as in a walk: give the options of that walk.\n" +
-                  render::limits_help() +
-                  "\n"
-                  "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
+void add_why(Command app, int& exit_code) {
+  Command command = app.add_command("why", "Tell why a frame of a walk drew or culled a polygon");
+  command.footer("The frames before are culled first, as in a walk: give the options of that walk.\n" +
+                 render::limits_help() +
+                 "\n"
+                 "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
   const auto a = std::make_shared<Arguments>();
-  add_input(*command, "MODEL", a->model, "the model walked through")->required();
-  add_input(*command, "--path", a->path, "camera path (JSON)")->required();
-  command->add_option("--frame", a->frame, "number of the frame, from 0")->required();
-  auto* which = command->add_option_group("which", "which polygon");
-  which->add_option("--polygon", a->polygon, "its number in the model file, from 0");
-  which->add_option("--pixel", a->pixel, "X,Y from the top left corner: what shows there, were nothing culled");
-  which->require_option(1);
-  add_output(*command, "--out", a->out, "folder for why.json, and plates from the camera and from outside");
-  a->walk.add_size_to(*command);
-  a->walk.add_culling_to(*command);
-  a->walk.add_preprocess_to(*command);
-  command->add_flag("--json", a->json, "print JSON instead of text");
-  command->callback([a, &exit_code] { exit_code = why(*a); });
+  add_input(command, "MODEL", a->model, "the model walked through").required();
+  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  command.add("--frame", a->frame, "number of the frame, from 0").required();
+  Command which = command.add_alternatives("which", "which polygon");
+  which.add("--polygon", a->polygon, "its number in the model file, from 0");
+  which.add("--pixel", a->pixel, "X,Y from the top left corner: what shows there, were nothing culled");
+  add_output(command, "--out", a->out, "folder for why.json, and plates from the camera and from outside");
+  a->walk.add_size_to(command);
+  a->walk.add_culling_to(command);
+  a->walk.add_preprocess_to(command);
+  command.add_flag("--json", a->json, "print JSON instead of text");
+  command.run([a, &exit_code] { exit_code = why(*a); });
 }
 
 }  // namespace occlude::cli

@@ -44,3 +44,74 @@ walls() {
   done
   ply "$1" 256 64 "$vertices$faces"
 }
+
+# walk_of_squares: good.ply, those walls; path.json, a walk of four frames towards them; back.json, the same looking away.
+walk_of_squares() {
+  walls good.ply
+  echo '{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}' >path.json
+  sed 's/"target":\[1,0,0\]/"target":[-1,0,0]/; s/"target":\[1.5,0,0\]/"target":[-0.5,0,0]/' path.json >back.json
+}
+
+# slanting_wall: slanting.ply, a wall and behind it a slanting one of 64 tiles, for trees of oriented boxes.
+slanting_wall() {
+  local vertices faces i along up
+  vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n' faces='4 0 1 2 3\n' i=4
+  for along in $(seq 0 7); do
+    for up in $(seq 0 7); do
+      vertices+="$((4 + along)) $((along - 4)) $((up - 4))\n$((5 + along)) $((along - 3)) $((up - 4))\n"
+      vertices+="$((5 + along)) $((along - 3)) $((up - 3))\n$((4 + along)) $((along - 4)) $((up - 3))\n"
+      faces+="4 $i $((i + 1)) $((i + 2)) $((i + 3))\n"
+      i=$((i + 4))
+    done
+  done
+  ply slanting.ply 260 65 "$vertices$faces"
+}
+
+# hand_cases: cases.jsonl, three cases of one wall, which is in $case without a box.
+case='"eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface"'
+hand_cases() {
+  cat >cases.jsonl <<END
+{"id":"inside",$case,"box":{"min":[4,-2,-2],"max":[4,2,2]},"expect":"inside"}
+{"id":"reversed",$case,"box":{"min":[4,2,-2],"max":[4,1,2]}}
+{"id":"touch",$case,"box":{"min":[4,2,0],"max":[4,3,1]},"expect":"partial"}
+END
+}
+
+# await COMMAND...: until COMMAND succeeds, for a minute at most.
+await() {
+  local try
+  for try in $(seq 600); do
+    ! "$@" || return 0
+    sleep 0.1
+  done
+  fail "waited in vain for: $*"
+}
+
+has_begun() { [ -n "$(find . -name '.occlude*')" ]; } # an output of the command
+
+# interrupt SIGNAL COMMAND...: SIGNAL ends COMMAND, which has begun an output, with exit code 130; of the output nothing is left.
+interrupt() {
+  local signal=$1 status
+  shift
+  "$@" >stdout 2>stderr &
+  await has_begun
+  kill -"$signal" $!
+  wait $!
+  status=$?
+  [ $status -eq 130 ] || fail "exit code $status after SIG$signal: $*: $(cat stderr)"
+  ! has_begun || fail "SIG$signal leaves $(find . -name '.occlude*'): $*"
+}
+
+# interrupt_reader COMMAND...: SIGINT ends COMMAND, which waits for what comes through the pipe `pipe`.
+interrupt_reader() {
+  local status writer
+  mkfifo pipe
+  "$@" >/dev/null 2>stderr &
+  exec {writer}>pipe # opened once there is a reader
+  kill -INT $!
+  wait $!
+  status=$?
+  exec {writer}>&-
+  rm pipe
+  [ $status -eq 130 ] || fail "exit code $status, $* does not stop while it waits: $(cat stderr)"
+}

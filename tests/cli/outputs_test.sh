@@ -236,7 +236,7 @@ exit_code 2 bash -c '"$@" 1>&- 2>&- <&-' bash "$occlude" classify -
 
 # No space, and no more than so many bytes: an error that says so, and nothing is left behind.
 nothing_left() {
-  [ -z "$(find . -name '.occlude*')" ] || fail "left behind by $*: $(find . -name '.occlude*')"
+  ! has_begun || fail "left behind by $*: $(find . -name '.occlude*')"
 }
 [ ! -e /dev/full ] || for options in "walk good.ply --path path.json --size 64x36 --no-render --out out --witness /dev/full" \
   "walk good.ply --path path.json --size 64x36 --no-render --out out --cases /dev/full" \
@@ -280,20 +280,11 @@ fi
 
 # No signal leaves a temporary file.
 for signal in INT TERM HUP XCPU; do
-  "$occlude" walk city.ply --path city.json --out stopped --witness stopped.jsonl >stdout 2>stderr &
-  for wait in $(seq 100); do
-    [ -z "$(find . -name '.occlude*')" ] || break
-    sleep 0.1
-  done
-  [ -n "$(find . -name '.occlude*')" ] || fail "the walk began no file"
-  kill -$signal $!
-  wait $!
-  [ $? -eq 130 ] || fail "SIG$signal: exit code $?: $(cat stderr)"
-  nothing_left SIG$signal
+  interrupt $signal "$occlude" walk city.ply --path city.json --out stopped --witness stopped.jsonl
   [ -z "$(ls | grep stopped)" ] || fail "SIG$signal leaves $(ls | grep stopped)"
 done
 (trap '' HUP && exec "$occlude" walk city.ply --path city.json --frames 0:20 --out nohup --no-render) >stdout 2>stderr &
-sleep 0.5
+await has_begun
 kill -HUP $!
 wait $! || fail "a hangup ended what was to survive it: $(cat stderr)"
 mkfifo pipe

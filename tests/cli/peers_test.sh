@@ -44,12 +44,9 @@ bench || fail "not a program: exit code $?"
 grep -q 'occlude_peers: .*other projects are not measured' stderr || fail "not a program: $(cat stderr)"
 
 # It does not outlive who waits for it.
-peers 'echo $$ >process; exec sleep 60'
+peers 'echo $$ >process; exec tail -f /dev/null'
 ./occlude bench kernel --boxes 16 --repetitions 1 >stdout 2>stderr &
-for wait in $(seq 100); do
-  [ ! -s process ] || break
-  sleep 0.1
-done
+await test -s process
 kill -TERM $!
 wait $!
 [ $? -eq 130 ] || fail "SIGTERM: exit code $?: $(cat stderr)"

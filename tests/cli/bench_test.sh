@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `occlude bench`: everything measured is there. How fast it is, is no matter for a test.
+# Usage: bench_test.sh PATH_OF_OCCLUDE
+set -uo pipefail
+. "$(dirname "$0")/common.sh"
+walk_of_squares
+
+# bench: everything measured is there and is a positive number. How fast it is, is no matter for a test.
+"$occlude" bench kernel --json --boxes 256 --repetitions 1 >bench.json || fail "bench"
+for member in ratios certified_over_plain random integer_touching ulp_touching batch_speedup gjk_over_certified operations ns \
+  overlap_certified overlap_plain naive answers peers machine; do
+  grep -q "^ *\"$member\": " bench.json || fail "bench: no $member"
+done
+sed -n '/^  "ns": {/,/^  }/p' bench.json | grep -v '[{}]' >times
+[ "$(wc -l <times)" -ge 15 ] || fail "bench: only $(wc -l <times) times"
+awk -F '": ' '$2 + 0 <= 0 || $2 !~ /^[0-9]/ { bad = 1 } END { exit bad }' times || fail "bench measured: $(cat times)"
+grep -A2 '"wrong": {' bench.json | grep '"overlap_certified"' | grep -qv ': 0,' && fail "bench: certified answers are wrong"
+"$occlude" bench kernel --boxes 256 --repetitions 1 | grep -q 'Table 1' || fail "bench without --json"
+expect_error "--boxes" "$occlude" bench kernel --boxes 0
+expect_error "--repetitions" "$occlude" bench kernel --repetitions many
+expect_error "--seed" "$occlude" bench kernel --seed -1
+
+# bench culler: every experiment is there; the files are those that it prints.
+"$occlude" bench culler --polygons 20000 --frames 0:8 --no-render --regions 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
+  fail "bench culler: $(cat stderr)"
+cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"
+for member in model polygons frames options table2 methods mean culled_share speedup_limit figures_2_and_3 view_frustum_polygons figure4 knee \
+  all_three all_three_over_area_angle_at_8 sweeps entries cull_ratio sort comparisons_anew joined pictures cover_size leaves budgets growth exponents build machine; do
+  grep -q "^ *\"$member\": " bench/culler.json || fail "bench culler: no $member"
+done
+grep -q '"speedup": null' bench/culler.json || fail "bench culler --no-render: a speedup of nothing drawn"
+[ "$(grep -o '<svg' bench/culler.html | wc -l)" -eq 13 ] || fail "bench culler: $(grep -o '<svg' bench/culler.html | wc -l) charts"
+grep -q '<script\|src="http\|href="http\|nan\|inf"' bench/culler.html && fail "bench culler: scripts, addresses or no numbers in the page"
+"$occlude" bench culler good.ply --path path.json --frames 0:4 --size 64x36 --samples 0 --repetitions 1 >stdout || fail "bench culler MODEL"
+for title in 'Table 2' 'Figure 4' 'grid regions' 'Threshold' 'Sort with' 'coarse picture' 'size of the leaves'; do
+  grep -q "$title" stdout || fail "bench culler MODEL: no $title"
+done
+grep -q 'Growth with the number of polygons' stdout && fail "bench culler MODEL: cities"
+grep -q 'all three' stdout && fail "bench culler --samples 0: curves that need samples"
+"$occlude" bench culler good.ply --path path.json --only sort,sweeps --frames 0:2 --repetitions 1 >stdout || fail "bench culler --only"
+grep -q 'Table 2\|Figure 4' stdout && fail "bench culler --only: more than was chosen"
+expect_error "--only" "$occlude" bench culler --only nonsense
+expect_error "--path" "$occlude" bench culler good.ply
+expect_error "--largest" "$occlude" bench culler --largest 5
+expect_error "--largest" "$occlude" bench culler --largest many
+expect_error "no frame" "$occlude" bench culler good.ply --path path.json --frames 7:9 --out benchmarks
+expect_error "missing.ply" "$occlude" bench culler missing.ply --path path.json --out benchmarks
+: >file
+expect_error "file" "$occlude" bench culler good.ply --path path.json --out file/out
+interrupt INT "$occlude" bench culler --polygons 20000 --no-render --out benchmarks
+[ ! -e benchmarks ] || fail "Ctrl-C left a folder"
+
+finish

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `occlude classify`: cases in, answers out, and what is no case.
+# Usage: classify_test.sh PATH_OF_OCCLUDE
+set -uo pipefail
+. "$(dirname "$0")/common.sh"
+walk_of_squares
+
+# Every answer of a case.
+hand_cases
+"$occlude" classify cases.jsonl >stdout || fail "classify"
+cat >expected <<'END'
+{"id":"inside","certified":"inside","stage":"exact","plain":"inside","conservative":"inside","oracle":"inside"}
+{"id":"reversed","error":"box has min > max"}
+{"id":"touch","certified":"partial","stage":"exact","plain":"partial","conservative":"partial","oracle":"partial"}
+END
+diff expected stdout || fail "classify answered otherwise"
+sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify - >/dev/null
+[ $? -eq 1 ] || fail "a wrong expectation was accepted"
+(head -1 cases.jsonl; echo '{"id":') | "$occlude" classify >stdout 2>stderr
+[ $? -eq 2 ] || fail "a broken line was accepted"
+[ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"
+grep -q 'standard input:2: ' stderr || fail "the line is not named: $(cat stderr)"
+
+# Oriented boxes and polytopes: a block two deep, seen on its front and on one side, which is edge-on.
+block='"eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],[4,2,1],[2,2,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6],[1,6,5],[3,2,6,7],[0,4,7,3]]},"near":"surface"'
+but() { # but SED_SCRIPT: the block, changed
+  sed "$1" <<<"$block"
+}
+turned='[[1,1,0],[-1,1,0],[0,0,1]]'
+cat >cases.jsonl <<END
+{"id":"turned",$case,"box":{"center":[6,0,0],"half_edges":$turned},"expect":"inside"}
+{"id":"touching",$case,"box":{"center":[4,3.25,0],"half_edges":[[1,0.5,0],[-0.5,1,0],[0,0,1]]},"expect":"partial"}
+{"id":"needle",$case,"box":{"center":[6,0,0],"half_edges":[[0,0,0],[0,8,0],[0,0,0]]},"expect":"partial"}
+{"id":"point",$case,"box":{"center":[6,3,3],"half_edges":[[0,0,0],[0,0,0],[0,0,0]]},"expect":"inside"}
+{"id":"behind",$block,"box":{"min":[5,0,-1],"max":[6,5,1]},"expect":"inside"}
+{"id":"edge-on",$block,"box":{"min":[5,-1,-1],"max":[6,0,1]},"expect":"partial"}
+{"id":"beside",$block,"box":{"min":[5,-1,-1],"max":[6,-0.0625,1]},"expect":"outside"}
+{"id":"both",$block,"box":{"center":[6,2,0],"half_edges":$turned},"expect":"inside"}
+{"id":"along",$(but s/eye/direction/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"no vertex",$(but s/4,7,3/4,7,4294967299/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"open",$(but 's/,\[0,4,7,3\]//'),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"dented",$(but s/2,0,-1/3,0.5,0/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"within",$(but s/0,0,0/3,2,1/),"box":{"min":[0,0,0],"max":[1,1,1]}}
+{"id":"half edge",$case,"box":{"center":[6,0,0],"half_edges":[[1,1,0],[-1,1,0],[0,0,1e99]]}}
+END
+"$occlude" classify cases.jsonl >stdout || fail "classify: $(cat stdout)"
+grep -o '"id":"[^"]*","\(certified\|error\)":"[a-z]*' stdout >answers
+cat >expected <<'END'
+"id":"turned","certified":"inside
+"id":"touching","certified":"partial
+"id":"needle","certified":"partial
+"id":"point","certified":"inside
+"id":"behind","certified":"inside
+"id":"edge-on","certified":"partial
+"id":"beside","certified":"outside
+"id":"both","certified":"inside
+"id":"along","error":"direction
+"id":"no vertex","error":"face
+"id":"open","error":"polytope
+"id":"dented","error":"polytope
+"id":"within","error":"viewpoint
+"id":"half edge","error":"number
+END
+diff expected answers || fail "classify answered oriented boxes or polytopes otherwise"
+
+# Numbers that JSON has no words for are refused with the case; what is no case is an error of the line.
+echo "{\"id\":\"n\",$case,\"box\":{\"min\":[NaN,0,0],\"max\":[4,3,1e999]}}" | "$occlude" classify >stdout || fail "NaN"
+grep -q '{"id":"n","error":"number is not finite"}' stdout || fail "NaN: $(cat stdout)"
+echo "{\"id\":1,$case,\"box\":{\"min\":[1,0,0],\"max\":[0,0,0]},\"expect\":\"inside\"}" | "$occlude" classify >/dev/null
+[ $? -eq 1 ] || fail "an expectation of a refused case was passed over"
+nested=$(printf '[%.0s' $(seq 1 20000))
+box='"box":{"min":[0,0,0],"max":[1,1,1]}'
+faces() { # faces JSON: a case with these faces
+  echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[[1,0,0]],\"faces\":$1},$box}"
+}
+for line in "{\"id\":$nested" "{\"id\":[1]}" "{$case,\"direction\":[1,0,0],$box}" '[]' '"x"' \
+  "$(faces 1)" "$(faces '[1]')" "$(faces '[[-1]]')" "$(faces '[[0.5]]')" "$(faces '[["0"]]')" "$(faces '[[[0]]]')" \
+  "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[[1,0,0]]},$box}" "{\"eye\":[0,0,0],\"occluder\":{\"faces\":[[0]]},$box}" \
+  "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[],\"vertices\":[],\"faces\":[]},$box}" \
+  "{\"eye\":[0,0,0],\"occluder\":[],$box}" "{$case,\"box\":{\"center\":[0,0,0]}}" \
+  "{$case,\"box\":{\"center\":[0,0,0],\"half_edges\":[[0,0,0],[0,0,0]]}}" \
+  "{$case,\"box\":{\"center\":[0,0,0],\"half_edges\":[[0,0,0],[0,0,0],[0,0,0]],\"min\":[0,0,0]}}"; do
+  echo "$line" >line.jsonl
+  expect_error "line.jsonl:1: " "$occlude" classify line.jsonl
+done
+{ head -c 1000000 /dev/zero | tr '\0' 'a'; echo; } >line.jsonl
+expect_error "line.jsonl:1: not JSON, near column 1" timeout 10 "$occlude" classify line.jsonl
+echo '{"eye":[NaN,NaN,NaN,NaN}' >line.jsonl
+expect_error "line.jsonl:1: not JSON, near column 24" "$occlude" classify line.jsonl
+# Of two values under one key neither counts.
+echo '{"eye":[0,0,0],"eye":[1,0,0]}' >line.jsonl
+expect_error "line.jsonl:1: a key that its object has before, near column 16" "$occlude" classify line.jsonl
+
+# What several polygons hide together.
+case='{"id":"c","eye":[0,0,0],"occluder":{"cover":[[[2,-1,-1],[2,0,-1],[2,0,1],[2,-1,1]],[[2,0,-1],[2,1,-1],[2,1,1],[2,0,1]]]},"box":{"min":[9,-1,-1],"max":[9,1,1]}'
+echo "$case,\"expect\":\"inside\"}" | "$occlude" classify >stdout || fail "classify a cover: $(cat stdout)"
+[ "$(cat stdout)" = '{"id":"c","certified":"inside","stage":"exact","oracle":"inside"}' ] || fail "a cover is $(cat stdout)"
+echo "$case,\"expect\":\"partial\"}" | "$occlude" classify >stdout && fail "classify took what is not expected"
+echo "${case/\"cover\":/\"polygon\":[],\"cover\":}}" >line.jsonl
+expect_error 'line.jsonl:1: both "cover" and "polygon"' "$occlude" classify line.jsonl
+echo "${case/\"cover\":[[/\"cover\":[}}" >line.jsonl
+expect_error 'line.jsonl:1:' "$occlude" classify line.jsonl
+
+# A polygon may have very many sides, a polytope no more vertices than the oracle can judge in seconds.
+corners=$(awk 'BEGIN { n = 100000; for (i = 0; i < n; i++) printf "%s[2,%.17g,%.17g]", i ? "," : "", cos(6.283185307179586 * i / n), sin(6.283185307179586 * i / n) }')
+echo "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[$corners]},\"near\":\"surface\",\"box\":{\"min\":[4,0,0],\"max\":[5,1,1]},\"expect\":\"inside\"}" >line.jsonl
+timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a polygon of 100000 sides: $(head -c 300 stdout stderr)"
+corners=$(printf '[2,0,0],%.0s' $(seq 1 4096))
+echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[$corners[2,1,0]],\"faces\":[]},$box}" >line.jsonl
+expect_error "line.jsonl:1: \"occluder\": a polytope with more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
+# Vertices that no face names, thousands on one edge of the silhouette, are one side of the shadow and not millions.
+corners=$(for i in $(seq 1 4000); do printf '[3,1,%s],' "0.$(printf '%04d' $i)"; done)
+echo "{\"eye\":[0,0,0.5],\"occluder\":{\"vertices\":[[2,0,0],[3,0,0],[3,1,0],[2,1,0],[2,0,1],[3,0,1],[3,1,1],[2,1,1],${corners%,}],\"faces\":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]},\"near\":\"surface\",\"box\":{\"min\":[5,0.6,0.4],\"max\":[6,0.7,0.6]},\"expect\":\"inside\"}" >line.jsonl
+timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "4000 vertices on an edge: $(head -c 300 stdout stderr)"
+# What a wall hides is soon found, though polygons that hide nothing run through the box.
+awk 'BEGIN { srand(3); printf "{\"eye\":[0,0,0],\"occluder\":{\"cover\":[[[3.1,5,5]"; for (i = 0; i < 150; ++i) { for (k = 0; k < 3; ++k) v[k] = 4 + 4 * rand(); v[i % 3] = 3 + 0.9 * rand(); printf ",[%.17g,%.17g,%.17g]", v[0], v[1], v[2] } printf "],[[13,-5,-5],[-5,13,-5],[-5,-5,13]]]},\"box\":{\"min\":[4,4,4],\"max\":[8,8,8]},\"expect\":\"inside\"}\n" }' >line.jsonl
+timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a cover that runs through the box: $(head -c 300 stdout stderr)"
+
+# It can be stopped while it waits for input.
+interrupt_reader "$occlude" classify pipe
+
+[ ! -e /dev/full ] || expect_error "standard output" bash -c '"$0" classify cases.jsonl >/dev/full' "$occlude"
+
+finish

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `occlude preprocess`: what walks can use, and what is refused.
+# Usage: preprocess_test.sh PATH_OF_OCCLUDE
+set -uo pipefail
+. "$(dirname "$0")/common.sh"
+walk_of_squares
+
+slanting_wall
+
+# Files of any name, in all that names them.
+cp slanting.ply $'odd\377.ply'
+"$occlude" preprocess $'odd\377.ply' --out $'odd\377.pre' >/dev/null || fail "preprocess: a name that is not UTF-8"
+"$occlude" walk $'odd\377.ply' --path path.json --out odd --size 64x36 --preprocess $'odd\377.pre' --witness $'odd\377.jsonl' \
+  >stdout 2>stderr || fail "walk: a name that is not UTF-8: $(cat stderr)"
+grep -qF '"model": "odd\\xff.ply"' odd/summary.json || fail "walk: a name that is not UTF-8: $(cat odd/summary.json)"
+grep -qF '"preprocess": "odd\\xff.pre"' odd/summary.json || fail "walk: a name that is not UTF-8: $(cat odd/summary.json)"
+grep -qF '<h1>A walk through odd\xff.ply</h1>' odd/report.html || fail "walk: a name that is not UTF-8, in the page"
+"$occlude" validate $'odd\377.ply' --path path.json --witness $'odd\377.jsonl' >stdout 2>&1 || fail "odd: $(cat stdout)"
+
+# A preprocess, used and refused.
+"$occlude" preprocess slanting.ply --out slanting.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 >stdout ||
+  fail "preprocess: $(cat stdout)"
+"$occlude" preprocess slanting.ply --out again.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 --json >/dev/null
+"$occlude" preprocess good.ply --out good.pre --regions 64 --json >stdout || fail "preprocess --json"
+grep -q '"found_to_hide": null' stdout || fail "preprocess samples unasked: $(cat stdout)"
+"$occlude" preprocess good.ply --out good.pre --regions 64 --samples 1 --json >stdout || fail "preprocess --samples --json"
+grep -q '"found_to_hide": [1-9]' stdout || fail "preprocess sampled nothing: $(cat stdout)"
+cmp -s slanting.pre again.pre || fail "preprocess: two runs differ"
+"$occlude" walk slanting.ply --path path.json --out prepared --no-render --preprocess slanting.pre --witness prepared.jsonl \
+  >/dev/null || fail "walk --preprocess"
+grep -q '"bounds": "obb"' prepared/summary.json || fail "walk --preprocess: the bounds are not those of the file"
+grep -q '"preprocess": "slanting.pre"' prepared/summary.json || fail "walk --preprocess: not in the summary"
+"$occlude" validate slanting.ply --path path.json --witness prepared.jsonl >stdout 2>&1 || fail "prepared: $(cat stdout)"
+"$occlude" validate slanting.ply --path path.json --preprocess slanting.pre >stdout 2>&1 || fail "prepared: $(cat stdout)"
+expect_error "slanting.pre: made of another model" "$occlude" walk good.ply --path path.json --out out --preprocess slanting.pre
+head -c 300 slanting.pre >short.pre
+expect_error "short.pre: the file ends" "$occlude" walk slanting.ply --path path.json --out out --preprocess short.pre
+expect_error "good.ply: no file" "$occlude" walk slanting.ply --path path.json --out out --preprocess good.ply
+expect_error "missing.pre" "$occlude" walk slanting.ply --path path.json --out out --preprocess missing.pre
+expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --bounds aabb
+expect_error "named twice" "$occlude" preprocess good.ply --out good.ply
+
+# Interrupted, it leaves what was there: here with lists that take many times as long.
+"$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
+echo old >city.pre
+for signal in INT TERM; do
+  interrupt $signal "$occlude" preprocess city.ply --regions 1e6 --threshold 1e-6 --out city.pre
+  [ "$(cat city.pre)" = old ] || fail "preprocess: SIG$signal did not spare the file that was there"
+done
+
+# The import library does not say that no more files may be open.
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
+for files in 5 6 7 8; do
+  (ulimit -n $files && exec "$occlude" preprocess a.stl --out few.pre) >/dev/null 2>stderr
+  code=$?
+  [ $code -eq 127 ] && continue # not even its libraries are loaded
+  [ $code -eq 0 ] || { [ $code -eq 2 ] && grep -q 'Too many open files' stderr; } || fail "$files files: exit $code: $(cat stderr)"
+done
+
+finish

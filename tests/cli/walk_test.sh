@@ -1,0 +1,162 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `occlude walk`: what good input writes, what bad input says.
+# Usage: walk_test.sh PATH_OF_OCCLUDE [FOLDER_OF_REAL_MODELS]
+set -uo pipefail
+. "$(dirname "$0")/common.sh"
+walk_of_squares
+
+# Models.
+printf 'this is no model\n' >text.ply
+ply nan.ply 3 1 'nan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
+ply index.ply 3 1 '0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n'
+ply empty.ply 0 0 ''
+ply one.ply 3 1 '2 0 0\n2 1 0\n2 0 1\n3 0 1 2\n'
+head -c $(($(wc -c <good.ply) - 20)) good.ply >truncated.ply
+: >nothing.ply
+for model in missing.ply text.ply truncated.ply nan.ply index.ply empty.ply one.ply nothing.ply; do
+  expect_error "$model" "$occlude" walk "$model" --path path.json --out out
+done
+expect_error "truncated" "$occlude" walk truncated.ply --path path.json --out out
+expect_error "out of range" "$occlude" walk index.ply --path path.json --out out
+expect_error "not finite" "$occlude" walk nan.ply --path path.json --out out
+
+# Paths.
+echo '{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]}]}' >single.json
+echo '{"frames":4,"keyframes":[' >broken.json
+echo '{"frames":4,"keyframes":[{"eye":[0,0,"x"],"target":[1,0,0]},{"eye":[0,0,0],"target":[1,0,0]}]}' >words.json
+for file in single.json broken.json words.json missing.json; do
+  expect_error "$file" "$occlude" walk good.ply --path "$file" --out out
+done
+
+# Folders and options.
+touch file
+expect_error "file" "$occlude" walk good.ply --path path.json --out file/out
+expect_error "no frame" "$occlude" walk good.ply --path path.json --out out --frames 9:10
+expect_error "--frames" "$occlude" walk good.ply --path path.json --out out --frames 1
+expect_error "--size" "$occlude" walk good.ply --path path.json --out out --size 0x10
+expect_error "--arithmetic" "$occlude" walk good.ply --path path.json --out out --arithmetic float
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked && chmod a-w locked
+  expect_error "locked" "$occlude" walk good.ply --path path.json --out locked/out
+fi
+
+# A walk.
+"$occlude" walk good.ply --path path.json --out report --size 64x36 --witness witness.jsonl >stdout || fail "walk"
+grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk said: $(cat stdout)"
+for file in summary.json frames.csv report.html plates; do
+  [ -e "report/$file" ] || fail "no $file"
+done
+[ "$(wc -l <report/frames.csv)" -eq 5 ] || fail "frames.csv has not a line a frame"
+grep -q '"by":"shadow"' witness.jsonl || fail "no witness of a shadow cull"
+"$occlude" validate good.ply --path path.json --witness witness.jsonl >stdout || fail "validate"
+total=$(wc -l <witness.jsonl)
+grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(cat stdout)"
+"$occlude" validate good.ply --path path.json --size 64x36 >again || fail "validate without file"
+# Culling anew proves the same, and tells as well why hidden polygons were drawn.
+head -n 4 again | cmp -s stdout - || fail "culling anew proves something else: $(cat again)"
+grep -q "^without a pixel and drawn in 4 of the frames" again || fail "no reasons: $(cat again)"
+
+# Squares that are a hair's breadth before the near plane in a model so deep that single precision draws them.
+vertices= faces= i=0
+for y in $(seq 0 7); do
+  for z in $(seq 0 7); do
+    corner() { echo "0.099999 $((($1 - 4) * 125))e-4 $((($2 - 4) * 125))e-4\\n"; }
+    vertices+="$(corner $y $z)$(corner $((y + 1)) $z)$(corner $((y + 1)) $((z + 1)))$(corner $y $((z + 1)))"
+    faces+="4 $i $((i + 1)) $((i + 2)) $((i + 3))\n"
+    i=$((i + 4))
+  done
+done
+vertices+="5 -9 -9\n5 9 -9\n5 9 9\n5 -9 9\n-1000 -1 -1\n-1000 1 -1\n-1000 1 1\n-1000 -1 1\n"
+faces+="4 $i $((i + 1)) $((i + 2)) $((i + 3))\n4 $((i + 4)) $((i + 5)) $((i + 6)) $((i + 7))\n"
+ply deep.ply $((i + 8)) 66 "$vertices$faces"
+echo '{"frames":2,"near":0.1,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0,0,0],"target":[2,0,0]}]}' >still.json
+"$occlude" walk deep.ply --path still.json --out deep --size 64x64 >stdout || fail "walk deep.ply"
+grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk deep.ply said: $(cat stdout)"
+
+# A wall, and behind it a slanting one, in a tree of oriented boxes.
+slanting_wall
+"$occlude" walk slanting.ply --path path.json --out oriented --no-render --bounds obb --witness oriented.jsonl >/dev/null ||
+  fail "walk --bounds obb"
+grep -q '"box":{"center":' oriented.jsonl || fail "walk --bounds obb: no oriented box was culled"
+grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not in the summary"
+"$occlude" validate slanting.ply --path path.json --witness oriented.jsonl >stdout 2>&1 || fail "oriented: $(cat stdout)"
+"$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
+grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in the report"
+
+expect_error "--weight-coherence" "$occlude" walk good.ply --path path.json --out out --weight-coherence -1
+for options in "--shapes polygon" "--probes 0" "--solid-angle exact --weight-coherence 0" "--weight-solid-angle 0"; do
+  "$occlude" walk good.ply --path path.json --out weighed --no-render $options --witness weighed.jsonl >/dev/null ||
+    fail "walk $options"
+  "$occlude" validate good.ply --path path.json --witness weighed.jsonl >stdout 2>&1 || fail "walk $options: $(cat stdout)"
+done
+
+# Parallel projection, without a far plane.
+echo '{"frames":5,"projection":"orthographic","height":3,"keyframes":[{"eye":[0,0.1,0.2],"target":[3,1,0.5]},{"eye":[0.5,0,0],"target":[7,-0.4,0.1]}]}' >parallel.json
+"$occlude" walk good.ply --path parallel.json --out parallel --size 64x36 --witness parallel.jsonl >stdout || fail "parallel walk: $(cat stdout)"
+grep -q '"direction"' parallel.jsonl || fail "no direction in parallel witnesses"
+"$occlude" validate good.ply --path parallel.json --witness parallel.jsonl --size 64x36 >stdout 2>&1 || fail "parallel: $(cat stdout)"
+
+# Files that are in each other's way, and options that would do nothing.
+expect_error "named twice" "$occlude" walk good.ply --path path.json --out other --witness good.ply
+expect_error "named twice" "$occlude" walk good.ply --path path.json --out other --witness other/summary.json
+mkdir -p inway/summary.json
+expect_error "inway/summary.json" "$occlude" walk good.ply --path path.json --out inway
+"$occlude" walk good.ply --path path.json --out report --frames 0:2 --size 64x36 >/dev/null || fail "second walk"
+[ "$(ls report/plates | wc -l)" -eq 4 ] || fail "plates of an earlier walk are left"
+
+# The same walk by cover: what many polygons hide together, proved by the numbers of the polygons.
+cover="--method cover --cover-size 128x96"
+"$occlude" walk good.ply --path path.json --out covered --size 64x36 $cover --witness cover.jsonl >stdout || fail "walk by cover"
+grep -q '"method": "cover"' covered/summary.json || fail "the summary names no method"
+grep -q '"false_culls": 0' covered/summary.json || fail "by cover: $(cat stdout)"
+grep -q '"by":"cover","polygons":\[[0-9]' cover.jsonl || fail "no witness by cover"
+"$occlude" validate good.ply --path path.json --witness cover.jsonl >stdout || fail "validate by cover: $(cat stdout)"
+covers=$(wc -l <cover.jsonl)
+grep -q "^$covers of $covers witnesses proved" stdout || fail "validate by cover said: $(cat stdout)"
+sed 's/"polygons":\[[0-9,]*\]/"polygons":[63]/' cover.jsonl >forged.jsonl
+"$occlude" validate good.ply --path path.json --witness forged.jsonl >stdout 2>&1 && fail "a polygon that hides nothing was taken"
+"$occlude" validate good.ply --path path.json --size 64x36 $cover >stdout || fail "validate --method cover: $(cat stdout)"
+expect_error "--cover-size" "$occlude" walk good.ply --path path.json --out out --method cover --cover-size 63x64
+expect_error "--method" "$occlude" walk good.ply --path path.json --out out --method raster
+expect_error "--pixel-margin" "$occlude" walk good.ply --path path.json --out out --pixel-margin nan
+expect_error "--leaf" "$occlude" walk good.ply --path path.json --out out --leaf 0
+
+# Interrupted, it leaves nothing behind.
+"$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
+interrupt INT "$occlude" walk city.ply --path city.json --out stopped --witness stopped.jsonl
+[ ! -e stopped ] && [ ! -e stopped.jsonl ] || fail "Ctrl-C left files behind"
+
+# Nor do more polygons fit than memory holds; what is too large is named.
+awk 'BEGIN { for (i = 1; i <= 2e6; ++i) print "v", i, 0, 0; for (i = 1; i <= 1e6; ++i) print "f", i, i + 1, i + 2 }' >many.obj
+with_little_memory() { (ulimit -v 400000 && timeout 60 "$occlude" "$@"); }
+if with_little_memory --version >/dev/null 2>&1; then # a sanitizer needs more to begin with
+  expect_error "many.obj" with_little_memory walk many.obj --path path.json --no-render --out out
+  grep -q 'out of memory' stderr || fail "out of memory: $(cat stderr)"
+  # Drawing takes more, and says so before the OpenGL library crashes for want of it.
+  for kib in 250000 300000 350000 450000; do
+    (ulimit -v $kib && exec timeout 60 "$occlude" walk deep.ply --path still.json --out little --size 640x360) >/dev/null 2>stderr
+    code=$?
+    [ $code -eq 127 ] && continue # not even its libraries are loaded
+    [ $code -eq 0 ] || { [ $code -eq 2 ] && grep -q 'out of memory' stderr; } || fail "$kib KiB: exit $code: $(cat stderr)"
+    rm -rf little
+  done
+fi
+(ulimit -s 64 && exec "$occlude" walk deep.ply --path still.json --out little) >/dev/null 2>stderr
+[ $? -eq 2 ] && grep -q 'the stack is limited to 64 KiB' stderr || fail "little stack: $(cat stderr)"
+rm many.obj
+
+# A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
+printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
+expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
+
+# A real model, where there is one.
+models=${2:-}
+if [ -n "$models" ] && [ -f "$models/sponza.ply" ]; then
+  "$occlude" walk "$models/sponza.ply" --path "$models/sponza_path1.json" --out sponza --frames 0:300:60 --size 160x90 >stdout ||
+    fail "sponza: $(cat stdout)"
+else
+  echo "No real models (OCCLUDE_DATA): skipped"
+fi
+
+finish
