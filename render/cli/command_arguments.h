@@ -60,4 +60,7 @@ CLI::Option* add_inputs(CLI::App& command, const char* name, std::vector<std::st
 /// The same for a file or folder that it writes.
 CLI::Option* add_output(CLI::App& command, const char* name, std::string& path, const char* text);
 
+/// What `--help` says of the limits of inputs.
+[[nodiscard]] std::string limits_help();
+
 }  // namespace occlude::cli
