@@ -14,7 +14,6 @@
 #include "command_arguments.h"
 #include "commands.h"
 #include "occlude/render/console.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/preprocess_file.h"
@@ -77,7 +76,7 @@ void add_preprocess(Command app, int&) {
       "Stores the order of the tree, the occluders that each region of space lists, and what they hide as sampled there, "
       "for\n"
       "walk and validate with --preprocess. Nothing in it can make a cull wrong.\n" +
-      render::limits_help() +
+      limits_help() +
       "\n"
       "Example: occlude preprocess city.ply --out city.pre");
   const auto a = std::make_shared<Arguments>();

@@ -19,7 +19,6 @@
 #include "differential/overlap.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
@@ -281,7 +280,7 @@ void add_fuzz(Command app, int& exit_code) {
       "stored),\n"
       "2 for bad input.\n" +
       fmt::format("A polytope in a case file has at most {} vertices, those of its faces counted.\n", kMostCorners) +
-      render::limits_help() +
+      limits_help() +
       "\n"
       "Example: occlude fuzz --seconds 30\n"
       "Example: occlude fuzz --cases 100000000 --shard 3/16 --out part3.json     then: occlude fuzz --merge part*.json");

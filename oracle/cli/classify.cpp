@@ -108,7 +108,7 @@ void add_classify(Command app, int& exit_code) {
       "and there is neither `plain` nor `conservative`.\n" +
       fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", kMostCorners,
                   render::kMostCoverVertices) +
-      render::limits_help() +
+      limits_help() +
       "\n"
       R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
   const auto file = std::make_shared<std::string>("-");

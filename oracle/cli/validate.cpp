@@ -284,7 +284,7 @@ void add_validate(Command app, int& exit_code) {
       app.add_command("validate", "Prove every cull of a walk in exact arithmetic, and that nothing culled shows");
   command.footer(
       "Exit code 0; 1 when a witness is not proved or a culled triangle shows (it is printed); 2 for bad input.\n" +
-      render::limits_help() +
+      limits_help() +
       "\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
   const auto a = std::make_shared<Arguments>();

@@ -2,11 +2,12 @@
 #include "experiments.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
-#include "stopwatch.h"
-#include "walk/walker.h"
+#include "occlude/render/stopwatch.h"
+#include "occlude/render/walk_frames.h"
 
 namespace occlude::experiments {
 namespace {
@@ -34,8 +35,10 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   result.last_frame = frames.back();
   result.frames = frames.size();
   if (is_chosen("table2")) {
-    result.table2 = measure_table2(subject, options);
-    result.methods = measure_methods(subject, options, *result.table2);
+    render::WalkResult walk = measure_table2(subject, options);
+    result.table2 = summarise(walk, options.walk, subject.name);
+    result.methods = measure_methods(subject, options, walk);
+    result.walked = std::move(walk.frames);
   }
   if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);
   if (is_chosen("sweeps")) result.sweeps = measure_sweeps(subject, options);

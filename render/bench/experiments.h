@@ -11,7 +11,7 @@
 #include "growth.h"
 #include "joined.h"
 #include "methods.h"
-#include "occlude/render/walk.h"
+#include "occlude/render/summary.h"
 #include "setting.h"
 #include "sorting.h"
 #include "sweeps.h"
@@ -25,8 +25,9 @@ inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", 
 struct Result {
   std::string model;
   std::size_t polygons = 0, first_frame = 0, last_frame = 0, frames = 0;
-  std::optional<render::WalkResult> table2;  ///< and figures 2 and 3
-  std::optional<Methods> methods;            ///< beside table2: the same walk by each
+  std::optional<render::Summary> table2;
+  std::optional<Methods> methods;           ///< beside table2: the same walk by each
+  std::vector<render::FrameRecord> walked;  ///< the frames of table 2, which are figures 2 and 3
   std::optional<Figure4> figure4;
   std::optional<Sweeps> sweeps;
   std::optional<Sorting> sort;
@@ -36,5 +37,15 @@ struct Result {
 
 /// Throws InputError for a path without the frames asked for, Interrupted on Ctrl-C.
 [[nodiscard]] Result run(const Subject& subject, const Options& options, const std::vector<std::string>& chosen);
+
+// What they found, for people and for programs.
+
+[[nodiscard]] std::string report_text(const Result& result, const Options& options);
+
+/// One object; experiments that were not made, and what could not be measured, are null.
+[[nodiscard]] std::string report_json(const Result& result, const Options& options);
+
+/// One page without scripts or outside addresses.
+[[nodiscard]] std::string report_html(const Result& result, const Options& options);
 
 }  // namespace occlude::experiments

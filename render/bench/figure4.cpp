@@ -9,8 +9,8 @@
 #include "occlude/culler/parallel.h"
 #include "occlude/culler/preprocess.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
 #include "pass.h"
-#include "stopwatch.h"
 #include "trends.h"
 
 namespace occlude::experiments {

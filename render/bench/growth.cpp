@@ -7,10 +7,10 @@
 #include "occlude/culler/culler.h"
 #include "occlude/render/city.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
 #include "pass.h"
 #include "peak_memory.h"
 #include "rounds.h"
-#include "stopwatch.h"
 #include "trends.h"
 
 namespace occlude::experiments {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "occlude/culler/culler.h"
-#include "walk/means.h"
-#include "walk/walker.h"
+#include "occlude/render/summary.h"
+#include "occlude/render/walk_frames.h"
 
 namespace occlude::experiments {
 namespace {

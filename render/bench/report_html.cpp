@@ -3,12 +3,12 @@
 
 #include <array>
 
-#include "experiments_report.h"
+#include "experiments.h"
+#include "occlude/render/chart.h"
+#include "occlude/render/page.h"
+#include "occlude/render/summary.h"
+#include "occlude/render/walk_page.h"
 #include "tables.h"
-#include "walk/chart.h"
-#include "walk/figures.h"
-#include "walk/page.h"
-#include "walk/summary.h"
 
 namespace occlude::experiments {
 namespace {
@@ -28,10 +28,9 @@ std::string section(const std::string& title, const std::string& body) {
 std::string figure(const std::string& chart) { return "<figure>" + chart + "</figure>"; }
 
 std::string table2_section(const Result& result, const Options& options) {
-  const auto summary = summarise(*result.table2, options.walk, result.model);
-  return section("Averages (the paper's table 2)", render::table2_html(summary)) +
+  return section("Averages (the paper's table 2)", table2_html(*result.table2)) +
          section(methods_table(*result.methods).title, html_of(methods_table(*result.methods))) +
-         render::figures_html(*result.table2, options.walk.render);
+         render::figures_html(result.walked, options.walk.render);
 }
 
 std::string figure4_section(const Figure4& figure4) {

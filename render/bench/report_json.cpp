@@ -2,8 +2,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "experiments_report.h"
-#include "walk/summary.h"
+#include "experiments.h"
+#include "occlude/render/summary.h"
 
 namespace occlude::experiments {
 namespace {
@@ -12,8 +12,8 @@ using Json = nlohmann::ordered_json;
 
 Json if_known(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json table2_json(const Result& result, const Options& options) {
-  Json json = summarise(*result.table2, options.walk, result.model);
+Json table2_json(const render::Summary& summary) {
+  Json json = json_of(summary);
   // Told once for all experiments; witnesses and operations are for walks.
   for (const char* member : {"model", "polygons", "frames", "options", "machine", "witnesses", "operations"}) {
     json.erase(member);
@@ -35,10 +35,10 @@ Json methods_json(const Methods& methods) {
 }
 
 /// Figures 2 and 3.
-Json frames_json(const render::WalkResult& walk, bool rendered) {
+Json frames_json(const std::vector<render::FrameRecord>& frames, bool rendered) {
   const auto each = [&](auto member) {
     Json values = Json::array();
-    for (const render::FrameRecord& record : walk.frames) values.push_back(record.*member);
+    for (const render::FrameRecord& record : frames) values.push_back(record.*member);
     return values;
   };
   const auto if_rendered = [&](auto member) { return rendered ? each(member) : Json(nullptr); };
@@ -132,7 +132,7 @@ Json growth_json(const Growth& growth) {
 }  // namespace
 
 std::string report_json(const Result& result, const Options& options) {
-  Json settings = options_json(options.walk, options.walk.build);
+  Json settings = json_of(options.walk, options.walk.build);
   settings["samples"] = options.samples;
   settings["repetitions"] = options.repetitions;
   const bool rendered = options.walk.render;
@@ -140,9 +140,9 @@ std::string report_json(const Result& result, const Options& options) {
             {"polygons", result.polygons},
             {"frames", {{"first", result.first_frame}, {"last", result.last_frame}, {"count", result.frames}}},
             {"options", settings}};
-  json["table2"] = result.table2 ? table2_json(result, options) : Json(nullptr);
+  json["table2"] = result.table2 ? table2_json(*result.table2) : Json(nullptr);
   json["methods"] = result.methods ? methods_json(*result.methods) : Json(nullptr);
-  json["figures_2_and_3"] = result.table2 ? frames_json(*result.table2, rendered) : Json(nullptr);
+  json["figures_2_and_3"] = result.table2 ? frames_json(result.walked, rendered) : Json(nullptr);
   json["figure4"] = result.figure4 ? figure4_json(*result.figure4) : Json(nullptr);
   json["sweeps"] = nullptr;
   if (result.sweeps) {
@@ -156,7 +156,7 @@ std::string report_json(const Result& result, const Options& options) {
                       {"budgets", joined_json(result.joined->budgets)}};
   }
   json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
-  json["machine"] = render::machine_json(result.table2 ? result.table2->renderer : "");
+  json["machine"] = json_of(result.table2 ? result.table2->machine : render::this_machine(""));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

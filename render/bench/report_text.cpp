@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "experiments_report.h"
-#include "occlude/render/walk_summary.h"
+#include "experiments.h"
 #include "tables.h"
 
 namespace occlude::experiments {
@@ -11,7 +10,7 @@ std::string report_text(const Result& result, const Options& options) {
   std::string text = fmt::format("{}: {} polygons; {} frames, {} to {}\n", result.model, result.polygons, result.frames,
                                  result.first_frame, result.last_frame);
   const auto add = [&](const std::string& part) { text += "\n" + part; };
-  if (result.table2) add(summary_text(*result.table2, options.walk, result.model));
+  if (result.table2) add(text_of(*result.table2));
   if (result.methods) add(text_of(methods_table(*result.methods)));
   if (result.figure4) add(text_of(figure4_table(*result.figure4)));
   if (result.sweeps) {

@@ -6,9 +6,9 @@
 #include "bench.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
 #include "pass.h"
 #include "rounds.h"
-#include "stopwatch.h"
 
 namespace occlude::experiments {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "table.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "walk/page.h"
+#include "occlude/render/page.h"
+#include "tables.h"
 
 namespace occlude::experiments {
 namespace {

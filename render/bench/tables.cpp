@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "occlude/render/machine.h"
-#include "walk/page.h"
+#include "occlude/render/page.h"
 
 namespace occlude::experiments {
 namespace {

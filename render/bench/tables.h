@@ -2,15 +2,29 @@
 // What the experiments found, as tables, and how it was measured.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "figure4.h"
 #include "growth.h"
 #include "joined.h"
 #include "methods.h"
 #include "sorting.h"
 #include "sweeps.h"
-#include "table.h"
 
 namespace occlude::experiments {
+
+/// A table, for a terminal and for a page.
+struct Table {
+  std::string title;
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;  ///< as long as the head; the first cell names the row
+  std::vector<std::string> notes;              ///< what to read from it, a line each
+};
+
+[[nodiscard]] std::string text_of(const Table& table);
+/// Without the title.
+[[nodiscard]] std::string html_of(const Table& table);
 
 [[nodiscard]] Table methods_table(const Methods& methods);
 [[nodiscard]] Table figure4_table(const Figure4& figure);

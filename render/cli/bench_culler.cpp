@@ -9,11 +9,9 @@
 #include "command_arguments.h"
 #include "commands.h"
 #include "experiments.h"
-#include "experiments_report.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
 #include "occlude/render/console.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
@@ -85,7 +83,7 @@ void bench_culler(Arguments& arguments) {
 
 void add_bench_culler(Command bench, int&) {
   Command command = bench.add_command("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
-  command.footer("Without MODEL on a generated city.\n" + render::limits_help() +
+  command.footer("Without MODEL on a generated city.\n" + limits_help() +
                  "\n"
                  "Example: occlude bench culler --out report\n"
                  "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");

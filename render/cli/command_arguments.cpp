@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "command_arguments.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
+#include "occlude/render/input_limits.h"
+#include "occlude/render/model_io.h"
 #include "occlude/render/output_place.h"
+#include "occlude/render/resource_limits.h"
 
 namespace occlude::cli {
 namespace {
@@ -191,6 +196,15 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 Option add_output(Command command, const char* name, std::string& path, const char* text) {
   return command.add(name, path, text).check(check_named);
+}
+
+std::string limits_help() {
+  return fmt::format(
+      "Limits: a JSON file, and a line of JSON Lines, has at most {}, any other file {}. The import library (formats "
+      "other\nthan PLY and OBJ) has {}. In all, a\n"
+      "command takes at most {}, three quarters of the machine's memory.",
+      render::in_mebibytes(render::kMostJson), render::in_mebibytes(render::kMostBytes), render::import_limits(),
+      render::in_mebibytes(render::most_memory()));
 }
 
 }  // namespace occlude::cli

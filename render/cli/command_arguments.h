@@ -60,4 +60,7 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 /// The same for a file or folder that it writes.
 Option add_output(Command command, const char* name, std::string& path, const char* text);
 
+/// What `--help` says of the limits of inputs.
+[[nodiscard]] std::string limits_help();
+
 }  // namespace occlude::cli

@@ -11,9 +11,9 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
-#include "occlude/render/memory_limit.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/resource_limits.h"
 
 namespace {
 

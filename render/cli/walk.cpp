@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "case_line.h"
@@ -13,12 +14,11 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
+#include "occlude/render/summary.h"
 #include "occlude/render/walk_files.h"
-#include "occlude/render/walk_summary.h"
 
 namespace occlude::cli {
 namespace {
@@ -50,13 +50,13 @@ void walk(const Arguments& arguments, int& exit_code) {
   const render::WalkResult result = render::walk(render::read_model(arguments.model), path, options, name, files);
   exit_code = render::passed(result) ? kDone : kCheckFailed;
   if (cases) cases->close();
-  files.commit(result, options, name);
+  const render::Summary summary = summarise(result, options, name);
+  files.commit(result, summary);
   if (cases) cases->commit();
   if (arguments.json) {
-    render::print(render::summary_json(result, options, name));
+    render::print(json_of(summary).dump(2) + "\n");
   } else {
-    render::print(
-        fmt::format("{}report: {}\n", render::summary_text(result, options, name), (out / "report.html").string()));
+    render::print(fmt::format("{}report: {}\n", text_of(summary), (out / "report.html").string()));
   }
 }
 
@@ -67,7 +67,7 @@ void add_walk(Command app, int& exit_code) {
   command.footer(
       "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
       "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n" +
-      render::limits_help() +
+      limits_help() +
       "\n"
       "Example: occlude walk city.ply --path city.json --out report");
   const auto a = std::make_shared<Arguments>();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // occlude why
-#include "occlude/render/why.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +11,11 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/offscreen_context.h"
-#include "occlude/render/output_file.h"
-#include "occlude/render/output_folder.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
+#include "occlude/render/why_report.h"
 
 namespace occlude::cli {
 namespace {
@@ -95,7 +91,7 @@ int why(const Arguments& arguments) {
 void add_why(Command app, int& exit_code) {
   Command command = app.add_command("why", "Tell why a frame of a walk drew or culled a polygon");
   command.footer("The frames before are culled first, as in a walk: give the options of that walk.\n" +
-                 render::limits_help() +
+                 limits_help() +
                  "\n"
                  "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
   const auto a = std::make_shared<Arguments>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "walk/chart.h"
+#include "occlude/render/chart.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "child_process.h"
+#include "occlude/render/child_process.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -6,10 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "comparison.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/scene_renderer.h"
-#include "occlude/render/walk_summary.h"
-#include "walk/comparison.h"
+#include "occlude/render/summary.h"
+#include "occlude/render/walk_page.h"
 
 namespace {
 
@@ -117,14 +118,18 @@ TEST(Summary, PassesOnlyWhenEveryPixelIsExplained) {
   EXPECT_FALSE(passed(one_frame(record)));
 }
 
-TEST(Summary, HasTheMembersOfTheContract) {
+FrameRecord some_frame() {
   FrameRecord record;
   record.view_frustum_polygons = 100;
   record.rendered_polygons = 40;
   record.visible_polygons = 20;
   record.frame_ms = 5;
   record.view_frustum_frame_ms = 10;
-  const auto json = nlohmann::json::parse(summary_json(one_frame(record), {}, "model.ply"));
+  return record;
+}
+
+TEST(Summary, HasTheMembersOfTheContract) {
+  const auto json = json_of(summarise(one_frame(some_frame()), {}, "model.ply"));
   EXPECT_EQ(json["polygons"], 3);
   EXPECT_EQ(json["frames"], 1);
   EXPECT_EQ(json["mean"]["view_frustum_polygons"], 100);
@@ -137,13 +142,25 @@ TEST(Summary, HasTheMembersOfTheContract) {
   for (const char* name : {"wrong_pixels", "false_culls", "operations", "machine"}) EXPECT_TRUE(json.contains(name)) << name;
 }
 
+TEST(Summary, TextAndPageShowItsFigures) {
+  const WalkResult result = one_frame(some_frame());
+  const Summary summary = summarise(result, {}, "model.ply");
+  EXPECT_NE(text_of(summary).find("+100 %"), std::string::npos) << text_of(summary);
+  const std::string page = walk_page(summary, result.frames, {});
+  EXPECT_NE(page.find("<b>60.0 %</b>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<b>2.00 &times;</b>"), std::string::npos) << page;
+  EXPECT_NE(page.find("<td>75.0 %</td>"), std::string::npos) << page;  // of the hidden polygons, culled
+}
+
 TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {
   WalkOptions options;
   options.render = false;
-  const auto json = nlohmann::json::parse(summary_json(one_frame({}), options, "model.ply"));
+  const auto json = json_of(summarise(one_frame({}), options, "model.ply"));
   EXPECT_TRUE(json["mean"]["hidden_polygons"].is_null());
   EXPECT_TRUE(json["speedup"].is_null());
   EXPECT_TRUE(json["wrong_pixels"].is_null());
+  const std::string table = table2_html(summarise(one_frame({}), options, "model.ply"));
+  EXPECT_NE(table.find("<td>With occlusion culling</td><td>0</td><td>&ndash;</td>"), std::string::npos) << table;
 }
 
 }  // namespace

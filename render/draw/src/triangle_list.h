@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The polygons as OpenGL gets them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "occlude/culler/polygon_soup.h"
+#include "occlude/render/image.h"
+#include "projection.h"
+
+namespace occlude::render {
+
+/// One corner of a triangle. Corners are not shared through an index buffer: llvmpipe draws many short ranges of plain
+/// corners some 10 % faster than indexed ones, even of quads.
+struct Corner {
+  std::array<float, 3> position;  ///< relative to the list's centre
+  Rgba colour;
+  std::uint32_t polygon;
+};
+static_assert(sizeof(Corner) == 20);
+
+/// The fans of all polygons, three corners a triangle.
+struct TriangleList {
+  glm::dvec3 centre{0, 0, 0};
+  Extent extent;  ///< of the vertices, in model space
+  std::vector<Corner> corners;
+  std::vector<std::uint32_t> first = {0};  ///< polygon p owns corners [first[p], first[p + 1])
+};
+
+/// The colour of a polygon, from nothing but its plane. Level ground and gentle slopes are green-grey, steeper ones roof
+/// tiles, walls brick and stucco with one tone a plane; lit by a sun in the south-west, both sides alike. The same on every
+/// machine.
+[[nodiscard]] Rgba polygon_colour(const culler::PolygonSoup& soup, std::size_t polygon);
+
+/// Throws std::runtime_error for more triangles than OpenGL can number.
+[[nodiscard]] TriangleList make_triangle_list(const culler::PolygonSoup& soup);
+
+}  // namespace occlude::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What a walk leaves behind.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "occlude/render/output_file.h"
+#include "occlude/render/output_folder.h"
+#include "occlude/render/picture_set.h"
+#include "occlude/render/summary.h"
+
+namespace occlude::render {
+
+/// frames.csv, summary.json, report.html and plates/*.png of a folder, and the witness file that the options name.
+class WalkFiles : public WalkOutput {
+ public:
+  /// Opened before the work, so that what cannot be written is known at once. Throws InputError then.
+  WalkFiles(const std::filesystem::path& folder, const WalkOptions& options);
+
+  void add_witness(std::string_view line) override;
+  void add_plate(const Plate& plate, const Image& image) override;
+  /// Gives all files their names, once every one is whole.
+  void commit(const WalkResult& result, const Summary& summary);
+
+ private:
+  OutputFolder folder_, plates_folder_;
+  OutputFile csv_, report_, summary_;
+  std::optional<OutputFile> witness_;
+  PictureSet pictures_;
+  std::vector<Plate> plates_;
+};
+
+}  // namespace occlude::render

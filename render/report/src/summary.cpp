@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "occlude/render/machine.h"
+#include "occlude/render/printable.h"
+
+namespace occlude::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t total(const WalkResult& result, std::size_t FrameRecord::*member) {
+  std::size_t sum = 0;
+  for (const FrameRecord& record : result.frames) sum += record.*member;
+  return sum;
+}
+
+/// Null where it is none.
+template <class Number>
+Json if_known(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json operations(const kernel::Operations& counted) {
+  const double tests = counted.tests == 0 ? 1 : static_cast<double>(counted.tests);
+  const auto each = [&](std::uint64_t count) { return static_cast<double>(count) / tests; };
+  return {{"tests", counted.tests},
+          {"dot_per_test", each(counted.dot)},
+          {"scalar_per_test", each(counted.scalar)},
+          {"vector_per_test", each(counted.vector)},
+          {"cross_per_test", each(counted.cross)}};
+}
+
+/// Null where there is no limit.
+template <class Number>
+Json if_limited(Number most) {
+  const bool is_limited = most < std::numeric_limits<Number>::max();
+  return is_limited ? Json(most) : Json();
+}
+
+std::string fps(const std::optional<double>& ms) { return ms ? fmt::format("{:.1f}", 1000 / *ms) : "-"; }
+
+std::string gain(const std::optional<double>& ratio) { return ratio ? fmt::format("{:+.0f} %", 100 * (*ratio - 1)) : "-"; }
+
+/// Table 2 of the paper beside this run.
+std::string table2_text(const Summary& summary) {
+  const Summary::Mean& mean = summary.mean;
+  return fmt::format(
+      "Table 2, averages per frame           this run           the paper (1997)\n"
+      "                                  polygons      fps      polygons      fps\n"
+      "view-frustum culling            {:>10.0f} {:>8}        49,196      3.6\n"
+      "with occlusion culling          {:>10.0f} {:>8}        29,749      5.6\n"
+      "drawing only what shows         {:>10} {:>8}             -        -\n"
+      "polygons culled                 {:>9.1f} %                 39.5 %\n"
+      "speedup                         {:>19}                      +55 %\n"
+      "  limit by polygons drawn       {:>19}                      +65 %\n",
+      mean.view_frustum_polygons, fps(mean.frame_ms_view_frustum_only), mean.rendered_polygons, fps(mean.frame_ms),
+      mean.visible_polygons ? fmt::format("{:.0f}", *mean.visible_polygons) : "-", fps(mean.frame_ms_visible_only),
+      100 * summary.culled_share, gain(summary.speedup), gain(summary.limit_by_polygons));
+}
+
+}  // namespace
+
+const char* name_of(kernel::Near near) { return near == kernel::Near::surface ? "surface" : "farthest"; }
+
+const char* name_of(kernel::Arithmetic arithmetic) {
+  return arithmetic == kernel::Arithmetic::certified ? "certified" : "plain";
+}
+
+const char* name_of(kernel::Test test) { return test == kernel::Test::overlap ? "overlap" : "conservative"; }
+
+Machine this_machine(const std::string& renderer) {
+  return {processor_name(), compiler_name(), std::thread::hardware_concurrency(), renderer};
+}
+
+double mean_hidden(const WalkResult& result) {
+  return mean(result, [](const FrameRecord& r) {
+    return r.view_frustum_polygons - std::min(r.view_frustum_polygons, r.visible_polygons);
+  });
+}
+
+Summary summarise(const WalkResult& result, const WalkOptions& options, const std::string& model) {
+  const auto if_rendered = [&](auto value) { return options.render ? std::optional(value) : std::nullopt; };
+  const auto mean_of = [&](auto member) { return mean(result, member); };
+  const auto total_of = [&](auto member) { return total(result, member); };
+
+  Summary summary;
+  summary.model = model;
+  summary.polygons = result.polygons;
+  summary.triangles = result.triangles;
+  summary.frames = result.frames.size();
+  summary.options = options;
+  summary.build = result.build;
+
+  const double viewed = mean_of(&FrameRecord::view_frustum_polygons), drawn = mean_of(&FrameRecord::rendered_polygons);
+  const double visible = mean_of(&FrameRecord::visible_polygons), hidden = mean_hidden(result);
+  const double viewed_ms = mean_of(&FrameRecord::view_frustum_frame_ms), frame_ms = mean_of(&FrameRecord::frame_ms);
+  Summary::Mean& mean_figures = summary.mean;
+  mean_figures.view_frustum_polygons = viewed;
+  mean_figures.rendered_polygons = drawn;
+  mean_figures.visible_polygons = if_rendered(visible);
+  mean_figures.hidden_polygons = if_rendered(hidden);
+  mean_figures.occluders = mean_of(&FrameRecord::occluders);
+  mean_figures.candidates = mean_of([](const FrameRecord& r) { return r.stats.occluders_in_view; });
+  mean_figures.sort_moves = mean_of([](const FrameRecord& r) { return r.stats.sort_moves; });
+  mean_figures.cull_ms = mean_of(&FrameRecord::cull_ms);
+  mean_figures.witness_ms = mean_of(&FrameRecord::witness_ms);
+  mean_figures.frame_ms = if_rendered(frame_ms);
+  mean_figures.frame_ms_view_frustum_only = if_rendered(viewed_ms);
+  mean_figures.frame_ms_visible_only = if_rendered(mean_of(&FrameRecord::visible_frame_ms));
+
+  summary.culled_share = viewed == 0 ? 0 : 1 - drawn / viewed;
+  summary.culled_share_of_hidden = if_rendered(hidden == 0 ? 0 : (viewed - drawn) / hidden);
+  summary.speedup = if_rendered(viewed_ms / frame_ms);
+  if (drawn != 0) summary.limit_by_polygons = viewed / drawn;
+  if (visible != 0) summary.limit_by_visible = if_rendered(viewed / visible);
+  summary.wrong_pixels = if_rendered(total_of(&FrameRecord::wrong_pixels));
+  summary.snapped_pixels = if_rendered(total_of(&FrameRecord::snapped_pixels));
+  summary.false_culls = if_rendered(total_of(&FrameRecord::false_culls));
+  summary.reference_frames = result.reference_frames;
+  summary.witnesses = result.witnesses;
+  summary.operations = result.operations;
+  summary.preprocess_s = result.preprocess_s;
+  summary.machine = this_machine(result.renderer);
+  return summary;
+}
+
+bool passed(const WalkResult& result) {
+  return std::all_of(result.frames.begin(), result.frames.end(),
+                     [](const FrameRecord& r) { return r.false_culls == 0 && r.wrong_pixels == r.snapped_pixels; });
+}
+
+std::string text_of(const Summary& summary) {
+  std::string text = table2_text(summary);
+  if (summary.options.render) {
+    text += fmt::format("false culls {}, wrong pixels {} (of them by the renderer's 1/256-pixel rounding: {})\n",
+                        *summary.false_culls, *summary.wrong_pixels, *summary.snapped_pixels);
+  }
+  if (const auto& witness = summary.options.witness) {
+    text += fmt::format("witnesses {}: {}\n", summary.witnesses, printable(witness->native()));
+  }
+  return text;
+}
+
+Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
+  const culler::Objective& objective = options.cull.objective;
+  return {{"size", {options.width, options.height}},
+          {"cover_size", {options.cull.cover_width, options.cull.cover_height}},
+          {"cover_triangles", if_limited(options.cull.cover_triangles)},
+          {"budget_ms", if_limited(options.cull.cover_ms)},
+          {"leaf", build.hierarchy.leaf_size},
+          {"occluders", options.cull.occluders},
+          {"probes", options.cull.probes},
+          {"solid_angle", objective.angle == culler::Objective::Angle::exact ? "exact" : "area"},
+          {"weights",
+           {{"solid_angle", objective.solid_angle},
+            {"depth_complexity", objective.depth_complexity},
+            {"coherence", objective.coherence}}},
+          {"pixel_margin", options.cull.margin * options.height},
+          {"near", name_of(options.cull.near)},
+          {"arithmetic", name_of(options.cull.arithmetic)},
+          {"test", name_of(options.cull.test)},
+          {"bounds", build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
+          {"shapes", build.occluders.shells ? "polytope" : "polygon"},
+          {"unions", options.cull.unions},
+          {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(printable(options.preprocess.native()))}};
+}
+
+Json json_of(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"threads", machine.threads},
+          {"renderer", machine.renderer.empty() ? Json(nullptr) : Json(machine.renderer)},
+          {"compiler", machine.compiler}};
+}
+
+Json json_of(const Summary& summary) {
+  const Summary::Mean& mean = summary.mean;
+  return {{"model", summary.model},
+          {"polygons", summary.polygons},
+          {"triangles", summary.triangles},
+          {"frames", summary.frames},
+          {"method", summary.options.cull.method == culler::Method::cover ? "cover" : "frusta"},
+          {"options", json_of(summary.options, summary.build)},
+          {"mean",
+           {{"view_frustum_polygons", mean.view_frustum_polygons},
+            {"rendered_polygons", mean.rendered_polygons},
+            {"visible_polygons", if_known(mean.visible_polygons)},
+            {"hidden_polygons", if_known(mean.hidden_polygons)},
+            {"occluders", mean.occluders},
+            {"candidates", mean.candidates},
+            {"sort_moves", mean.sort_moves},
+            {"cull_ms", mean.cull_ms},
+            {"witness_ms", mean.witness_ms},
+            {"frame_ms", if_known(mean.frame_ms)},
+            {"frame_ms_view_frustum_only", if_known(mean.frame_ms_view_frustum_only)},
+            {"frame_ms_visible_only", if_known(mean.frame_ms_visible_only)}}},
+          {"culled_share", summary.culled_share},
+          {"culled_share_of_hidden", if_known(summary.culled_share_of_hidden)},
+          {"speedup", if_known(summary.speedup)},
+          {"speedup_limit",
+           {{"polygons", if_known(summary.limit_by_polygons)}, {"visible", if_known(summary.limit_by_visible)}}},
+          {"wrong_pixels", if_known(summary.wrong_pixels)},
+          {"wrong_pixels_explained_by_snapping", if_known(summary.snapped_pixels)},
+          {"false_culls", if_known(summary.false_culls)},
+          {"reference_frames", summary.reference_frames},
+          {"witnesses", summary.witnesses},
+          {"operations", operations(summary.operations)},
+          {"preprocess_s", summary.preprocess_s},
+          {"machine", json_of(summary.machine)}};
+}
+
+std::string frames_csv(const WalkResult& result) {
+  std::string csv =
+      "frame,view_frustum_polygons,rendered_polygons,visible_polygons,view_frustum_cull_ms,view_frustum_frame_ms,cull_ms,"
+      "frame_ms,"
+      "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
+      "exact_shadow_tests,view_culled_polygons,shadow_"
+      "culled_polygons,"
+      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms\n";
+  for (const FrameRecord& r : result.frames) {
+    fmt::format_to(std::back_inserter(csv),
+                   "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f}\n",
+                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
+                   r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
+                   r.stats.occluders_in_view, r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited,
+                   r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests, r.stats.exact_shadow_tests,
+                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
+                   r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms);
+  }
+  return csv;
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/walk_files.h"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "occlude/render/progress.h"
+#include "occlude/render/walk_page.h"
+
+namespace occlude::render {
+namespace {
+
+bool is_plate(const std::string& name) {
+  return name.starts_with("frame_") && (name.ends_with("_view.png") || name.ends_with("_outside.png"));
+}
+
+}  // namespace
+
+WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& options)
+    : folder_(folder),
+      plates_folder_(folder / "plates"),
+      csv_(folder / "frames.csv"),
+      report_(folder / "report.html"),
+      summary_(folder / "summary.json"),
+      witness_(options.witness ? std::optional<OutputFile>(std::in_place, *options.witness) : std::nullopt),
+      pictures_(folder / "plates", is_plate) {}
+
+void WalkFiles::add_witness(std::string_view line) {
+  witness_->write(line);
+  witness_->write("\n");
+}
+
+void WalkFiles::add_plate(const Plate& plate, const Image& image) {
+  pictures_.add(plate.file, image);
+  plates_.push_back(plate);
+}
+
+void WalkFiles::commit(const WalkResult& result, const Summary& summary) {
+  csv_.write(frames_csv(result));
+  report_.write(walk_page(summary, result.frames, plates_));
+  summary_.write(json_of(summary).dump(2) + "\n");
+  std::vector<OutputFile*> files{&csv_, &report_, &summary_};
+  if (witness_) files.push_back(&*witness_);
+  check_interrupt();
+  for (OutputFile* file : files) file->close();
+  pictures_.commit();
+  for (OutputFile* file : files) file->commit();
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/why_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "occlude/render/plates.h"
+#include "occlude/render/progress.h"
+
+namespace occlude::render {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// As append_view_frustum orders them.
+constexpr std::array<const char*, 6> kViewPlanes{"left", "right", "bottom", "top", "near", "far"};
+
+std::string text_of(const kernel::Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+
+Json json_of(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
+
+Json json_of(const kernel::Aabb& box) { return {{"min", json_of(box.min)}, {"max", json_of(box.max)}}; }
+
+double distance(const glm::dvec3& eye, const kernel::Aabb& box) {
+  const glm::dvec3 low{box.min.x, box.min.y, box.min.z}, high{box.max.x, box.max.y, box.max.z};
+  return glm::distance(eye, glm::clamp(eye, low, high));
+}
+
+/// The polygons of the model that the occluder is drawn as.
+std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32_t occluder) {
+  std::vector<std::uint32_t> polygons;
+  for (const std::uint32_t part : culler.occluders().parts(occluder)) {
+    polygons.push_back(culler.hierarchy().original(part));
+  }
+  std::sort(polygons.begin(), polygons.end());
+  return polygons;
+}
+
+/// An occluder among PotentialOccluders, in words.
+std::string text_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
+  constexpr std::size_t kListed = 6;
+  const std::vector<std::uint32_t> polygons = polygons_of(culler, occluder);
+  std::string text = polygons.size() == 1 ? "polygon" : "polygons";
+  for (std::size_t i = 0; i < std::min(polygons.size(), kListed); ++i) text += fmt::format(" {}", polygons[i]);
+  if (polygons.size() > kListed) text += fmt::format(" and {} more", polygons.size() - kListed);
+  if (culler.occluders().is_shell(occluder)) return text + ", a closed convex shell";
+  if (polygons.size() > 1) return text + ", flat together";
+  return culler.occluders().regions().piece(occluder) ? "a convex piece of " + text : text;
+}
+
+Json json_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
+  return {{"polygons", polygons_of(culler, occluder)}, {"shell", culler.occluders().is_shell(occluder)}};
+}
+
+/// The edge of the silhouette that plane `plane` of the shadow is through; none of the near side.
+std::optional<std::array<kernel::Vec3, 2>> edge_of(const kernel::ShadowFrustum& shadow, std::size_t plane) {
+  if (plane < shadow.near_count()) return std::nullopt;
+  const auto corners = shadow.silhouette();
+  const std::size_t side = plane - shadow.near_count();
+  return std::array{corners[side], corners[(side + 1) % corners.size()]};
+}
+
+std::string text_of_plane(const kernel::ShadowFrustum& shadow, std::size_t plane) {
+  const auto edge = edge_of(shadow, plane);
+  return edge ? fmt::format("the side through its edge {} - {}", text_of((*edge)[0]), text_of((*edge)[1]))
+              : std::string("its near side");
+}
+
+const char* why_missed(culler::Missed reason) {
+  switch (reason) {
+    case culler::Missed::out_of_view:
+      return "it is out of view itself, and its leaf is not";
+    case culler::Missed::coarse_node:
+      return "its own box is hidden, the box of its leaf is not: the leaf is too coarse";
+    case culler::Missed::straddling_box:
+      return "it is in that shadow, its box is not: the box straddles";
+    case culler::Missed::several:
+      return "each of its corners is in the shadow of an occluder, and no shadow has all of them: several hide it together";
+    case culler::Missed::not_chosen:
+      return "it is in the shadow of an occluder that was listed, and not chosen";
+    case culler::Missed::no_single_one:
+      return "no listed occluder hides it alone, or it is seen between pixels";
+    case culler::Missed::beyond_picture:
+      return "its box reaches out of the coarse picture, or before the near plane";
+    case culler::Missed::over_budget:
+      return "it would be hidden if the frame had drawn all that is seen into its picture: the budget was spent";
+    case culler::Missed::open_pixel:
+      return "a pixel of its box is open: a border runs there, or nothing closes it";
+    case culler::Missed::not_behind:
+      return "what closes the pixels of its box is not nearer than the box";
+  }
+  return "";
+}
+
+/// Of how many of the shadows that a drawn polygon is not in one learns.
+constexpr std::size_t kNearest = 3;
+
+enum class Became { drawn, out_of_view, in_shadow };
+
+Became became(const Account& a) {
+  if (!a.cull) return Became::drawn;
+  return a.cull->by == culler::Culled::By::view ? Became::out_of_view : Became::in_shadow;
+}
+
+class Text {
+ public:
+  Text(const ReplayedFrame& frame, const Account& account)
+      : frame_(frame), account_(account), culler_(frame.culler()), became_(became(account)) {
+    add_polygon();
+    add_node();
+    if (became_ == Became::out_of_view) {
+      add("  by the {} plane of the view: the box is beyond it by {:.6g}", kViewPlanes[account.cull->index],
+          account.beyond_view);
+    } else if (account_.cull && account_.cull->by == culler::Culled::By::cover) {
+      add_cover();
+    } else if (became_ == Became::in_shadow) {
+      for (const AgainstShadow& s : account.shadows) add_culling(s);
+    } else {
+      if (account.missed) add_missed(*account.missed);
+      add_nearest();
+    }
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  template <class... Parts>
+  void add(fmt::format_string<Parts...> line, Parts&&... parts) {
+    fmt::format_to(std::back_inserter(text_), line, std::forward<Parts>(parts)...);
+    text_ += '\n';
+  }
+
+  void add_polygon() {
+    constexpr std::array<const char*, 3> kFates{"drawn", "culled: out of view", "culled: in shadow"};
+    const culler::PolygonSoup& soup = culler_.hierarchy().soup();
+    const kernel::Aabb box = soup.box(account_.polygon);
+    add("frame {}, polygon {}: {}", frame_.number(), culler_.hierarchy().original(account_.polygon),
+        kFates[static_cast<std::size_t>(became_)]);
+    add("  {} sides, in the box {} - {}, {:.6g} from the eye", soup.loop(account_.polygon).size(), text_of(box.min),
+        text_of(box.max), distance(frame_.camera().eye, box));
+    const std::string size = fmt::format("{}x{}", frame_.options().width, frame_.options().height);
+    if (account_.pixels == 0) add("  it shows in no pixel of {}, were nothing culled", size);
+    if (account_.pixels != 0) add("  it shows in {} pixels of {}", account_.pixels, size);
+  }
+
+  void add_node() {
+    const culler::HierarchyNode& node = culler_.hierarchy().nodes()[account_.node];
+    add("  {} {}: {} polygons in the box {} - {}", became_ == Became::drawn ? "drawn with leaf" : "culled with node",
+        account_.node, node.count, text_of(node.box.min), text_of(node.box.max));
+  }
+
+  void add_culling(const AgainstShadow& s) {
+    const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
+    const std::string plane = text_of_plane(occluder.frustum, s.clearance.plane);
+    const double apart = s.clearance.distance;
+    add("  by occluder {}: {}; it hides {} polygons in this frame", s.occluder, text_of_occluder(culler_, occluder.index),
+        occluder.hidden);
+    if (account_.shadows.size() == 1) {
+      add("  the box is in its shadow by {:.6g}, where it is nearest to {}", s.clearance.distance, plane);
+    } else {
+      add("  the box {} {:.6g} {} {}; all of it is in both shadows together", apart < 0 ? "sticks out by" : "is inside by",
+          std::fabs(apart), apart < 0 ? "of" : "from", plane);
+    }
+  }
+
+  void add_cover() {
+    constexpr std::size_t kNamed = 8;
+    std::string named;
+    for (std::size_t i = 0; i < std::min(account_.cover.size(), kNamed); ++i) {
+      named += fmt::format("{}{}", i == 0 ? "" : ", ", culler_.hierarchy().original(account_.cover[i]));
+    }
+    const bool is_all = account_.cover.size() <= kNamed;
+    add("  by {} polygons together: {}{}", account_.cover.size(), named, is_all ? "" : ", ...");
+  }
+
+  void add_missed(const culler::MissedReasons::Answer& missed) {
+    add("  it was not culled: {}", why_missed(missed.reason));
+    if (missed.occluder != culler::Culled::kNone) {
+      add("  what hides it alone: {}", text_of_occluder(culler_, missed.occluder));
+    }
+  }
+
+  void add_nearest() {
+    if (frame_.result().method == culler::Method::cover) return;
+    if (account_.shadows.empty()) return add("  the frame has no occluders");
+    add("  its own box to the shadows that it is nearest to:");
+    for (std::size_t i = 0; i < std::min(account_.shadows.size(), kNearest); ++i) {
+      const AgainstShadow& s = account_.shadows[i];
+      const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
+      const double apart = s.clearance.distance;
+      add("    occluder {} ({}): {} {:.6g} {} {}", s.occluder, text_of_occluder(culler_, occluder.index),
+          apart < 0 ? "sticks out by" : "inside by", std::fabs(apart), apart < 0 ? "of" : "from",
+          text_of_plane(occluder.frustum, s.clearance.plane));
+    }
+  }
+
+  const ReplayedFrame& frame_;
+  const Account& account_;
+  const culler::Culler& culler_;
+  Became became_;
+  std::string text_;
+};
+
+Json json_of_shadow(const culler::Culler& culler, const culler::Occluder& occluder, const culler::Clearance& clearance) {
+  const auto edge = edge_of(occluder.frustum, clearance.plane);
+  return {{"occluder", json_of_occluder(culler, occluder.index)},
+          {"hidden_polygons", occluder.hidden},
+          {"distance", clearance.distance},
+          {"plane", edge ? "side" : "near"},
+          {"edge", edge ? Json{json_of((*edge)[0]), json_of((*edge)[1])} : Json()}};
+}
+
+Json json_of_plane(const culler::CullResult& frame, const Account& a) {
+  const culler::HalfSpace& h = frame.view[a.cull->index];
+  return {{"name", kViewPlanes[a.cull->index]},
+          {"coefficients", {h.normal.x, h.normal.y, h.normal.z, h.offset}},
+          {"distance", a.beyond_view}};
+}
+
+Json json_of_missed(const culler::Culler& culler, const culler::MissedReasons::Answer& missed) {
+  const bool is_one = missed.occluder != culler::Culled::kNone;
+  return {{"reason", to_string(missed.reason)}, {"occluder", is_one ? json_of_occluder(culler, missed.occluder) : Json()}};
+}
+
+}  // namespace
+
+std::string to_text(const ReplayedFrame& frame, const Account& account) { return Text(frame, account).text(); }
+
+std::string to_json(const ReplayedFrame& frame, const Account& a) {
+  constexpr std::array<const char*, 3> kFates{"drawn", "out_of_view", "in_shadow"};
+  const culler::Culler& culler = frame.culler();
+  const culler::HierarchyNode& node = culler.hierarchy().nodes()[a.node];
+  Json json = {{"frame", frame.number()},
+               {"polygon", culler.hierarchy().original(a.polygon)},
+               {"box", json_of(culler.hierarchy().soup().box(a.polygon))},
+               {"fate", kFates[static_cast<std::size_t>(became(a))]},
+               {"pixels", a.pixels},
+               {"node", {{"index", a.node}, {"polygons", node.count}, {"box", json_of(node.box)}}}};
+  json["plane"] = became(a) == Became::out_of_view ? json_of_plane(frame.result(), a) : Json();
+  json["shadows"] = Json::array();
+  for (const AgainstShadow& s : a.shadows) {
+    json["shadows"].push_back(json_of_shadow(culler, frame.result().occluders[s.occluder], s.clearance));
+  }
+  json["cover"] = Json::array();
+  for (const std::uint32_t p : a.cover) json["cover"].push_back(culler.hierarchy().original(p));
+  json["missed"] = a.missed ? json_of_missed(culler, *a.missed) : Json();
+  return json.dump(2) + "\n";
+}
+
+WhyFiles::WhyFiles(const std::filesystem::path& folder)
+    : folder_(folder), json_(folder / "why.json"), view_(folder / "view.png"), outside_(folder / "outside.png") {}
+
+void WhyFiles::write(const ReplayedFrame& frame, const Account& account) {
+  const WhyPlates plates = draw_why(frame, account);
+  write_png(view_, plates.view);
+  write_png(outside_, plates.outside);
+  json_.write(to_json(frame, account));
+  check_interrupt();
+  for (OutputFile* file : {&view_, &outside_, &json_}) file->close();
+  for (OutputFile* file : {&view_, &outside_, &json_}) file->commit();
+}
+
+}  // namespace occlude::render

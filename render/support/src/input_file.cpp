@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/input_file.h"
+
+#include <cerrno>
+#include <fstream>
+#include <new>
+#include <system_error>
+
+#include "occlude/render/errors.h"
+
+namespace occlude::render {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void fail(const fs::path& file, const std::string& reason) {
+  throw InputError(file.string() + ": cannot read: " + reason);
+}
+
+struct Opened {
+  std::ifstream in;
+  std::uint64_t size;
+};
+
+Opened open(const fs::path& file, std::uint64_t most) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) fail(file, error ? error.message() : "no such file");
+  if (fs::is_directory(status)) fail(file, "it is a directory");
+  // A pipe or device has no size to check counts against, and may never end.
+  if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) fail(file, error.message());
+  if (size > most) fail(file, "it is larger than " + in_mebibytes(most));
+  errno = 0;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) fail(file, std::generic_category().message(errno));
+  return {std::move(in), size};
+}
+
+}  // namespace
+
+std::string in_mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
+
+std::string read_input(const fs::path& file, std::uint64_t most) {
+  Opened opened = open(file, most);
+  std::string bytes(static_cast<std::size_t>(opened.size), '\0');
+  opened.in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::uintmax_t>(opened.in.gcount()) != opened.size) fail(file, "it changed while it was read");
+  return bytes;
+}
+
+std::uint64_t require_readable(const fs::path& file, std::uint64_t most) { return open(file, most).size; }
+
+}  // namespace occlude::render

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "occlude/kernel/overlap.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/plates.h"
+#include "occlude/render/preprocess_file.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
+#include "occlude/render/walk_frames.h"
+#include "occlude/render/witness.h"
+
+namespace occlude::render {
+namespace {
+
+/// Counts the operations of the frame's shadow tests and shows these tests to whoever asked for them.
+kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::CullResult& culled,
+                                      const WalkOptions& options) {
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  kernel::Operations total;
+  culler.visit_shadow_tests(culled, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
+    check_interrupt();
+    total += std::visit(
+        [&](const auto& kind) {
+          return kernel::count_operations(occluder.frustum, kind, options.cull.arithmetic, options.cull.test);
+        },
+        box);
+    if (!options.on_shadow_test) return;
+    options.on_shadow_test(
+        {frame, occluder.frustum.viewpoint(), culler.occluders().geometry(soup, occluder.index), options.cull.near, box});
+  });
+  return total;
+}
+
+}  // namespace
+
+std::size_t reference_step(std::size_t frames) {
+  // Enough to meet every part of a path, few enough that it costs little.
+  constexpr std::size_t kReferenceFrames = 48;
+  return std::max<std::size_t>(1, frames / kReferenceFrames);
+}
+
+std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options) {
+  std::vector<std::size_t> frames;
+  const std::size_t end = std::min(options.end, path.frames);
+  for (std::size_t f = options.begin; f < end; f += std::min(options.step, end - f)) frames.push_back(f);
+  if (frames.empty()) {
+    throw InputError(fmt::format("no frame to walk: the path has frames 0 to {}", path.frames - 1));
+  }
+  return frames;
+}
+
+culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options) {
+  culler::Culler culler = [&] {
+    if (options.preprocess.empty()) return culler::Culler(soup, options.build, check_interrupt);
+    culler::Preprocess preprocess = read_preprocess(options.preprocess, soup);
+    try {
+      return culler::Culler(soup, std::move(preprocess), check_interrupt);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(options.preprocess.string() + ": " + error.what());
+    }
+  }();
+  if (options.cull.method == culler::Method::cover) culler.prepare_cover(check_interrupt);
+  return culler;
+}
+
+WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
+                const std::string& model_name, WalkOutput& output) {
+  if (soup.size() < 2) {
+    throw InputError(fmt::format("{}: one polygon only: nothing can hide behind another", model_name));
+  }
+  static_cast<void>(frames_of(path, options));  // throws before the work
+
+  const Stopwatch stopwatch;
+  const culler::Culler culler = make_culler(soup, options);
+  const double preprocess_s = stopwatch.seconds();
+
+  Stage stage(culler, options);
+  kernel::Operations operations;
+  std::size_t witnesses = 0;
+  std::vector<std::string> lines;
+  const auto on_frame = [&](const FrameRecord& record, const culler::CullResult& culled, bool is_reference) {
+    if (is_reference) operations += visit_shadow_tests(culler, record.frame, culled, options);
+    if (!options.witness) return;
+    lines.clear();
+    append_witnesses(lines, record.frame, path.camera(record.frame, aspect(options)), culler, culled, options.cull);
+    for (const std::string& line : lines) output.add_witness(line);
+    witnesses += lines.size();
+  };
+  WalkResult result = walk_frames(culler, path, options, stage, on_frame);
+  result.preprocess_s = preprocess_s;
+  result.operations = operations;
+  result.witnesses = witnesses;
+
+  if (!options.render) return result;
+  stage.renderer.reset();
+  for (const DrawnPlate& drawn : draw_plates(culler, path, result.frames, options.cull)) {
+    output.add_plate(drawn.plate, drawn.image);
+  }
+  return result;
+}
+
+}  // namespace occlude::render

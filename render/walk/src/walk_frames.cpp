@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/walk_frames.h"
+
+#include <algorithm>
+
+#include "comparison.h"
+#include "occlude/culler/append_range.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
+#include "occlude/render/view_along_path.h"
+
+namespace occlude::render {
+namespace {
+
+class Walker {
+ public:
+  Walker(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, SceneRenderer* renderer)
+      : culler_(culler), path_(path), options_(options), renderer_(renderer) {
+    view_only_.occluders = 0;
+    view_only_.arithmetic = options.cull.arithmetic;
+  }
+
+  /// Culls, draws and compares one frame; `view` is that of the frames before.
+  FrameRecord frame(std::size_t frame, bool reference, culler::View& view) {
+    FrameRecord record;
+    record.frame = frame;
+    const culler::Camera camera = path_.camera(frame, aspect(options_));
+    Picture full, picture;
+    const auto with_view_frustum = [&] {
+      const Timing timing = timed(camera, view_only_, view_without_, full);
+      record.view_frustum_cull_ms = timing.cull_ms;
+      record.view_frustum_frame_ms = timing.frame_ms;
+    };
+    const auto with_occlusion = [&] {
+      const Timing timing = timed(camera, options_.cull, view, picture);
+      record.cull_ms = timing.cull_ms;
+      record.witness_ms = timing.witness_ms;
+      record.frame_ms = timing.frame_ms;
+    };
+    // The order alternates so that neither method always finds the caches as the other left them.
+    if (frame % 2 == 0) {
+      with_view_frustum();
+      with_occlusion();
+    } else {
+      with_occlusion();
+      with_view_frustum();
+    }
+    const culler::CullResult& culled = view.result();
+    record.view_frustum_polygons = view_without_.result().stats.drawn_polygons;
+    record.rendered_polygons = culled.stats.drawn_polygons;
+    record.occluders = culled.occluders.size();
+    record.stats = culled.stats;
+    if (!renderer_) return record;
+    if (reference) {
+      const PolygonRange all{0, static_cast<std::uint32_t>(culler_.hierarchy().soup().size())};
+      full = draw(camera, std::span(&all, 1));
+    }
+    record.visible_frame_ms = draw_only(camera, compare(full, picture, culler_, camera, culled, record));
+    return record;
+  }
+
+ private:
+  struct Timing {
+    double cull_ms = 0, witness_ms = 0, frame_ms = 0;
+  };
+
+  /// Keeps the witnesses as well, outside of the frame time.
+  Timing timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, Picture& picture) {
+    check_interrupt();
+    Timing timing;
+    const Stopwatch culling;
+    const culler::CullResult& result = culler_.cull(camera, options, view);
+    timing.cull_ms = culling.milliseconds();
+    witnesses_.clear();
+    const Stopwatch proving;
+    culler_.append_witnesses(result, witnesses_);
+    timing.witness_ms = proving.milliseconds();
+    if (renderer_) {
+      const Stopwatch drawing;
+      const Layer layer{result.drawn, std::nullopt};
+      renderer_->draw(camera, std::span(&layer, 1));
+      timing.frame_ms = timing.cull_ms + drawing.milliseconds();
+      picture = {renderer_->image(), renderer_->item_buffer(camera, result.drawn)};
+    }
+    return timing;
+  }
+
+  /// Milliseconds that it takes.
+  double draw_only(const culler::Camera& camera, const std::vector<std::uint32_t>& polygons) const {
+    std::vector<PolygonRange> ranges;
+    for (const std::uint32_t p : polygons) culler::append_range(ranges, {p, 1});
+    const Stopwatch drawing;
+    const Layer layer{ranges, std::nullopt};
+    renderer_->draw(camera, std::span(&layer, 1));
+    return drawing.milliseconds();
+  }
+
+  Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {
+    const Layer layer{ranges, std::nullopt};
+    renderer_->draw(camera, std::span(&layer, 1));
+    return {renderer_->image(), renderer_->item_buffer(camera, ranges)};
+  }
+
+  const culler::Culler& culler_;
+  const CameraPath& path_;
+  const WalkOptions& options_;
+  SceneRenderer* renderer_;
+  culler::CullOptions view_only_;
+  culler::View view_without_;               ///< with view-frustum culling alone
+  std::vector<culler::Witness> witnesses_;  ///< of the last frame
+};
+
+}  // namespace
+
+Stage::Stage(const culler::Culler& culler, const WalkOptions& options) {
+  if (!options.render) return;
+  context = make_offscreen_context();
+  renderer = std::make_unique<SceneRenderer>(culler.hierarchy().soup(), options.width, options.height);
+}
+
+WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, const Stage& stage,
+                       const OnFrame& on_frame) {
+  const std::vector<std::size_t> frames = frames_of(path, options);
+  const std::size_t step = reference_step(frames.size());
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  WalkResult result;
+  result.polygons = soup.size();
+  result.triangles = soup.indices.size() - 2 * soup.size();
+  result.build = culler.config();
+  result.renderer = stage.description();
+  Walker walker(culler, path, options, stage.renderer.get());
+  {
+    culler::View warm_up;  // the first picture pays for what the renderer prepares once
+    static_cast<void>(walker.frame(frames.front(), false, warm_up));
+  }
+  ViewAlongPath along(culler, path, options, options.cull);
+  Progress progress("frame", frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const bool is_reference = i % step == 0;
+    culler::View& view = along.before(frames[i]);
+    result.frames.push_back(walker.frame(frames[i], is_reference, view));
+    if (is_reference && options.render) ++result.reference_frames;
+    if (on_frame) on_frame(result.frames.back(), view.result(), is_reference);
+    progress.update(i + 1);
+  }
+  return result;
+}
+
+}  // namespace occlude::render

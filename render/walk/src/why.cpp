@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/why.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <variant>
+
+#include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
+#include "occlude/render/progress.h"
+
+namespace occlude::render {
+
+ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
+                             std::size_t frame)
+    : culler_(culler), options_(options), number_(frame), along_(culler, path, options, options.cull) {
+  const std::vector<std::size_t> frames = frames_of(path, options);
+  const auto found = std::ranges::find(frames, frame);
+  if (found == frames.end()) {
+    throw InputError(fmt::format("the walk has no frame {}: its last is {}", frame, frames.back()));
+  }
+  camera_ = path.camera(frame, aspect(options));
+  Progress progress("frame", static_cast<std::size_t>(found - frames.begin()) + 1);
+  for (auto f = frames.begin(); f <= found; ++f) {
+    culler.cull(path.camera(*f, aspect(options)), options.cull, along_.before(*f));
+    progress.update(static_cast<std::size_t>(f - frames.begin()) + 1);
+  }
+}
+
+namespace {
+
+/// The polygons that hide the culled subtree, or the part of it that has the polygon.
+std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t polygon) {
+  std::vector<culler::CoverWitness> covers;
+  frame.culler().append_covers(frame.result(), frame.camera(), frame.options().cull, kMostCoverVertices, covers);
+  for (const culler::CoverWitness& cover : covers) {
+    if (polygon >= cover.range.first && polygon - cover.range.first < cover.range.count) return cover.polygons;
+  }
+  return {};
+}
+
+}  // namespace
+
+Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const ItemBuffer& items) {
+  const culler::Culler& culler = frame.culler();
+  const culler::CullResult& result = frame.result();
+  Account account;
+  account.polygon = polygon;
+  account.pixels = static_cast<std::size_t>(std::ranges::count(items.pixels, polygon));
+  const auto against = [&](std::uint32_t occluder, const culler::Box& box) {
+    const kernel::ShadowFrustum& shadow = result.occluders[occluder].frustum;
+    account.shadows.push_back({occluder, std::visit([&](const auto& b) { return culler::clearance(shadow, b); }, box)});
+  };
+  if (const culler::Culled* cull = culler.cull_of(result, polygon)) {
+    account.cull = *cull;
+    account.node = cull->node;
+    const culler::Box box = culler.hierarchy().volume(cull->node);
+    if (cull->by == culler::Culled::By::view) {
+      account.beyond_view =
+          std::visit([&](const auto& b) { return culler::distance_beyond(result.view[cull->index], b); }, box);
+    } else if (cull->by == culler::Culled::By::cover) {
+      account.cover = cover_of(frame, polygon);
+    } else {
+      against(cull->index, box);
+      if (cull->second != culler::Culled::kNone) against(cull->second, box);
+    }
+    return account;
+  }
+  account.node = culler.hierarchy().leaf_of(polygon);
+  const culler::Box own = culler.hierarchy().soup().box(polygon);
+  for (std::uint32_t i = 0; i < result.occluders.size(); ++i) against(i, own);
+  std::ranges::stable_sort(account.shadows, std::greater{}, [](const AgainstShadow& a) { return a.clearance.distance; });
+  if (account.pixels == 0) {
+    account.missed = culler::MissedReasons(culler, frame.camera(), frame.options().cull, result).answer(polygon);
+  }
+  return account;
+}
+
+}  // namespace occlude::render
