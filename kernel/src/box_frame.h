@@ -49,7 +49,8 @@ class AabbFrame {
             A::rounded(dot(constants<A>(p.magnitudes), extent_))};
   }
   /// What rounding can do to the values of planes with this bound.
-  [[nodiscard]] Real<A> error(const FilterBound& bound) const {
+  template <class Bound>
+  [[nodiscard]] Real<A> error(const Bound& bound) const {
     return product<A>(bound.slope, twice_reach_) + (bound.base + bound.base);
   }
   [[nodiscard]] Real<A> reach() const { return 0.5 * twice_reach_; }
@@ -80,7 +81,10 @@ class ObbFrame {
     };
     return {A::rounded(dot(normal, center_)) + p.offset, spread_along(0) + spread_along(1) + spread_along(2)};
   }
-  [[nodiscard]] Real<A> error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
+  template <class Bound>
+  [[nodiscard]] Real<A> error(const Bound& bound) const {
+    return product<A>(bound.slope, reach_) + bound.base;
+  }
   [[nodiscard]] Real<A> reach() const { return reach_; }
 
  private:
