@@ -72,12 +72,4 @@ struct RefinedPlane {
   friend bool operator==(const RefinedPlane&, const RefinedPlane&) = default;
 };
 
-/// An edge of the frustum as the paper's tests take it: from a point to another, or from a point along a direction.
-struct PlainEdge {
-  Vec3 from, to;
-  bool is_ray = false;  ///< `to` is a direction
-
-  friend bool operator==(const PlainEdge&, const PlainEdge&) = default;
-};
-
 }  // namespace occlude::kernel
