@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "plain_overlap.h"
+#include "paper/plain_overlap.h"
 
 namespace occlude::fuzz {
 namespace {

@@ -49,7 +49,8 @@ class AabbFrame {
             A::rounded(dot(constants<A>(p.magnitudes), extent_))};
   }
   /// What rounding can do to the values of planes with this bound.
-  [[nodiscard]] Real<A> error(const FilterBound& bound) const {
+  template <class Bound>
+  [[nodiscard]] Real<A> error(const Bound& bound) const {
     return product<A>(bound.slope, twice_reach_) + (bound.base + bound.base);
   }
   [[nodiscard]] Real<A> reach() const { return 0.5 * twice_reach_; }
@@ -80,7 +81,10 @@ class ObbFrame {
     };
     return {A::rounded(dot(normal, center_)) + p.offset, spread_along(0) + spread_along(1) + spread_along(2)};
   }
-  [[nodiscard]] Real<A> error(const FilterBound& bound) const { return product<A>(bound.slope, reach_) + bound.base; }
+  template <class Bound>
+  [[nodiscard]] Real<A> error(const Bound& bound) const {
+    return product<A>(bound.slope, reach_) + bound.base;
+  }
   [[nodiscard]] Real<A> reach() const { return reach_; }
 
  private:
@@ -89,53 +93,12 @@ class ObbFrame {
   Real<A> reach_;
 };
 
-/// The paper's way: the bounds of an axis-aligned box, of which the normal of a plane picks two of the eight vertices.
-template <class A>
-class CornerFrame {
- public:
-  CornerFrame(const Aabb& box, const Vec3& origin) {
-    const auto low = difference<A>(box.min, origin), high = difference<A>(box.max, origin);
-    bounds_ = {low.x, low.y, low.z, A::constant(0), high.x, high.y, high.z, A::constant(0)};
-  }
-
-  class PlainExtremes {
-   public:
-    PlainExtremes(const CornerFrame& frame, const FilterPlane& plane) : frame_(frame), plane_(plane) {}
-    [[nodiscard]] double low() const { return frame_.at(plane_, 4); }
-    [[nodiscard]] double high() const { return frame_.at(plane_, 0); }
-
-   private:
-    const CornerFrame& frame_;
-    const FilterPlane& plane_;
-  };
-  /// Values at the two vertices, each worked out when asked for.
-  [[nodiscard]] PlainExtremes extremes(const FilterPlane& p) const { return {*this, p}; }
-
- private:
-  [[nodiscard]] double at(const FilterPlane& p, std::size_t opposite) const {
-    const Vector3<typename A::Number> vertex{bounds_[p.farther[0] ^ opposite], bounds_[p.farther[1] ^ opposite],
-                                             bounds_[p.farther[2] ^ opposite]};
-    return A::rounded(dot(constants<A>(p.normal), vertex)) + p.offset;
-  }
-
-  std::array<typename A::Number, 8> bounds_;
-};
-
 template <class A>
 [[nodiscard]] AabbFrame<A> frame_of(const Aabb& box, const Vec3& origin) {
   return {box, origin};
 }
 template <class A>
 [[nodiscard]] ObbFrame<A> frame_of(const Obb& box, const Vec3& origin) {
-  return {box, origin};
-}
-
-template <class A>
-[[nodiscard]] CornerFrame<A> plain_frame_of(const Aabb& box, const Vec3& origin) {
-  return {box, origin};
-}
-template <class A>
-[[nodiscard]] ObbFrame<A> plain_frame_of(const Obb& box, const Vec3& origin) {
   return {box, origin};
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Whether the rounded normal picks the same vertices as the true one.
 bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
-  const auto is_certain = [&](double n) { return tail.slope == 0 || std::fabs(n) > 2 * tail.slope; };
+  const auto is_certain = [&](double n) { return tail.uncertainty.slope == 0 || std::fabs(n) > 2 * tail.uncertainty.slope; };
   return is_certain(plane.normal.x) && is_certain(plane.normal.y) && is_certain(plane.normal.z);
 }
 

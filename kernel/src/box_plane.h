@@ -45,21 +45,6 @@ template <class A>
 [[nodiscard]] int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Obb& box, double reach,
                                       int direction);
 
-/// The whole stage in plain double arithmetic.
-template <class Frame>
-[[nodiscard]] Relation box_planes_plain(const ShadowFrustum& frustum, const Frame& frame, NearBoundary near) {
-  const auto planes = frustum.filter_planes().first(frustum.plane_count());
-  bool inside = true;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const auto extremes = frame.extremes(planes[i]);
-    if (extremes.high() < 0) return Relation::outside;
-    const double low = extremes.low();
-    const bool must_be_beyond = near == NearBoundary::open && i < frustum.near_count();
-    inside = inside && (must_be_beyond ? low > 0 : low >= 0);
-  }
-  return inside ? Relation::inside : Relation::partial;
-}
-
 /// The stage from plane `first` on, where the filter cannot tell; what came before is known to be inner or `straddling`.
 /// Apart from the filter's own loop, which it would slow down.
 template <class Box, class Frame>

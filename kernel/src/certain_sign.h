@@ -10,10 +10,15 @@ namespace occlude::kernel {
 /// less than 2^-1022 each time, and some hundred such losses are less than this.
 inline constexpr double kLostToUnderflow = 0x1p-900;
 
+/// What a value must exceed.
+template <class Real>
+[[nodiscard]] Real doubt(const BasicRunningError<Real>& x) {
+  return x.error + kLostToUnderflow;
+}
+
 /// 0 where the bound does not tell, nor after an overflow.
 [[nodiscard]] inline int certain_sign(const RunningError& x) {
-  const double doubtful = x.error + kLostToUnderflow;
-  return x.value > doubtful ? 1 : x.value < -doubtful ? -1 : 0;
+  return x.value > doubt(x) ? 1 : x.value < -doubt(x) ? -1 : 0;
 }
 
 }  // namespace occlude::kernel

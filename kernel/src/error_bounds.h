@@ -28,45 +28,100 @@ static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0, "t
 
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-/// Bounds are themselves computed in doubles, each from at most six rounded operations on non-negative numbers, which lose
-/// less than a factor 1 - 6 u: multiplying by this factor, 1 + 8 u, itself rounded once, makes up for it. Nobody will see a
-/// test fail without the 8 u: for that an error would have to come within 6 u of its bound, all roundings at their worst at
-/// once.
-inline constexpr double kBoundInflation = 1 + 0x1p-50;
+/// Roundings that follow one another are counted, and the counts make the constants. What n of them do to a number, as a
+/// share of what it is worth after m more, is at most g(n) / (1 - u)^m <= n u / (1 - (n + m) u) <= n u (1 + 2 (n + m) u).
+/// For n + m <= 100 the last factor, and the rounding of the next line itself, are below 1 + 2^-44.
+constexpr double rounding_error(int n) { return n * kUnitRoundoff * (1 + 0x1p-44); }
 
-/// Plane value f(x) = N . y + o over a box, y = x - origin: evaluated as fl(n . c + w) at the centre and fl(sum_k |n_k| h_k)
-/// for what it gains from there to a vertex, and their sum or difference, with coefficients n, w that are off by at most e_k
-/// in component k and by e_w. Of an axis-aligned box c and h are half the sum and half the difference of
-/// fl(min - origin) and fl(max - origin); to leave the halves out and double w rounds nothing else and doubles all.
+/// Bounds are themselves computed in doubles, by rounded operations on numbers that are not negative: each part of a bound
+/// loses at most a factor 1 - u per rounding on its way to where values are compared with the bound. This factor makes up
+/// for n of them when (1 + 16 u) (1 - u)^n >= 1, the rounding of the product with it among the n, and so when 16 u >= g(n).
+inline constexpr double kBoundInflation = 1 + 16 * kUnitRoundoff;
+
+/// Where bounds are computed.
+enum class BoundOf { running_sum, running_product, slope, base, refined_value };
+
+/// The most roundings on the way of a part of such a bound. Operations that happen to be exact are counted as well: products
+/// with u, doubling, halving.
+constexpr int roundings(BoundOf bound) {
+  switch (bound) {
+    // running_error.h: u |value|: the value itself, the product with u, the sum with the inherited errors; inflation. One
+    // more where underflow is allowed for (certain_sign.h).
+    case BoundOf::running_sum:
+      return 1 + 1 + 1 + 1 + 1;
+    // |a| b.error: the product, two sums with its like, the sum with u |value|; inflation; the same one more.
+    case BoundOf::running_product:
+      return 1 + 2 + 1 + 1 + 1;
+    // rounded_plane.h: the uncertainty of a component, |low| + error; the sum of three; the sum with kPlaneError times the
+    // magnitudes; inflation. Then, in box_frame.h, the product with the reach and the sum with the base. The reach is that
+    // of an oriented box at most, whose centre is rounded once and takes three additions; that of an axis-aligned box takes
+    // three roundings: a bound relative to the origin, the sum or difference of two, the sum of these.
+    case BoundOf::slope:
+      return 1 + 2 + 1 + 1 + (1 + 3) + 1 + 1;
+    // The uncertainty of the offset; the sum with kOffsetError times the offset; inflation; doubling; the sum with the
+    // slope.
+    case BoundOf::base:
+      return 1 + 1 + 1 + 1 + 1;
+    // rounded_plane.h: the sum of the components' uncertainties; the reach of an axis-aligned box, halved, and the product
+    // with it; the sum with the base; inflation; the sum with kRefinedError times the magnitude.
+    case BoundOf::refined_value:
+      return 2 + (3 + 1) + 1 + 1 + 1 + 1;
+  }
+  return 0;
+}
+
+/// The bound with what its computation loses made up for.
+template <BoundOf of, class Real>
+[[nodiscard]] Real inflated(const Real& bound) {
+  static_assert(kBoundInflation - 1 >= rounding_error(roundings(of)));
+  return bound * kBoundInflation;
+}
+
+/// Plane value f(x) = N . y + o over a box, y = x - origin, evaluated with coefficients n, w that are off by at most e_k in
+/// component k and by e_w. The largest value over an axis-aligned box is that at the vertex with y_k = max_k - origin_k
+/// where n_k >= 0, and min_k - origin_k elsewhere; the least is that at the opposite one. They are computed as fl(n . c + w)
+/// at the centre, plus or minus fl(sum_k |n_k| h_k), c and h being half the sum and half the difference of fl(min - origin)
+/// and fl(max - origin); to leave the halves out and double w rounds nothing else and doubles all.
 ///
-///   c_k, h_k              two roundings each: t2
-///   n_k c_k, |n_k| h_k    one more: t3
-///   n . c + w             products up to three additions: t6; w up to three: t3
-///   sum_k |n_k| h_k       products up to two additions: t5
-///   both together         one addition: t7 of n_k c_k, t6 of |n_k| h_k, t4 of w
+///   fl(min - origin), fl(max - origin)   one rounding, in the exact value at the vertex a factor of y_k
+///   c_k, h_k from these                  one more each, of their own
+///   n_k c_k, |n_k| h_k                   one more
+///   n . c + w                            three additions at most, in whatever order: of products and of w
+///   sum_k |n_k| h_k                      two additions at most
+///   both together                        one addition
 ///
-/// so the value is off by at most g(7) sum_k |n_k| (|c_k| + h_k) + g(4) |w| + sum_k e_k (|c_k| + h_k) + e_w
-///                             <= (g(7) sum_k |n_k| + sum_k e_k) reach + (g(4) |w| + e_w)
-/// with reach = max_k (|c_k| + h_k), which is slope * reach + base. An oriented box has its centre given, c_k t1, and the
-/// spread sum_j |n . h_j| of half edges given: products t1, two additions t3, two among the three t5, the last t6: the same
-/// bound holds with reach = max_k |c_k| + sum_j max_k |h_j,k|. The second order in g, and reach computed with at most three
-/// roundings, are less than 2^-45 of the whole:
-inline constexpr double kPlaneError = (7 + 0x1p-40) * kUnitRoundoff;
-inline constexpr double kOffsetError = (4 + 0x1p-40) * kUnitRoundoff;
+/// c_k by itself can be off by far more than two roundings of it, where min and max lie on either side of the origin; c_k
+/// and h_k share the roundings of min and max, and together they are a vertex. With R = max_k (|c_k| + h_k), which is the
+/// largest |y_k| of a vertex, the first rounding costs at most u sum_k |n_k| R; those that follow, six of n_k c_k and five
+/// of |n_k| h_k, at most g(6) sum_k |n_k| (|c_k| + h_k); together g(7) sum_k |n_k| R. On w there are three additions and the
+/// last: g(4) |w|. So the value is off by at most
+///   (g(7) sum_k |n_k| + sum_k e_k) R + (g(4) |w| + e_w) = slope * R + base.
+/// Of an oriented box the centre is given, and the half edges h_j: on n_k c_k one rounding of c_k, the product, three
+/// additions and the last, on n_k h_j,k the product, two additions within n . h_j, two among the three |n . h_j| and the
+/// last: six at most. The same bound holds with R = max_k |c_k| + sum_j max_k |h_j,k|. Many frusta against one box
+/// (batch.cpp) take the vertex itself: one rounding of y_k, the product, three additions.
+inline constexpr double kPlaneError = rounding_error(1 + 1 + 1 + 3 + 1);
+inline constexpr double kOffsetError = rounding_error(3 + 1);
 
-/// Value of a refined plane, n + m in place of n, w + v in place of w, with |m| <= u |n| and |v| <= u |w|: products n_k y_k
-/// and their sums with w by error-free transformations; what these lose, n_k times the tail of y_k, m_k y_k and v, 13 terms
-/// in all, in doubles. With S = sum_k |n_k y_k| + |w| those terms sum to less than 8 u S: three partial sums lose 3 u S, the
-/// other ten terms at most 4 u S together. Adding them up in any order errs by less than 13 u times that, and m_k times the
-/// tail of y_k, u^2 S, is left out: 105 u^2 S in all. The constant is rounded up to a power of two. That slack, and any
-/// other here, is of no account: what doubles leave within 2^-99 S of zero is zero in all but contrived cases, and no bound
-/// could tell it.
-inline constexpr double kRefinedError = 0x1p7 * kUnitRoundoff * kUnitRoundoff;
+/// Value of a refined plane, n + m in place of n, w + v in place of w, with |m_k| <= u |n_k| and |v| <= u |w|, at a vertex
+/// y = x + t, |t_k| <= u |x_k|. The products n_k x_k and their sums with w are taken by error-free transformations; what
+/// these lose and what the tails add is summed in doubles. With S = sum_k |n_k x_k| + |w|, up to second order:
+///
+///   lost     of three products at most u S together, of three partial sums at most u S each; four additions at most: 4 * 4
+///   tails    n_k t_k, m_k x_k and v: at most 2 u S together; one product and four additions at most: 2 * 5
+///   left out m_k t_k: at most u^2 S
+///
+/// in units of u^2 S. The last addition, of the value's high part, rounds without a change of sign, and past no bound. S is
+/// computed with one rounding of n_k x_k, two additions, the product with the constant and a sum: five. The constant is
+/// rounded up to a power of two. That slack is of no account: what doubles leave within 2^-101 S of zero is zero in all but
+/// contrived cases, and no bound could tell it.
+inline constexpr double kRefinedError = 32 * kUnitRoundoff * kUnitRoundoff;
+static_assert(kRefinedError >= rounding_error(4 * 4 + 2 * 5 + 1) * kUnitRoundoff);
 
-/// Half-space value g(x) = n_x x + n_y y + n_z z + d with coefficients and coordinates given: products t1, two additions t3,
+/// Half-space value g(x) = n_x x + n_y y + n_z z + d with coefficients and coordinates given: the product and two additions,
 /// so the sum s of the products is off by at most g(3) sum_k |n_k x_k|. The last addition, of d, rounds without a change of
-/// sign: that of fl(s + d) is that of g when it exceeds the bound. The sum of magnitudes is computed with at most g(3) loss,
-/// the product with the constant loses one more u: any c >= 3 (1 + 2^-48) is sound.
-inline constexpr double kHalfSpaceError = (3 + 0x1p-40) * kUnitRoundoff;
+/// sign: that of fl(s + d) is that of g when it exceeds the bound. The sum of magnitudes takes the same three roundings, and
+/// the product with the constant one more.
+inline constexpr double kHalfSpaceError = rounding_error(1 + 2);
 
 }  // namespace occlude::kernel

@@ -4,20 +4,13 @@
 #include <cmath>
 
 namespace occlude::kernel {
-namespace {
-
-double uncertainty(const DoubleDouble& x) { return std::fabs(x.low.value) + x.low.error; }
-
-}  // namespace
-
 RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   const auto& [n, w] = plane;
-  const double magnitudes = std::fabs(n.x.high) + std::fabs(n.y.high) + std::fabs(n.z.high);
-  const double slope =
-      (kPlaneError * magnitudes + (uncertainty(n.x) + uncertainty(n.y) + uncertainty(n.z))) * kBoundInflation;
-  const double base = (kOffsetError * std::fabs(w.high) + uncertainty(w)) * kBoundInflation;
+  const auto parts = [](const DoubleDouble& x) { return RoundedNumber<double>{x.high, x.low.value, x.low.error}; };
+  const Vector3<RoundedNumber<double>> normal{parts(n.x), parts(n.y), parts(n.z)};
+  const FilterBound bound = filter_bound(normal, parts(w)), uncertainty = refined_uncertainty(normal, parts(w));
   int exponent = 0;
-  std::frexp(slope, &exponent);
+  std::frexp(bound.slope, &exponent);
   const double scale = std::ldexp(1.0, -exponent);  // exact, and so is all scaling by it
 
   RoundedPlane result;
@@ -28,11 +21,10 @@ RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   for (int k = 0; k < 3; ++k) {
     filter.farther[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(k + (filter.normal[k] >= 0 ? 4 : 0));
   }
-  result.bound = {scale * slope, scale * base};
+  result.bound = {scale * bound.slope, scale * bound.base};
   result.refined.normal = {scale * n.x.low.value, scale * n.y.low.value, scale * n.z.low.value};
   result.refined.offset = scale * w.low.value;
-  result.refined.slope = scale * ((n.x.low.error + n.y.low.error + n.z.low.error) * kBoundInflation);
-  result.refined.base = scale * w.low.error;
+  result.refined.uncertainty = {scale * uncertainty.slope, scale * uncertainty.base};
   return result;
 }
 
@@ -40,7 +32,7 @@ CertainSign refined_sign(const FilterPlane& plane, const RefinedPlane& tail, con
                          double reach) {
   const auto real = [](const Vec3& v) { return constants<PlainArithmetic>(v); };
   const auto [value, error, is_exact] = refined_value(real(plane.normal), plane.offset, real(tail.normal), tail.offset,
-                                                      tail.slope * reach + tail.base, real(vertex), real(origin));
+                                                      tail.uncertainty, reach, real(vertex), real(origin));
   if (std::fabs(value) > error || is_exact) return {PlainArithmetic::sign(value), true};
   return {};
 }

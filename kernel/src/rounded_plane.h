@@ -15,6 +15,31 @@ struct RoundedPlane {
 
 [[nodiscard]] RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane);
 
+/// A number of which |true value - (high + low)| <= error; high is the double nearest to high + low. `Real` is double, or a
+/// number that follows every rounding, here and below.
+template <class Real>
+struct RoundedNumber {
+  Real high, low, error;
+};
+
+/// The bound of the plane whose coefficients are the high parts.
+template <class Real>
+[[nodiscard]] BasicFilterBound<Real> filter_bound(const Vector3<RoundedNumber<Real>>& n, const RoundedNumber<Real>& w) {
+  using std::fabs;
+  const auto uncertainty = [](const RoundedNumber<Real>& x) -> Real { return fabs(x.low) + x.error; };
+  const Real magnitudes = fabs(n.x.high) + fabs(n.y.high) + fabs(n.z.high);
+  const Real uncertainties = uncertainty(n.x) + uncertainty(n.y) + uncertainty(n.z);
+  return {inflated<BoundOf::slope>(kPlaneError * magnitudes + uncertainties),
+          inflated<BoundOf::base>(kOffsetError * fabs(w.high) + uncertainty(w))};
+}
+
+/// What the high and low parts together leave open; refined_value() makes up for the roundings.
+template <class Real>
+[[nodiscard]] BasicFilterBound<Real> refined_uncertainty(const Vector3<RoundedNumber<Real>>& n,
+                                                         const RoundedNumber<Real>& w) {
+  return {n.x.error + n.y.error + n.z.error, w.error};
+}
+
 /// What a refined plane is worth at a vertex, and what it can be off by.
 template <class Real>
 struct RefinedValue {
@@ -22,12 +47,11 @@ struct RefinedValue {
   bool is_exact;  ///< nothing was rounded on the way
 };
 
-/// Value of the plane n + m, w + v at x, relative to `origin`; `uncertainty` is what its coefficients leave open there.
-/// `Real` is double, or a number that follows every rounding.
+/// Value of the plane n + m, w + v at a vertex of a box that reaches as far as `reach` from `origin`.
 template <class Real>
 [[nodiscard]] RefinedValue<Real> refined_value(const Vector3<Real>& n, const Real& w, const Vector3<Real>& m, const Real& v,
-                                               const Real& uncertainty, const Vector3<Real>& vertex,
-                                               const Vector3<Real>& origin) {
+                                               const BasicFilterBound<Real>& uncertainty, const Real& reach,
+                                               const Vector3<Real>& vertex, const Vector3<Real>& origin) {
   using std::fabs;
   const auto x = two_difference(vertex.x, origin.x), y = two_difference(vertex.y, origin.y),
              z = two_difference(vertex.z, origin.z);
@@ -36,10 +60,11 @@ template <class Real>
   const Real lost = ((px.low + py.low) + (pz.low + xy.low)) + (xyz.low + sum.low);
   const Real tails = ((n.x * x.low + m.x * x.high) + (n.y * y.low + m.y * y.high)) + ((n.z * z.low + m.z * z.high) + v);
   const Real magnitude = (fabs(px.high) + fabs(py.high)) + (fabs(pz.high) + fabs(w));
+  const Real open = uncertainty.slope * reach + uncertainty.base;
   const bool nothing_lost = px.low == 0 && py.low == 0 && pz.low == 0 && xy.low == 0 && xyz.low == 0 && sum.low == 0;
   const bool no_tails = x.low == 0 && y.low == 0 && z.low == 0 && m.x == 0 && m.y == 0 && m.z == 0 && v == 0;
-  return {sum.high + (lost + tails), kRefinedError * magnitude + uncertainty * kBoundInflation,
-          nothing_lost && no_tails && uncertainty == 0};
+  return {sum.high + (lost + tails), kRefinedError * magnitude + inflated<BoundOf::refined_value>(open),
+          nothing_lost && no_tails && open == 0};
 }
 
 /// Sign of the plane at a vertex of the box whose bounds, relative to `origin`, reach as far as `reach`: at its low or high

@@ -26,14 +26,14 @@ struct BasicRunningError {
   friend BasicRunningError operator+(const BasicRunningError& a, const BasicRunningError& b) {
     using std::fabs;
     const Real sum = a.value + b.value;
-    return {sum, (a.error + b.error + kUnitRoundoff * fabs(sum)) * kBoundInflation};
+    return {sum, inflated<BoundOf::running_sum>(a.error + b.error + kUnitRoundoff * fabs(sum))};
   }
   friend BasicRunningError operator-(const BasicRunningError& a, const BasicRunningError& b) { return a + -b; }
   friend BasicRunningError operator*(const BasicRunningError& a, const BasicRunningError& b) {
     using std::fabs;
     const Real product = a.value * b.value;
     const Real inherited = fabs(a.value) * b.error + fabs(b.value) * a.error + a.error * b.error;
-    return {product, (inherited + kUnitRoundoff * fabs(product)) * kBoundInflation};
+    return {product, inflated<BoundOf::running_product>(inherited + kUnitRoundoff * fabs(product))};
   }
 };
 

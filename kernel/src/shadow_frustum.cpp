@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "near_plane.h"
-#include "plain_edges.h"
 #include "polytope_cap.h"
 #include "profile.h"
 #include "rounded_plane.h"
@@ -57,7 +56,6 @@ void ShadowFrustum::finish() {
     filter_planes_.push_back(filter);
     refined_planes_.push_back(refined);
   }
-  append_plain_edges(*this, plain_edges_);
 }
 
 void ShadowFrustum::reserve(std::size_t planes) {
@@ -67,7 +65,6 @@ void ShadowFrustum::reserve(std::size_t planes) {
   refined_planes_.reserve(planes);
   cap_edges_.reserve(planes);
   cap_vertices_.reserve(planes);
-  plain_edges_.reserve(planes);
 }
 
 void ShadowFrustum::begin(const Viewpoint& viewpoint, std::span<const Vec3> corners) {
@@ -79,7 +76,6 @@ void ShadowFrustum::begin(const Viewpoint& viewpoint, std::span<const Vec3> corn
   filter_bound_ = profile_bound_ = {};
   cap_edges_.clear();
   cap_vertices_.clear();
-  plain_edges_.clear();
   support_plane_.reset();
 }
 

@@ -16,7 +16,7 @@ Vec3 corner_of(const Aabb& box, std::size_t i) {
   return {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z};
 }
 
-/// The same from `origin`, in as few roundings as can be: BoxEdges (edge_frustum.h) goes along the edges, as the paper
+/// The same from `origin`, in as few roundings as can be: BoxEdges (paper/edge_frustum.h) goes along the edges, as the paper
 /// counts it.
 template <class A>
 Vector3<typename A::Number> corner(const Aabb& box, std::size_t i, const Vec3& origin) {

@@ -106,7 +106,7 @@ class Measurement {
     const Vec3 vertex = kernel::extremal_vertex(box_, x, y, z);
     const auto real = [](const Vec3& v) { return kernel::constants<kernel::PlainArithmetic>(v); };
     const auto refined = kernel::refined_value(real(filter.normal), filter.offset, real(tail.normal), tail.offset,
-                                               tail.slope * reach + tail.base, real(vertex), real(frustum_.origin()));
+                                               tail.uncertainty, reach, real(vertex), real(frustum_.origin()));
     // The last rounding does not change the sign.
     const Exact off = distance(Exact(refined.value), scale * truth.at(vertex)) - kRoundoff * CGAL::abs(Exact(refined.value));
     shares_.note(Kind::refined, share(off, refined.is_exact ? 0 : refined.error));

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "box_frame.h"
+#include "certain_sign.h"
 #include "error_bounds.h"
 #include "rounded_plane.h"
 #include "running_error.h"
@@ -37,9 +38,21 @@ Vec3 along(int axis, double x) {
   return v;
 }
 
-kernel::FilterPlane plane(const Vec3& n, double offset) {
-  return {n, {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}, offset, {}};
-}
+using Part = kernel::RoundedNumber<TracedNumber>;
+using Normal = kernel::Vector3<Part>;
+using Bound = kernel::BasicFilterBound<TracedNumber>;
+
+Part exactly(double x) { return {x, 0, 0}; }
+
+/// A plane with exact coefficients, and its bound as the kernel computes it.
+struct BoundedPlane {
+  BoundedPlane(const Vec3& n, double offset)
+      : filter{n, {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}, offset, {}},
+        bound(kernel::filter_bound(Normal{exactly(n.x), exactly(n.y), exactly(n.z)}, exactly(offset))) {}
+
+  kernel::FilterPlane filter;
+  Bound bound;
+};
 
 /// The normals at the corners of the set of planes.
 void for_each_normal(const std::function<void(const Vec3&)>& use) {
@@ -57,32 +70,37 @@ double sum(const Vec3& v) { return v.x + v.y + v.z; }
 
 /// Values of a plane over a box at both extremal vertices; the true ones are known.
 template <class Frame>
-Exact needed_for(const Frame& frame, const kernel::FilterPlane& p, const kernel::FilterBound& bound, double true_low,
-                 double true_high) {
-  const auto extremes = frame.extremes(p);
-  const TracedNumber error = frame.error(bound);
+Exact needed_for(const Frame& frame, const BoundedPlane& p, double true_low, double true_high) {
+  const auto extremes = frame.extremes(p.filter);
+  const TracedNumber error = frame.error(p.bound);
   return std::max(needed(extremes.low(), true_low, error), needed(extremes.high(), true_high, error));
 }
 
-Exact needed_by_aabb(const kernel::FilterPlane& p, const kernel::FilterBound& bound) {
+Exact needed_by_aabb(const BoundedPlane& p) {
   Exact most = 0;
+  const auto& [n, magnitudes, offset, farther] = p.filter;
   for (const auto& [low, high] : kIntervals) {
     const kernel::AabbFrame<A> frame({uniform(low), uniform(high)}, {});
-    const double at_low = sum(p.normal) * low, at_high = sum(p.normal) * high;
-    most = std::max(most, needed_for(frame, p, bound, 2 * (std::min(at_low, at_high) + p.offset),
-                                     2 * (std::max(at_low, at_high) + p.offset)));
+    const double at_low = sum(n) * low, at_high = sum(n) * high;
+    most = std::max(
+        most, needed_for(frame, p, 2 * (std::min(at_low, at_high) + offset), 2 * (std::max(at_low, at_high) + offset)));
   }
   return most;
 }
 
-/// All of the reach is the centre's, or that of one half edge.
-Exact needed_by_obb(const kernel::FilterPlane& p, const kernel::FilterBound& bound) {
+/// All of the reach is that of one half edge, or the centre's.
+kernel::Obb obb(std::size_t k) {
+  kernel::Obb box;
+  (k < 3 ? box.half_edges[k] : box.center) = uniform(1);
+  return box;
+}
+
+Exact needed_by_obb(const BoundedPlane& p) {
   Exact most = 0;
+  const double along = sum(p.filter.normal);
   for (std::size_t k = 0; k < 4; ++k) {
-    kernel::Obb box;
-    (k < 3 ? box.half_edges[k] : box.center) = uniform(1);
-    const double center = p.offset + (k < 3 ? 0 : sum(p.normal)), spread = k < 3 ? std::fabs(sum(p.normal)) : 0;
-    most = std::max(most, needed_for(kernel::ObbFrame<A>(box, {}), p, bound, center - spread, center + spread));
+    const double center = p.filter.offset + (k < 3 ? 0 : along), spread = k < 3 ? std::fabs(along) : 0;
+    most = std::max(most, needed_for(kernel::ObbFrame<A>(obb(k), {}), p, center - spread, center + spread));
   }
   return most;
 }
@@ -102,44 +120,41 @@ void for_each_order(const Numbers& terms, const std::function<void(const TracedN
 
 /// The same values with their sums in any order, as batches and compilers may have it. `center` and `extent` are those of
 /// AabbFrame.
-Exact needed_in_any_order(const kernel::FilterPlane& p) {
+Exact needed_in_any_order(const BoundedPlane& p) {
   Exact most = 0;
+  const auto& [normal, magnitudes, offset, farther] = p.filter;
   for (const auto& [low, high] : kIntervals) {
     const TracedNumber from = A::difference(low, 0), to = A::difference(high, 0), center = to + from, extent = to - from;
-    Numbers middle{2 * p.offset}, spread;
+    Numbers middle{2 * offset}, spread;
     for (int k = 0; k < 3; ++k) {
-      middle.push_back(p.normal[k] * center);
-      spread.push_back(p.magnitudes[k] * extent);
+      middle.push_back(normal[k] * center);
+      spread.push_back(magnitudes[k] * extent);
     }
-    const double truth = 2 * (p.offset + std::max(sum(p.normal) * low, sum(p.normal) * high));
+    const double truth = 2 * (offset + std::max(sum(normal) * low, sum(normal) * high));
+    const TracedNumber error = p.bound.slope * (fabs(center) + extent) + 2 * p.bound.base;
     for_each_order(middle, [&](const TracedNumber& m) {
-      for_each_order(spread, [&](const TracedNumber& s) {
-        // The bound is rounded as the kernel's: in the reach, in a product and a sum.
-        most = std::max(most, needed(m + s, truth, TracedNumber(1) * (fabs(center) + extent) + TracedNumber(0)));
-      });
+      for_each_order(spread, [&](const TracedNumber& s) { most = std::max(most, needed(m + s, truth, error)); });
     });
   }
   return most;
 }
 
-/// The largest that `use` returns for the planes with a normal.
-Exact over_normals(const std::function<Exact(const kernel::FilterPlane&)>& use) {
+/// By how much kPlaneError must be multiplied for the planes with a normal, and kOffsetError for those that are all offset.
+Exact over_normals(const std::function<Exact(const BoundedPlane&)>& use) {
   Exact most = 0;
-  for_each_normal([&](const Vec3& n) { most = std::max(most, use(plane(n, 0))); });
-  return most;
+  for_each_normal([&](const Vec3& n) { most = std::max(most, use({n, 0})); });
+  return most * Exact(kernel::kPlaneError);
 }
-
-/// And for those without, all offset.
-Exact over_offsets(const std::function<Exact(const kernel::FilterPlane&)>& use) {
-  return std::max(use(plane({}, 1)), use(plane({}, -1)));
+Exact over_offsets(const std::function<Exact(const BoundedPlane&)>& use) {
+  return std::max(use({{}, 1}), use({{}, -1})) * Exact(kernel::kOffsetError);
 }
 
 Exact needed_by_refined(const Vec3& n, double w) {
   const Vector normal = kernel::constants<A>(n), vertex = kernel::constants<A>(uniform(1));
   const Vector normal_tail{normal.x.tail(), normal.y.tail(), normal.z.tail()};
   const TracedNumber offset = w, offset_tail = offset.tail();
-  const auto [value, error, is_exact] =
-      kernel::refined_value(normal, offset, normal_tail, offset_tail, TracedNumber(0), vertex, kernel::constants<A>({}));
+  const auto [value, error, is_exact] = kernel::refined_value(normal, offset, normal_tail, offset_tail, Bound{},
+                                                              TracedNumber(1), vertex, kernel::constants<A>({}));
   // The plane is what its parts are together.
   TracedNumber truth = TracedNumber::sum(offset, offset_tail);
   for (int k = 0; k < 3; ++k) truth = TracedNumber::sum(truth, TracedNumber::sum(normal[k], normal_tail[k]));
@@ -179,10 +194,10 @@ Exact needed_by_sums() {
   Exact most = 0;
   for (const Running& a : operands()) {
     for (const Running& sum : {a + Running{}, Running{} + a, a - Running{}}) {
-      most = std::max(most, needed(sum.value, 1, sum.error));
+      most = std::max(most, needed(sum.value, 1, kernel::doubt(sum)));
     }
   }
-  return most * Exact(kernel::kBoundInflation);
+  return most;
 }
 
 Exact needed_by_products() {
@@ -190,31 +205,116 @@ Exact needed_by_products() {
   for (const Running& a : operands()) {
     for (const Running& b : operands()) {
       const Running product = a * b;
-      most = std::max(most, needed(product.value, 1, product.error));
+      most = std::max(most, needed(product.value, 1, kernel::doubt(product)));
     }
   }
-  return most * Exact(kernel::kBoundInflation);
+  return most;
+}
+
+/// Uncertainties of one, as low parts and as errors. Nothing else is left of the number.
+constexpr std::array<std::array<double, 2>, 2> kUncertainties{{{1, 0}, {0, 1}}};
+
+/// A plane that is zero as far as is known, and may be one, over boxes that reach as far as one.
+Exact needed_by_uncertain(const Bound& bound) {
+  Exact most = 0;
+  for (const auto& [low, high] : kIntervals) {
+    const kernel::AabbFrame<A> frame({uniform(low), uniform(high)}, {});
+    most = std::max(most, needed(0, 2, frame.error(bound)));
+  }
+  for (std::size_t k = 0; k < 4; ++k) most = std::max(most, needed(0, 1, kernel::ObbFrame<A>(obb(k), {}).error(bound)));
+  return most;
+}
+
+/// The normal that is zero but for what may be left of one component.
+Normal uncertain_normal(int axis, const Part& left) {
+  const auto component = [&](int k) { return k == axis ? left : exactly(0); };
+  return {component(0), component(1), component(2)};
+}
+
+Exact needed_by_slopes() {
+  Exact most = 0;
+  for (const auto& [low, error] : kUncertainties) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Normal n = uncertain_normal(axis, {0, low, error});
+      most = std::max(most, needed_by_uncertain(kernel::filter_bound(n, exactly(0))));
+    }
+  }
+  return most;
+}
+
+Exact needed_by_bases() {
+  Exact most = 0;
+  for (const auto& [low, error] : kUncertainties) {
+    most = std::max(most, needed_by_uncertain(kernel::filter_bound(uncertain_normal(0, exactly(0)), Part{0, low, error})));
+  }
+  return most;
+}
+
+Exact needed_by_uncertain_refined(const Normal& n, const Part& w) {
+  const Vector zero = kernel::constants<A>({});
+  Exact most = 0;
+  for (const auto& [low, high] : kIntervals) {
+    const kernel::AabbFrame<A> frame({uniform(low), uniform(high)}, {});
+    const auto refined = kernel::refined_value(zero, TracedNumber(0), zero, TracedNumber(0),
+                                               kernel::refined_uncertainty(n, w), frame.reach(), zero, zero);
+    most = std::max(most, needed(refined.value, 1, refined.error));
+  }
+  return most;
+}
+
+Exact needed_by_refined_values() {
+  const Part uncertain{0, 0, 1};
+  Exact most = needed_by_uncertain_refined(uncertain_normal(0, exactly(0)), uncertain);
+  for (int axis = 0; axis < 3; ++axis) {
+    most = std::max(most, needed_by_uncertain_refined(uncertain_normal(axis, uncertain), exactly(0)));
+  }
+  return most;
+}
+
+using kernel::BoundOf;
+constexpr std::array kBounds{BoundOf::running_sum, BoundOf::running_product, BoundOf::slope, BoundOf::base,
+                             BoundOf::refined_value};
+
+/// Where a bound is computed, and by how much it falls short there.
+std::pair<const char*, Exact> needed_by(BoundOf bound) {
+  switch (bound) {
+    case BoundOf::running_sum:
+      return {"sums with a running error", needed_by_sums()};
+    case BoundOf::running_product:
+      return {"products with a running error", needed_by_products()};
+    case BoundOf::slope:
+      return {"uncertain normals over boxes", needed_by_slopes()};
+    case BoundOf::base:
+      return {"uncertain offsets over boxes", needed_by_bases()};
+    case BoundOf::refined_value:
+      return {"uncertain refined planes", needed_by_refined_values()};
+  }
+  return {};
+}
+
+/// The roundings that the kernel counts.
+Constant recomputed(BoundOf bound) {
+  const auto [where, needed] = needed_by(bound);
+  return {"kBoundInflation - 1", where, needed * Exact(kernel::kBoundInflation) - 1,
+          Exact(kernel::rounding_error(kernel::roundings(bound))), 1};
 }
 
 }  // namespace
 
 std::vector<Constant> recomputed_constants() {
-  const Exact plane_error(kernel::kPlaneError), offset_error(kernel::kOffsetError), inflation(kernel::kBoundInflation);
-  const kernel::FilterBound slope{.slope = 1, .base = 0}, base{.slope = 0, .base = 1};
-  const auto aabb = [](const auto& bound) { return [&](const auto& p) { return needed_by_aabb(p, bound); }; };
-  const auto obb = [](const auto& bound) { return [&](const auto& p) { return needed_by_obb(p, bound); }; };
-  return {
-      {"kPlaneError", "values over axis-aligned boxes", over_normals(aabb(slope)), plane_error, 1},
+  const Exact plane_error(kernel::kPlaneError), offset_error(kernel::kOffsetError);
+  std::vector<Constant> constants{
+      {"kPlaneError", "values over axis-aligned boxes", over_normals(needed_by_aabb), plane_error, 1},
       {"kPlaneError", "the same, summed in any order", over_normals(needed_in_any_order), plane_error, 1},
-      {"kPlaneError", "values over oriented boxes", over_normals(obb(slope)), plane_error, 1},
-      {"kOffsetError", "values over axis-aligned boxes", over_offsets(aabb(base)), offset_error, 1},
+      {"kPlaneError", "values over oriented boxes", over_normals(needed_by_obb), plane_error, 1},
+      {"kOffsetError", "values over axis-aligned boxes", over_offsets(needed_by_aabb), offset_error, 1},
       {"kOffsetError", "the same, summed in any order", over_offsets(needed_in_any_order), offset_error, 1},
-      {"kOffsetError", "values over oriented boxes", over_offsets(obb(base)), offset_error, 1},
+      {"kOffsetError", "values over oriented boxes", over_offsets(needed_by_obb), offset_error, 1},
       {"kRefinedError", "values of refined planes", needed_by_refined(), Exact(kernel::kRefinedError), 2},
       {"kHalfSpaceError", "values of half-spaces", needed_by_half_spaces(), Exact(kernel::kHalfSpaceError), 1},
-      {"kBoundInflation - 1", "sums with a running error", needed_by_sums() - 1, inflation - 1, 1},
-      {"kBoundInflation - 1", "products with a running error", needed_by_products() - 1, inflation - 1, 1},
   };
+  std::ranges::transform(kBounds, std::back_inserter(constants), recomputed);
+  return constants;
 }
 
 }  // namespace occlude::bound_check

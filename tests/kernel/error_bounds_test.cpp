@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The bounds of the filter hold, and none is twice as large as it must be: a search for the worst inputs comes within half
-// of each. (kBoundInflation and kRefinedError are slack: error_bounds.h says why.)
+// of each. (For kBoundInflation and kRefinedError no such input is known; bound_check counts their roundings.)
 #include "error_bounds.h"
 
 #include <gtest/gtest.h>

@@ -42,11 +42,14 @@ using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 
 /// What rounding can do to the values of planes: over a box that reaches as far as `reach` from the origin of the frustum
 /// they are off by at most slope * reach + base (error_bounds.h).
-struct FilterBound {
-  double slope = 0, base = 0;
+/// `Real` is double, or a number that follows every rounding.
+template <class Real>
+struct BasicFilterBound {
+  Real slope = 0, base = 0;
 
-  friend bool operator==(const FilterBound&, const FilterBound&) = default;
+  friend bool operator==(const BasicFilterBound&, const BasicFilterBound&) = default;
 };
+using FilterBound = BasicFilterBound<double>;
 
 /// A plane in doubles, for points relative to the origin of the frustum, each coordinate rounded once. It is scaled by a
 /// power of two so that the slope of its bound lies in [1/2, 1): one bound then serves all planes of a frustum.
@@ -59,21 +62,14 @@ struct FilterPlane {
   friend bool operator==(const FilterPlane&, const FilterPlane&) = default;
 };
 
-/// The next 53 bits of the same: |N - (normal of the filter plane + normal)| <= slope in sum of components, the offset
-/// likewise to base.
+/// The next 53 bits of the same: |N - (normal of the filter plane + normal)| <= uncertainty.slope in sum of components, the
+/// offset likewise to uncertainty.base; up to the roundings of these sums.
 struct RefinedPlane {
   Vec3 normal;
-  double offset = 0, slope = 0, base = 0;
+  double offset = 0;
+  FilterBound uncertainty;
 
   friend bool operator==(const RefinedPlane&, const RefinedPlane&) = default;
-};
-
-/// An edge of the frustum as the paper's tests take it: from a point to another, or from a point along a direction.
-struct PlainEdge {
-  Vec3 from, to;
-  bool is_ray = false;  ///< `to` is a direction
-
-  friend bool operator==(const PlainEdge&, const PlainEdge&) = default;
 };
 
 }  // namespace occlude::kernel

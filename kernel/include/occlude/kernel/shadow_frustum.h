@@ -92,8 +92,6 @@ class ShadowFrustum {
   /// Edges and vertices of the near side when it is the occluder, else none.
   [[nodiscard]] std::span<const CapEdge> cap_edges() const { return cap_edges_; }
   [[nodiscard]] std::span<const Vec3> cap_vertices() const { return cap_vertices_; }
-  /// Its edges in doubles, relative to the origin.
-  [[nodiscard]] std::span<const PlainEdge> plain_edges() const { return plain_edges_; }
   /// The support plane chosen for `surface` when the polygon is not exactly coplanar.
   [[nodiscard]] const std::optional<SupportPlane>& support_plane() const { return support_plane_; }
 
@@ -130,7 +128,6 @@ class ShadowFrustum {
   FilterBound filter_bound_, profile_bound_;
   std::vector<CapEdge> cap_edges_;
   std::vector<Vec3> cap_vertices_;
-  std::vector<PlainEdge> plain_edges_;
   std::optional<SupportPlane> support_plane_;
 };
 

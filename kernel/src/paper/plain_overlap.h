@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: MIT
-// The paper's overlap test (section 5.3) in any arithmetic. Reading order: 8.
+// The paper's overlap test (section 5.3) in any arithmetic.
 //
 // Planes first, for they decide nearly always: `inside` is all theirs, and a box that one of them parts from the frustum is
 // `outside`. A box that no plane decides meets the frustum exactly when one of its edges does (stage 3) or, failing that,
 // when an edge of the frustum meets the box (stage 2), for the frustum is unbounded and cannot hide within it.
 #pragma once
 
-#include "box_plane.h"
+#include "corner_frame.h"
 #include "edge_frustum.h"
 #include "edge_slab.h"
+#include "occlude/kernel/overlap.h"
 
 namespace occlude::kernel {
+
+/// Stage 1: the box against each plane by its two extremal vertices.
+template <class Frame>
+[[nodiscard]] Relation box_planes_plain(const ShadowFrustum& frustum, const Frame& frame, NearBoundary near) {
+  const auto planes = frustum.filter_planes().first(frustum.plane_count());
+  bool inside = true;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const auto extremes = frame.extremes(planes[i]);
+    if (extremes.high() < 0) return Relation::outside;
+    const double low = extremes.low();
+    const bool must_be_beyond = near == NearBoundary::open && i < frustum.near_count();
+    inside = inside && (must_be_beyond ? low > 0 : low >= 0);
+  }
+  return inside ? Relation::inside : Relation::partial;
+}
 
 template <class A, class Box>
 [[nodiscard]] Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {

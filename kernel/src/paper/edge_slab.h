@@ -3,11 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
-#include "counting.h"
-#include "occlude/kernel/shadow_frustum.h"
+#include "frustum_edges.h"
 #include "segment_clip.h"
 
 namespace occlude::kernel {
@@ -99,15 +97,14 @@ template <class A, class Box>
 [[nodiscard]] bool edge_slab(const ShadowFrustum& frustum, const Box& box) {
   const auto slabs = slabs_of<A>(box, frustum.origin());
   A arithmetic;
-  for (const PlainEdge& edge : frustum.plain_edges()) {
+  return visit_edges(frustum, [&](const FrustumEdge& edge) {
     const auto from = slabs.at_point(edge.from), to = edge.is_ray ? slabs.at_direction(edge.to) : slabs.at_point(edge.to);
     SegmentClip<A> left(arithmetic);
     for (std::size_t face = 0; face < 2; ++face) {
       for (int axis = 0; axis < 3; ++axis) left.clip(from[face][axis], to[face][axis]);
     }
-    if (!left.empty()) return true;
-  }
-  return false;
+    return !left.empty();
+  });
 }
 
 }  // namespace occlude::kernel

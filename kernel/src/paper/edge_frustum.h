@@ -6,9 +6,10 @@
 #include <array>
 #include <cstddef>
 
-#include "counting.h"
+#include "arithmetic.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "segment_clip.h"
+#include "vector3.h"
 
 namespace occlude::kernel {
 
