@@ -8,9 +8,9 @@
 #include "answers.h"
 #include "any_case.h"
 #include "experiment.h"
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/kernel/batch.h"
-#include "to_oracle.h"
+#include "cases/to_oracle.h"
 
 namespace occlude::fuzz {
 namespace {

@@ -9,13 +9,13 @@
 
 #include "answers.h"
 #include "experiment.h"
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/batch.h"
 #include "occlude/oracle/second.h"
 #include "rivals.h"
-#include "to_oracle.h"
+#include "cases/to_oracle.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "cases/ask.h"
 #include "kernel/degenerate_rows.h"
 #include "kernel/exact_copies.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/overlap.h"
 
 namespace {
