@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "case_line.h"
+#include "cases/case_line.h"
 #include "command_arguments.h"
 #include "commands.h"
 #include "differential/campaign.h"
@@ -154,7 +154,7 @@ FuzzResults fuzz_families(const Arguments& a) {
 constexpr const char* kExpect = "expect";
 
 /// What is wrong with a line of a case file, as one case and against what it expects.
-fuzz::Report judge_line(const CaseLine& line, const std::string& name, std::size_t number) {
+fuzz::Report judge_line(const cases::CaseLine& line, const std::string& name, std::size_t number) {
   fuzz::Report report;
   fuzz::judge_overlap(line.question, {&line.question.box, 1}, name, number, report);
   const std::string judged = fuzz::judged_answer(line.question);
@@ -173,8 +173,8 @@ FuzzResults fuzz_files(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
       FuzzResults::Row& row = results.rows.emplace_back();
       row.name = render::printable(std::filesystem::path(file).filename().native());
-      for_each_case(file, false, [&](std::size_t number, const nlohmann::json& object) {
-        fuzz::add(row.report, judge_line(read_case(object), row.name, number));
+      cases::for_each_case(file, false, [&](std::size_t number, const nlohmann::json& object) {
+        fuzz::add(row.report, judge_line(cases::read_case(object), row.name, number));
       });
       if (row.report.tally.cases == 0) throw render::InputError(file + ": no cases");
     }
@@ -279,7 +279,7 @@ void add_fuzz(Command app, int& exit_code) {
       "makes a finding's group again. Exit code 0 when nothing is wrong, 1 for a finding (its case line is printed and "
       "stored),\n"
       "2 for bad input.\n" +
-      fmt::format("A polytope in a case file has at most {} vertices, those of its faces counted.\n", kMostCorners) +
+      fmt::format("A polytope in a case file has at most {} vertices, those of its faces counted.\n", cases::kMostCorners) +
       limits_help() +
       "\n"
       "Example: occlude fuzz --seconds 30\n"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "case_line.h"
+#include "cases/case_line.h"
 #include "differential/campaign.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/json_text.h"
@@ -27,7 +27,9 @@ std::string id_of(const Finding& finding) {
   return fmt::format("{} {}: {}: {}", finding.family, finding.seed, finding.kind, finding.what);
 }
 
-std::string case_line(const Finding& finding) { return write_case(id_of(finding), *finding.question, finding.expect); }
+std::string case_line(const Finding& finding) {
+  return cases::write_case(id_of(finding), *finding.question, finding.expect);
+}
 
 Json json(const Finding& finding) {
   Json result{{"family", finding.family}, {"seed", finding.seed}, {"kind", finding.kind}, {"what", finding.what}};
@@ -57,26 +59,26 @@ Json json(const FuzzResults::Row& row) {
 }
 
 std::uint64_t count(const nlohmann::json& object, const char* name) {
-  const nlohmann::json& value = member(object, name);
-  if (!value.is_number_unsigned()) throw LineError(fmt::format("\"{}\": expected a whole number from 0", name));
+  const nlohmann::json& value = cases::member(object, name);
+  if (!value.is_number_unsigned()) throw cases::LineError(fmt::format("\"{}\": expected a whole number from 0", name));
   return value.get<std::uint64_t>();
 }
 
 /// A table will show it.
 std::string word(const nlohmann::json& object, const char* name) {
-  const nlohmann::json& value = member(object, name);
-  if (!value.is_string()) throw LineError(fmt::format("\"{}\": expected a string", name));
+  const nlohmann::json& value = cases::member(object, name);
+  if (!value.is_string()) throw cases::LineError(fmt::format("\"{}\": expected a string", name));
   return render::printable(value.get_ref<const std::string&>());
 }
 
 const nlohmann::json& list(const nlohmann::json& object, const char* name) {
-  const nlohmann::json& value = member(object, name);
-  if (!value.is_array() || value.empty()) throw LineError(fmt::format("\"{}\": expected a list, not empty", name));
+  const nlohmann::json& value = cases::member(object, name);
+  if (!value.is_array() || value.empty()) throw cases::LineError(fmt::format("\"{}\": expected a list, not empty", name));
   return value;
 }
 
 fuzz::WrongAnswers wrong_answers(const nlohmann::json& row, const char* name) {
-  const nlohmann::json& object = member(row, name);
+  const nlohmann::json& object = cases::member(row, name);
   return {count(object, "wrong_culls"), count(object, "wrong_draws")};
 }
 
@@ -85,7 +87,7 @@ Tally tally(const nlohmann::json& row) {
   t.cases = count(row, "cases");
   const auto part = [&](const char* name) {
     const std::uint64_t some = count(row, name);
-    if (some > t.cases) throw LineError(fmt::format("\"{}\": more than there are cases", name));
+    if (some > t.cases) throw cases::LineError(fmt::format("\"{}\": more than there are cases", name));
     return some;
   };
   t.refused = part("refused");
@@ -106,7 +108,7 @@ Finding finding(const nlohmann::json& object) {
   Finding result{word(object, "family"), count(object, "seed"), word(object, "kind"),
                  word(object, "what"),   std::nullopt,          ""};
   if (object.contains("case")) {
-    CaseLine line = read_case(object.at("case"));
+    cases::CaseLine line = cases::read_case(object.at("case"));
     result.question = std::move(line.question);
     result.expect = line.expect.value_or("");
   }
@@ -116,25 +118,25 @@ Finding finding(const nlohmann::json& object) {
 FuzzResults::Row row_of(const nlohmann::json& object) {
   FuzzResults::Row row{word(object, "name"), {}};
   row.report.tally = tally(object);
-  row.report.core_seconds = number(member(object, "core_seconds"), "core_seconds");
-  if (!(row.report.core_seconds >= 0)) throw LineError("\"core_seconds\": expected a number from 0");
-  const nlohmann::json& findings = member(object, "findings");
-  if (!findings.is_array()) throw LineError("\"findings\": expected a list");
+  row.report.core_seconds = cases::number(cases::member(object, "core_seconds"), "core_seconds");
+  if (!(row.report.core_seconds >= 0)) throw cases::LineError("\"core_seconds\": expected a number from 0");
+  const nlohmann::json& findings = cases::member(object, "findings");
+  if (!findings.is_array()) throw cases::LineError("\"findings\": expected a list");
   std::ranges::transform(findings, std::back_inserter(row.report.findings), finding);
   return row;
 }
 
 FuzzResults read(const nlohmann::json& object) {
   FuzzResults results;
-  if (!member(object, "seed").is_null()) results.seed = count(object, "seed");
+  if (!cases::member(object, "seed").is_null()) results.seed = count(object, "seed");
   results.rounds = count(object, "rounds");
   results.shards = count(object, "shards");
-  const nlohmann::json& interrupted = member(object, "interrupted");
-  if (!interrupted.is_boolean()) throw LineError("\"interrupted\": expected true or false");
+  const nlohmann::json& interrupted = cases::member(object, "interrupted");
+  if (!interrupted.is_boolean()) throw cases::LineError("\"interrupted\": expected true or false");
   results.interrupted = interrupted.get<bool>();
   for (const nlohmann::json& part : list(object, "parts")) {
     if (!part.is_number_unsigned() || part.get<std::uint64_t>() >= results.shards) {
-      throw LineError("\"parts\": expected numbers of shards");
+      throw cases::LineError("\"parts\": expected numbers of shards");
     }
     results.parts.push_back(part.get<std::uint64_t>());
   }
@@ -146,7 +148,7 @@ FuzzResults read_file(const std::string& file) {
   const nlohmann::json object = render::read_json(file);
   try {
     return read(object);
-  } catch (const LineError& error) {
+  } catch (const cases::LineError& error) {
     throw render::InputError(fmt::format("{}: not a result of occlude fuzz --out: {}", file, error.what()));
   }
 }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/fuzz/random.h"

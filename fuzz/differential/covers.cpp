@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "any_case.h"
+#include "cases/to_oracle.h"
 #include "experiment.h"
 #include "nudge.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/visibility.h"
-#include "to_oracle.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {
@@ -183,7 +183,8 @@ bool shows(const Question& question, const kernel::Aabb& box) {
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) triangles.push_back({loop[0], loop[i], loop[i + 1]});
   };
   const auto corner = [&](int bits) {
-    return to_oracle(Vec3{(bits & 1 ? box.max : box.min).x, (bits & 2 ? box.max : box.min).y, (bits & 4 ? box.max : box.min).z});
+    return to_oracle(
+        Vec3{(bits & 1 ? box.max : box.min).x, (bits & 2 ? box.max : box.min).y, (bits & 4 ? box.max : box.min).z});
   };
   for (const auto& [a, b] : {std::pair{1, 2}, {2, 4}, {4, 1}}) {
     const int other = 7 - a - b;

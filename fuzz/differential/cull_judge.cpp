@@ -11,8 +11,9 @@
 
 #include "border.h"
 #include "camera_picture.h"
+#include "cases/to_oracle.h"
+#include "occlude/fuzz/case.h"
 #include "occlude/oracle/cover.h"
-#include "to_oracle.h"
 
 namespace occlude::fuzz {
 namespace {

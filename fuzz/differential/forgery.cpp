@@ -92,7 +92,7 @@ class Forger {
         prover_(culler_.hierarchy(), {kFrames, [this](std::size_t frame) { return cameras_[frame]; }}) {
     for (Camera& camera : cameras_) {
       camera = forged_camera(random, soup());
-      shows_.push_back(visible_triangles(soup(), camera));
+      shows_.push_back(proof::visible_triangles(soup(), camera));
       culled_.push_back(culler_.cull(camera, {.margin = 0}));
     }
   }
@@ -114,7 +114,7 @@ class Forger {
     proof::Proof proof;
     try {
       proof = *prover_.prove(outcome.line);
-    } catch (const proof::LineError&) {
+    } catch (const cases::LineError&) {
       return outcome;
     }
     outcome.is_taken = proof.failure.empty();

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "frustum_batches.h"
 
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "answers.h"
 #include "any_case.h"
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "experiment.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/batch.h"
-#include "to_oracle.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -35,6 +36,24 @@ kernel::Aabb box_of(const std::vector<Case>& cases) {
   return {};
 }
 
+/// The answers of all frusta at once about the box.
+struct Answers {
+  Answers(const kernel::FrustumBatch& batch, const kernel::Aabb& box, NearBoundary near) {
+    kernel::overlap_certified(batch, box, near, overlap);
+    kernel::conservative_certified(batch, box, near, conservative);
+  }
+
+  std::vector<Relation> overlap = std::vector<Relation>(kGroup), conservative = overlap;
+};
+
+/// What is wrong with the answers of frustum i; empty when nothing is.
+std::string fault_of(const Answers& answers, std::size_t i, Relation truth) {
+  const bool is_undecided = truth == Relation::outside && answers.conservative[i] == Relation::partial;
+  if (answers.overlap[i] == truth && (answers.conservative[i] == truth || is_undecided)) return "";
+  return "overlap " + text(answers.overlap[i]) + ", conservative " + text(answers.conservative[i]) +
+         ", the oracle: " + text(truth);
+}
+
 }  // namespace
 
 void run_frustum_batch(std::uint64_t seed, Report& report) {
@@ -44,27 +63,28 @@ void run_frustum_batch(std::uint64_t seed, Report& report) {
   std::vector<kernel::ShadowFrustum> frusta;
   for (const Case& c : cases) frusta.push_back(*make_frustum(c).frustum);
   const kernel::FrustumBatch batch(frusta);
-  std::vector<Relation> overlaps(kGroup), planes(kGroup);
-  kernel::overlap_certified(batch, box, NearBoundary::closed, overlaps);
-  kernel::conservative_certified(batch, box, NearBoundary::closed, planes);
+  const Answers closed(batch, box, NearBoundary::closed), open(batch, box, NearBoundary::open);
   for (std::size_t i = 0; i < kGroup; ++i) {
     Case& c = cases[i];
     c.box = box;
-    const oracle::Answer answer = oracle::relation(to_oracle(c.viewpoint), to_oracle(c.occluder),
-                                                   to_oracle(c.near, {frusta[i], {}}), to_oracle(c.box));
+    oracle::Shadow shadow(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, {frusta[i], {}}));
+    const oracle::Answer answer = shadow.relation(to_oracle(c.box));
     const Relation truth = relation_of(answer.relation);
+    const bool touches = truth == Relation::inside && !shadow.refute_cull(to_oracle(c.box)).empty();
     ++report.tally.cases;
     report.tally.count(truth, overlap(frusta[i], c.box).stage);
     report.tally.planes_asked += truth == Relation::outside ? 1 : 0;
-    const bool is_undecided = truth == Relation::outside && planes[i] == Relation::partial;
-    report.tally.undecided += is_undecided ? 1 : 0;
-    if (answer.refusal.empty() && overlaps[i] == truth && (planes[i] == truth || is_undecided)) continue;
+    report.tally.undecided += truth == Relation::outside && closed.conservative[i] == Relation::partial ? 1 : 0;
+    std::string fault = answer.refusal.empty() ? fault_of(closed, i, truth) : "the oracle: " + answer.refusal;
+    std::string kind = "batch of frusta";
+    if (fault.empty()) {
+      fault = fault_of(open, i, touches ? Relation::partial : truth);
+      kind += ", near plane open";
+    }
+    if (fault.empty()) continue;
     ++report.tally.disagreements;
-    report.findings.push_back({"frustum_batch", seed, "batch of frusta",
-                               "number " + std::to_string(i) + ": overlap " + text(overlaps[i]) + ", conservative " +
-                                   text(planes[i]) +
-                                   ", the oracle: " + (answer.refusal.empty() ? text(truth) : answer.refusal),
-                               std::move(c), answer.refusal.empty() ? text(truth) : ""});
+    report.findings.push_back({"frustum_batch", seed, kind, "number " + std::to_string(i) + ": " + fault, std::move(c),
+                               answer.refusal.empty() ? text(truth) : ""});
   }
 }
 

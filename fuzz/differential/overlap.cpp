@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "answers.h"
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "experiment.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/batch.h"
 #include "occlude/oracle/second.h"
 #include "rivals.h"
-#include "to_oracle.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {
@@ -49,23 +49,10 @@ class Judgement {
   }
 
   /// The axis-aligned boxes once more, all at once.
-  void judge_batch() {
-    if (batch_.empty()) return;
-    std::vector<Relation> overlap(batch_.size()), conservative(batch_.size());
-    const kernel::BoxBatch boxes(batch_);
-    kernel::overlap_certified(*made_.frustum, boxes, NearBoundary::closed, overlap);
-    kernel::conservative_certified(*made_.frustum, boxes, NearBoundary::closed, conservative);
-    const kernel::FrustumBatch frusta({&*made_.frustum, 1});
-    for (std::size_t i = 0; i < batch_.size(); ++i) {
-      std::array<Relation, 1> one{};
-      kernel::overlap_certified(frusta, batch_[i], NearBoundary::closed, one);
-      is_wrong_ = wrong_[i];
-      if (overlap[i] != truths_[i]) add_finding(batch_[i], "batch of boxes", overlap[i], truths_[i]);
-      if (one[0] != truths_[i]) add_finding(batch_[i], "batch of frusta", one[0], truths_[i]);
-      if (!is_sound(conservative[i], truths_[i])) {
-        add_finding(batch_[i], "conservative batch", conservative[i], truths_[i]);
-      }
-    }
+  void judge_batches() {
+    if (boxes_.empty()) return;
+    judge_batch(NearBoundary::closed);
+    judge_batch(NearBoundary::open);
   }
 
  private:
@@ -91,12 +78,12 @@ class Judgement {
     if (twice) judge_again(box, truth);
     judge_certified(box, truth);
     judge_conservative(box, truth);
-    if (truth == Relation::inside) judge_open(box);
+    const Relation open = truth_if_open(box, truth);
+    judge_open(box, open);
     count_others(box, truth);
     if (const auto* const aabb = std::get_if<kernel::Aabb>(&box)) {
-      batch_.push_back(*aabb);
-      truths_.push_back(truth);
-      wrong_.push_back(is_wrong_);
+      boxes_.push_back(*aabb);
+      asked_.push_back({truth, open, is_wrong_});
     }
   }
 
@@ -121,13 +108,37 @@ class Judgement {
     if (!is_sound(planes, truth)) add_finding(box, "conservative", planes, truth);
   }
 
-  /// What is inside is so with an open near plane when it is strictly beyond.
-  void judge_open(const Box& box) {
-    const Relation truth = shadow_.refute_cull(to_oracle(box)).empty() ? Relation::inside : Relation::partial;
+  /// What is inside is so with an open near plane when it is strictly beyond. What is not shares as much with the shadow as
+  /// before.
+  Relation truth_if_open(const Box& box, Relation truth) {
+    const bool touches = truth == Relation::inside && !shadow_.refute_cull(to_oracle(box)).empty();
+    return touches ? Relation::partial : truth;
+  }
+
+  void judge_open(const Box& box, Relation truth) {
     const Relation answer = overlap(*made_.frustum, box, NearBoundary::open).relation;
     if (answer != truth) add_finding(box, "certified, near plane open", answer, truth);
     const Relation planes = conservative(*made_.frustum, box, NearBoundary::open).relation;
-    if (planes != truth) add_finding(box, "conservative, near plane open", planes, truth);
+    if (!is_sound(planes, truth)) add_finding(box, "conservative, near plane open", planes, truth);
+  }
+
+  void judge_batch(NearBoundary near) {
+    const std::string ending = near == NearBoundary::open ? ", near plane open" : "";
+    std::vector<Relation> overlap(boxes_.size()), conservative(boxes_.size());
+    const kernel::BoxBatch boxes(boxes_);
+    kernel::overlap_certified(*made_.frustum, boxes, near, overlap);
+    kernel::conservative_certified(*made_.frustum, boxes, near, conservative);
+    const kernel::FrustumBatch frusta({&*made_.frustum, 1});
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      std::array<Relation, 1> one{};
+      kernel::overlap_certified(frusta, boxes_[i], near, one);
+      const Relation truth = near == NearBoundary::open ? asked_[i].open : asked_[i].closed;
+      is_wrong_ = asked_[i].is_wrong;
+      if (overlap[i] != truth) add_finding(boxes_[i], "batch of boxes" + ending, overlap[i], truth);
+      if (one[0] != truth) add_finding(boxes_[i], "batch of frusta" + ending, one[0], truth);
+      if (!is_sound(conservative[i], truth)) add_finding(boxes_[i], "conservative batch" + ending, conservative[i], truth);
+      asked_[i].is_wrong = is_wrong_;
+    }
   }
 
   void judge_again(const Box& box, Relation truth) {
@@ -163,9 +174,14 @@ class Judgement {
   kernel::ShadowFrustumResult made_;
   oracle::Shadow shadow_;
   bool is_wrong_ = false;  ///< the case in hand
-  std::vector<kernel::Aabb> batch_;
-  std::vector<Relation> truths_;
-  std::vector<bool> wrong_;  ///< found to be so one by one
+
+  /// What is known of an axis-aligned box.
+  struct Asked {
+    Relation closed, open;  ///< the truth
+    bool is_wrong;          ///< of any answer so far
+  };
+  std::vector<kernel::Aabb> boxes_;
+  std::vector<Asked> asked_;  ///< of each of them
 };
 
 }  // namespace
@@ -174,7 +190,7 @@ void judge_overlap(const Case& question, std::span<const Box> boxes, const std::
                    Report& report) {
   Judgement judgement(question, family, seed, report);
   for (std::size_t i = 0; i < boxes.size(); ++i) judgement.judge(boxes[i], is_judged_twice(seed * kGroup + i));
-  judgement.judge_batch();
+  judgement.judge_batches();
 }
 
 void run_overlap(Family family, std::uint64_t seed, Report& report) {
@@ -197,7 +213,7 @@ std::optional<Finding> find_again(const Case& question, const std::string& kind)
   const std::string nameless;
   Judgement judgement(question, nameless, 0, report);
   judgement.judge(question.box, kind == kSecondOracle);
-  judgement.judge_batch();
+  judgement.judge_batches();
   const auto same = std::ranges::find(report.findings, kind, &Finding::kind);
   return same != report.findings.end() ? std::optional(*same) : std::nullopt;
 }

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "any_case.h"
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "experiment.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/polytope_overlap.h"
 #include "occlude/kernel/view_cone.h"
 #include "occlude/oracle/questions.h"
-#include "to_oracle.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

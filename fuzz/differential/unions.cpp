@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "any_case.h"
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "experiment.h"
 #include "nudge.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/shadow_union.h"
-#include "to_oracle.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

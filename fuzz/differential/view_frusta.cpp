@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "any_case.h"
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "experiment.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/view_frustum.h"
 #include "occlude/oracle/questions.h"
-#include "to_oracle.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {
@@ -67,7 +67,7 @@ std::optional<View> some_view(Random& random) {
   return View{std::move(view), c.box};
 }
 
-std::vector<oracle::HalfSpaceCoefficients> to_oracle(const HalfSpaces& view) {
+std::vector<oracle::HalfSpaceCoefficients> coefficients(const HalfSpaces& view) {
   std::vector<oracle::HalfSpaceCoefficients> result;
   for (const HalfSpace& h : view) result.push_back({h.normal.x, h.normal.y, h.normal.z, h.offset});
   return result;
@@ -79,7 +79,7 @@ void run_view_frusta(std::uint64_t seed, Report& report) {
   Random random(seed);
   const auto [half_spaces, touching] = first_legal([&] { return some_view(random); });
   const HalfSpaces& view = half_spaces;
-  const auto judged = to_oracle(view);
+  const auto judged = coefficients(view);
   for (std::uint64_t i = 0; i < kGroup / 2; ++i) {
     const Box box = i == 0 ? touching : legal_neighbour(random, touching);
     const std::size_t one = random.index(view.size());

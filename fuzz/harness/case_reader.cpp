@@ -5,21 +5,21 @@
 #include <string>
 #include <string_view>
 
-#include "case_line.h"
+#include "cases/case_line.h"
 #include "finding.h"
 
 namespace occlude::harness {
 namespace {
 
 void read(std::string_view line) {
-  const nlohmann::json object = proof::parse_object(line);
-  const cli::CaseLine taken = cli::read_case(object);
-  const std::string id = cli::case_id(object).dump();
-  const std::string text = cli::write_case(id, taken.question, taken.expect.value_or(""));
+  const nlohmann::json object = cases::parse_object(line);
+  const cases::CaseLine taken = cases::read_case(object);
+  const std::string id = cases::case_id(object).dump();
+  const std::string text = cases::write_case(id, taken.question, taken.expect.value_or(""));
   try {
-    const cli::CaseLine again = cli::read_case(proof::parse_object(text));
-    if (cli::write_case(id, again.question, again.expect.value_or("")) != text) finding("reads back as another: " + text);
-  } catch (const proof::LineError& error) {
+    const cases::CaseLine again = cases::read_case(cases::parse_object(text));
+    if (cases::write_case(id, again.question, again.expect.value_or("")) != text) finding("reads back as another: " + text);
+  } catch (const cases::LineError& error) {
     finding(std::string(error.what()) + ", in a case that was written: " + text);
   }
 }
@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   try {
     harness::read({reinterpret_cast<const char*>(data), size});
-  } catch (const proof::LineError&) {
+  } catch (const cases::LineError&) {
     // The one way to refuse a line.
   }
   return 0;

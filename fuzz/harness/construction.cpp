@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "case_line.h"
+#include "cases/ask.h"
+#include "cases/case_line.h"
+#include "cases/to_oracle.h"
 #include "decode.h"
-#include "differential/to_oracle.h"
 #include "finding.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/view_cone.h"
 
 namespace occlude::harness {
@@ -24,7 +24,7 @@ std::string text(Refusal refusal) {
 }
 
 [[noreturn]] void fail(const std::string& what, const Case& question) {
-  finding(what + ": " + cli::write_case("construction", question, ""));
+  finding(what + ": " + cases::write_case("construction", question, ""));
 }
 
 /// Both near sides are refused alike, and so is the cone of rays.

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "case_line.h"
+#include "cases/case_line.h"
 #include "decode.h"
 #include "finding.h"
 
@@ -19,5 +19,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::judge_overlap(question, boxes, "harness", 0, report);
   if (report.findings.empty()) return 0;
   const fuzz::Finding& first = report.findings[0];
-  harness::finding(first.what + ": " + cli::write_case("overlap", *first.question, first.expect));
+  harness::finding(first.what + ": " + cases::write_case("overlap", *first.question, first.expect));
 }

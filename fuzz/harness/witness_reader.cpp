@@ -46,7 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   try {
     static_cast<void>(harness::prover().prove({reinterpret_cast<const char*>(data), size}));
-  } catch (const proof::LineError&) {
+  } catch (const cases::LineError&) {
     // The one way to refuse a line.
   }
   return 0;

@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "case_line.h"
+#include "cases/ask.h"
+#include "cases/case_line.h"
+#include "cases/to_oracle.h"
 #include "command_arguments.h"
 #include "commands.h"
-#include "differential/to_oracle.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/render/console.h"
@@ -22,8 +22,8 @@ namespace occlude::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using fuzz::Case;
-using fuzz::to_oracle;
+using cases::Case;
+using cases::to_oracle;
 
 std::string text(kernel::Relation relation) { return std::string(kernel::to_string(relation)); }
 
@@ -48,17 +48,17 @@ bool refuse(const oracle::Answer& exact, const std::optional<std::string>& expec
 }
 
 /// Fills `answer`; returns whether everything that ought to agree does.
-bool classify(const CaseLine& line, Json& answer) {
+bool classify(const cases::CaseLine& line, Json& answer) {
   const Case& c = line.question;
   const auto refused = [&](kernel::Refusal refusal) { return refuse(judge(c, {}), line.expect, refusal, answer); };
-  if (const kernel::Refusal fault = fuzz::check(c.box); fault != kernel::Refusal::none) return refused(fault);
-  const kernel::ShadowFrustumResult made = fuzz::make_frustum(c);
+  if (const kernel::Refusal fault = cases::check(c.box); fault != kernel::Refusal::none) return refused(fault);
+  const kernel::ShadowFrustumResult made = cases::make_frustum(c);
   if (!made.frustum) return refused(made.refusal);
-  const kernel::Decision certified = fuzz::overlap(*made.frustum, c.box);
+  const kernel::Decision certified = cases::overlap(*made.frustum, c.box);
   answer["certified"] = text(certified.relation);
   answer["stage"] = text(certified.stage);
-  answer["plain"] = text(fuzz::overlap_plain(*made.frustum, c.box));
-  const std::string conservative = text(fuzz::conservative(*made.frustum, c.box).relation);
+  answer["plain"] = text(cases::overlap_plain(*made.frustum, c.box));
+  const std::string conservative = text(cases::conservative(*made.frustum, c.box).relation);
   answer["conservative"] = conservative;
   const std::string judged = text(judge(c, made));
   answer["oracle"] = judged;
@@ -67,11 +67,11 @@ bool classify(const CaseLine& line, Json& answer) {
 }
 
 /// The same of a question about a joined shadow, which has no arithmetic and no test but the exact one.
-bool classify(const CoverLine& line, Json& answer) {
+bool classify(const cases::CoverLine& line, Json& answer) {
   const oracle::Answer truth =
       oracle::relation_to_cover(to_oracle(line.viewpoint), to_oracle(line.polygons), to_oracle(line.box));
   const auto [cover, refused] = kernel::Cover::make(line.viewpoint, line.polygons);
-  const kernel::Refusal refusal = refused != kernel::Refusal::none ? refused : fuzz::check(line.box);
+  const kernel::Refusal refusal = refused != kernel::Refusal::none ? refused : cases::check(line.box);
   if (refusal != kernel::Refusal::none) return refuse(truth, line.expect, refusal, answer);
   const kernel::Decision certified =
       std::visit([&](const auto& box) { return kernel::overlap_certified(*cover, box); }, line.box);
@@ -84,10 +84,11 @@ bool classify(const CoverLine& line, Json& answer) {
 
 void classify_file(const std::string& file, int& exit_code) {
   const bool prints_to_terminal = isatty(STDOUT_FILENO) != 0;
-  for_each_case(file, prints_to_terminal, [&](std::size_t, const nlohmann::json& object) {
+  cases::for_each_case(file, prints_to_terminal, [&](std::size_t, const nlohmann::json& object) {
     Json answer;
-    answer["id"] = case_id(object);
-    const bool agree = is_cover(object) ? classify(read_cover(object), answer) : classify(read_case(object), answer);
+    answer["id"] = cases::case_id(object);
+    const bool agree =
+        cases::is_cover(object) ? classify(cases::read_cover(object), answer) : classify(cases::read_case(object), answer);
     if (!agree) exit_code = kCheckFailed;
     render::print(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
@@ -106,7 +107,7 @@ void add_classify(Command app, int& exit_code) {
       "or\n"
       "{\"cover\":[polygon, ...]}, polygons that hide together: then the box is `inside` their joined shadow or `partial`,\n"
       "and there is neither `plain` nor `conservative`.\n" +
-      fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", kMostCorners,
+      fmt::format("A polytope has at most {} vertices, those of its faces counted, a cover {}.\n", cases::kMostCorners,
                   render::kMostCoverVertices) +
       limits_help() +
       "\n"

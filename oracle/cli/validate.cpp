@@ -84,7 +84,7 @@ class Proving {
     const auto prove_one = [&](std::size_t i) {
       try {
         verdicts[i].proof = prover_.prove(places[i].line, [&](auto frame) { return shard_.has(frame); });
-      } catch (const proof::LineError& error) {
+      } catch (const cases::LineError& error) {
         verdicts[i].unreadable = error.what();
       }
     };

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "differential/exact_visibility.h"
+#include "exact_visibility.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/render/progress.h"
 
@@ -75,7 +75,7 @@ Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled) {
   culler::parallel_for(frames.size(), [&](std::size_t i) {
     render::check_interrupt();
     const culler::Camera camera = walk.path.camera(frames[i].first, walk.aspect);
-    shows[i] = polygons_with(hierarchy, fuzz::visible_triangles(hierarchy.soup(), camera));
+    shows[i] = polygons_with(hierarchy, proof::visible_triangles(hierarchy.soup(), camera));
     const std::lock_guard lock(mutex);
     progress.update(++done);
   });

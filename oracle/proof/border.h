@@ -4,11 +4,11 @@
 
 #include <span>
 
-#include "occlude/fuzz/case.h"
+#include "cases/case.h"
 
 namespace occlude::proof {
 
-using fuzz::Polygon;
+using cases::Polygon;
 
 /// Whether the parts have the loop as their common border, with every edge but those of the loop run through as often one
 /// way as the other, and no vertex that is not the loop's. Then they hide what the loop does as an occluder: seen from a

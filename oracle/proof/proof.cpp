@@ -11,14 +11,12 @@
 
 #include "border.h"
 #include "camera_picture.h"
-#include "differential/to_oracle.h"
+#include "cases/to_oracle.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/render/input_limits.h"
 
 namespace occlude::proof {
 namespace {
-
-using fuzz::to_oracle;
 
 using Json = nlohmann::json;
 

@@ -13,12 +13,14 @@
 #include <utility>
 #include <vector>
 
-#include "json_input.h"
+#include "cases/json_input.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/oracle/oracle.h"
 
 namespace occlude::proof {
+
+using namespace cases;  // witnesses are of what cases are
 
 /// What became of a witness.
 struct Proof {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "case_line.h"
+#include "cases/case_line.h"
 #include "command_arguments.h"
 #include "commands.h"
 #include "occlude/render/camera_path.h"
@@ -33,7 +33,7 @@ struct Arguments {
 void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file) {
   options.on_shadow_test = [&file, number = std::size_t{0}](const render::ShadowTest& test) mutable {
     const std::string id = fmt::format("frame {} test {}", test.frame, number++);
-    file.write(write_case(id, {test.viewpoint, test.occluder, test.near, test.box}, "") + '\n');
+    file.write(cases::write_case(id, {test.viewpoint, test.occluder, test.near, test.box}, "") + '\n');
   };
 }
 

@@ -8,7 +8,6 @@
 namespace occlude::proof {
 namespace {
 
-using fuzz::Polygon;
 using Parts = std::vector<Polygon>;
 
 const kernel::Vec3 a{0, 0, 0}, b{1, 0, 0}, c{1, 1, 0}, d{0, 1, 0}, e{0.5, 0.5, 0}, f{2, 0, 0};

@@ -9,7 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "differential/to_oracle.h"
+#include "cases/to_oracle.h"
+#include "occlude/fuzz/case.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/oracle/oracle.h"
 

@@ -6,8 +6,8 @@
 
 #include <variant>
 
+#include "cases/ask.h"
 #include "differential/overlap.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/neighbours.h"
 

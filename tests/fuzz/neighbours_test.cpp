@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "case_hash.h"
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/spoil.h"
 

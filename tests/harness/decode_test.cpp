@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "case_line.h"
+#include "cases/case_line.h"
 #include "occlude/fuzz/random.h"
 
 namespace occlude::harness {
@@ -28,7 +28,7 @@ TEST(Decode, SameBytesSameScene) {
     Decoder decoder(bytes);
     fuzz::Case made = decoder.question();
     made.box = decoder.box();
-    hash = hash_of(cli::write_case("", made, ""), hash);
+    hash = hash_of(cases::write_case("", made, ""), hash);
   }
   EXPECT_EQ(hash, 0xc3f23e4672dc823U) << std::hex << hash;
 }

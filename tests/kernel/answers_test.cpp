@@ -9,7 +9,7 @@
 #include <iterator>
 #include <variant>
 
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/kernel/overlap.h"
 

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"

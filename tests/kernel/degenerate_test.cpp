@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "cases/ask.h"
 #include "kernel/degenerate_rows.h"
 #include "kernel/exact_copies.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/overlap.h"
 
 namespace {
@@ -180,6 +180,12 @@ TEST(Overlap, OpenNearBoundaryDrawsWhatIsCoplanar) {
   const Aabb on_the_wall{{2, -0.5, -0.5}, {2, 0.5, 0.5}}, behind{{beyond, -0.5, -0.5}, {3, 0.5, 0.5}};
   EXPECT_EQ(conservative_certified(shadow, on_the_wall, NearBoundary::open).relation, Relation::partial);
   EXPECT_EQ(conservative_certified(shadow, behind, NearBoundary::open).relation, Relation::inside);
+
+  const Aabb from_before{{1, -0.25, -0.25}, {2, 0.25, 0.25}};  // it still shares points with the shadow, which is closed
+  for (const NearBoundary near : {NearBoundary::closed, NearBoundary::open}) {
+    EXPECT_EQ(overlap_certified(shadow, from_before, near).relation, Relation::partial);
+    EXPECT_EQ(conservative_certified(shadow, from_before, near).relation, Relation::partial);
+  }
 }
 
 TEST(Overlap, PlainIsWrongWhereCertifiedIsNot) {

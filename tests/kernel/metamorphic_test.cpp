@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "cases/ask.h"
 #include "kernel/exact_copies.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "cases/ask.h"
 #include "kernel/cube.h"
 #include "kernel/degenerate_rows.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/shadow_frustum.h"
 

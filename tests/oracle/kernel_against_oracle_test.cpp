@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "differential/to_oracle.h"
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "occlude/fuzz/cases.h"
 
 namespace {

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "cases/ask.h"
+#include "cases/to_oracle.h"
 #include "differential/answers.h"
-#include "differential/to_oracle.h"
-#include "occlude/fuzz/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/polytope_overlap.h"

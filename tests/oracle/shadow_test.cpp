@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "differential/to_oracle.h"
+#include "cases/to_oracle.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/oracle/oracle.h"
 #include "oracle/hand_cases.h"

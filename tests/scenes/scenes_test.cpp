@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "differential/exact_visibility.h"
+#include "exact_visibility.h"
 #include "occlude/culler/culler.h"
 #include "occlude/fuzz/random.h"
 #include "occlude/render/model_io.h"
@@ -152,7 +152,7 @@ TEST_P(Scenes, NothingThatShowsIsCulled) {
     const CullResult alone = culler.cull(camera, options_of(frame));
     const CullResult& result = frame / 4 % 2 == 0 ? alone : culler.cull(camera, options_of(frame), views[which]);
     const std::vector<bool> drawn = drawn_triangles(culler, result);
-    const std::vector<bool> shows = fuzz::visible_triangles(culler.hierarchy().soup(), camera);
+    const std::vector<bool> shows = proof::visible_triangles(culler.hierarchy().soup(), camera);
     for (std::size_t t = 0; t < drawn.size(); ++t) {
       ASSERT_LE(shows[t], drawn[t]) << "seed " << kSeed << ", frame " << frame << ": triangle " << t
                                     << " shows and is culled";

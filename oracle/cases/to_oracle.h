@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "occlude/fuzz/case.h"
+#include "cases/case.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/oracle/oracle.h"
 
-namespace occlude::fuzz {
+namespace occlude::cases {
 
 [[nodiscard]] inline oracle::Point to_oracle(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline oracle::Viewpoint to_oracle(const kernel::Viewpoint& v) { return {to_oracle(v.value), !v.is_eye()}; }
@@ -56,4 +56,4 @@ namespace occlude::fuzz {
   return {oracle::Near::Kind::plane, to_oracle(plane.normal), to_oracle(plane.point)};
 }
 
-}  // namespace occlude::fuzz
+}  // namespace occlude::cases

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "box_plane.h"
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "profile.h"

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "box_plane.h"
-#include "occlude/fuzz/ask.h"
+#include "cases/ask.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "profile.h"

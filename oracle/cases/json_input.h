@@ -8,13 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "occlude/fuzz/case.h"
+#include "cases/case.h"
 
-namespace occlude::proof {
-
-using fuzz::Box;
-using fuzz::Occluder;
-using fuzz::Polygon;
+namespace occlude::cases {
 
 /// A line that is not what it should be; the message names the member at fault.
 struct LineError : std::runtime_error {
@@ -51,4 +47,4 @@ inline constexpr std::size_t kMostCorners = 4096;
 /// The polygons of an occluder "cover". LineError for more vertices than render::kMostCoverVertices.
 [[nodiscard]] std::vector<Polygon> cover(const nlohmann::json& value);
 
-}  // namespace occlude::proof
+}  // namespace occlude::cases

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "case_line.h"
+#include "cases/case_line.h"
 
 #include <fmt/core.h>
 
@@ -10,10 +10,9 @@
 #include "occlude/render/line_reader.h"
 #include "occlude/render/progress.h"
 
-namespace occlude::cli {
+namespace occlude::cases {
 namespace {
 
-using fuzz::Polygon;
 using Json = nlohmann::ordered_json;
 
 kernel::Near near_of(const nlohmann::json& object) {
@@ -63,8 +62,7 @@ Json case_id(const nlohmann::json& object) {
 }
 
 CaseLine read_case(const nlohmann::json& object) {
-  return {{proof::viewpoint(object), proof::occluder(member(object, "occluder")), near_of(object), proof::box(object)},
-          expect_of(object)};
+  return {{viewpoint(object), occluder(member(object, "occluder")), near_of(object), box(object)}, expect_of(object)};
 }
 
 bool is_cover(const nlohmann::json& object) {
@@ -77,7 +75,7 @@ CoverLine read_cover(const nlohmann::json& object) {
   for (const char* other : {"polygon", "vertices", "faces"}) {
     if (occluder.contains(other)) throw LineError(fmt::format("both \"cover\" and \"{}\"", other));
   }
-  return {proof::viewpoint(object), proof::cover(occluder["cover"]), proof::box(object), expect_of(object)};
+  return {viewpoint(object), cover(occluder["cover"]), box(object), expect_of(object)};
 }
 
 void for_each_case(const std::string& file, bool silence,
@@ -95,7 +93,7 @@ void for_each_case(const std::string& file, bool silence,
   }
 }
 
-std::string write_case(const std::string& id, const fuzz::Case& question, const std::string& expect) {
+std::string write_case(const std::string& id, const Case& question, const std::string& expect) {
   const auto write = [](const auto& kind) { return json(kind); };
   Json line{{"id", id}};
   line[question.viewpoint.is_eye() ? "eye" : "direction"] = json(question.viewpoint.value);
@@ -106,4 +104,4 @@ std::string write_case(const std::string& id, const fuzz::Case& question, const 
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace occlude::cli
+}  // namespace occlude::cases

@@ -9,19 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "json_input.h"
+#include "cases/json_input.h"
 
-namespace occlude::cli {
-
-using proof::kMostCorners;
-using proof::LineError;
-using proof::member;
-using proof::number;
-using proof::parse_object;
+namespace occlude::cases {
 
 /// A question, and the answer that its line says is right, if it says.
 struct CaseLine {
-  fuzz::Case question;
+  Case question;
   std::optional<std::string> expect;
 };
 
@@ -33,8 +27,8 @@ struct CaseLine {
 /// A question about the joined shadow of several polygons. Its answers are "inside" and "partial".
 struct CoverLine {
   kernel::Viewpoint viewpoint;
-  std::vector<fuzz::Polygon> polygons;
-  fuzz::Box box;
+  std::vector<Polygon> polygons;
+  Box box;
   std::optional<std::string> expect;
 };
 
@@ -50,6 +44,6 @@ void for_each_case(const std::string& file, bool silence,
                    const std::function<void(std::size_t number, const nlohmann::json&)>& take);
 
 /// The line that reads back as the same case, without a line break; an empty `expect` is left out.
-[[nodiscard]] std::string write_case(const std::string& id, const fuzz::Case& question, const std::string& expect);
+[[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
 
-}  // namespace occlude::cli
+}  // namespace occlude::cases

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "json_input.h"
+#include "cases/json_input.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +11,7 @@
 #include "occlude/render/input_limits.h"
 #include "occlude/render/json_text.h"
 
-namespace occlude::proof {
+namespace occlude::cases {
 
 using Json = nlohmann::json;
 
@@ -119,4 +119,4 @@ std::vector<Polygon> cover(const Json& value) {
   return polygons;
 }
 
-}  // namespace occlude::proof
+}  // namespace occlude::cases

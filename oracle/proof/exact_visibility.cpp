@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "differential/exact_visibility.h"
+#include "exact_visibility.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include "camera_picture.h"
 
-namespace occlude::fuzz {
+namespace occlude::proof {
 namespace {
 
 oracle::Point point(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -33,7 +33,7 @@ std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culle
       triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
     }
   }
-  return oracle::visible_triangles(viewpoint(camera), triangles, proof::picture_of(camera, -kSmaller * depth));
+  return oracle::visible_triangles(viewpoint(camera), triangles, picture_of(camera, -kSmaller * depth));
 }
 
-}  // namespace occlude::fuzz
+}  // namespace occlude::proof

@@ -7,10 +7,10 @@
 #include "occlude/culler/camera.h"
 #include "occlude/culler/polygon_soup.h"
 
-namespace occlude::fuzz {
+namespace occlude::proof {
 
 /// Of each triangle of the soup, the fans one after another, whether it shows to the camera, in a picture narrower than the
 /// camera's by a share of 2^-40: what shows in it surely shows.
 [[nodiscard]] std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera);
 
-}  // namespace occlude::fuzz
+}  // namespace occlude::proof

@@ -5,10 +5,10 @@
 #include <optional>
 #include <variant>
 
-#include "occlude/fuzz/case.h"
+#include "cases/case.h"
 #include "occlude/kernel/overlap.h"
 
-namespace occlude::fuzz {
+namespace occlude::cases {
 
 [[nodiscard]] inline kernel::ShadowFrustumResult make_frustum(const Case& c) {
   if (const auto* const polygon = std::get_if<Polygon>(&c.occluder)) {
@@ -37,4 +37,4 @@ namespace occlude::fuzz {
   return std::visit([&](const auto& kind) { return kernel::overlap_plain(frustum, kind); }, box);
 }
 
-}  // namespace occlude::fuzz
+}  // namespace occlude::cases

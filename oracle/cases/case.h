@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A case of the kernel's question, whatever the kinds of its occluder and its box.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "occlude/kernel/shadow_frustum.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::cases {
+
+using kernel::Near;
+
+/// The vertices of a convex polygon in order.
+using Polygon = std::vector<kernel::Vec3>;
+using Occluder = std::variant<Polygon, kernel::Polytope>;
+using Box = std::variant<kernel::Aabb, kernel::Obb>;
+
+/// One question: how does `box` lie to the shadow frustum of `occluder` seen from `viewpoint`?
+struct Case {
+  kernel::Viewpoint viewpoint;
+  Occluder occluder;
+  Near near = Near::farthest;
+  Box box;
+};
+
+[[nodiscard]] inline std::vector<kernel::Vec3>& vertices_of(Occluder& occluder) {
+  auto* const polygon = std::get_if<Polygon>(&occluder);
+  return polygon ? *polygon : std::get<kernel::Polytope>(occluder).vertices;
+}
+[[nodiscard]] inline const std::vector<kernel::Vec3>& vertices_of(const Occluder& occluder) {
+  const auto* const polygon = std::get_if<Polygon>(&occluder);
+  return polygon ? *polygon : std::get<kernel::Polytope>(occluder).vertices;
+}
+
+}  // namespace occlude::cases

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# No folder includes what stands above it: what every object of a build was made of, held against the table below, which is
+# the picture in the README. Usage: bash tests/layers.sh BUILD_FOLDER
+set -euo pipefail
+build=$(realpath "$1")
+cd "$(dirname "$0")/.."
+
+# FOLDER: the folders that it may include, all of them named above it, so that there is no ring.
+layers='
+kernel:
+culler: kernel
+oracle:
+render: kernel culler
+oracle/cases: kernel oracle render
+oracle/proof: kernel culler oracle render oracle/cases
+fuzz: kernel oracle/cases
+fuzz/differential: kernel culler oracle oracle/cases oracle/proof fuzz
+fuzz/harness: kernel culler oracle render oracle/cases oracle/proof fuzz fuzz/differential
+kernel/bench: kernel fuzz
+kernel/bound_check: kernel oracle/cases fuzz
+render/bench: kernel culler render kernel/bench
+cli: kernel culler oracle render oracle/cases oracle/proof fuzz fuzz/differential kernel/bench render/bench
+'
+
+ninja -C "$build" -t deps | sed "s|^    $PWD/|    |; s|^    \(\.\./\)*|    |" | awk -v layers="$layers" '
+  BEGIN {
+    count = split(layers, lines, "\n")
+    for (i = 1; i <= count; ++i) {
+      if (lines[i] == "") continue
+      split(lines[i], sides, ":")
+      known[sides[1]] = 1
+      wanted = split(sides[2], below, " ")
+      for (k = 1; k <= wanted; ++k) {
+        if (!(below[k] in known) || below[k] == sides[1]) wrong("the table: " sides[1] " stands below " below[k])
+        allowed[sides[1], below[k]] = 1
+      }
+    }
+  }
+  function wrong(what) { if (!(what in said)) { said[what] = 1; print what; bad = 1 } }
+  # The folder of the table that a file lies in; none for what is not ours, and for tests, which may include everything.
+  function folder(path, parts, n, two) {
+    n = split(path, parts, "/")
+    if (path ~ /^\// || n < 3) return ""
+    if (parts[2] == "cli") return "cli"
+    two = parts[1] "/" parts[2]
+    return two in known ? two : parts[1] in known ? parts[1] : ""
+  }
+  /^[^ ]/ { source = ""; next }
+  /^    / {
+    path = substr($0, 5)
+    if (source == "") { source = path; from = folder(path); ++objects; next }
+    to = folder(path)
+    if (from != "" && to != "" && from != to && !((from, to) in allowed)) wrong(source " includes " path ": " from " may not include " to)
+  }
+  END {
+    if (objects == 0) wrong("no object was built")
+    exit bad
+  }'
+echo "No folder includes what stands above it"
