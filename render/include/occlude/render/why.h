@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "occlude/culler/clearance.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
+#include "occlude/kernel/clearance.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"
 #include "occlude/render/output_file.h"
@@ -44,7 +44,7 @@ class ReplayedFrame {
 /// How a box lies to the shadow of one of the frame's occluders.
 struct AgainstShadow {
   std::uint32_t occluder = 0;  ///< in CullResult::occluders
-  culler::Clearance clearance;
+  kernel::Clearance clearance;
 };
 
 /// What became of a polygon.
