@@ -11,6 +11,7 @@
 #include "legal_soup.h"
 #include "node_tests.h"
 #include "occlude/culler/clearance.h"
+#include "occlude/kernel/clearance.h"
 #include "view_memory.h"
 
 namespace occlude::culler {

@@ -34,7 +34,8 @@ bool is_legal(const HalfSpace& h) {
 /// The frustum's planes as the filter has them, rounded or not.
 HalfSpaces planes_of(const kernel::ShadowFrustum& frustum) {
   HalfSpaces planes;
-  for (const auto& plane : frustum.filter_planes().first(frustum.plane_count())) {
+  for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
+    const HalfSpace plane = frustum.rounded_plane(i);
     planes.push_back({plane.normal, plane.offset - dot(plane.normal, frustum.origin())});
   }
   return planes;

@@ -11,7 +11,7 @@ namespace {
 /// How many times as far from the eye as the near plane the farthest box reaches.
 double farthest(const Workload& workload) {
   const Vec3 eye = workload.frustum.viewpoint().value;
-  const kernel::FilterPlane& near = workload.frustum.filter_planes()[0];
+  const kernel::HalfSpace near = workload.frustum.rounded_plane(0);
   const double near_distance = -near.offset;
   double reach = 1;
   for (const kernel::Aabb& box : workload.boxes) {

@@ -37,10 +37,10 @@ constexpr std::size_t kFeatures = 6;
 BorderPoint border_point(const kernel::ShadowFrustum& frustum, Draw& draw, fuzz::Random& random) {
   constexpr int kDepth = 4;  // multiples of the occluder's distance from the eye
   const auto corners = frustum.silhouette();
-  const auto planes = frustum.filter_planes();
   const std::size_t i = random.index(4), next = (i + 1) % 4, previous = (i + 3) % 4;
   const Vec3 eye = frustum.viewpoint().value;
-  const Vec3 near = planes[0].normal, side = planes[1 + i].normal, other_side = planes[1 + previous].normal;
+  const Vec3 near = frustum.rounded_plane(0).normal, side = frustum.rounded_plane(1 + i).normal,
+             other_side = frustum.rounded_plane(1 + previous).normal;
   const Vec3 ray = corners[i] - eye, next_ray = corners[next] - eye;
   const Vec3 edge = corners[next] - corners[i], other_edge = corners[previous] - corners[i];
   const auto feature = static_cast<Feature>(random.index(kFeatures));

@@ -11,7 +11,7 @@
 
 #include "frames.h"
 #include "kernel/rounding.h"
-#include "occlude/culler/clearance.h"
+#include "occlude/kernel/clearance.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
 #include "occlude/culler/shadow_margin.h"

@@ -9,6 +9,7 @@
 
 #include "frames.h"
 #include "occlude/culler/clearance.h"
+#include "occlude/kernel/clearance.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
@@ -178,7 +179,7 @@ TEST(Clearance, IsTheDistanceToTheNearestPlane) {
   EXPECT_NEAR(certain_distance(*shadow, kernel::Aabb{{12, -1, -1}, {14, 1, 1}}), 2, 1e-5);
   EXPECT_LT(of(kernel::Aabb{{12, -1, -1}, {14, 1, 1}}).plane, shadow->near_count());
   // The side y = x is nearest to the corner (30, 29).
-  const Clearance side = of(kernel::Obb{{31, 28, 0}, {kernel::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  const kernel::Clearance side = of(kernel::Obb{{31, 28, 0}, {kernel::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
   EXPECT_NEAR(side.distance, std::sqrt(0.5), 1e-12);
   EXPECT_GE(side.plane, shadow->near_count());
   EXPECT_NEAR(of(kernel::Aabb{{20, 20, 0}, {21, 22, 0}}).distance, -2 * std::sqrt(0.5), 1e-12);

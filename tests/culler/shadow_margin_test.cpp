@@ -90,7 +90,7 @@ class Margin : public testing::TestWithParam<Projection> {
   [[nodiscard]] kernel::Vec3 beyond_near_plane(const kernel::ShadowFrustum& shadow, std::mt19937& random) const {
     const glm::dvec3 middle = camera_.target + glm::dvec3{uniform(random, -0.1, 0.1), uniform(random, -1, 1), 0};
     const glm::dvec3 ray = GetParam() == Projection::perspective ? middle - camera_.eye : camera_.axes().forward;
-    const kernel::FilterPlane& near = shadow.filter_planes()[0];
+    const kernel::HalfSpace near = shadow.rounded_plane(0);
     const glm::dvec3 normal = to_glm(near.normal), from_origin = middle - to_glm(shadow.origin());
     const double to_plane = -(glm::dot(normal, from_origin) + near.offset) / glm::dot(normal, ray);
     return to_kernel(middle + (to_plane + uniform(random, 0, 1) / glm::length(ray)) * ray);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the culler says a box keeps of distance is proved, and hardly more could be said.
-#include "occlude/culler/clearance.h"
+// What is said of a box's distance from the border of a shadow is proved, and hardly more could be said.
+#include "occlude/kernel/clearance.h"
 
 #include <gtest/gtest.h>
 
@@ -59,8 +59,8 @@ TEST(Clearance, IsProvedExactly) {
     const double size = thickness * uniform(random, 0, 0.2);
     const kernel::Aabb small{ahead, sum(ahead, {size, size, size})};
     const auto box = random() % 8 == 0 ? some_box(random, origin) : std::variant<kernel::Aabb, kernel::Obb>(small);
-    const double distance = std::visit([&](const auto& b) { return culler::clearance(*shadow, b).distance; }, box);
-    const double certain = std::visit([&](const auto& b) { return culler::certain_distance(*shadow, b); }, box);
+    const double distance = std::visit([&](const auto& b) { return kernel::clearance(*shadow, b).distance; }, box);
+    const double certain = std::visit([&](const auto& b) { return kernel::certain_distance(*shadow, b); }, box);
     if (!(certain > 0)) continue;
     oracle::Shadow judge(to_oracle(view), to_oracle(loop), to_oracle(kernel::Near::surface));
     const auto judged = std::visit([](const auto& b) { return oracle::Box(to_oracle(b)); }, box);

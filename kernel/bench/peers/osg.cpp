@@ -15,7 +15,8 @@ osg::Vec3d to_osg(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 osg::Polytope make_polytope(const kernel::ShadowFrustum& frustum) {
   osg::Polytope polytope;
-  for (const kernel::FilterPlane& plane : frustum.filter_planes().first(frustum.plane_count())) {
+  for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
+    const kernel::HalfSpace plane = frustum.rounded_plane(i);
     const Vec3& n = plane.normal;
     polytope.add(osg::Plane(n.x, n.y, n.z, plane.offset - dot(n, frustum.origin())));
   }

@@ -212,7 +212,7 @@ class Text {
   std::string text_;
 };
 
-Json json_of_shadow(const culler::Culler& culler, const culler::Occluder& occluder, const culler::Clearance& clearance) {
+Json json_of_shadow(const culler::Culler& culler, const culler::Occluder& occluder, const kernel::Clearance& clearance) {
   const auto edge = edge_of(occluder.frustum, clearance.plane);
   return {{"occluder", json_of_occluder(culler, occluder.index)},
           {"hidden_polygons", occluder.hidden},

@@ -7,6 +7,7 @@
 #include <functional>
 #include <variant>
 
+#include "occlude/culler/clearance.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/progress.h"
@@ -51,7 +52,7 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   account.pixels = static_cast<std::size_t>(std::ranges::count(items.pixels, polygon));
   const auto against = [&](std::uint32_t occluder, const culler::Box& box) {
     const kernel::ShadowFrustum& shadow = result.occluders[occluder].frustum;
-    account.shadows.push_back({occluder, std::visit([&](const auto& b) { return culler::clearance(shadow, b); }, box)});
+    account.shadows.push_back({occluder, std::visit([&](const auto& b) { return kernel::clearance(shadow, b); }, box)});
   };
   if (const culler::Culled* cull = culler.cull_of(result, polygon)) {
     account.cull = *cull;

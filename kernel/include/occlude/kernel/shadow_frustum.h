@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "occlude/kernel/convex_polytope.h"
+#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/planes.h"
 #include "occlude/kernel/polytope_silhouette.h"
 #include "occlude/kernel/types.h"
@@ -84,6 +85,8 @@ class ShadowFrustum {
   /// The bounds of the planes of the frustum and of those of its profile.
   [[nodiscard]] const FilterBound& filter_bound() const { return filter_bound_; }
   [[nodiscard]] const FilterBound& profile_bound() const { return profile_bound_; }
+  /// Plane i as n . (x - origin()) + offset >= 0, rounded and scaled: for margins and pictures, not for answers.
+  [[nodiscard]] HalfSpace rounded_plane(std::size_t i) const { return {filter_planes_[i].normal, filter_planes_[i].offset}; }
   [[nodiscard]] std::size_t near_count() const { return near_count_; }
   [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
 

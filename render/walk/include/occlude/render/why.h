@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "occlude/culler/clearance.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
+#include "occlude/kernel/clearance.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"
 #include "occlude/render/view_along_path.h"
@@ -40,7 +40,7 @@ class ReplayedFrame {
 /// How a box lies to the shadow of one of the frame's occluders.
 struct AgainstShadow {
   std::uint32_t occluder = 0;  ///< in CullResult::occluders
-  culler::Clearance clearance;
+  kernel::Clearance clearance;
 };
 
 /// What became of a polygon.
