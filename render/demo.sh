@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The paper's experiment from nothing: installs what is missing, builds, makes the city, walks through it and says where the
-# report lies. Usage: bash render/demo.sh [OPTIONS OF occlude walk ...], for instance --frames 0:2748:10. What was walked is
-# validated in pictures of the same size.
+# The paper's experiment from a fresh checkout: installs missing packages, builds, generates the city, walks through it and
+# prints the path of the report. Then it validates the walk, with pictures of the same size.
+# Usage: bash render/demo.sh [OPTIONS OF occlude walk ...], for instance --frames 0:2748:10.
 set -euo pipefail
 
 size=()

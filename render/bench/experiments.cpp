@@ -12,7 +12,7 @@
 namespace occlude::experiments {
 namespace {
 
-/// A walk, of which nothing is written.
+/// A walk that writes no files.
 render::WalkResult measure_table2(const Subject& subject, const Options& options) {
   const render::Stopwatch stopwatch;
   const culler::Culler culler = make_culler(subject.soup, options.walk);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The benchmark of the culler: the experiments of the paper's section 6.3, and what it leaves open.
+// The benchmark of the culler: the experiments of the paper's section 6.3, and open questions.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@
 
 namespace occlude::experiments {
 
-/// In the order in which they are made.
+/// In the order in which they run.
 inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "growth"};
 
-/// Of the experiments that were chosen.
+/// The results of the chosen experiments; the others are empty.
 struct Result {
   std::string model;
   std::size_t polygons = 0, first_frame = 0, last_frame = 0, frames = 0;
   std::optional<render::Summary> table2;
-  std::optional<Methods> methods;           ///< beside table2: the same walk by each
-  std::vector<render::FrameRecord> walked;  ///< the frames of table 2, which are figures 2 and 3
+  std::optional<Methods> methods;           ///< with table2: the same walk by each method
+  std::vector<render::FrameRecord> walked;  ///< the frames of table 2, for figures 2 and 3
   std::optional<Figure4> figure4;
   std::optional<Sweeps> sweeps;
   std::optional<Sorting> sort;
@@ -35,17 +35,17 @@ struct Result {
   std::optional<Growth> growth;
 };
 
-/// Throws InputError for a path without the frames asked for, Interrupted on Ctrl-C.
+/// Throws InputError if the path lacks the selected frames, Interrupted on Ctrl-C.
 [[nodiscard]] Result run(const Subject& subject, const Options& options, const std::vector<std::string>& chosen);
 
-// What they found, for people and for programs.
+// The results as text, JSON and HTML.
 
 [[nodiscard]] std::string report_text(const Result& result, const Options& options);
 
-/// One object; experiments that were not made, and what could not be measured, are null.
+/// One object. Experiments that were not run, and values that could not be measured, are null.
 [[nodiscard]] std::string report_json(const Result& result, const Options& options);
 
-/// One page without scripts or outside addresses.
+/// One page without scripts or external addresses.
 [[nodiscard]] std::string report_html(const Result& result, const Options& options);
 
 }  // namespace occlude::experiments

@@ -47,7 +47,7 @@ std::vector<Mix> mixes(bool are_sampled) {
   return mixes;
 }
 
-/// The model with what its occluders hide as sampled.
+/// The culler with sampled depth complexity.
 culler::Culler sampled(const Subject& subject, const Options& options, const culler::BuildConfig& config) {
   const culler::SampleConfig samples{.viewpoints = options.samples};
   render::Watch watch("figure 4: sampled regions");
@@ -68,7 +68,7 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   const bool are_sampled = options.samples != 0;
   culler::BuildConfig config = options.walk.build;
   config.grid.regions = static_cast<double>(options.regions);
-  // One for all curves: those that do not ask for depth complexity give it no weight.
+  // One culler for all curves: those without depth complexity give it no weight.
   const culler::Culler culler =
       are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config, render::check_interrupt);
   figure.regions = culler.grid().regions();
@@ -77,7 +77,7 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   const double in_view = polygons_in_view(culler, subject.path, options.walk);
   const std::vector<Mix> all = mixes(are_sampled);
   for (const Mix& mix : all) figure.curves.push_back({mix.name, mix.about, {}, 0});
-  // Nothing is timed, so all processors work.
+  // Nothing is timed, so all processors can work.
   render::Progress progress("figure 4: passes along the path", all.size() * kOccluders.size());
   std::mutex mutex;
   std::size_t done = 0;

@@ -28,7 +28,7 @@ std::vector<std::size_t> sizes(std::size_t largest) {
   return sizes;
 }
 
-/// A city, and what was measured of it, one number a round.
+/// A city and its measurements, one number per round.
 struct Trial {
   std::size_t size;
   GrowthPoint point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Section 7, measured: how time and memory grow with the number of polygons.
+// Section 7, measured: growth of time and memory with the number of polygons.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@ inline constexpr std::size_t kSmallestCity = 20'000;
 /// A generated city.
 struct GrowthPoint {
   std::size_t polygons = 0;
-  double in_view = 0, drawn = 0;  ///< polygons a frame
+  double in_view = 0, drawn = 0;  ///< polygons per frame
   double build_s = 0;             ///< tree, occluders and lists, on all processors; median over the rounds
-  double cull_ms = 0;             ///< a frame, on one; median over the rounds of the mean over the frames
-  /// Bytes a polygon beyond the model itself: at the worst moment of the build, and after it. See peak_memory.h.
+  double cull_ms = 0;             ///< per frame, on one processor; median over the rounds of the mean over the frames
+  /// Bytes per polygon beyond the model itself: the peak of the build, and after it. See peak_memory.h.
   std::optional<double> peak_bytes, held_bytes;
 };
 
 struct Growth {
   std::vector<GrowthPoint> points;
-  /// With the number of polygons: 1 is linear. None for fewer than two cities.
+  /// Over the number of polygons; 1 is linear. Empty for fewer than two cities.
   std::optional<double> build_exponent, cull_exponent;
 };
 
-/// In every round each city is generated, built and walked through once.
+/// Each round generates, builds and walks through every city once.
 [[nodiscard]] Growth measure_growth(const Options& options);
 
 }  // namespace occlude::experiments

@@ -13,11 +13,11 @@
 namespace occlude::experiments {
 namespace {
 
-/// Each about twice as many pixels, around the default; of 16 to 9.
+/// Each has about twice as many pixels as the one before, around the default, in the ratio 16:9.
 constexpr std::array<int, 5> kWidths{256, 384, 512, 768, 1024};
 constexpr std::array<std::uint32_t, 5> kLeaves{1, 2, 4, 8, 16};
 constexpr std::array<std::size_t, 6> kBudgets{1000, 2000, 4000, 8000, 16000, 32000};
-/// What is not varied.
+/// The values of the parameters that are not varied.
 constexpr int kWidth = 512;
 constexpr std::uint32_t kLeaf = culler::leaf_size_for(culler::Method::cover);
 constexpr std::size_t kBudget = std::numeric_limits<std::size_t>::max();
@@ -26,7 +26,7 @@ JoinedPoint point_at(int width, std::uint32_t leaf, std::size_t triangles) {
   return {width, width * 9 / 16, leaf, triangles, 0, 0, 0};
 }
 
-/// A point, and what was timed of it, one number a round.
+/// A point and its timings, one number per round.
 struct Trial {
   JoinedPoint point;
   std::vector<double> cull_ms;
@@ -35,7 +35,7 @@ struct Trial {
 void run(Trial& trial, const Subject& subject, const Options& options) {
   render::WalkOptions walk = options.walk;
   walk.build.hierarchy.leaf_size = trial.point.leaf;
-  walk.build.grid.regions = 1;  // no list is asked
+  walk.build.grid.regions = 1;  // no list is used
   walk.cull.method = culler::Method::cover;
   walk.cull.cover_width = trial.point.width;
   walk.cull.cover_height = trial.point.height;
@@ -51,7 +51,7 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
 
 Joined measure_joined(const Subject& subject, const Options& options) {
   std::vector<Trial> trials;
-  std::vector<std::vector<JoinedPoint> Joined::*> curves;  // that the trials are of
+  std::vector<std::vector<JoinedPoint> Joined::*> curves;  // of each trial
   const auto add = [&](std::vector<JoinedPoint> Joined::*curve, const JoinedPoint& point) {
     trials.push_back({point, {}});
     curves.push_back(curve);

@@ -13,7 +13,7 @@ namespace {
 using render::FrameRecord;
 using render::WalkResult;
 
-/// What a walk says of its method, or of another member of its frames.
+/// The row of one method, from the given members of the frames.
 MethodRow row(const std::string& name, const WalkResult& walk, bool is_drawn, std::size_t FrameRecord::*drawn,
               double FrameRecord::*cull_ms, double FrameRecord::*frame_ms) {
   MethodRow row;
@@ -53,7 +53,7 @@ Methods measure_methods(const Subject& subject, const Options& options, const re
                   by("shadow frusta", is_by_cover ? other : walked), by("joined shadows", is_by_cover ? walked : other)};
   if (is_drawn) {
     methods.push_back(
-        row("only what shows", walked, true, &FrameRecord::visible_polygons, nullptr, &FrameRecord::visible_frame_ms));
+        row("visible polygons only", walked, true, &FrameRecord::visible_polygons, nullptr, &FrameRecord::visible_frame_ms));
   }
   return methods;
 }

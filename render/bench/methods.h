@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Table 2 with every method side by side: view-frustum culling alone, the paper's frusta, joined shadows, and what there is
-// to win: drawing only what shows.
+// Table 2 with every method side by side: view-frustum culling alone, the paper's frusta, joined shadows, and the ideal:
+// drawing only visible polygons.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@
 
 namespace occlude::experiments {
 
-/// Averages a frame.
+/// Means per frame.
 struct MethodRow {
   std::string name;
   double drawn = 0;                     ///< polygons
-  std::optional<double> hidden_culled;  ///< share of the hidden polygons in view; none unless frames are drawn
+  std::optional<double> hidden_culled;  ///< share of the hidden polygons in view; empty unless frames are drawn
   double cull_ms = 0, worst_cull_ms = 0;
   std::optional<double> frame_ms;
 };
 
 using Methods = std::vector<MethodRow>;
 
-/// `walked` is the walk of table 2, by `options.walk.cull.method`; the other method walks the same frames.
+/// `walked` is the walk of table 2, with `options.walk.cull.method`. The other method walks the same frames.
 [[nodiscard]] Methods measure_methods(const Subject& subject, const Options& options, const render::WalkResult& walked);
 
 }  // namespace occlude::experiments

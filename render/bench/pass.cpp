@@ -9,7 +9,7 @@
 namespace occlude::experiments {
 namespace {
 
-/// Processor time of the calling thread: what else the machine does meanwhile does not count.
+/// Processor time of the calling thread; other work of the machine does not count.
 class ThreadTime {
  public:
   [[nodiscard]] double milliseconds() const { return now() - start_; }

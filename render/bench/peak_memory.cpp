@@ -10,7 +10,7 @@
 namespace occlude::experiments {
 namespace {
 
-/// A member of /proc/self/status, which counts in units of 1024 bytes.
+/// A member of /proc/self/status, which is in units of 1024 bytes.
 std::optional<std::size_t> status_bytes(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -19,7 +19,7 @@ std::optional<std::size_t> status_bytes(const std::string& name) {
   return std::nullopt;
 }
 
-/// Sets the peak to what is resident now (proc(5): clear_refs).
+/// Sets the peak to the resident memory of now (proc(5): clear_refs).
 bool reset_peak() {
   std::ofstream file("/proc/self/clear_refs");
   file << 5 << std::flush;
@@ -34,8 +34,8 @@ std::optional<std::size_t> beyond(std::optional<std::size_t> before, std::option
 }  // namespace
 
 PeakMemory::PeakMemory() {
-  // Large blocks get pages of their own, as they do in a fresh process: the count is then of what is in use, and not of how
-  // the heap lies after whatever was done before. Otherwise this threshold grows with the blocks that are freed.
+  // Large blocks get their own pages, as in a fresh process, so that the count does not depend on the state of the heap.
+  // Without this call the threshold grows with the size of freed blocks.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   malloc_trim(0);
   if (reset_peak()) before_ = status_bytes("VmRSS");

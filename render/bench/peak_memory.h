@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that a piece of work takes.
+// The memory that a piece of work takes.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace occlude::experiments {
 
-/// Memory of the process beyond what it had when this was made, in pages that are really there (resident), as the kernel
-/// counts them: what the work took at its worst, and what it has now. What was freed is given back to the system before each
-/// count but that of the peak: else the work could live unseen on what the process freed before it, and what it freed itself
-/// would count as held. Nothing where the system does not tell.
+/// Resident memory of the process beyond what it had at construction, as counted by the kernel: the peak, and the present
+/// amount. Freed memory is returned to the system before each count except that of the peak. Otherwise the work could reuse
+/// memory that was freed earlier, which would not be counted, and memory that it freed would count as held. Empty if the
+/// system does not report it.
 class PeakMemory {
  public:
   PeakMemory();

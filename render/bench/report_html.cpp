@@ -17,7 +17,7 @@ using render::line_chart;
 using render::Scale;
 using render::Series;
 
-/// Told apart also by those who do not see colours as most do (Okabe and Ito 2008), and by their lightness.
+/// Colours that the colour-blind can distinguish (Okabe and Ito 2008); they also differ in lightness.
 constexpr std::array kColours{"#000000", "#e69f00", "#56b4e9", "#009e73", "#d55e00", "#0072b2", "#cc79a7", "#8a94a3"};
 constexpr const char *kMain = "#1565c0", *kOther = "#d9822b";
 

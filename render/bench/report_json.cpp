@@ -14,7 +14,7 @@ Json if_known(const std::optional<double>& value) { return value ? Json(*value) 
 
 Json table2_json(const render::Summary& summary) {
   Json json = json_of(summary);
-  // Told once for all experiments; witnesses and operations are for walks.
+  // Stated once for all experiments; witnesses and operations belong to walks only.
   for (const char* member : {"model", "polygons", "frames", "options", "machine", "witnesses", "operations"}) {
     json.erase(member);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is timed runs in rounds, each thing once a round, so that whatever slows the machine slows all alike.
+// Timed work runs in rounds, each trial once per round, so that a change of the machine's speed affects all trials.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the experiments are made on, and how.
+// The input and the options of the experiments.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ struct Subject {
 };
 
 struct Options {
-  /// Frames, pictures, hierarchy and culling of all experiments, but for what each of them varies.
+  /// Frames, pictures, hierarchy and culling of all experiments, except what each experiment varies.
   render::WalkOptions walk;
-  /// Of the grid for figure 4. Sampling takes time in proportion: of the default grid minutes, of this one, whose regions
-  /// are twice as long, seconds.
+  /// Regions of the grid for figure 4. Sampling time is proportional to it: minutes for the default grid, seconds for this
+  /// one, whose regions are twice as long.
   std::size_t regions = 4096;
-  std::size_t samples = 1;          ///< viewpoints a region by which depth complexity is sampled; 0: not at all
-  std::size_t repetitions = 3;      ///< rounds of what is timed
+  std::size_t samples = 1;          ///< viewpoints per region to sample depth complexity; 0: none
+  std::size_t repetitions = 3;      ///< rounds of all timings
   std::size_t largest = 1'000'000;  ///< polygons of the largest city of the growth
   std::uint64_t seed = 1;           ///< of the cities
 };

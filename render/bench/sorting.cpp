@@ -22,7 +22,7 @@ struct Candidate {
   std::uint32_t occluder;
 };
 
-/// What the culler sorts in a frame by area-angle, in the order of the region's list.
+/// The candidates that the culler sorts by area-angle in a frame, in the order of the region's list.
 std::vector<Candidate> candidates_of(const culler::Culler& culler, const culler::Camera& camera,
                                      const culler::CullResult& culled) {
   std::vector<Candidate> candidates;

@@ -15,12 +15,12 @@ namespace {
 
 using Grid = culler::OccluderGrid::Config;
 
-/// Each time half the edge of a region.
+/// The edge of a region halves from one to the next.
 constexpr std::array<double, 4> kRegions{512, 4096, 32768, 262144};
 /// Steps of about half a decade, steradians.
 constexpr std::array<double, 5> kThresholds{0.003, 0.01, 0.03, 0.1, 0.3};
 
-/// A grid, and what was timed of it, one number a round.
+/// A grid and its timings, one number per round.
 struct Trial {
   SweepPoint point;
   std::vector<double> preprocess_s, cull_ms;

@@ -20,7 +20,7 @@ std::vector<std::size_t> widths(const Table& table) {
   return widths;
 }
 
-/// The first cell to the left, the others to the right.
+/// The first cell is left-aligned, the others right-aligned.
 std::string line(const Row& row, const std::vector<std::size_t>& widths) {
   std::string text = fmt::format("{:<{}}", row[0], widths[0]);
   for (std::size_t i = 1; i < row.size(); ++i) text += fmt::format("  {:>{}}", row[i], widths[i]);

@@ -22,7 +22,7 @@ std::string if_known(const std::optional<double>& value, Format&& format) {
   return value ? format(*value) : "-";
 }
 
-/// What a mix gains over area-angle alone, the paper's choice, at the paper's number of occluders.
+/// Adds a note on the gain of a mix over area-angle alone, the paper's choice, at the paper's number of occluders.
 void note_gain(const Figure4& figure, const char* mix, const char* about, Table& table) {
   const auto plain = share_at(figure, "area_angle", 8), mixed = share_at(figure, mix, 8);
   if (!plain || !mixed) return;
@@ -32,10 +32,11 @@ void note_gain(const Figure4& figure, const char* mix, const char* about, Table&
 
 Table sweep_table(const std::string& title, const std::string& varied, const std::vector<SweepPoint>& points,
                   std::string (*name)(const SweepPoint&)) {
-  Table table{title,
-              {varied, "culled, %", "listed a frame", "entries", "preprocess, s", "cull, ms", "cull, ratio to the default"},
-              {},
-              {}};
+  Table table{
+      title,
+      {varied, "culled, %", "listed per frame", "entries", "preprocess, s", "cull, ms", "cull, ratio to the default"},
+      {},
+      {}};
   for (const SweepPoint& p : points) {
     table.rows.push_back({name(p), percent(p.culled_share), grouped(p.listed), grouped(static_cast<double>(p.entries)),
                           two(p.preprocess_s), two(p.cull_ms), two(p.cull_ratio)});
@@ -57,7 +58,7 @@ Table joined_table(const std::string& title, const std::string& varied, const st
 Table methods_table(const Methods& methods) {
   Table table{"Table 2 by every method, averages per frame",
               {"method", "polygons drawn", "of the hidden culled, %", "cull, ms", "worst cull, ms", "frame, ms",
-               "frame, ratio to drawing only what shows"},
+               "frame, ratio to visible polygons only"},
               {},
               {}};
   const std::optional<double> least = methods.back().frame_ms;
@@ -79,7 +80,7 @@ Table figure4_table(const Figure4& figure) {
     for (const double share : curve.share) table.rows.back().push_back(percent(share));
     table.rows.back().push_back(std::to_string(curve.knee));
   }
-  table.notes.emplace_back("Knee: the least number of occluders that culls 90 % of what 64 do. The paper: about 8.");
+  table.notes.emplace_back("Knee: the smallest number of occluders that culls 90 % of what 64 cull. The paper: about 8.");
   note_gain(figure, "area_angle_coherence", "area-angle and coherence (the default)", table);
   note_gain(figure, "all_three", "all three criteria", table);
   std::string grid = fmt::format("A grid of {} regions", grouped(static_cast<double>(figure.regions)));
@@ -101,8 +102,8 @@ Table threshold_table(const Sweeps& sweeps) {
 
 Table sort_table(const Sorting& sorting) {
   Table table{
-      "Sort with last frame's order, a frame",
-      {"threshold", "candidates", "arrivals", "moves", "moves/candidate", "comparisons/candidate", "sorted anew/candidate"},
+      "Sort from the previous frame's order, per frame",
+      {"threshold", "candidates", "arrivals", "moves", "moves/candidate", "comparisons/candidate", "from scratch/candidate"},
       {},
       {}};
   for (const SortPoint& p : sorting.points) {
@@ -111,8 +112,8 @@ Table sort_table(const Sorting& sorting) {
                           each(p.comparisons), each(p.comparisons_anew)});
   }
   table.notes.push_back(
-      fmt::format("Growth with the number of candidates, exponents: moves {}, comparisons {}, comparisons of sorting anew "
-                  "{}; 1 is linear.",
+      fmt::format("Growth with the number of candidates, exponents: moves {}, comparisons {}, comparisons of sorting from "
+                  "scratch {}; 1 is linear.",
                   if_known(sorting.moves_exponent, two), if_known(sorting.comparisons_exponent, two),
                   if_known(sorting.anew_exponent, two)));
   return table;
@@ -129,7 +130,7 @@ Table leaves_table(const Joined& joined) {
 }
 
 Table budgets_table(const Joined& joined) {
-  return joined_table("Joined shadows, triangles that a frame may draw into the picture", "triangles", joined.budgets,
+  return joined_table("Joined shadows, triangles drawn into the picture per frame, at most", "triangles", joined.budgets,
                       [](const JoinedPoint& p) { return std::to_string(p.triangles); });
 }
 
@@ -145,15 +146,15 @@ Table growth_table(const Growth& growth) {
   table.notes.push_back(fmt::format("Exponents: build {}, cull {}; 1 is linear.", if_known(growth.build_exponent, two),
                                     if_known(growth.cull_exponent, two)));
   table.notes.emplace_back(
-      "Memory: resident, beyond the model itself; peak while building, and held afterwards by the culler.");
+      "Memory: resident, beyond the model itself; the peak of the build, and what the culler holds afterwards.");
   return table;
 }
 
 std::string conditions(const Options& options) {
   return fmt::format(
-      "Times are medians of {} rounds in which everything was measured once: builds on all threads by the clock, culling in "
-      "processor time. Those of table 2 are means over the frames by the clock, both methods on every frame in alternating "
-      "order. {}, {} threads, {}.",
+      "Times are medians of {} rounds, each of which measured everything once: builds on all threads by the clock, culling "
+      "in processor time. Those of table 2 are means over the frames by the clock, with both methods on every frame in "
+      "alternating order. {}, {} threads, {}.",
       options.repetitions, render::processor_name(), std::thread::hardware_concurrency(), render::compiler_name());
 }
 

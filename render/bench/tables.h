@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the experiments found, as tables, and how it was measured.
+// The results of the experiments as tables, and the conditions of the measurement.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@
 
 namespace occlude::experiments {
 
-/// A table, for a terminal and for a page.
+/// A table for a terminal or a page.
 struct Table {
   std::string title;
   std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;  ///< as long as the head; the first cell names the row
-  std::vector<std::string> notes;              ///< what to read from it, a line each
+  std::vector<std::vector<std::string>> rows;  ///< each as long as the head; the first cell names the row
+  std::vector<std::string> notes;              ///< remarks, a line each
 };
 
 [[nodiscard]] std::string text_of(const Table& table);
@@ -36,7 +36,7 @@ struct Table {
 [[nodiscard]] Table budgets_table(const Joined& joined);
 [[nodiscard]] Table growth_table(const Growth& growth);
 
-/// What the times are, and of what machine.
+/// What the times mean, and the machine.
 [[nodiscard]] std::string conditions(const Options& options);
 
 }  // namespace occlude::experiments

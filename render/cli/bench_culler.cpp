@@ -29,7 +29,7 @@ struct Arguments {
   bool no_render = false, json = false;
 };
 
-/// The files to write, opened before the work so that what cannot be written is known at once.
+/// The output files, opened before the work starts, so that errors are reported at once.
 struct Files {
   explicit Files(const std::filesystem::path& out) : folder(out), json(out / "culler.json"), html(out / "culler.html") {}
 
@@ -47,7 +47,7 @@ experiments::Subject subject_of(const Arguments& arguments) {
           std::move(path)};
 }
 
-/// All of them, but for a model given those that are about it.
+/// The chosen experiments; by default all, without `growth` for a given model.
 std::vector<std::string> chosen(const Arguments& arguments) {
   if (!arguments.only.empty()) return arguments.only;
   std::vector<std::string> all(experiments::kExperiments.begin(), experiments::kExperiments.end());
@@ -82,8 +82,8 @@ void bench_culler(Arguments& arguments) {
 }  // namespace
 
 void add_bench_culler(Command bench, int&) {
-  Command command = bench.add_command("culler", "The paper's experiments: table 2, figures 2 to 4, and what it left open");
-  command.footer("Without MODEL on a generated city.\n" + limits_help() +
+  Command command = bench.add_command("culler", "The paper's experiments: table 2, figures 2 to 4, and open questions");
+  command.footer("Without MODEL the experiments run on a generated city.\n" + limits_help() +
                  "\n"
                  "Example: occlude bench culler --out report\n"
                  "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
@@ -92,30 +92,30 @@ void add_bench_culler(Command bench, int&) {
   Option path = add_input(command, "--path", a->path, "camera path (JSON)");
   model.needs(path);
   path.needs(model);
-  command.add("--polygons", a->polygons, "at least so many polygons in the city")
+  command.add("--polygons", a->polygons, "minimum number of polygons in the city")
       .show_default()
       .in_range(experiments::kSmallestCity, std::size_t{20'000'000})
       .excludes(model);
-  command.add("--seed", a->seed, "whole number; same seed, same cities").show_default();
+  command.add("--seed", a->seed, "whole number; the same seed gives the same cities").show_default();
   command
       .add("--only", a->only,
-           "experiments, with commas: table2, figure4, sweeps, sort, joined, growth (default: all; those "
-           "of a MODEL without growth, which is about cities)")
+           "experiments, separated by commas: table2, figure4, sweeps, sort, joined, growth (default: all; with a "
+           "MODEL all except growth, which needs cities)")
       .split_at(',')
       .one_of(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end()));
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
-  command.add("--regions", a->options.regions, "grid regions of figure 4; sampling takes time for each")
+  command.add("--regions", a->options.regions, "grid regions of figure 4; each takes time to sample")
       .show_default()
       .in_range(std::size_t{1}, std::size_t{1} << 24U);
-  command.add("--samples", a->options.samples, "viewpoints a region for depth complexity; 0 leaves its curves out")
+  command.add("--samples", a->options.samples, "viewpoints per region for depth complexity; 0 leaves its curves out")
       .show_default()
       .in_range(std::size_t{0}, std::size_t{1000});
-  command.add("--repetitions", a->options.repetitions, "rounds in which everything timed is measured once")
+  command.add("--repetitions", a->options.repetitions, "rounds; each measures everything once")
       .show_default()
       .in_range(std::size_t{1}, std::size_t{1000});
-  command.add("--largest", a->largest, "polygons of the largest city of the growth, up to 2e7").show_default();
-  command.add_flag("--no-render", a->no_render, "draw nothing: table 2 without frame times");
+  command.add("--largest", a->largest, "polygons of the largest city of growth, up to 2e7").show_default();
+  command.add_flag("--no-render", a->no_render, "draw nothing: table 2 has no frame times");
   add_output(command, "--out", a->out, "folder to write culler.json and culler.html to");
   command.add_flag("--json", a->json, "print culler.json instead of tables");
   command.run([a] { bench_culler(*a); });

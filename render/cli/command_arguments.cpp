@@ -55,7 +55,7 @@ PictureSize parse_size(const std::string& option, const std::string& text, std::
   return {static_cast<int>(values[0]), static_cast<int>(values[1])};
 }
 
-/// An empty name is a slip, such as a variable that a script never set.
+/// An empty name is probably a mistake, such as an unset variable in a script.
 std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
 
 Option choice(Command command, const char* name, std::string& value, const std::vector<std::string>& choices,
@@ -70,14 +70,12 @@ void WalkArguments::add_size_to(Command command) {
 }
 
 std::vector<Option> BuildArguments::add_to(Command command) {
-  return {
-      choice(command, "--bounds", bounds_, {"aabb", "obb"},
-             "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
-      command
-          .add("--leaf", leaf_, "polygons in a leaf of the hierarchy at most; unless given, 16 for frusta and 4 for a cover")
-          .in_range(std::size_t{1}, std::size_t{4096}),
-      choice(command, "--shapes", shapes_, {"polytope", "polygon"},
-             "what can be an occluder: closed convex shells as well, or what is flat alone")};
+  return {choice(command, "--bounds", bounds_, {"aabb", "obb"},
+                 "bounding volumes of the hierarchy: axis-aligned boxes, or oriented ones"),
+          command.add("--leaf", leaf_, "most polygons in a leaf of the hierarchy (default: 16 for frusta, 4 for cover)")
+              .in_range(std::size_t{1}, std::size_t{4096}),
+          choice(command, "--shapes", shapes_, {"polytope", "polygon"},
+                 "shapes of occluders: closed convex shells and flat polygons, or flat polygons only")};
 }
 
 culler::BuildConfig BuildArguments::config(culler::Method method) const {
@@ -89,16 +87,16 @@ culler::BuildConfig BuildArguments::config(culler::Method method) const {
 }
 
 std::vector<Option> WalkArguments::add_culling_to(Command command) {
-  constexpr std::size_t kMostOccluders = 4096;  // each costs a test at every node that it does not decide
+  constexpr std::size_t kMostOccluders = 4096;  // each costs one test at every node that it does not decide
   const auto choice = [&](const char* name, std::string& value, const std::vector<std::string>& choices, const char* text) {
     return cli::choice(command, name, value, choices, text);
   };
   const auto number = [&](const char* name, std::size_t& value, const char* text) {
     return command.add(name, value, text).show_default().in_range(std::size_t{0}, kMostOccluders);
   };
-  constexpr double kLongest = 1e9;         // milliseconds; nobody waits so long
-  constexpr double kLargestMargin = 8192;  // a picture has no more pixels
-  constexpr double kLargestWeight = 16;    // powers of what differs a thousandfold stay within the doubles
+  constexpr double kLongest = 1e9;         // milliseconds, eleven days
+  constexpr double kLargestMargin = 8192;  // the largest side of a picture
+  constexpr double kLargestWeight = 16;    // powers of ratios of a thousand stay within the range of double
   const auto weight = [&](const char* name, double& value, const char* text) {
     return command.add(name, value, text).show_default().in_range(0, kLargestWeight);
   };
@@ -108,45 +106,51 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
   options.insert(
       options.end(),
       {
-          command.add("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all; those between are only culled")
+          command
+              .add("--frames", frames_,
+                   "A:B:STEP, frames A, A+STEP, ... below B, or all; frames between them are only culled")
               .show_default(),
           choice("--method", method_, {"frusta", "cover"},
-                 "what hides: the shadows of a few chosen occluders, or all that is seen, joined in a coarse picture"),
-          command.add("--cover-size", cover_size_, "WxH, size of that picture in pixels, each from 64 to 4096")
+                 "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
+                 "coarse picture"),
+          command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
               .show_default(),
           command
               .add("--cover-triangles", cull_.cover_triangles,
-                   "draw no more into it than about so many triangles a frame; unless given, all that are seen")
+                   "most triangles per frame, roughly, drawn into the coarse picture (default: all visible ones)")
               .not_negative(),
           command
               .add("--budget-ms", cull_.cover_ms,
-                   "draw no more into it once a frame has taken so many milliseconds; unless given, whatever it takes")
+                   "stop drawing into the coarse picture after this many milliseconds of a frame (default: no limit)")
               .in_range(0, kLongest),
-          number("--occluders", cull_.occluders, "occluders a frame; 0: view-frustum culling alone"),
-          number("--probes", cull_.probes, "candidates a frame of which is counted what they would hide"),
-          choice("--solid-angle", angle_, {"area", "exact"}, "how large an occluder looks: by area-angle, or exactly"),
+          number("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone"),
+          number("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted"),
+          choice("--solid-angle", angle_, {"area", "exact"},
+                 "solid angle of an occluder: the area-angle estimate, or exact"),
           weight("--weight-solid-angle", objective.solid_angle,
-                 "power of this criterion in the choice of occluders; 0: off"),
-          weight("--weight-depth-complexity", objective.depth_complexity, "the same of what was sampled by a preprocess"),
-          weight("--weight-coherence", objective.coherence, "the same of what was hidden in the frames before"),
+                 "exponent of this criterion in the choice of occluders; 0: off"),
+          weight("--weight-depth-complexity", objective.depth_complexity,
+                 "the same for the depth complexity sampled by a preprocess"),
+          weight("--weight-coherence", objective.coherence, "the same for the polygons hidden in the previous frames"),
           command.add_flag("--unions", cull_.unions,
-                           "pairs of occluders that share an edge hide together what neither hides alone"),
+                           "also use pairs of occluders that share an edge, for boxes that neither hides alone"),
           command
               .add("--pixel-margin", pixel_margin_,
-                   "pixels by which shadows are taken smaller, so that the renderer's rounding shows nothing that they "
-                   "hide; 0: all that is exactly hidden may be culled")
+                   "pixels by which shadows shrink, so that the renderer's rounding cannot show a culled polygon; 0: all "
+                   "that is exactly hidden may be culled")
               .show_default()
               .in_range(0, kLargestMargin),
           choice("--near", near_, {"surface", "farthest"},
-                 "where a shadow begins: at the occluder, or at its farthest vertex (the paper's)"),
-          choice("--arithmetic", arithmetic_, {"certified", "plain"}, "exact, or the paper's doubles (to be measured)"),
-          choice("--test", test_, {"conservative", "overlap"}, "planes alone, or all three relations decided"),
+                 "start of a shadow: at the occluder, or at its farthest vertex (as in the paper)"),
+          choice("--arithmetic", arithmetic_, {"certified", "plain"},
+                 "exact, or the paper's double arithmetic (for measurements)"),
+          choice("--test", test_, {"conservative", "overlap"}, "test against planes only, or decide all three relations"),
       });
   return options;
 }
 
 Option WalkArguments::add_preprocess_to(Command command) {
-  Option preprocess = add_input(command, "--preprocess", preprocess_, "what `occlude preprocess` stored about the model");
+  Option preprocess = add_input(command, "--preprocess", preprocess_, "file of `occlude preprocess` for this model");
   for (Option option : build_options_) preprocess.excludes(option);
   return preprocess;
 }
@@ -154,7 +158,7 @@ Option WalkArguments::add_preprocess_to(Command command) {
 render::WalkOptions WalkArguments::options() const {
   render::WalkOptions options;
   parse_frames(frames_, options);
-  constexpr std::size_t kLargest = 8192;  // side of a picture; llvmpipe's limit is 16384, memory's is lower
+  constexpr std::size_t kLargest = 8192;  // side of a picture; llvmpipe allows 16384, memory less
   const PictureSize size = parse_size("--size", size_, 1, kLargest);
   options.width = size.width;
   options.height = size.height;
@@ -178,7 +182,7 @@ std::uint64_t whole_number(const std::string& option, const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [next, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc() && next == end) return value;
-  double number = 0;  // 1e8 is a whole number as well
+  double number = 0;  // 1e8 is accepted too
   const auto [rest, fault] = std::from_chars(text.data(), end, number);
   const bool is_whole =
       fault == std::errc() && rest == end && number >= 0 && number <= 0x1p53 && number == std::floor(number);
@@ -200,9 +204,9 @@ Option add_output(Command command, const char* name, std::string& path, const ch
 
 std::string limits_help() {
   return fmt::format(
-      "Limits: a JSON file, and a line of JSON Lines, has at most {}, any other file {}. The import library (formats "
-      "other\nthan PLY and OBJ) has {}. In all, a\n"
-      "command takes at most {}, three quarters of the machine's memory.",
+      "Limits: at most {} for a JSON file or a line of JSON Lines, {} for any other file. The import library\n"
+      "(formats other than PLY and OBJ) may use {}.\n"
+      "A command may use at most {} of memory, three quarters of the machine's.",
       render::in_mebibytes(render::kMostJson), render::in_mebibytes(render::kMostBytes), render::import_limits(),
       render::in_mebibytes(render::most_memory()));
 }

@@ -11,13 +11,13 @@
 
 namespace occlude::cli {
 
-/// How a model is prepared.
+/// The options for preparing a model.
 class BuildArguments {
  public:
-  /// Returns the options.
+  /// Adds the options and returns them.
   std::vector<Option> add_to(Command command);
 
-  /// `method` is what the model is prepared for.
+  /// `method` is the method for which the model is prepared.
   [[nodiscard]] culler::BuildConfig config(culler::Method method = culler::Method::frusta) const;
 
  private:
@@ -25,19 +25,19 @@ class BuildArguments {
   std::string bounds_ = "aabb", shapes_ = "polytope";
 };
 
-/// Which frames, seen how and culled how.
+/// The options of a walk: its frames, pictures and culling.
 class WalkArguments {
  public:
-  /// `frames` are taken where the user names none.
+  /// `frames` is the default of --frames.
   explicit WalkArguments(std::string frames = "all") : frames_(std::move(frames)) {}
 
   void add_size_to(Command command);
-  /// The options that decide what is culled; returns them.
+  /// Adds the options that affect culling and returns them.
   std::vector<Option> add_culling_to(Command command);
-  /// The option that takes the place of those about how the model is prepared. After add_culling_to().
+  /// Adds --preprocess, which excludes the options for preparing a model. Call after add_culling_to().
   Option add_preprocess_to(Command command);
 
-  /// What the user chose. refuse()s text that cannot be read.
+  /// The parsed options. Calls refuse() for text that cannot be parsed.
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
@@ -50,17 +50,17 @@ class WalkArguments {
   culler::CullOptions cull_;
 };
 
-/// The whole number in `text`; refuse()s anything else.
+/// Parses a whole number; calls refuse() for anything else.
 [[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);
 
-/// An option, or without dashes an argument, for a file that the command reads; its outputs will not replace it.
+/// Adds an option, or without dashes an argument, for an input file. No output may replace that file.
 Option add_input(Command command, const char* name, std::string& file, const char* text);
 Option add_inputs(Command command, const char* name, std::vector<std::string>& files, const char* text);
 
-/// The same for a file or folder that it writes.
+/// Adds the same for an output file or folder.
 Option add_output(Command command, const char* name, std::string& path, const char* text);
 
-/// What `--help` says of the limits of inputs.
+/// The limits of inputs, for `--help`.
 [[nodiscard]] std::string limits_help();
 
 }  // namespace occlude::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command line as the commands declare it. CLI11 is behind it and in command_line.cpp alone: every file that includes
-// it takes some seconds more to compile.
+// The interface with which commands declare their options. Only command_line.cpp and main.cpp include CLI11, which takes
+// seconds to compile.
 #pragma once
 
 #include <functional>
@@ -15,30 +15,30 @@ class Option;
 
 namespace occlude::cli {
 
-/// Throws the error that an option was given what it does not take.
+/// Throws the error for an invalid value of an option.
 [[noreturn]] void refuse(const std::string& option, const std::string& why);
 
-/// The number that is all of `text`.
+/// Parses all of `text` as a number.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);
 
-/// An option, a flag or an argument of a command; a copy is the same one. What changes it returns it.
+/// An option, a flag or an argument of a command. Copies refer to the same option; the setters return it.
 class Option {
  public:
   explicit Option(CLI::Option& option) : option_(&option) {}
 
   Option required();
-  /// The help shows the value that it has now.
+  /// Shows the present value in the help.
   Option show_default();
   /// A number from `least` to `most`.
   Option in_range(std::size_t least, std::size_t most);
   Option in_range(double least, double most);
   Option not_negative();
   Option one_of(const std::vector<std::string>& words);
-  /// `fault` tells what is wrong with a value: nothing when it returns an empty text.
+  /// `fault` returns what is wrong with a value, or an empty text.
   Option check(const std::function<std::string(const std::string&)>& fault);
-  /// `take` is told every value.
+  /// Calls `take` with every value.
   Option each(const std::function<void(std::string)>& take);
-  /// Several values may stand in one word, `delimiter` between them.
+  /// One word may hold several values, separated by `delimiter`.
   Option split_at(char delimiter);
   Option needs(Option other);
   Option excludes(Option other);
@@ -47,25 +47,25 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A command, or a group of its options; a copy is the same one.
+/// A command, or a group of its options. Copies refer to the same command.
 class Command {
  public:
   explicit Command(CLI::App& app) : app_(&app) {}
 
-  /// A subcommand. `text` is a line of help, as everywhere below.
+  /// Adds a subcommand. Here and below, `text` is a line of help.
   Command add_command(const std::string& name, const std::string& text);
-  /// Options of which exactly one must be given.
+  /// Adds a group of options of which exactly one must be given.
   Command add_alternatives(const std::string& name, const std::string& text);
-  /// An option, or without dashes an argument, that sets `value`: a std::string, a number, a std::optional of these, or
-  /// a vector of texts.
+  /// Adds an option, or without dashes an argument, that sets `value`: a std::string, a number, a std::optional of these,
+  /// or a vector of strings.
   template <class T>
   Option add(const std::string& name, T& value, const std::string& text);
   Option add_flag(const std::string& name, bool& value, const std::string& text);
-  /// The help ends with it.
+  /// Sets the end of the help.
   void footer(const std::string& text);
-  /// One of its subcommands must be given.
+  /// Makes a subcommand mandatory.
   void require_command();
-  /// What it does once its options are read.
+  /// Sets the work of the command, which runs once its options are parsed.
   void run(const std::function<void()>& work);
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The subcommands of `occlude`. Each adds itself to the command line; its callback does the work. It sets the exit code to 1
-// as soon as a check has failed: that stands, whatever goes wrong afterwards. Bad input, and output that cannot be written,
-// is thrown as InputError.
+// The subcommands of `occlude`. Each adds itself to the command line, and its callback does the work. It sets the exit code
+// to 1 as soon as a check fails; later errors do not change that. For bad input, and output that cannot be written, it
+// throws InputError.
 #pragma once
 
 #include "command_line.h"
@@ -18,7 +18,7 @@ void add_why(Command app, int& exit_code);
 void add_validate(Command app, int& exit_code);
 void add_fuzz(Command app, int& exit_code);
 
-/// Of the command `bench`.
+/// Subcommands of `bench`.
 void add_bench_kernel(Command bench, int& exit_code);
 void add_bench_culler(Command bench, int& exit_code);
 

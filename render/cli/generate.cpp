@@ -56,10 +56,10 @@ void add_generate(Command app, int&) {
       command.add_command("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
   city.footer("Example: occlude generate city --polygons 500000 --seed 1 --out city.ply --path city.json");
   const auto arguments = std::make_shared<Arguments>();
-  city.add("--polygons", arguments->polygons, "at least so many polygons")
+  city.add("--polygons", arguments->polygons, "minimum number of polygons")
       .show_default()
       .in_range(std::size_t{20'000}, std::size_t{20'000'000});
-  city.add("--seed", arguments->seed, "whole number; same seed, same bytes, on any machine").show_default();
+  city.add("--seed", arguments->seed, "whole number; the same seed gives the same bytes on any machine").show_default();
   add_output(city, "--out", arguments->out, "PLY file to write").required();
   add_output(city, "--path", arguments->path, "JSON file to write the camera path to").required();
   city.add_flag("--json", arguments->json, "print the counts as JSON");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command `occlude`: assembles the subcommands and turns what they throw into one line and an exit code.
+// The command `occlude`: assembles the subcommands and turns their exceptions into one line and an exit code.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -21,7 +21,7 @@ using occlude::cli::kBadInput;
 using occlude::cli::kInterrupted;
 
 void add_bench(occlude::cli::Command app, int& exit_code) {
-  occlude::cli::Command bench = app.add_command("bench", "Measure how fast the answers come, and how much is culled");
+  occlude::cli::Command bench = app.add_command("bench", "Measure the speed of the kernel and the culler");
   bench.require_command();
   bench.footer("Example: occlude bench kernel");
   occlude::cli::add_bench_kernel(bench, exit_code);
@@ -30,7 +30,7 @@ void add_bench(occlude::cli::Command app, int& exit_code) {
 
 void run(int argc, char** argv, int& exit_code) {
   CLI::App app("Occlusion culling with shadow frusta, certified: nothing visible is ever culled.", "occlude");
-  app.require_subcommand(0, 1);  // that there is one is checked below, after an unknown word has been named
+  app.require_subcommand(0, 1);  // a missing command is reported below, after an unknown one
   app.footer(
       "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json --out "
       "report");
@@ -51,12 +51,12 @@ void run(int argc, char** argv, int& exit_code) {
     if (code != static_cast<int>(CLI::ExitCodes::Success)) {
       throw occlude::render::InputError(fmt::format("{} (see occlude --help)", error.what()));
     }
-    std::ostringstream text;  // help, or the version
+    std::ostringstream text;  // help or version
     app.exit(error, text, text);
     occlude::render::print(text.str());
     return occlude::render::finish_printing();
   }
-  if (app.get_subcommands().empty()) throw occlude::render::InputError("which command? (see occlude --help)");
+  if (app.get_subcommands().empty()) throw occlude::render::InputError("no command given (see occlude --help)");
   occlude::render::finish_printing();
 }
 
@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   int exit_code = occlude::cli::kDone;
   const auto failed = [&](int code, const std::string& what) {
     occlude::render::say(fmt::format("occlude: {}\n", what));
-    return exit_code == occlude::cli::kDone ? code : exit_code;  // that a check failed stands
+    return exit_code == occlude::cli::kDone ? code : exit_code;  // a failed check stands
   };
   try {
     occlude::render::require_stack();
@@ -78,11 +78,10 @@ int main(int argc, char** argv) {
   } catch (const occlude::render::Interrupted&) {
     return failed(kInterrupted, "interrupted, no file written");
   } catch (const std::bad_alloc&) {
-    // What was asked for names the file that is too much.
+    // The command line names the file that is too large.
     const std::string command = fmt::format("{}", fmt::join(argv + 1, argv + argc, " "));
     const std::string limit = occlude::render::in_mebibytes(occlude::render::memory_limit());
-    return failed(kBadInput,
-                  occlude::render::printable(fmt::format("out of memory, of which there are {}: {}", limit, command)));
+    return failed(kBadInput, occlude::render::printable(fmt::format("out of memory (limit {}): {}", limit, command)));
   } catch (const std::exception& error) {
     return failed(kBadInput, occlude::render::printable(error.what()));
   }

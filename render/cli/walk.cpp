@@ -29,7 +29,7 @@ struct Arguments {
   bool no_render = false, json = false;
 };
 
-/// As the lines of a case file.
+/// Writes the shadow tests as lines of a case file.
 void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file) {
   options.on_shadow_test = [&file, number = std::size_t{0}](const render::ShadowTest& test) mutable {
     const std::string id = fmt::format("frame {} test {}", test.frame, number++);
@@ -66,7 +66,7 @@ void add_walk(Command app, int& exit_code) {
   Command command = app.add_command("walk", "Walk a path through a model with and without occlusion culling, and compare");
   command.footer(
       "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
-      "Exit code 0; 1 when a visible polygon was culled or a pixel differs without explanation; 2 for bad input.\n" +
+      "Exit code: 0, or 1 if a visible polygon was culled or a pixel differs without explanation, or 2 for bad input.\n" +
       limits_help() +
       "\n"
       "Example: occlude walk city.ply --path city.json --out report");
@@ -77,10 +77,10 @@ void add_walk(Command app, int& exit_code) {
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
   a->walk.add_preprocess_to(command);
-  command.add_flag("--no-render", a->no_render, "measure culling alone");
+  command.add_flag("--no-render", a->no_render, "draw nothing: measure culling only");
   add_output(command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
   add_output(command, "--cases", a->cases,
-             "write the shadow tests of some 48 of the frames to this file, as cases for occlude classify and fuzz");
+             "write the shadow tests of about 48 frames to this file, as cases for occlude classify and fuzz");
   command.add_flag("--json", a->json, "print summary.json instead of Table 2");
   command.run([a, &exit_code] { walk(*a, exit_code); });
 }

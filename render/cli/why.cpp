@@ -27,16 +27,17 @@ struct Arguments {
   bool json = false;
 };
 
-/// The model, which has the polygon that was asked for.
+/// The model. Throws InputError if it lacks the requested polygon.
 culler::PolygonSoup read_model(const Arguments& arguments) {
   culler::PolygonSoup soup = render::read_model(arguments.model);
   if (arguments.polygon && *arguments.polygon >= soup.size()) {
-    throw render::InputError(fmt::format("{}: no polygon {}: it has {}", arguments.model, *arguments.polygon, soup.size()));
+    throw render::InputError(
+        fmt::format("{}: no polygon {}: the model has {}", arguments.model, *arguments.polygon, soup.size()));
   }
   return soup;
 }
 
-/// The polygon of the tree that is polygon `original` of the model.
+/// The index in the tree of polygon `original` of the model.
 std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t original) {
   std::uint32_t p = 0;
   while (hierarchy.original(p) != original) ++p;
@@ -77,7 +78,7 @@ int why(const Arguments& arguments) {
       render::SceneRenderer(hierarchy.soup(), options.width, options.height).item_buffer(frame.camera(), std::span(&all, 1));
   if (pixel) polygon = items.at(pixel->x, pixel->y);
   if (polygon == render::kNothing) {
-    throw render::InputError(fmt::format("--pixel {}: no polygon shows there", arguments.pixel));
+    throw render::InputError(fmt::format("--pixel {}: no polygon is visible there", arguments.pixel));
   }
   const render::Account account = render::account_for(frame, polygon, items);
   render::check_interrupt();
@@ -89,19 +90,18 @@ int why(const Arguments& arguments) {
 }  // namespace
 
 void add_why(Command app, int& exit_code) {
-  Command command = app.add_command("why", "Tell why a frame of a walk drew or culled a polygon");
-  command.footer("The frames before are culled first, as in a walk: give the options of that walk.\n" +
-                 limits_help() +
+  Command command = app.add_command("why", "Explain why a frame of a walk drew or culled a polygon");
+  command.footer("The earlier frames are culled first, as in a walk; give the options of that walk.\n" + limits_help() +
                  "\n"
                  "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
   const auto a = std::make_shared<Arguments>();
-  add_input(command, "MODEL", a->model, "the model walked through").required();
+  add_input(command, "MODEL", a->model, "model of the walk").required();
   add_input(command, "--path", a->path, "camera path (JSON)").required();
   command.add("--frame", a->frame, "number of the frame, from 0").required();
-  Command which = command.add_alternatives("which", "which polygon");
-  which.add("--polygon", a->polygon, "its number in the model file, from 0");
-  which.add("--pixel", a->pixel, "X,Y from the top left corner: what shows there, were nothing culled");
-  add_output(command, "--out", a->out, "folder for why.json, and plates from the camera and from outside");
+  Command which = command.add_alternatives("which", "the polygon");
+  which.add("--polygon", a->polygon, "number in the model file, from 0");
+  which.add("--pixel", a->pixel, "X,Y from the top left corner: the polygon visible there without culling");
+  add_output(command, "--out", a->out, "folder for why.json and plates from the camera and from outside");
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
   a->walk.add_preprocess_to(command);

@@ -33,7 +33,7 @@ grep -q '"speedup": null' bench/culler.json || fail "bench culler --no-render: a
 [ "$(grep -o '<svg' bench/culler.html | wc -l)" -eq 13 ] || fail "bench culler: $(grep -o '<svg' bench/culler.html | wc -l) charts"
 grep -q '<script\|src="http\|href="http\|nan\|inf"' bench/culler.html && fail "bench culler: scripts, addresses or no numbers in the page"
 "$occlude" bench culler good.ply --path path.json --frames 0:4 --size 64x36 --samples 0 --repetitions 1 >stdout || fail "bench culler MODEL"
-for title in 'Table 2' 'Figure 4' 'grid regions' 'Threshold' 'Sort with' 'coarse picture' 'size of the leaves'; do
+for title in 'Table 2' 'Figure 4' 'grid regions' 'Threshold' 'Sort from' 'coarse picture' 'size of the leaves'; do
   grep -q "$title" stdout || fail "bench culler MODEL: no $title"
 done
 grep -q 'Growth with the number of polygons' stdout && fail "bench culler MODEL: cities"

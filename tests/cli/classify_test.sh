@@ -90,7 +90,7 @@ echo '{"eye":[NaN,NaN,NaN,NaN}' >line.jsonl
 expect_error "line.jsonl:1: not JSON, near column 24" "$occlude" classify line.jsonl
 # Of two values under one key neither counts.
 echo '{"eye":[0,0,0],"eye":[1,0,0]}' >line.jsonl
-expect_error "line.jsonl:1: a key that its object has before, near column 16" "$occlude" classify line.jsonl
+expect_error "line.jsonl:1: repeated key in an object, near column 16" "$occlude" classify line.jsonl
 
 # What several polygons hide together.
 case='{"id":"c","eye":[0,0,0],"occluder":{"cover":[[[2,-1,-1],[2,0,-1],[2,0,1],[2,-1,1]],[[2,0,-1],[2,1,-1],[2,1,1],[2,0,1]]]},"box":{"min":[9,-1,-1],"max":[9,1,1]}'

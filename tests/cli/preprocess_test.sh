@@ -33,10 +33,10 @@ grep -q '"bounds": "obb"' prepared/summary.json || fail "walk --preprocess: the 
 grep -q '"preprocess": "slanting.pre"' prepared/summary.json || fail "walk --preprocess: not in the summary"
 "$occlude" validate slanting.ply --path path.json --witness prepared.jsonl >stdout 2>&1 || fail "prepared: $(cat stdout)"
 "$occlude" validate slanting.ply --path path.json --preprocess slanting.pre >stdout 2>&1 || fail "prepared: $(cat stdout)"
-expect_error "slanting.pre: made of another model" "$occlude" walk good.ply --path path.json --out out --preprocess slanting.pre
+expect_error "slanting.pre: made from another model" "$occlude" walk good.ply --path path.json --out out --preprocess slanting.pre
 head -c 300 slanting.pre >short.pre
 expect_error "short.pre: the file ends" "$occlude" walk slanting.ply --path path.json --out out --preprocess short.pre
-expect_error "good.ply: no file" "$occlude" walk slanting.ply --path path.json --out out --preprocess good.ply
+expect_error "good.ply: not a file of occlude preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess good.ply
 expect_error "missing.pre" "$occlude" walk slanting.ply --path path.json --out out --preprocess missing.pre
 expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --bounds aabb
 expect_error "named twice" "$occlude" preprocess good.ply --out good.ply

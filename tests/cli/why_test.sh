@@ -11,7 +11,7 @@ why() { "$occlude" why good.ply --path path.json --size 64x36 "$@"; }
 why --frame 3 --polygon 40 >stdout || fail "why"
 grep -q '^frame 3, polygon 40: culled: in shadow$' stdout || fail "why said: $(cat stdout)"
 grep -q '^  by occluder 0: polygon 0; it hides [1-9][0-9]* polygons in this frame$' stdout || fail "why said: $(cat stdout)"
-grep -q '^  the box is in its shadow by [0-9.]*, where it is nearest to the side through its edge (2, ' stdout || fail "why said: $(cat stdout)"
+grep -q '^  the box is inside its shadow by [0-9.]*, nearest to the side through its edge (2, ' stdout || fail "why said: $(cat stdout)"
 why --frame 0 --polygon 1 >stdout || fail "why"
 grep -q '^frame 0, polygon 1: drawn$' stdout || fail "why said: $(cat stdout)"
 grep -q "it was not culled: its own box is hidden" stdout || fail "why said: $(cat stdout)"
@@ -34,7 +34,7 @@ expect_error "--frame" why --frame -1 --polygon 0
 expect_error "file" why --frame 0 --polygon 0 --out file
 expect_error "no frame 9" why --frame 9 --polygon 0
 expect_error "no polygon 64" why --frame 0 --polygon 64
-expect_error "no polygon shows there" why --frame 0 --pixel 0,0
+expect_error "no polygon is visible there" why --frame 0 --pixel 0,0
 expect_error "--pixel" why --frame 0 --pixel 64,0
 expect_error "--pixel" why --frame 0 --pixel 3
 expect_error "[--polygon,--pixel]" why --frame 0

@@ -52,13 +52,13 @@ TEST(ChildProcess, IsEndedWhenItDoesNotEnd) {
   const auto never_end = [](std::FILE*) {
     for (volatile unsigned i = 0;;) i = i + 1;
   };
-  EXPECT_EQ(failure({kAmple.memory_bytes, 1}, never_end), "takes more time than it may have");
+  EXPECT_EQ(failure({kAmple.memory_bytes, 1}, never_end), "exceeds its time limit");
 }
 
 TEST(ChildProcess, GetsNoMoreMemoryThanItMayHave) {
   const auto allocate = [](std::size_t bytes) { return [bytes](std::FILE*) { ::operator delete(::operator new(bytes)); }; };
   EXPECT_EQ(failure(kAmple, allocate(kAmple.memory_bytes / 2)), "no failure");
-  // "needs more memory than it may have", or however a sanitizer ends the process.
+  // "exceeds its memory limit", or however a sanitizer ends the process.
   EXPECT_NE(failure(kAmple, allocate(2 * kAmple.memory_bytes)), "no failure");
 }
 

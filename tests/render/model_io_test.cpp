@@ -236,7 +236,7 @@ TEST_F(ModelIoTest, DataFaultsNameThePlace) {
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 3\n")), ":13: face 0: vertex index 3 is out of range (3 vertices)");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 -1\n")), ":13: face 0: vertex index -1 is out of range (3 vertices)");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "2 0 1   \n")), ":13: face 0: 2 vertices (a polygon needs 3)");
-  EXPECT_EQ(failure("a.ply", text_ply(kCorners, "-3 0 1 2\n")), ":13: face 0: a list of negative length");
+  EXPECT_EQ(failure("a.ply", text_ply(kCorners, "-3 0 1 2\n")), ":13: face 0: the list has a negative length");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 2.5\n")), ":13: expected an integer of at most 64 bits");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 9223372036854775808\n")),
             ":13: expected an integer of at most 64 bits");
@@ -257,7 +257,7 @@ TEST_F(ModelIoTest, HugeCountsAreRefusedBeforeAnythingIsAllocated) {
   }
   EXPECT_EQ(failure("a.ply", head + "18446744073709551616" + rest),
             ":3: expected the number of elements, an integer of at most 64 bits");
-  // A face that announces four thousand million indices.
+  // A face that declares 2^32 - 1 indices.
   EXPECT_EQ(failure("a.ply", head + "0" + rest + std::string(4, '\xff') + std::string(8, '\0')),
             ": face 0: the file ends here");
   // Elements without properties take no bytes, however many.
@@ -307,7 +307,7 @@ TEST_F(ModelIoTest, ObjLosesNoVertexToMarksAndLineEnds) {
   }
   std::string wide;
   for (const char c : text) wide += std::string{c, '\0'};
-  EXPECT_EQ(failure("a.obj", wide), ":1: a zero byte: this is no text");
+  EXPECT_EQ(failure("a.obj", wide), ":1: zero byte: this is not a text file");
 }
 
 TEST_F(ModelIoTest, ObjFaultsNameTheLine) {
@@ -409,7 +409,7 @@ TEST_F(ModelIoTest, AFileThatRefersToADeviceIsRefused) {
 TEST_F(ModelIoTest, WhatIsTooLargeIsNotRead) {
   for (const char* const name : {"a.ply", "a.obj", "a.stl"}) {
     const fs::path file = store(name, "");
-    fs::resize_file(file, kMostBytes + 1);  // a hole: it takes no room
+    fs::resize_file(file, kMostBytes + 1);  // a sparse file takes no space
     EXPECT_EQ(failure(file), ": cannot read: it is larger than 4096 MiB") << name;
   }
 }

@@ -49,7 +49,7 @@ class PreprocessFileTest : public testing::Test {
     return options;
   }
 
-  /// What is said when the file has other bytes.
+  /// The message for a changed file.
   std::string refusal(const std::function<void(std::string&)>& change) {
     std::ifstream in(file(), std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(in), {}};
@@ -91,17 +91,17 @@ TEST_F(PreprocessFileTest, IsReadBackAsWritten) {
 
 TEST_F(PreprocessFileTest, WhatIsRefused) {
   EXPECT_EQ(refusal([](std::string&) {}), "");
-  EXPECT_EQ(refusal([](std::string& bytes) { bytes.clear(); }), "no file of occlude preprocess");
-  EXPECT_EQ(refusal([](std::string& bytes) { bytes = "ply\n" + bytes; }), "no file of occlude preprocess");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes.clear(); }), "not a file of occlude preprocess");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes = "ply\n" + bytes; }), "not a file of occlude preprocess");
   EXPECT_EQ(refusal([](std::string& bytes) { bytes[19] = 7; }),
-            "version 7 of the format; this program reads version 1: preprocess the model again");
-  EXPECT_EQ(refusal([](std::string& bytes) { bytes += 'x'; }), "something follows the end of the file's data");
+            "format version 7, but this program reads version 1: preprocess the model again");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes += 'x'; }), "there is data after the checksum");
   for (std::size_t at = 23; at < 4000; at += 61) {
     EXPECT_NE(refusal([&](std::string& bytes) { bytes.at(at) = static_cast<char>(bytes[at] ^ 4); }), "") << at;
   }
   for (std::size_t end = 19; end < 4000; end += 97) {
     EXPECT_EQ(refusal([&](std::string& bytes) { bytes.resize(end); }),
-              "the file ends at byte " + std::to_string(end) + ", too early");
+              "the file ends too early, at byte " + std::to_string(end));
   }
 }
 
@@ -112,7 +112,7 @@ TEST_F(PreprocessFileTest, IsOfOneModel) {
     static_cast<void>(read_preprocess(file(), other));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), file().string() + ": made of another model: preprocess this one");
+    EXPECT_EQ(error.what(), file().string() + ": made from another model: preprocess this one");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The judge of a walk: it must find a planted mistake, and tell the renderer's rounding from one.
+// The comparison of pictures in a walk: it must find a planted error, and distinguish the renderer's rounding from one.
 #include "occlude/render/walk.h"
 
 #include <gtest/gtest.h>

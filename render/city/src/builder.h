@@ -10,8 +10,8 @@
 
 namespace occlude::render::city {
 
-/// A place to build at: `along` runs in one of the four axis directions, `out` to the right of it, `up` is Z. The front of
-/// a house faces `out`; walking round a block counter-clockwise keeps `out` to the street.
+/// A local coordinate frame: `along` runs in one of the four axis directions, `out` to the right of it, `up` is Z. The front
+/// of a house faces `out`; walking round a block counter-clockwise keeps `out` to the street.
 struct Frame {
   Point origin;
   Length ux = 1, uy = 0;  ///< direction of `along`: one of (1,0), (0,1), (-1,0), (0,-1)
@@ -39,7 +39,7 @@ struct Extent {
 /// Faces of a box, to be or-ed.
 enum Faces : unsigned { kFront = 1, kBack = 2, kLeft = 4, kRight = 8, kTop = 16, kBottom = 32 };
 inline constexpr unsigned kSides = kFront | kBack | kLeft | kRight;
-inline constexpr unsigned kOnGround = kSides | kTop;  ///< a box whose lower face nobody sees
+inline constexpr unsigned kOnGround = kSides | kTop;  ///< a box without its lower face
 inline constexpr unsigned kOnWall = kFront | kLeft | kRight | kTop | kBottom;
 inline constexpr unsigned kAllFaces = kSides | kTop | kBottom;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Single buildings: a church, a railway viaduct, cottages, stepped pyramids. The shell of each is what hides; its details
-// come later, as far as the number of polygons allows.
+// Single buildings: a church, a railway viaduct, cottages, stepped pyramids. The shell of a building contains its occluders;
+// details follow as far as the number of polygons allows.
 #pragma once
 
 #include "builder.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The three districts put together.
 //
-// The soup has the flaws of models drawn by people, on purpose: walls shared by two houses that are there twice (exact
-// duplicates), polygons that overlap in one plane (the end of one terrace against the back of another), slivers (railings),
-// solids that pierce each other (chimneys and roofs, tower and nave, stairs and pyramids). Surfaces that are parallel but
-// not in one plane keep 3 cm apart, so that none of them flickers at a distance.
+// The soup has the flaws of hand-made models on purpose: party walls that exist twice (exact duplicates), polygons that
+// overlap in one plane (the end of one terrace against the back of another), slivers (railings), solids that intersect
+// (chimneys and roofs, tower and nave, stairs and pyramids). Parallel surfaces in different planes are at least 3 cm apart,
+// so that none of them flickers at a distance.
 #include "occlude/render/city.h"
 
 #include "builder.h"
@@ -26,8 +26,8 @@ City generate_city(std::size_t polygons, std::uint64_t seed) {
   result.soup.first.reserve(polygons + polygons / 10);
   result.soup.indices.reserve(polygons * 4 + polygons / 10 * 4);
   result.soup.vertices.reserve(polygons * 4);
-  // 15 % each for the ceremonial centre and the hills. London comes last: its layers stop at the house, so that the model
-  // has the number of polygons asked for and few more.
+  // 15 % each for the ceremonial centre and the hills. London comes last: its detail can stop after any house, so the model
+  // has few polygons more than requested.
   build_tenochtitlan(builder, seed, route, polygons * 15 / 100);
   build_hills(builder, seed, route, terrain, polygons * 30 / 100);
   build_london(builder, seed, route, polygons);

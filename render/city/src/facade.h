@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Windows and doors. Everything stands proud of the wall, which stays one uncut rectangle.
+// Windows and doors. They are in front of the wall, which stays one uncut rectangle.
 #pragma once
 
 #include "builder.h"
 
 namespace occlude::render::city {
 
-/// What a window is made of, from poor to rich; each part may be left out of a small model.
+/// The parts of a window, from the plainest on; a small model leaves the later ones out.
 enum class WindowPart {
   blind,     ///< one rectangle, the sash frames and what hangs behind them
   surround,  ///< jambs, head and sill
@@ -26,7 +26,7 @@ void add_window(Builder& b, const Frame& f, Length along, Length up, const Windo
 /// A front door with its frame and fanlight. Its threshold is at `up`.
 void add_door(Builder& b, const Frame& f, Length along, Length up, bool with_detail);
 
-/// Distances from the wall of the successive layers; all are at least 3 cm from each other, so that none flickers.
+/// Distances of the layers from the wall; they are at least 3 cm apart, so that none flickers.
 inline constexpr Length kBlindOut = m(0.04);
 inline constexpr Length kPaneOut = m(0.075);
 inline constexpr Length kSurroundOut = m(0.13);

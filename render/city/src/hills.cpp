@@ -233,7 +233,7 @@ void build_hills(Builder& b, std::uint64_t seed, const Route& route, const Terra
       build_boundary_details(b, piece, Random(fields[i].seed, kHedgeKind, index++));
     }
   }
-  // What is still missing is woodland.
+  // The remaining polygons become woodland.
   const Rect& all = terrain.extent();
   for (std::uint64_t i = 0; !full(); ++i) {
     Random random(seed, kWoodKind, i);

@@ -18,8 +18,8 @@ constexpr std::uint64_t kTerraceKind = 1;
 constexpr std::uint64_t kBlockKind = 2;
 constexpr std::uint64_t kOrderKind = 3;
 
-/// Sizes of the pieces of ground. Ground near the camera looks large, and would crowd out walls as occluder, unless its
-/// pieces are small; a small model cannot afford that.
+/// Sizes of the pieces of ground. Large pieces near the camera would displace walls as occluders, so they are small; a small
+/// model cannot afford that.
 struct Paving {
   Length flags, street, garden;
   Length parts;  ///< cuts of a piece of street near the camera
@@ -109,7 +109,7 @@ void pave(Builder& b, const Block& block, const Paving& paving) {
   for (std::size_t i = 0; i < 4; ++i) b.band(corner[i], corner[(i + 1) % 4], kPavementLevel - low, paving.flags * 2);
 }
 
-/// What a block has at least, whatever the size of the model.
+/// The parts of a block that every model has.
 void build_base(Builder& b, const BuiltBlock& block, const Paving& paving, const Route& route) {
   pave(b, block.plan, paving);
   const Rect r = plot(block.plan);
@@ -262,7 +262,7 @@ void build_london(Builder& b, std::uint64_t seed, const Route& route, std::size_
   for (const BuiltBlock& block : core) build_base(b, block, paving, route);
   for (const Viaduct& v : viaducts()) build_viaduct_shell(b, v.frame, v.length);
 
-  // Detail goes to houses all over the town alike, wherever it stops.
+  // Each layer of detail is spread over the whole town, wherever it stops.
   struct HouseOf {
     const Terrace* terrace;
     const House* house;

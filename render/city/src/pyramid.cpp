@@ -58,7 +58,7 @@ void build_pyramid_shell(Builder& b, const Pyramid& p) {
       b.quad(edge[i], edge[j], next[j], next[i]);
     }
   }
-  // The uppermost floor, in flags: as one polygon it would look like a good occluder, and hide nothing but sky.
+  // The uppermost floor is paved: as one polygon it would look like a good occluder but hide only sky.
   const Length inset = p.tiers * kSetback;
   const Length half = p.width / 2 - inset;
   const Length floor = p.depth - 2 * inset;

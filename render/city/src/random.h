@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pseudo-random whole numbers, written out because the library's distributions differ between implementations.
+// Pseudo-random integers. The distributions of the standard library differ between implementations, so we have our own.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace occlude::render::city {
 
-/// SplitMix64. Every object of the model (a house, a tree) has a generator of its own, keyed by what it is, so that
+/// SplitMix64. Every object of the model (a house, a tree) has its own generator, keyed by its kind and index, so that
 /// leaving out the details of one does not change the next.
 class Random {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The way of the camera through the model, in plan, and the room that is kept free along it.
+// The route of the camera through the model, in plan, and the space kept free along it.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace occlude::render::city {
 
-/// The way as a chain of points about a metre apart or closer, z the ground under it.
+/// The route as a chain of points about a metre apart or closer, z is the height of the ground.
 class Route {
  public:
   explicit Route(const Terrain& terrain);
 
   [[nodiscard]] Length length() const { return at_.back(); }
-  /// The ground under the way, `distance` along it (clamped to its ends).
+  /// The ground under the route, `distance` along it (clamped to its ends).
   [[nodiscard]] Point point(Length distance) const;
   /// Whether something standing on `rect` would be within `kClearance` (in plan) of the way.
   [[nodiscard]] bool crosses(const Rect& rect) const;
@@ -35,8 +35,8 @@ class Route {
   std::vector<Rect> chunks_;
 };
 
-/// Level ground in pieces of about `cell`, each cut into `parts` x `parts` where the camera passes within 9 m: what is near
-/// the camera looks large, and would crowd out walls as occluder.
+/// Level ground in pieces of about `cell`, each cut into `parts` x `parts` where the camera passes within 9 m. Large pieces
+/// near the camera would displace walls as occluders.
 void build_pavement(Builder& b, const Route& route, const Rect& rect, Length z, Length cell, Length parts);
 
 /// The camera path of 2748 frames (as many as the paper's) along `route`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flaws of soup built in here: a third of the party walls are there twice, exactly equal; a wall piece above the street wall
+// Flaws built in on purpose: a third of the party walls exist twice, exactly equal; a wall piece above the street wall
 // of a taller house overlaps the party wall's edge; chimney stacks and dormers pierce the roofs; railings are slivers.
 #include "terrace.h"
 

@@ -12,7 +12,7 @@ namespace occlude::render::city {
 
 class Route;
 
-/// What is built of a house beyond the shell, in order of importance.
+/// The details of a house, in order of importance.
 enum class HouseLayer {
   openings,   ///< windows and doors as plain rectangles, chimney stacks
   surrounds,  ///< window surrounds, cornice, string course, steps
@@ -47,10 +47,10 @@ struct Terrace {
   std::vector<House> houses;
 };
 
-/// Draws up a terrace: heights, widths of houses, style. `frame`, `length`, `depth`, the ends and gardens are given.
+/// Plans a terrace: heights, widths of houses, style. `frame`, `length`, `depth`, the ends and gardens are given.
 void design_terrace(Terrace& terrace, Random random);
 
-/// The walls and roofs: what a small model has of a terrace too.
+/// The walls and roofs, which small models have too.
 void build_shell(Builder& b, const Terrace& terrace);
 
 /// One layer of one house.

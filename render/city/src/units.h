@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lengths and points of the model as whole numbers, so that the same model comes out of every compiler.
+// Lengths and points of the model as integers, so that every compiler gives the same model.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ inline constexpr Length kUnitsPerMetre = 1024;
   return static_cast<Length>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
 }
 
-/// The largest whole number whose square is not above `value`. REQUIRES: 0 <= value < 2^62.
+/// The integer square root of `value`, rounded down. REQUIRES: 0 <= value < 2^62.
 [[nodiscard]] constexpr Length integer_sqrt(Length value) {
   Length root = 0;
   for (Length bit = Length{1} << 30; bit > 0; bit >>= 1) {

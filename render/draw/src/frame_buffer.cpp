@@ -31,7 +31,7 @@ FrameBuffer::FrameBuffer(int width, int height) : width_(width), height_(height)
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
   if (width < 1 || height < 1 || width > largest || height > largest)
     throw std::runtime_error(
-        fmt::format("no picture of {}x{} pixels (1x1 to {}x{} can be drawn)", width, height, largest, largest));
+        fmt::format("cannot draw a picture of {}x{} pixels (1x1 to {}x{} are possible)", width, height, largest, largest));
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   attach(colour_, GL_RGBA8, kColour);
   attach(items_, GL_R32UI, kItems);

@@ -17,9 +17,9 @@ class FrameBuffer {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  /// Makes the picture the target of drawing, with `sky` everywhere and depth 0, the farthest.
+  /// Draws into the picture from now on. Clears it to `sky` and depth 0, the farthest.
   void begin_picture(const Rgba& sky);
-  /// Makes the item buffer the target of drawing, with nothing in it and depth 0. The picture stays as it is.
+  /// Draws into the item buffer from now on. Clears it and sets depth 0. The picture is kept.
   void begin_items();
 
   [[nodiscard]] Image image() const;

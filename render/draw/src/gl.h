@@ -10,7 +10,7 @@ namespace occlude::render {
 
 using GlFunction = void (*)();
 
-/// An OpenGL function newer than that, by name, from the library that provides the OffscreenContext; null if it has none.
+/// A newer OpenGL function by name, from the library that provides the OffscreenContext; null if there is none.
 [[nodiscard]] GlFunction gl_function(const char* name);
 
 }  // namespace occlude::render

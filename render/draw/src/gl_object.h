@@ -6,7 +6,7 @@
 
 namespace occlude::render {
 
-/// One object of the kind that `Create` and `Delete` make and destroy. REQUIRES: its context outlives it.
+/// Owns one object made by `Create` and destroyed by `Delete`. REQUIRES: its context outlives it.
 template <auto Create, auto Delete>
 class GlObject {
  public:

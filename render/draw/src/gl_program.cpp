@@ -14,7 +14,7 @@ GlProgram::GlProgram(const char* vertex_shader, const char* fragment_shader) : n
   GLint linked = GL_FALSE, length = 0;
   glGetProgramiv(name_, GL_LINK_STATUS, &linked);
   if (linked == GL_TRUE) return;
-  // A shader that did not compile does not link either, and the log says why.
+  // A shader that did not compile does not link either; the log has the reason.
   glGetProgramiv(name_, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length), '\0');
   glGetProgramInfoLog(name_, length, nullptr, log.data());
@@ -27,7 +27,7 @@ void GlProgram::attach(GLenum stage, const char* text) const {
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   glAttachShader(name_, shader);
-  glDeleteShader(shader);  // it lives on as long as the program
+  glDeleteShader(shader);  // OpenGL keeps it until the program is deleted
 }
 
 void GlProgram::set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }

@@ -10,7 +10,7 @@
 
 namespace occlude::render {
 
-/// Throws std::runtime_error with the compiler's words if OpenGL refuses the shaders.
+/// Throws std::runtime_error with the compiler's message if OpenGL refuses the shaders.
 class GlProgram {
  public:
   GlProgram(const char* vertex_shader, const char* fragment_shader);
@@ -19,7 +19,7 @@ class GlProgram {
   GlProgram& operator=(const GlProgram&) = delete;
 
   void use() const { glUseProgram(name_); }
-  /// Sets a uniform; one that the shaders have no use for is left out. REQUIRES: the program is in use.
+  /// Sets a uniform; ignores one that the shaders do not use. REQUIRES: the program is in use.
   void set(const char* uniform, float value) const;
   void set(const char* uniform, const glm::vec3& value) const;
   void set(const char* uniform, const glm::vec4& value) const;

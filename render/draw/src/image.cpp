@@ -12,7 +12,7 @@
 namespace occlude::render {
 namespace {
 
-/// Length of what every PNG begins with: 8 bytes of signature, and the 13 of the chunk IHDR with its length, type and
+/// The length of the start of every PNG: 8 bytes of signature, and the chunk IHDR: length, type, 13 bytes of data and
 /// checksum.
 constexpr std::size_t kHead = 8 + 4 + 4 + 13 + 4;
 
@@ -22,12 +22,12 @@ std::string big_endian(std::size_t value) {
   return bytes;
 }
 
-/// A chunk of text, which every reader passes over, for the place behind the head. The simplified interface of libpng writes
-/// none.
+/// A text chunk, which readers ignore, to be inserted after the start. The simplified interface of libpng cannot write
+/// one.
 std::string marker(const std::filesystem::path& file) {
   const std::string text = std::string("tEXtSoftware") + '\0' + "occlude, " + file.filename().string();
   const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
-  return big_endian(text.size() - 4) + text + big_endian(checksum);  // the type is not counted
+  return big_endian(text.size() - 4) + text + big_endian(checksum);  // the length excludes the type
 }
 
 std::string encode(const std::filesystem::path& file, const Image& picture) {
@@ -38,8 +38,8 @@ std::string encode(const std::filesystem::path& file, const Image& picture) {
   png.format = PNG_FORMAT_RGBA;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
   std::string bytes(size, '\0');
-  constexpr int kAllBits = 0;     // no reduction to 8 bits: there are no more
-  constexpr int kPackedRows = 0;  // row stride: rows follow one another
+  constexpr int kAllBits = 0;     // no reduction to 8 bits is needed
+  constexpr int kPackedRows = 0;  // row stride: rows are contiguous
   if (png_image_write_to_memory(&png, bytes.data(), &size, kAllBits, picture.pixels.data(), kPackedRows, nullptr) == 0)
     throw InputError(file.string() + ": cannot encode the picture: " + png.message);
   bytes.resize(size);

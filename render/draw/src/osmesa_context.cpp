@@ -22,28 +22,28 @@ namespace {
 
 constexpr int kKeepWhatTheUserSet = 0;
 
-/// Whether the system gives this process so many threads more.
+/// Whether this process can start `count` more threads.
 bool can_have_threads(std::size_t count) {
   std::latch seen(1);
   std::vector<std::jthread> threads;
   try {
     while (threads.size() < count) threads.emplace_back([&] { seen.wait(); });
   } catch (const std::system_error&) {
-    // As many as there are by now.
+    // Fewer than `count`.
   }
   seen.count_down();
   return threads.size() == count;
 }
 
-/// What llvmpipe takes besides models and pictures: it crashes when it gets no more. A compiled shader takes some MiB, its
-/// compiler 100 or so.
+/// Memory that llvmpipe needs besides models and pictures; it crashes with less. A compiled shader takes a few MiB, its
+/// compiler about 100.
 constexpr std::uint64_t kForDrawing = std::uint64_t{256} << 20U;
 
-/// What a thread sets aside: a stack of 8 MiB and a heap of 64.
+/// Address space of a thread: a stack of 8 MiB and a heap of 64 MiB.
 constexpr std::uint64_t kForThread = std::uint64_t{72} << 20U;
 
-/// llvmpipe starts two threads for each processor, of 16 at most, and waits for ever for one that it could not start.
-/// Without any it draws in the caller's.
+/// llvmpipe starts two threads per processor, for at most 16 processors, and hangs if it cannot start one. Without threads
+/// it draws in the caller's thread.
 void draw_alone_if_need_be() {
   const auto threads = 2 * static_cast<std::size_t>(std::clamp(sysconf(_SC_NPROCESSORS_ONLN), 1L, 16L));
   if (can_have_memory(kForDrawing + threads * kForThread) && can_have_threads(threads)) return;
@@ -84,7 +84,7 @@ class OsMesaContext : public OffscreenContext {
 
  private:
   OSMesaContext context_;
-  std::array<std::uint8_t, 4> pixel_{};  ///< OSMesa wants a picture of its own; we draw into framebuffer objects
+  std::array<std::uint8_t, 4> pixel_{};  ///< required by OSMesa; we draw into framebuffer objects
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ void PictureSet::commit() {
   const auto is_new = [&](const fs::path& picture) {
     return std::ranges::any_of(files_, [&](const OutputFile& file) { return file.path().filename() == picture.filename(); });
   };
-  std::error_code ignored;  // the pictures of this run are there
+  std::error_code ignored;  // the pictures of this run are complete; old ones do no harm
   for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
     const fs::path& picture = entry.path();
     if (is_such_(picture.filename().string()) && !is_new(picture) && is_own_png(picture)) fs::remove(picture, ignored);

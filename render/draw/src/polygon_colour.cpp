@@ -16,7 +16,7 @@ using glm::dvec3;
 // Direction to the sun, south-west and 45 degrees high.
 constexpr dvec3 kSun = {-0.57, -0.42, 0.71};
 
-// Light that reaches every surface, and what the sun adds to a surface facing it.
+// Light on every surface, and the light that the sun adds to a surface facing it.
 constexpr double kAmbient = 0.62, kSunlight = 0.38;
 
 // |z| of the unit normal above which a surface counts as level (within 8 degrees), as ground (35) and as a roof (72).
@@ -44,14 +44,14 @@ dvec3 unit_normal(const culler::PolygonSoup& soup, std::size_t polygon) {
   return length > 0 && std::isfinite(length) ? sum / length : dvec3(0, 0, 0);
 }
 
-/// Mixes bits so that neighbouring values get unrelated ones (the finaliser of SplitMix64).
+/// Mixes bits so that neighbouring values become unrelated (the finaliser of SplitMix64).
 std::uint64_t scramble(std::uint64_t bits) {
   bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9;
   bits = (bits ^ bits >> 27) * 0x94D049BB133111EB;
   return bits ^ bits >> 31;
 }
 
-/// The middle of the polygon's box: one point for the two triangles of a rectangle.
+/// The centre of the polygon's box: the same point for both triangles of a rectangle.
 dvec3 middle(const culler::PolygonSoup& soup, std::size_t polygon) {
   dvec3 low = soup.vertices[soup.loop(polygon)[0]], high = low;
   for (const std::uint32_t index : soup.loop(polygon)) {
@@ -62,13 +62,13 @@ dvec3 middle(const culler::PolygonSoup& soup, std::size_t polygon) {
 }
 
 std::uint64_t combine(std::uint64_t hash, double value) {
-  // Beyond this no integer has room for the rounded number.
+  // Larger values do not fit into a 64-bit integer.
   constexpr double kLargest = 1e18;
   return scramble(hash ^ static_cast<std::uint64_t>(std::llround(std::clamp(value, -kLargest, kLargest))));
 }
 
-/// The same number for polygons that continue each other: of one cell of 64 units, one normal to 1/8, and one distance from
-/// the cell's middle to 4 units. Coarse enough that the triangles of a scanned wall, never quite in one plane, mostly agree.
+/// Equal for polygons of one surface: the same cell of 64 units, the same normal to 1/8 and the same distance from the
+/// centre of the cell to 4 units. Coarse enough that most triangles of a scanned wall, which is never quite plane, agree.
 std::uint64_t plane_hash(const dvec3& normal, const dvec3& point) {
   constexpr double kCell = 64, kDirections = 8, kDistance = 4;
   const dvec3 cell = glm::floor(point / kCell);
@@ -98,11 +98,11 @@ std::uint8_t channel(double value) { return static_cast<std::uint8_t>(std::lroun
 
 Rgba polygon_colour(const culler::PolygonSoup& soup, std::size_t polygon) {
   dvec3 normal = unit_normal(soup, polygon);
-  // Soup has no reliable winding: both sides get the colour of one.
+  // The winding of soup is not reliable, so both sides have the same colour.
   if (normal.z < 0 || (normal.z == 0 && (normal.y < 0 || (normal.y == 0 && normal.x < 0)))) normal = -normal;
   const std::uint64_t hash = plane_hash(normal, middle(soup, polygon));
   const double light = kAmbient + kSunlight * std::fabs(glm::dot(normal, kSun));
-  // Up to 4 % darker or brighter, so that equal materials side by side stay apart.
+  // Up to 4 % darker or brighter, so that equal materials side by side can be distinguished.
   const double variation = 1 + 0.04 * (static_cast<double>(hash >> 32 & 0xFF) / 127.5 - 1);
   const dvec3 colour = light * variation * material(normal.z, hash);
   return {channel(colour.r), channel(colour.g), channel(colour.b), 255};

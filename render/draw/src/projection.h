@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From model space to the clip space of the renderer, with reversed depth.
+// From model space to clip space, with reversed depth.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -10,15 +10,15 @@
 
 namespace occlude::render {
 
-/// The box that holds all vertices.
+/// The bounding box of all vertices.
 struct Extent {
   glm::dvec3 min{0, 0, 0}, max{0, 0, 0};
 };
 
-/// Takes vectors relative to the eye to clip space: depth 1 at the near plane, 0 at the far plane or at infinity. Half the
-/// values a float can take between 0 and 1 lie below 2^-63, so distant surfaces are told apart as well as near ones. An
-/// orthographic view without a far plane gets one behind `model`. `shift` moves the picture, to the right and up, in halves
-/// of its sides.
+/// Maps vectors relative to the eye to clip space: depth 1 at the near plane, 0 at the far plane or at infinity. Half of the
+/// float values between 0 and 1 lie below 2^-63, so distant surfaces are resolved as well as near ones. An orthographic view
+/// without a far plane gets one behind `model`. `shift` moves the picture right and up, in units of half its width and
+/// height.
 [[nodiscard]] glm::mat4 clip_from_eye_relative(const culler::Camera& camera, const Extent& model,
                                                const glm::dvec2& shift = {0, 0});
 

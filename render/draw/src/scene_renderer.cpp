@@ -17,31 +17,31 @@ namespace {
 
 constexpr Rgba kSky = {196, 216, 234, 255};
 
-// How opaque the part of a line is that lies behind something.
+// The opacity of the hidden part of a line.
 constexpr float kHiddenLineOpacity = 0.25F;
 
-// Lines are taken nearer by this fraction of their distance, so that they stand out from the surfaces they lie on.
+// The reversed depth of lines is multiplied by this, so that they lie in front of their surfaces.
 constexpr float kLineLift = 1.001F;
 
 constexpr float kLineWidth = 2;  // pixels
 
-// A rasteriser that rounds vertices to 1/256 pixel paints a pixel whose centre is up to 1/512 beside the polygon, on each
-// axis, with the depth that its plane has there: on a polygon seen nearly edge-on any depth, and what is hidden shows. So
-// depths recede by what their plane changes along 1/256 pixel, which is no less than it does along 1/512 on both axes:
-// nothing is drawn nearer than it is.
+// A rasteriser that rounds vertices to 1/256 pixel paints pixels whose centre is up to 1/512 beside the polygon on each
+// axis, with the depth of its plane there. On a polygon seen nearly edge-on that can be any depth, and hidden polygons would
+// show. Depths are therefore moved away by the change of the plane over 1/256 pixel, which is at least its change over 1/512
+// on both axes. Nothing is then drawn nearer than it is.
 constexpr float kDepthSlope = -1.0F / 256;  // of the reversed depth
 
-// A surface is half sky-coloured at half the diagonal of the model's box.
+// Haze: a surface has half the colour of the sky at a distance of half the diagonal of the model's box.
 constexpr double kHazeHalvings = 2;  // over the whole diagonal
 
 enum Attribute : GLuint { kPosition, kColour, kPolygon };
 
-// Of pictures and item buffers alike: the same text and invariance give both the same geometry.
+// Shared by pictures and item buffers: the same text and `invariant` give both the same geometry.
 constexpr const char* kVertexShader = R"(#version 450 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 layout(location = 2) in uint polygon;
-uniform vec3 eye_high, eye_low;  // their sum is the eye: what float cannot hold of it is not lost
+uniform vec3 eye_high, eye_low;  // their sum is the eye, in more than float precision
 uniform mat4 clip_from_eye_relative;
 uniform float lift;
 uniform vec4 tint;  // alpha: its share
@@ -77,12 +77,12 @@ void main() { item = item_of_polygon; }
 
 glm::vec4 to_float(const Rgba& colour) { return glm::vec4(colour.r, colour.g, colour.b, colour.a) / 255.0F; }
 
-/// Ranges of corners as glMultiDrawArrays takes them.
+/// Ranges of corners in the form of glMultiDrawArrays.
 struct DrawRanges {
   std::vector<GLint> first;
   std::vector<GLsizei> count;
 
-  /// Adds corners [begin, end), joined to the range before where they continue it.
+  /// Adds corners [begin, end); extends the last range if they follow it.
   void add(std::uint32_t begin, std::uint32_t end) {
     if (begin == end) return;
     if (!first.empty() && first.back() + count.back() == static_cast<GLint>(begin)) {
@@ -94,7 +94,7 @@ struct DrawRanges {
   }
 };
 
-/// A vertex buffer of Corners and how they are laid out.
+/// A vertex buffer of Corners and its layout.
 class CornerBuffer {
  public:
   CornerBuffer() {
@@ -128,7 +128,7 @@ void set_eye(const GlProgram& program, const glm::dvec3& eye_from_centre) {
   program.set("eye_low", glm::vec3(eye_from_centre - glm::dvec3(high)));
 }
 
-/// glClipControl is newer than what every OpenGL library exports.
+/// glClipControl is loaded by name: not every OpenGL library exports it.
 void use_reversed_depth() {
   const auto clip_control = reinterpret_cast<PFNGLCLIPCONTROLPROC>(gl_function("glClipControl"));
   if (clip_control == nullptr) throw std::runtime_error("OpenGL offers no glClipControl");
@@ -151,7 +151,7 @@ struct SceneRenderer::Impl {
     corners.upload(list.corners, GL_STATIC_DRAW);
     use_reversed_depth();
     glLineWidth(kLineWidth);
-    // The picture itself stays opaque.
+    // The alpha of the picture stays opaque.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   }
 
@@ -168,7 +168,7 @@ struct SceneRenderer::Impl {
   std::vector<std::uint32_t> first_corner;  ///< of each polygon, and the end
 };
 
-/// What pictures and item buffers must have alike.
+/// The state that pictures and item buffers share.
 void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler::Camera& camera,
                                          const glm::dvec2& shift) const {
   program.use();
@@ -187,14 +187,14 @@ void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges) co
 
 void SceneRenderer::Impl::set_shading(const culler::Camera& camera) const {
   const double diagonal = glm::length(extent.max - extent.min);
-  // Parallel light rays have no distance to fade over.
+  // A parallel projection has no distance from the eye.
   const bool hazy = camera.projection == culler::Projection::perspective && diagonal > 0;
   picture.set("haze", hazy ? static_cast<float>(kHazeHalvings / diagonal) : 0.0F);
   picture.set("sky", glm::vec3(to_float(kSky)));
   picture.set("opacity", 1.0F);
 }
 
-/// Draws what is hidden of the lines faintly, then what is seen.
+/// Draws the hidden parts of the lines faintly, then the visible parts.
 void SceneRenderer::Impl::draw_lines(const glm::dvec3& eye, std::span<const Line> lines) {
   std::vector<Corner> ends;
   for (const Line& line : lines) {

@@ -12,7 +12,7 @@ namespace {
 using culler::PolygonSoup;
 using glm::dvec3;
 
-// Coordinates up to here keep their place: the spacing of floats is 1/128 there, and what is exact in the file stays exact.
+// Float coordinates up to here are not recentred: their spacing is at most 1/128, and exact values stay exact.
 constexpr double kNearOrigin = 65536;
 
 Extent extent_of(const std::vector<dvec3>& vertices) {
@@ -31,8 +31,8 @@ bool stays_exact(const dvec3& v) {
   return true;
 }
 
-/// What is subtracted before coordinates are narrowed to float: nothing where they are floats already, else the centre of
-/// the model in whole units, which leaves the fractions of the coordinates alone.
+/// The point subtracted before coordinates are converted to float. Zero if they are floats already; else the centre of the
+/// model in whole units, which keeps the fractions of the coordinates.
 dvec3 choose_centre(const std::vector<dvec3>& vertices, const Extent& extent) {
   if (std::ranges::all_of(vertices, stays_exact)) return {0, 0, 0};
   return glm::round(0.5 * extent.min + 0.5 * extent.max);
@@ -57,7 +57,7 @@ void add_fan(TriangleList& list, const PolygonSoup& soup, std::size_t polygon) {
 }  // namespace
 
 TriangleList make_triangle_list(const PolygonSoup& soup) {
-  // Every polygon has two triangles fewer than corners.
+  // A polygon with n corners has n - 2 triangles.
   const std::size_t corners = 3 * (soup.indices.size() - 2 * soup.size());
   if (corners > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     throw std::runtime_error("the model has more triangles than OpenGL can number");

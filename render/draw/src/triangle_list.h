@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The polygons as OpenGL gets them.
+// The polygons as OpenGL receives them.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace occlude::render {
 
-/// One corner of a triangle. Corners are not shared through an index buffer: llvmpipe draws many short ranges of plain
-/// corners some 10 % faster than indexed ones, even of quads.
+/// One corner of a triangle. Corners are not shared through an index buffer: llvmpipe draws many short ranges about 10 %
+/// faster without one, even for quads.
 struct Corner {
   std::array<float, 3> position;  ///< relative to the list's centre
   Rgba colour;
@@ -22,7 +22,7 @@ struct Corner {
 };
 static_assert(sizeof(Corner) == 20);
 
-/// The fans of all polygons, three corners a triangle.
+/// The fan triangulations of all polygons, three corners per triangle.
 struct TriangleList {
   glm::dvec3 centre{0, 0, 0};
   Extent extent;  ///< of the vertices, in model space
@@ -30,9 +30,9 @@ struct TriangleList {
   std::vector<std::uint32_t> first = {0};  ///< polygon p owns corners [first[p], first[p + 1])
 };
 
-/// The colour of a polygon, from nothing but its plane. Level ground and gentle slopes are green-grey, steeper ones roof
-/// tiles, walls brick and stucco with one tone a plane; lit by a sun in the south-west, both sides alike. The same on every
-/// machine.
+/// The colour of a polygon, which depends on its plane alone. Level ground and gentle slopes are green-grey, steeper ones
+/// roof tiles, walls brick and stucco with one shade per plane; the sun is in the south-west, and both sides look alike. It
+/// is the same on every machine.
 [[nodiscard]] Rgba polygon_colour(const culler::PolygonSoup& soup, std::size_t polygon);
 
 /// Throws std::runtime_error for more triangles than OpenGL can number.

@@ -44,7 +44,7 @@ class SceneReader {
   SceneReader(const std::filesystem::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
 
   PolygonSoup read() {
-    // A stack of our own: the depth of the tree is up to the file.
+    // An explicit stack: the file decides how deep the tree is.
     std::vector<Placed> stack = {{scene_.mRootNode, glm::dmat4(1)}};
     while (!stack.empty()) {
       const auto [node, parent] = stack.back();
@@ -66,7 +66,7 @@ class SceneReader {
     throw InputError(fmt::format("{}: mesh {}: {} {}: {}", file_.string(), mesh, what, index, reason));
   }
 
-  /// Not a point or a line.
+  /// False for points and lines.
   static bool is_polygon(const aiFace& face) { return face.mNumIndices >= 3; }
 
   void add_mesh(unsigned index, const glm::dmat4& transform) {
@@ -83,7 +83,7 @@ class SceneReader {
     if (const auto fault = loop_fault(loop, scene_.mMeshes[mesh]->mNumVertices)) fail(mesh, "face", index, *fault);
   }
 
-  /// Those that a polygon has: an importer may make up any number of others from a short file.
+  /// Only the vertices that polygons use: an importer can create any number of others from a short file.
   void add_vertices(unsigned index, const glm::dmat4& transform) {
     const aiMesh& mesh = *scene_.mMeshes[index];
     places_.assign(mesh.mNumVertices, kNowhere);
@@ -115,22 +115,22 @@ class SceneReader {
   const std::filesystem::path& file_;
   const aiScene& scene_;
   PolygonSoup soup_;
-  std::vector<std::int64_t> places_;  ///< of the mesh's vertices in the soup
+  std::vector<std::int64_t> places_;  ///< indices of the mesh's vertices in the soup
   std::vector<std::int64_t> loop_;
 };
 
-// Limits of the import library. Importers need some twenty times the size of a file, 3MF, which is compressed, a hundred,
-// and read megabytes a second.
+// Limits of the import library. Importers need about twenty times the size of a file (3MF, which is compressed, a hundred
+// times), and read megabytes per second.
 constexpr std::uint64_t kMemory = std::uint64_t{256} << 20U, kMemoryPerByte = 128;
 constexpr std::uint64_t kSeconds = 20, kBytesPerSecond = 100'000;
 
 ChildLimits limits_for(std::uint64_t bytes) {
-  // This process holds the model as well, once it is handed over.
+  // Half of the memory: this process holds the model too, once it is handed over.
   return {std::min(kMemory + kMemoryPerByte * bytes, most_memory() / 2), kSeconds + bytes / kBytesPerSecond};
 }
 
-/// Opens what an importer asks for, regular files only (a pipe would keep it waiting), and lets it have the more memory and
-/// time the more it opens: a file may refer to larger ones.
+/// Opens files for an importer: regular files only, because a pipe would keep it waiting. Raises the limits with each file
+/// opened, because a model may refer to larger files.
 class CountedFiles : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* file) const override {
@@ -143,14 +143,14 @@ class CountedFiles : public Assimp::DefaultIOSystem {
       const std::uint64_t size = require_readable(file);
       if (seen_.insert(file).second) change_limits(limits_for(bytes_ += size));
     } catch (const InputError& error) {
-      // Without files that are not there importers may well do.
+      // Importers can do without missing files.
       if (fault_.empty() && Exists(file)) fault_ = error.what();
       return nullptr;
     }
     return DefaultIOSystem::Open(file, mode);
   }
 
-  /// Why a file that is there could not be opened; empty when all could.
+  /// Why an existing file could not be opened; empty if all could.
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
@@ -164,10 +164,10 @@ PolygonSoup import(const std::filesystem::path& file) {
   auto* const files = new CountedFiles;  // owned by the importer
   importer.SetIOHandler(files);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  constexpr unsigned kNoPostProcessing = 0;  // above all no triangulation
+  constexpr unsigned kNoPostProcessing = 0;  // in particular no triangulation
   const aiScene* const scene = importer.ReadFile(file.string(), kNoPostProcessing);
   try {
-    // It keeps what importers throw; that memory ran out is not the file's text to tell.
+    // Assimp stores what importers throw. Running out of memory is our error, not one of the file.
     if (importer.GetException()) std::rethrow_exception(importer.GetException());
   } catch (const std::bad_alloc&) {
     throw;
@@ -181,8 +181,8 @@ PolygonSoup import(const std::filesystem::path& file) {
   return SceneReader(file, *scene).read();
 }
 
-// What a child process hands over: four arrays, each as its length and its items. The first is the message of an
-// InputError, empty when there was none; the others are a soup's.
+// The child process hands over four arrays, each as its length and its items: the message of an InputError, empty if there
+// was none, and the three arrays of a soup.
 
 template <class Items>
 void put(std::FILE* out, const Items& items) {
@@ -192,7 +192,7 @@ void put(std::FILE* out, const Items& items) {
   if (!is_written) throw std::runtime_error("a temporary file cannot be written");
 }
 
-/// What a child has written that may have damaged its own memory before.
+/// Reads the result of a child that may have corrupted its own memory.
 class Handover {
  public:
   explicit Handover(std::FILE* file) : file_(file) {
@@ -212,7 +212,7 @@ class Handover {
     return items;
   }
 
-  [[noreturn]] static void fail() { throw ChildFailure("damages what it reads", false); }
+  [[noreturn]] static void fail() { throw ChildFailure("returns damaged data", false); }
 
  private:
   void take(void* to, std::size_t bytes) {
@@ -222,7 +222,7 @@ class Handover {
   }
 
   std::FILE* file_;
-  std::uint64_t left_;  ///< bytes behind the place in the file
+  std::uint64_t left_;  ///< bytes left in the file
 };
 
 void hand_over(const std::filesystem::path& file, std::FILE* out) {
@@ -242,7 +242,7 @@ void hand_over(const std::filesystem::path& file, std::FILE* out) {
 PolygonSoup take_over(std::FILE* in) {
   Handover handover(in);
   if (const auto failure = handover.take<std::string>(); !failure.empty()) throw InputError(failure);
-  // Added anew, so that nothing is believed.
+  // The soup is rebuilt polygon by polygon, with every check.
   PolygonSoup soup;
   soup.vertices = handover.take<std::vector<glm::dvec3>>();
   if (std::ranges::any_of(soup.vertices, [](const glm::dvec3& v) { return vertex_fault(v).has_value(); })) Handover::fail();

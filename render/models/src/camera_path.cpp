@@ -19,8 +19,8 @@ dvec3 catmull_rom(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d
   return (1 + 2 * t) * u * u * b + t * u * u * tangent_b + t * t * (3 - 2 * t) * c - t * t * u * tangent_c;
 }
 
-/// The keyframe at `index`, which may lie one off either end: there the path goes on as the mirror image of its first or
-/// last segment, so that two keyframes give a straight line.
+/// The keyframe at `index_plus_one` - 1, which may be one beyond either end. There the path continues as the mirror image of
+/// its first or last segment, so that two keyframes give a straight line.
 CameraPath::Keyframe extended(const std::vector<CameraPath::Keyframe>& keys, std::size_t index_plus_one) {
   if (index_plus_one == 0) return {2.0 * keys[0].eye - keys[1].eye, 2.0 * keys[0].target - keys[1].target};
   if (index_plus_one <= keys.size()) return keys[index_plus_one - 1];
@@ -31,7 +31,7 @@ CameraPath::Keyframe extended(const std::vector<CameraPath::Keyframe>& keys, std
 }  // namespace
 
 culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
-  // In whole numbers, so that a frame on a keyframe lies on it exactly.
+  // In integers, so that a frame on a keyframe is exactly there.
   const std::size_t steps = frame * (keyframes.size() - 1);
   const std::size_t segment = std::min(steps / (frames - 1), keyframes.size() - 2);
   const double t = static_cast<double>(steps - segment * (frames - 1)) / static_cast<double>(frames - 1);

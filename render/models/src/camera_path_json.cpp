@@ -21,10 +21,10 @@ namespace {
 using culler::Projection;
 using nlohmann::json;
 
-// Nine hours at 30 frames a second. Every frame's camera is checked while reading, so the number must have a bound.
+// Nine hours at 30 frames per second. The reader checks the camera of every frame, so the number must be bounded.
 constexpr std::uint64_t kMostFrames = 1'000'000;
 
-/// Takes the members of a path out of its JSON. Every failure names the member.
+/// Reads the members of a path from JSON. Every error names the member.
 class PathReader {
  public:
   explicit PathReader(const std::filesystem::path& file) : file_(file), root_(read_json(file)) {
@@ -92,7 +92,7 @@ class PathReader {
     return vector(required(keyframe, member, full_name), full_name);
   }
 
-  /// The index of the member's value in {first, second}, 0 without the member.
+  /// The index of the member's value in {first, second}; 0 if there is no such member.
   int choice(const char* member, std::string_view first, std::string_view second) const {
     if (!root_.contains(member)) return 0;
     const json& value = root_[member];

@@ -11,7 +11,7 @@
 namespace occlude::render {
 namespace {
 
-// The kernel is exact for magnitudes between these, 2^-100 and 2^100.
+// The kernel is exact for magnitudes from 2^-100 to 2^100.
 constexpr double kSmallest = 0x1p-100;
 constexpr double kLargest = 0x1p+100;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every model must satisfy, whatever format it comes in.
+// The checks on models of every format.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 
 namespace occlude::render {
 
-/// Why `v` cannot be a vertex: a coordinate not finite, or neither 0 nor of magnitude in [2^-100, 2^100].
+/// Why `v` is not a legal vertex: a coordinate is not finite, or not 0 and outside [2^-100, 2^100] in magnitude.
 [[nodiscard]] std::optional<std::string> vertex_fault(const glm::dvec3& v);
 
-/// Why `loop` (indices from 0) cannot be a polygon over `vertices` vertices: fewer than three indices, or one out of range.
-/// Repeated indices and zero area are legal soup. `base` is what the file calls the first vertex, 0 or 1.
+/// Why `loop` (indices from 0) is not a legal polygon over `vertices` vertices: it has fewer than three indices, or one is
+/// out of range. Repeated indices and zero area are legal. `base` is the number of the first vertex in the file, 0 or 1.
 [[nodiscard]] std::optional<std::string> loop_fault(std::span<const std::int64_t> loop, std::size_t vertices, int base = 0);
 
-/// Adds a loop without fault.
+/// Adds a polygon. REQUIRES: no loop_fault.
 void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop);
 
-/// Throws InputError for a model without polygons or with more than 32-bit indices can number.
+/// Throws InputError for a model without polygons, or with too many for 32-bit indices.
 void require_usable(const std::filesystem::path& file, const culler::PolygonSoup& soup);
 
 }  // namespace occlude::render

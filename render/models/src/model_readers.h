@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The readers of the formats.
+// One reader per format.
 #pragma once
 
 #include <filesystem>
@@ -8,20 +8,20 @@
 
 namespace occlude::render {
 
-// All throw InputError as read_model does.
+// All throw InputError like read_model.
 
-/// Polygons from PLY files: ascii and binary, any order of elements and properties, whatever else they carry skipped. Takes
-/// x, y, z of element `vertex` and the list vertex_indices (or vertex_index) of element `face`.
+/// PLY, ascii and binary, elements and properties in any order. Uses x, y, z of element `vertex` and the list vertex_indices
+/// (or vertex_index) of element `face`; skips everything else.
 [[nodiscard]] culler::PolygonSoup read_ply(const std::filesystem::path& file);
 
-/// Polygons from Wavefront OBJ files: the statements `v` and `f`; all others are ignored. Our own reader, because
-/// tinyobjloader 2.0 rounds every second coordinate wrongly, cuts polygons down to their number of sides modulo 256 and
-/// takes what is not a number for 0. The error names the line.
+/// Wavefront OBJ: the statements `v` and `f`; all others are ignored. We have our own reader because tinyobjloader 2.0
+/// rounds every second coordinate wrongly, truncates polygons to their number of sides modulo 256, and reads invalid numbers
+/// as 0. Errors name the line.
 [[nodiscard]] culler::PolygonSoup read_obj(const std::filesystem::path& file);
 
-/// Polygons from glTF, COLLADA, STL and whatever else the Assimp library reads: every polygon of every mesh, once for each
-/// node that shows it; points and lines are left out. Coordinates and up direction stay the file's own. The error names the
-/// mesh and its face.
+/// glTF, COLLADA, STL and the other formats of the Assimp library: every polygon of every mesh, once for each node that uses
+/// the mesh. Points and lines are skipped. Coordinates and up direction are those of the file. Errors name the mesh and the
+/// face.
 [[nodiscard]] culler::PolygonSoup read_with_assimp(const std::filesystem::path& file);
 
 }  // namespace occlude::render

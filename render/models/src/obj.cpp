@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kBase = 1;  // OBJ counts vertices from 1
 
-/// Takes the first word off `text`; empty at its end.
+/// Removes the first word of `text` and returns it; empty at the end.
 std::string_view next_word(std::string_view& text) {
   constexpr std::string_view kBlank = " \t";
   text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
@@ -30,7 +30,7 @@ std::string_view next_word(std::string_view& text) {
 class ObjReader {
  public:
   explicit ObjReader(const std::filesystem::path& file) : file_(file), bytes_(read_input(file)), rest_(bytes_) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors write it at the start
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
 
@@ -42,16 +42,16 @@ class ObjReader {
   }
 
  private:
-  /// A face may name vertices that come behind it, so faces are checked at the end.
+  /// A face may use vertices that follow it, so faces are checked at the end.
   struct Face {
-    std::size_t line, first;  ///< its indices begin at indices_[first]
+    std::size_t line, first;  ///< its first index is indices_[first]
   };
 
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const {
     throw InputError(fmt::format("{}:{}: {}", file_.string(), line, reason));
   }
 
-  /// The next statement, lines that end in a backslash joined with the next. line_ is its first line.
+  /// The next statement. Lines that end in a backslash continue on the next line. line_ is the first line.
   std::string_view next_statement() {
     line_ = next_line_;
     std::string_view part = take_line();
@@ -65,12 +65,12 @@ class ObjReader {
     return joined_.append(part);
   }
 
-  /// Lines end in any system's way: LF, CR LF or CR.
+  /// Lines end in LF, CR LF or CR.
   std::string_view take_line() {
     const std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
     rest_.remove_prefix(line.size());
     rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, rest_.size()));
-    if (line.find('\0') != line.npos) fail(next_line_, "a zero byte: this is no text");
+    if (line.find('\0') != line.npos) fail(next_line_, "zero byte: this is not a text file");
     ++next_line_;
     return line;
   }
@@ -99,14 +99,14 @@ class ObjReader {
   void read_face(std::string_view arguments) {
     faces_.push_back({line_, indices_.size()});
     for (auto word = next_word(arguments); !word.empty() && word[0] != '#'; word = next_word(arguments)) {
-      // Behind a slash come indices of texture coordinates and normals.
+      // After a slash come indices of texture coordinates and normals.
       const auto number = parse_number<std::int64_t>(word.substr(0, word.find('/')));
       if (!number) fail(line_, "expected a vertex index, an integer of at most 64 bits");
       indices_.push_back(from_zero(*number));
     }
   }
 
-  /// Indices count from 1, or backwards from the last vertex so far, -1.
+  /// Indices count from 1. Negative indices count backwards: -1 is the last vertex so far.
   [[nodiscard]] std::int64_t from_zero(std::int64_t index) const {
     if (index > 0) return index - kBase;
     const std::int64_t resolved = static_cast<std::int64_t>(soup_.vertices.size()) + index;

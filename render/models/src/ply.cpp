@@ -37,7 +37,7 @@ void read_vertices(ValueReader& values, const Element& element, PolygonSoup& sou
 
 void read_loop(ValueReader& values, const Property& property, std::vector<std::int64_t>& loop) {
   const std::int64_t count = values.integer(*property.count);
-  if (count < 0) values.fail("a list of negative length");
+  if (count < 0) values.fail("the list has a negative length");
   loop.clear();
   for (std::int64_t i = 0; i < count; ++i) loop.push_back(values.integer(property.type));
 }
@@ -73,7 +73,7 @@ void skip_element(ValueReader& values, const Element& element) {
   }
 }
 
-/// Checks that the header declares what is read from the elements `vertex` and `face`.
+/// Checks that the header declares the properties of `vertex` and `face` that we read.
 void require_declarations(const std::filesystem::path& file, const Header& header) {
   const Element* const vertex = header.find("vertex");
   if (vertex == nullptr) throw InputError(file.string() + ": no element vertex");

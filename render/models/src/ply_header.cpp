@@ -26,10 +26,10 @@ constexpr std::array<ScalarName, 8> kScalars = {{{"char", "int8", Scalar::int8, 
                                                  {"float", "float32", Scalar::float32, 4},
                                                  {"double", "float64", Scalar::float64, 8}}};
 
-// Elements of a file and properties of an element; real files have a dozen. It bounds the search for repeated names.
+// Most elements in a file, and properties in an element. Real files have a dozen. Bounds the search for repeated names.
 constexpr std::size_t kMostDeclarations = 1000;
 
-/// The first words of a line: enough to tell a statement, of which the longest has five, from what has more.
+/// The first six words of a line. The longest statement has five, so longer lines are recognised.
 std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view kBlank = " \t";
   constexpr std::size_t kMostWords = 6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The header of a PLY file: which elements follow, and how their values are written.
+// The header of a PLY file: the elements that follow and the encoding of their values.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace occlude::render::ply {
 enum class Encoding { ascii, binary_little_endian, binary_big_endian };
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-/// Bytes of a value in the binary encodings.
+/// The size of a value in the binary encodings, bytes.
 [[nodiscard]] std::size_t size_of(Scalar type);
 [[nodiscard]] bool is_integer(Scalar type);
 
 struct Property {
   std::string name;
   Scalar type;                  ///< of the value, or of the items of a list
-  std::optional<Scalar> count;  ///< of the length in front of a list; none: a single value
+  std::optional<Scalar> count;  ///< type of a list's length; none for a single value
 };
 
 struct Element {
@@ -36,13 +36,13 @@ struct Element {
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements;
-  std::size_t bytes = 0;  ///< length of the header: where the data begins
+  std::size_t bytes = 0;  ///< length of the header; the data starts there
   std::size_t lines = 0;  ///< of the header
 
   [[nodiscard]] const Element* find(std::string_view element) const;
 };
 
-/// Throws InputError naming `file` and the line for anything but a well-formed header.
+/// Throws InputError, naming `file` and the line, unless the header is well-formed.
 [[nodiscard]] Header read_header(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace occlude::render::ply

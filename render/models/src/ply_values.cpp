@@ -16,7 +16,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-/// The least number of bytes that hold one value: a digit and a blank in text.
+/// The fewest bytes of one value; in text a digit and a blank.
 std::size_t least_bytes(Encoding encoding, Scalar type) { return encoding == Encoding::ascii ? 2 : size_of(type); }
 
 }  // namespace
@@ -35,7 +35,7 @@ void ValueReader::expect_room_for(const Element& element) const {
   std::size_t least = 0;
   for (const Property& property : element.properties)
     least += least_bytes(encoding_, property.count.value_or(property.type));
-  // The last value of a text need not have a blank behind it.
+  // In text no blank needs to follow the last value.
   const std::size_t room = rest_.size() + (encoding_ == Encoding::ascii ? 1 : 0);
   if (least != 0 && element.count > room / least) {
     throw InputError(fmt::format("{}: {} of element \"{}\" are declared, but the file is too short for them", file_.string(),
@@ -116,7 +116,7 @@ std::int64_t ValueReader::integer(Scalar type) {
 
 void ValueReader::skip(const Property& property) {
   const std::int64_t items = property.count ? integer(*property.count) : 1;
-  if (items < 0) fail("a list of negative length");
+  if (items < 0) fail("the list has a negative length");
   if (encoding_ == Encoding::ascii) {
     for (std::int64_t i = 0; i < items; ++i) static_cast<void>(token());
   } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values that follow the header of a PLY file, in any of its three encodings.
+// The values after the header of a PLY file, in any of the three encodings.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace occlude::render::ply {
 
-/// Takes one value after another. Throws InputError naming the file and, in text, the line, when there is none.
+/// Reads one value after another. Throws InputError, naming the file and, in text, the line, if there is none.
 class ValueReader {
  public:
   ValueReader(const std::filesystem::path& file, const Header& header, std::string_view bytes);
@@ -19,14 +19,14 @@ class ValueReader {
   [[nodiscard]] double real(Scalar type);
   /// REQUIRES: is_integer(type).
   [[nodiscard]] std::int64_t integer(Scalar type);
-  /// Passes over `property` of one element.
+  /// Skips `property` of one element.
   void skip(const Property& property);
 
-  /// Throws unless the rest of the file can hold `element`. To be called before anything is allocated for it.
+  /// Throws if the rest of the file is too short for `element`. Call this before allocating memory for it.
   void expect_room_for(const Element& element) const;
-  /// Throws when anything but blanks in text follows.
+  /// Throws if anything follows, except blanks in text.
   void expect_end();
-  /// What is being read, for messages: "face 17".
+  /// Sets what is being read, for messages: "face 17".
   void enter(const Element& element, std::size_t index) { element_ = &element, index_ = index; }
   /// The file and the place in it: "model.ply: face 17" or, in text, "model.ply:40: face 17".
   [[nodiscard]] std::string place() const;

@@ -30,7 +30,7 @@ std::string comment_lines(std::string_view text) {
   return lines;
 }
 
-/// Bytes of the length in front of a loop: one, or four where a polygon has more than 255 vertices.
+/// The size of a list's length, bytes: one, or four if a polygon has more than 255 vertices.
 std::size_t length_bytes(const PolygonSoup& soup) {
   for (std::size_t p = 0; p < soup.size(); ++p) {
     if (soup.loop(p).size() > 0xFF) return 4;
@@ -48,7 +48,7 @@ std::string header(const PolygonSoup& soup, const std::string& comment) {
 }  // namespace
 
 void write_ply(OutputFile& file, const PolygonSoup& soup, const std::string& comment) {
-  // Written in pieces of about a megabyte: memory stays small, and Ctrl-C is heard.
+  // Written in blocks of about 1 MiB, to save memory and to react to Ctrl-C.
   constexpr std::size_t kPiece = 1U << 20U;
   std::string out = header(soup, comment);
   const std::size_t length = length_bytes(soup);

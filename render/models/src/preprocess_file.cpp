@@ -20,7 +20,7 @@
 namespace occlude::render {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "numbers are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "numbers are written in their memory layout");
 
 constexpr std::string_view kMagic = "occlude preprocess\n";
 
@@ -33,7 +33,7 @@ std::uint32_t crc_of(const std::vector<T>& values) {
   return crc(values.data(), values.size() * sizeof(T));
 }
 
-/// Tells a model from another.
+/// Identifies a model.
 using Fingerprint = std::array<std::uint32_t, 3>;
 
 Fingerprint fingerprint(const culler::PolygonSoup& soup) {
@@ -66,7 +66,7 @@ class Reader {
   [[noreturn]] void fail(const std::string& reason) const { throw InputError(file_.string() + ": " + reason); }
 
   [[nodiscard]] std::string_view take(std::size_t bytes) {
-    if (bytes > rest_.size()) fail(fmt::format("the file ends at byte {}, too early", bytes_.size()));
+    if (bytes > rest_.size()) fail(fmt::format("the file ends too early, at byte {}", bytes_.size()));
     const std::string_view taken = rest_.substr(0, bytes);
     rest_.remove_prefix(bytes);
     return taken;
@@ -80,17 +80,17 @@ class Reader {
   template <class T>
   std::vector<T> get_all() {
     const auto count = get<std::uint64_t>();
-    if (count > rest_.size() / sizeof(T)) fail(fmt::format("the file ends at byte {}, too early", bytes_.size()));
+    if (count > rest_.size() / sizeof(T)) fail(fmt::format("the file ends too early, at byte {}", bytes_.size()));
     std::vector<T> values(count);
     const std::string_view taken = take(count * sizeof(T));
     if (count != 0) std::memcpy(values.data(), taken.data(), taken.size());
     return values;
   }
-  /// The checksum, and nothing after it.
+  /// Reads the checksum and checks that nothing follows.
   void end() {
     const std::uint32_t found = crc(bytes_.data(), bytes_.size() - rest_.size());
     if (get<std::uint32_t>() != found) fail("the checksum is wrong: the file is damaged");
-    if (!rest_.empty()) fail("something follows the end of the file's data");
+    if (!rest_.empty()) fail("there is data after the checksum");
   }
 
  private:
@@ -123,10 +123,10 @@ void write_preprocess(OutputFile& file, const culler::PolygonSoup& soup, const c
 culler::Preprocess read_preprocess(const std::filesystem::path& file, const culler::PolygonSoup& soup) {
   const std::string bytes = read_input(file);
   Reader reader(file, bytes);
-  if (!bytes.starts_with(kMagic)) reader.fail("no file of occlude preprocess");
+  if (!bytes.starts_with(kMagic)) reader.fail("not a file of occlude preprocess");
   static_cast<void>(reader.take(kMagic.size()));
   if (const auto version = reader.get<std::uint32_t>(); version != kPreprocessVersion) {
-    reader.fail(fmt::format("version {} of the format; this program reads version {}: preprocess the model again", version,
+    reader.fail(fmt::format("format version {}, but this program reads version {}: preprocess the model again", version,
                             kPreprocessVersion));
   }
   const auto model = reader.get<Fingerprint>();
@@ -144,8 +144,8 @@ culler::Preprocess read_preprocess(const std::filesystem::path& file, const cull
   lists.occluders = reader.get_all<std::uint32_t>();
   lists.hidden = reader.get_all<float>();
   reader.end();
-  if (model != fingerprint(soup)) reader.fail("made of another model: preprocess this one");
-  if (bounds > 1 || shells > 1) reader.fail("a setting that cannot be right");
+  if (model != fingerprint(soup)) reader.fail("made from another model: preprocess this one");
+  if (bounds > 1 || shells > 1) reader.fail("invalid setting");
   return result;
 }
 

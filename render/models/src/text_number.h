@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers in text files, read the same in every locale.
+// Numbers in text files, independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -11,8 +11,8 @@
 
 namespace occlude::render {
 
-/// The number that is all of `token`, correctly rounded; nothing if it is not one, or an integer that T cannot hold. A real
-/// number that T cannot hold comes as T's largest value, which every range check of the readers refuses.
+/// The value of `token`, correctly rounded; nothing if the token is not a number, or an integer out of T's range. A real
+/// number out of T's range becomes T's largest value, which the range checks of the readers refuse.
 template <class T>
 [[nodiscard]] std::optional<T> parse_number(std::string_view token) {
   if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1);

@@ -12,7 +12,7 @@
 namespace occlude::render {
 namespace {
 
-// The drawing's own coordinates, scaled by the page to its width.
+// Coordinates of the drawing; the page scales it to its width.
 constexpr double kWidth = 960, kLeft = 86, kRight = 44, kTop = 12, kBottom = 44, kLegendRow = 22;
 
 /// A round step (1, 2 or 5 times a power of ten) that divides `range` into about five.
@@ -24,11 +24,11 @@ double round_step(double range) {
   return 10 * power;
 }
 
-/// Where values lie along one side of the drawing, and which of them are written there.
+/// Maps values to one side of the drawing, and lists the values labelled there.
 struct Side {
   Scale scale = Scale::linear;
   double low = 0, high = 1;
-  double from = 0, to = 1;  ///< the drawing's coordinates of low and high
+  double from = 0, to = 1;  ///< coordinates of low and high
   std::vector<double> ticks;
 
   [[nodiscard]] double place(double value) const {
@@ -40,12 +40,12 @@ struct Side {
 
 std::vector<double> round_values(double low, double high, double step) {
   std::vector<double> values;
-  // Multiples of the step, so that no rounding adds up: 0.3, not 0.30000000000000004.
+  // Multiples of the step, so that rounding does not accumulate: 0.3, not 0.30000000000000004.
   for (double i = std::ceil(low / step); i * step <= high + step * 1e-9; ++i) values.push_back(i * step);
   return values;
 }
 
-/// 1, 2 and 5 times the powers of ten; the powers alone where those would be too many.
+/// 1, 2 and 5 times the powers of ten; the powers alone if those are too many.
 std::vector<double> round_values_by_ratio(double low, double high) {
   std::vector<double> values;
   const bool is_wide = high / low > 1000;
@@ -77,7 +77,7 @@ Side y_side(Scale scale, const std::vector<Series>& series, double from, double 
     side.high = std::ceil(side.high / step) * step;
     side.ticks = round_values(0, side.high, step);
   } else {
-    side.low = low / 1.2;  // a little room: the ends of the lines are not on the frame
+    side.low = low / 1.2;  // a little room above and below the lines
     side.high = high * 1.2;
     side.ticks = round_values_by_ratio(side.low, side.high);
   }
@@ -112,7 +112,7 @@ std::string polyline(const Side& x_axis, const Side& y_axis, const std::vector<d
   return fmt::format(R"(<polyline points="{}" stroke="{}"/>)", points, series.colour) + dots;
 }
 
-/// Adds to `top` the height of the rows that it needs.
+/// Adds the height of its rows to `top`.
 std::string legend(const std::vector<Series>& series, double& top) {
   std::string svg;
   double x = kLeft;

@@ -23,7 +23,7 @@ std::size_t total(const WalkResult& result, std::size_t FrameRecord::*member) {
   return sum;
 }
 
-/// Null where it is none.
+/// Null if it is empty.
 template <class Number>
 Json if_known(const std::optional<Number>& number) {
   return number ? Json(*number) : Json();
@@ -39,7 +39,7 @@ Json operations(const kernel::Operations& counted) {
           {"cross_per_test", each(counted.cross)}};
 }
 
-/// Null where there is no limit.
+/// Null if there is no limit.
 template <class Number>
 Json if_limited(Number most) {
   const bool is_limited = most < std::numeric_limits<Number>::max();
@@ -50,7 +50,7 @@ std::string fps(const std::optional<double>& ms) { return ms ? fmt::format("{:.1
 
 std::string gain(const std::optional<double>& ratio) { return ratio ? fmt::format("{:+.0f} %", 100 * (*ratio - 1)) : "-"; }
 
-/// Table 2 of the paper beside this run.
+/// Table 2 of the paper beside the figures of this run.
 std::string table2_text(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   return fmt::format(
@@ -58,7 +58,7 @@ std::string table2_text(const Summary& summary) {
       "                                  polygons      fps      polygons      fps\n"
       "view-frustum culling            {:>10.0f} {:>8}        49,196      3.6\n"
       "with occlusion culling          {:>10.0f} {:>8}        29,749      5.6\n"
-      "drawing only what shows         {:>10} {:>8}             -        -\n"
+      "drawing only visible polygons   {:>10} {:>8}             -        -\n"
       "polygons culled                 {:>9.1f} %                 39.5 %\n"
       "speedup                         {:>19}                      +55 %\n"
       "  limit by polygons drawn       {:>19}                      +65 %\n",

@@ -25,7 +25,7 @@ std::string fact(const std::string& value, const std::string& what, bool bad = f
   return fmt::format(R"(<div class="fact{}"><b>{}</b>{}</div>)", bad ? " bad" : "", value, what);
 }
 
-/// What a reader wants to know first.
+/// The main results.
 std::string facts(const Summary& summary) {
   std::string html = R"(<div class="facts">)";
   html += fact(percent(summary.culled_share), "of the polygons in the view frustum culled");
@@ -84,7 +84,7 @@ std::string table2_html(const Summary& summary) {
       R"(<div class="wide"><table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
 <tr><td>View-frustum culling</td><td>{}</td><td>{}</td><td>49,196</td><td>3.6</td></tr>
 <tr><td>With occlusion culling</td><td>{}</td><td>{}</td><td>29,749</td><td>5.6</td></tr>
-<tr><td>Drawing only what shows</td><td>{}</td><td>{}</td><td>&ndash;</td><td>&ndash;</td></tr>
+<tr><td>Drawing only visible polygons</td><td>{}</td><td>{}</td><td>&ndash;</td><td>&ndash;</td></tr>
 <tr><td>Polygons culled; speedup</td><td>{:.1f} %</td><td>{}</td><td>39.5 %</td><td>+55 %</td></tr>
 <tr><td>Limit of the speedup: ratio of polygons drawn</td><td></td><td>{}</td><td></td><td>+65 %</td></tr>
 <tr><td>Limit of the speedup: drawing only what is visible</td><td></td><td>{}</td><td></td><td>&ndash;</td></tr>

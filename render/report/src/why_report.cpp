@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As append_view_frustum orders them.
+/// In the order of append_view_frustum.
 constexpr std::array<const char*, 6> kViewPlanes{"left", "right", "bottom", "top", "near", "far"};
 
 std::string text_of(const kernel::Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
@@ -37,7 +37,7 @@ double distance(const glm::dvec3& eye, const kernel::Aabb& box) {
   return glm::distance(eye, glm::clamp(eye, low, high));
 }
 
-/// The polygons of the model that the occluder is drawn as.
+/// The polygons of the model that form the occluder.
 std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32_t occluder) {
   std::vector<std::uint32_t> polygons;
   for (const std::uint32_t part : culler.occluders().parts(occluder)) {
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32
   return polygons;
 }
 
-/// An occluder among PotentialOccluders, in words.
+/// A potential occluder in words.
 std::string text_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
   constexpr std::size_t kListed = 6;
   const std::vector<std::uint32_t> polygons = polygons_of(culler, occluder);
@@ -63,7 +63,7 @@ Json json_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
   return {{"polygons", polygons_of(culler, occluder)}, {"shell", culler.occluders().is_shell(occluder)}};
 }
 
-/// The edge of the silhouette that plane `plane` of the shadow is through; none of the near side.
+/// The silhouette edge of plane `plane` of the shadow; none for the near side.
 std::optional<std::array<kernel::Vec3, 2>> edge_of(const kernel::ShadowFrustum& shadow, std::size_t plane) {
   if (plane < shadow.near_count()) return std::nullopt;
   const auto corners = shadow.silhouette();
@@ -80,30 +80,30 @@ std::string text_of_plane(const kernel::ShadowFrustum& shadow, std::size_t plane
 const char* why_missed(culler::Missed reason) {
   switch (reason) {
     case culler::Missed::out_of_view:
-      return "it is out of view itself, and its leaf is not";
+      return "the polygon is out of view, but its leaf is not";
     case culler::Missed::coarse_node:
-      return "its own box is hidden, the box of its leaf is not: the leaf is too coarse";
+      return "its own box is hidden, but the box of its leaf is not: the leaf is too coarse";
     case culler::Missed::straddling_box:
-      return "it is in that shadow, its box is not: the box straddles";
+      return "the polygon is in that shadow, but its box straddles it";
     case culler::Missed::several:
-      return "each of its corners is in the shadow of an occluder, and no shadow has all of them: several hide it together";
+      return "each of its corners is in a shadow, but no shadow contains all of them: several occluders hide it together";
     case culler::Missed::not_chosen:
-      return "it is in the shadow of an occluder that was listed, and not chosen";
+      return "it is in the shadow of an occluder that was listed but not chosen";
     case culler::Missed::no_single_one:
-      return "no listed occluder hides it alone, or it is seen between pixels";
+      return "no listed occluder hides it alone, or it is visible between pixels";
     case culler::Missed::beyond_picture:
-      return "its box reaches out of the coarse picture, or before the near plane";
+      return "its box extends beyond the coarse picture, or in front of the near plane";
     case culler::Missed::over_budget:
-      return "it would be hidden if the frame had drawn all that is seen into its picture: the budget was spent";
+      return "it would be hidden if the frame had drawn all visible polygons into its picture: the budget was spent";
     case culler::Missed::open_pixel:
-      return "a pixel of its box is open: a border runs there, or nothing closes it";
+      return "a pixel of its box is open: a border crosses it, or no polygon covers it";
     case culler::Missed::not_behind:
-      return "what closes the pixels of its box is not nearer than the box";
+      return "the polygons that cover the pixels of its box are not nearer than the box";
   }
   return "";
 }
 
-/// Of how many of the shadows that a drawn polygon is not in one learns.
+/// The number of nearest shadows listed for a drawn polygon.
 constexpr std::size_t kNearest = 3;
 
 enum class Became { drawn, out_of_view, in_shadow };
@@ -150,8 +150,8 @@ class Text {
     add("  {} sides, in the box {} - {}, {:.6g} from the eye", soup.loop(account_.polygon).size(), text_of(box.min),
         text_of(box.max), distance(frame_.camera().eye, box));
     const std::string size = fmt::format("{}x{}", frame_.options().width, frame_.options().height);
-    if (account_.pixels == 0) add("  it shows in no pixel of {}, were nothing culled", size);
-    if (account_.pixels != 0) add("  it shows in {} pixels of {}", account_.pixels, size);
+    if (account_.pixels == 0) add("  without culling it is visible in no pixel of {}", size);
+    if (account_.pixels != 0) add("  without culling it is visible in {} pixels of {}", account_.pixels, size);
   }
 
   void add_node() {
@@ -167,9 +167,9 @@ class Text {
     add("  by occluder {}: {}; it hides {} polygons in this frame", s.occluder, text_of_occluder(culler_, occluder.index),
         occluder.hidden);
     if (account_.shadows.size() == 1) {
-      add("  the box is in its shadow by {:.6g}, where it is nearest to {}", s.clearance.distance, plane);
+      add("  the box is inside its shadow by {:.6g}, nearest to {}", s.clearance.distance, plane);
     } else {
-      add("  the box {} {:.6g} {} {}; all of it is in both shadows together", apart < 0 ? "sticks out by" : "is inside by",
+      add("  the box {} {:.6g} {} {}; the two shadows together contain it", apart < 0 ? "sticks out by" : "is inside by",
           std::fabs(apart), apart < 0 ? "of" : "from", plane);
     }
   }
@@ -187,14 +187,14 @@ class Text {
   void add_missed(const culler::MissedReasons::Answer& missed) {
     add("  it was not culled: {}", why_missed(missed.reason));
     if (missed.occluder != culler::Culled::kNone) {
-      add("  what hides it alone: {}", text_of_occluder(culler_, missed.occluder));
+      add("  an occluder that hides it alone: {}", text_of_occluder(culler_, missed.occluder));
     }
   }
 
   void add_nearest() {
     if (frame_.result().method == culler::Method::cover) return;
     if (account_.shadows.empty()) return add("  the frame has no occluders");
-    add("  its own box to the shadows that it is nearest to:");
+    add("  its own box against the nearest shadows:");
     for (std::size_t i = 0; i < std::min(account_.shadows.size(), kNearest); ++i) {
       const AgainstShadow& s = account_.shadows[i];
       const culler::Occluder& occluder = frame_.result().occluders[s.occluder];

@@ -25,14 +25,14 @@ constexpr int kDone = 0, kFailed = 1, kOutOfMemory = 2;
 [[noreturn]] void throw_errno(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
 void restrict_self(const ChildLimits& limits) {
-  // What this process does on a crash or on Ctrl-C is not for its copy to do.
+  // The child must not run the handlers of its parent.
   for (const int signal : {SIGINT, SIGTERM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU}) {
     std::signal(signal, SIG_DFL);
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails
   limit_resource(RLIMIT_CORE, 0);
   change_limits(limits);
-  // It does not outlive who asked for it.
+  // The child must not outlive its parent.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
@@ -51,7 +51,7 @@ int work_in_child(const ChildLimits& limits, const std::function<void(std::FILE*
   }
 }
 
-/// How the child ended. Ends it when the user interrupts.
+/// Returns the exit status of the child. Kills it on Ctrl-C.
 int wait_for(pid_t child) {
   int status = 0;
   pid_t ended = 0;
@@ -78,16 +78,16 @@ File run_in_child(const ChildLimits& limits, const std::function<void(std::FILE*
   if (child < 0) throw_errno("starting a process");
   if (child == 0) _exit(work_in_child(limits, work, file.get()));
   const int status = wait_for(child);
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) throw ChildFailure("takes more time than it may have", true);
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) throw ChildFailure("exceeds its time limit", true);
   if (WIFSIGNALED(status)) throw ChildFailure("crashes", false);
-  if (WEXITSTATUS(status) == kOutOfMemory) throw ChildFailure("needs more memory than it may have", true);
+  if (WEXITSTATUS(status) == kOutOfMemory) throw ChildFailure("exceeds its memory limit", true);
   if (WEXITSTATUS(status) != kDone) throw ChildFailure("fails", false);
   std::rewind(file.get());
   return file;
 }
 
 void change_limits(const ChildLimits& limits) {
-  // Sanitizers set aside all the address space that they will ever hand out: what is written to counts as well.
+  // Sanitizers reserve all their address space at the start, so writable memory is limited as well.
   static const std::uint64_t space_before = address_space_in_use(), data_before = data_in_use();
   limit_resource(RLIMIT_AS, space_before + limits.memory_bytes);
   limit_resource(RLIMIT_DATA, data_before + limits.memory_bytes);

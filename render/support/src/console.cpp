@@ -17,7 +17,7 @@ namespace {
 
 [[noreturn]] void fail() {
   const int error = errno;
-  check_interrupt();  // ends a write that waits
+  check_interrupt();  // Ctrl-C ends a write that waits
   throw InputError("standard output: cannot be written: " + std::generic_category().message(error));
 }
 
@@ -26,7 +26,7 @@ namespace {
 void hold_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    // The lowest free number is that of the stream. Opened the wrong way round, it refuses what it is asked.
+    // open() takes the lowest free number, which is the stream's. Opened in the wrong direction, every use of it fails.
     if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) _exit(2);
   }
 }
@@ -40,7 +40,7 @@ void finish_printing() {
 }
 
 void say(std::string_view text) {
-  // A whole message is one write, which other processes on the same terminal cannot come between; stderr has no buffer.
+  // stderr is unbuffered, so a message is one write and does not mix with those of other processes.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 

@@ -26,7 +26,7 @@ Opened open(const fs::path& file, std::uint64_t most) {
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) fail(file, error ? error.message() : "no such file");
   if (fs::is_directory(status)) fail(file, "it is a directory");
-  // A pipe or device has no size to check counts against, and may never end.
+  // A pipe or device has no size, and may never end.
   if (!fs::is_regular_file(status)) fail(file, "it is not a regular file");
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) fail(file, error.message());

@@ -20,17 +20,17 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Far more than any file of ours needs, far less than recursion over a hostile one could bear.
+/// Far more than our formats need, and far less than would overflow the stack of a recursive parser.
 constexpr std::size_t kDeepest = 16;
 
-/// Behind the string that begins at `start`.
+/// The end of the string that begins at `start`.
 std::size_t end_of_string(std::string_view text, std::size_t start) {
   std::size_t i = start + 1;
   while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
   return std::min(i + 1, text.size());
 }
 
-/// Where the text goes deeper than it may. Looked for before anything is built of it.
+/// The place where the nesting exceeds the limit. Checked before parsing.
 std::optional<std::size_t> find_too_deep(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -43,14 +43,14 @@ std::optional<std::size_t> find_too_deep(std::string_view text) {
   return std::nullopt;
 }
 
-/// The string that `quoted` is in JSON.
+/// The value of the JSON string `quoted`.
 std::string unquoted(std::string_view quoted) {
   if (quoted.find('\\') != quoted.npos) return Json::parse(quoted).get<std::string>();
   return std::string(quoted.substr(1, quoted.size() - 2));
 }
 
-/// Where an object has a key that it has before: which of the values counts, nobody could say. REQUIRES: the text is JSON
-/// but for special numbers.
+/// The place of a repeated key in an object; it would be unclear which value counts. REQUIRES: the text is JSON except for
+/// special numbers.
 std::optional<std::size_t> find_repeated_key(std::string_view text) {
   std::vector<std::set<std::string>> objects;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -66,11 +66,11 @@ std::optional<std::size_t> find_repeated_key(std::string_view text) {
   return std::nullopt;
 }
 
-/// What a number that JSON cannot write is put as: NaN, Infinity, one too large for a double.
+/// The string that stands for a number outside JSON: NaN, Infinity, or a number too large for a double.
 std::string_view quoted(double value) { return std::isnan(value) ? "\"nan\"" : value > 0 ? "\"inf\"" : "\"-inf\""; }
 
-/// Puts those numbers in quotes: calls on_piece(piece, place, is_copy) with piece after piece of the result, and the place
-/// in `text` that each stands for. Strings stay.
+/// Replaces those numbers by quoted strings. Calls on_piece(piece, place, is_copy) with each piece of the result and its
+/// place in `text`. Strings are copied.
 template <class OnPiece>
 void quote_special_numbers(std::string_view text, OnPiece&& on_piece) {
   for (std::size_t i = 0; i < text.size();) {
@@ -92,7 +92,7 @@ void quote_special_numbers(std::string_view text, OnPiece&& on_piece) {
   }
 }
 
-/// The place in `text` of byte `at` of its quoted form.
+/// The place in `text` that corresponds to byte `at` of its quoted form.
 std::size_t place_before_quoting(std::string_view text, std::size_t at) {
   std::size_t done = 0, place = text.size();
   quote_special_numbers(text, [&](std::string_view piece, std::size_t start, bool is_copy) {
@@ -109,7 +109,7 @@ Json parse_with_special_numbers(std::string_view text) {
   try {
     return Json::parse(rewritten);
   } catch (const Json::parse_error& error) {
-    const std::size_t at = error.byte - std::min<std::size_t>(error.byte, 1);  // it counts from 1, and 0 for none
+    const std::size_t at = error.byte - std::min<std::size_t>(error.byte, 1);  // counts from 1; 0 means none
     throw JsonError("not JSON", place_before_quoting(text, at));
   }
 }
@@ -127,7 +127,7 @@ Json parse_any(std::string_view text) {
 Json parse_json(std::string_view text) {
   if (const auto at = find_too_deep(text)) throw JsonError("nested too deeply", *at);
   Json value = parse_any(text);
-  if (const auto at = find_repeated_key(text)) throw JsonError("a key that its object has before", *at);
+  if (const auto at = find_repeated_key(text)) throw JsonError("repeated key in an object", *at);
   return value;
 }
 

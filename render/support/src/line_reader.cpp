@@ -17,7 +17,7 @@
 namespace occlude::render {
 namespace {
 
-constexpr std::size_t kBuffer = 1U << 16U;  // what a pipe holds on Linux
+constexpr std::size_t kBuffer = 1U << 16U;  // the size of a pipe on Linux
 
 }  // namespace
 

@@ -18,10 +18,10 @@ namespace occlude::render {
 namespace fs = std::filesystem;
 namespace {
 
-/// A write for each of so many bytes costs nothing beside making them.
+/// With blocks of this size the cost of a system call is negligible.
 constexpr std::size_t kBuffer = 1U << 16U;
 
-/// A new file in the folder, of a name that nobody else has: short, for that of the file may be as long as names can be.
+/// Creates a file with an unused name in the folder. The name is short: that of the output may have the longest length.
 std::pair<int, fs::path> make_temporary(const fs::path& folder) {
   for (unsigned number = 0;; ++number) {
     fs::path file = folder / fmt::format(".occlude.tmp-{}-{}", getpid(), number);

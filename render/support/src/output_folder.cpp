@@ -12,7 +12,7 @@ namespace occlude::render {
 namespace fs = std::filesystem;
 namespace {
 
-/// The folder and those it lies in, the outmost first.
+/// The folder and its parents, the outermost first.
 std::vector<fs::path> with_parents(const fs::path& folder) {
   std::vector<fs::path> folders;
   fs::path path;

@@ -18,7 +18,7 @@ namespace occlude::render {
 namespace fs = std::filesystem;
 namespace {
 
-/// Tells files apart whatever they are called.
+/// Identifies a file under any name.
 using Identity = std::pair<dev_t, ino_t>;
 
 struct stat status_of(int descriptor) {
@@ -29,7 +29,7 @@ struct stat status_of(int descriptor) {
 
 Identity identity(const struct stat& status) { return {status.st_dev, status.st_ino}; }
 
-// Of the process, as its signals and standard streams are.
+// Global to the process, like its signals and standard streams.
 std::set<Identity>& inputs() {
   static std::set<Identity> files;
   return files;
@@ -46,9 +46,9 @@ std::set<fs::path>& outputs() {
 
 [[noreturn]] void refuse(const fs::path& file, int error) { refuse(file, std::generic_category().message(error)); }
 
-/// Where a link ends, also one to what is not there.
+/// The target of a link; the target need not exist.
 fs::path beyond_links(const fs::path& file) {
-  constexpr int kMostLinks = 40;  // as many as Linux follows
+  constexpr int kMostLinks = 40;  // the limit of Linux
   fs::path place = file;
   std::error_code error;
   for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
@@ -60,7 +60,7 @@ fs::path beyond_links(const fs::path& file) {
   return folder / place.filename();
 }
 
-/// None where there is no such file.
+/// The status of the file; none if it does not exist.
 std::optional<struct stat> find(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) return status;
@@ -68,7 +68,7 @@ std::optional<struct stat> find(const fs::path& file) {
   return std::nullopt;
 }
 
-/// Root may write what is read-only; who made it so did not mean that.
+/// Checks the permission bits too: root can write read-only files, but should not replace them.
 bool is_read_only(const fs::path& file, const struct stat& status) {
   constexpr mode_t kAnyone = S_IWUSR | S_IWGRP | S_IWOTH;
   return (status.st_mode & kAnyone) == 0 || access(file.c_str(), W_OK) != 0;
@@ -96,13 +96,13 @@ OutputPlace::OutputPlace(const fs::path& file) : path_(file) {
     if (S_ISDIR(found->st_mode)) refuse(file, EISDIR);
     is_device_ = !S_ISREG(found->st_mode);
     if (is_device_) return;
-    if (inputs().contains(identity(*found))) refuse(file, "named twice: it is read as well");
+    if (inputs().contains(identity(*found))) refuse(file, "named twice: it is also an input");
     if (is_standard_stream(*found)) refuse(file, "named twice: it is standard input, output or error");
     if (is_read_only(file, *found)) refuse(file, "it is read-only");
     permissions_ = found->st_mode & 07777;
   }
   path_ = beyond_links(file);
-  if (!outputs().insert(path_).second) refuse(file, "named twice: two files would become one");
+  if (!outputs().insert(path_).second) refuse(file, "named twice: two outputs would be the same file");
 }
 
 OutputPlace::~OutputPlace() {
@@ -118,7 +118,7 @@ void require_places(const fs::path& folder, const std::function<bool(const std::
   if (error) refuse(folder, error.message());
   for (const fs::path& output : outputs()) {
     if (output.parent_path() == place && is_such(output.filename().string())) {
-      refuse(output, "named twice: two files would become one");
+      refuse(output, "named twice: two outputs would be the same file");
     }
   }
 }

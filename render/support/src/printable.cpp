@@ -9,10 +9,10 @@
 namespace occlude::render {
 namespace {
 
-// Enough for the path of a file at one end and for what is wrong with it at the other, and less than a screen.
+// Bytes kept at each end: enough for a path at the start and the fault at the end, and less than a screen.
 constexpr std::size_t kEnd = 1000;
 
-/// The number of bytes of the character that `text` begins with; 0 for a control character, and for what is no character.
+/// The length of the first character of `text` in bytes; 0 for a control character or an invalid byte.
 std::size_t length_of_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint32_t{0}; };
   const std::uint32_t lead = byte(0);
@@ -23,8 +23,8 @@ std::size_t length_of_character(std::string_view text) {
     if ((byte(i) & 0xc0U) != 0x80) return 0;
     code = code << 6U | (byte(i) & 0x3fU);
   }
-  // Of each length the first character, behind the control characters U+0080 to U+009F; below it are overlong forms, and
-  // lead bytes that are none.
+  // The first valid character of each length; for two bytes it follows the control characters U+0080 to U+009F. Smaller
+  // codes are overlong forms or come from invalid lead bytes.
   const std::uint32_t least = length == 2 ? 0xa0 : length == 3 ? 0x800 : 0x10000;
   const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
   return lead >= 0xc0 && lead < 0xf8 && code >= least && code <= 0x10ffff && !is_surrogate ? length : 0;

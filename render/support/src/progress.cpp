@@ -13,8 +13,8 @@
 namespace occlude::render {
 namespace {
 
-std::atomic<bool> interrupted = false;  // any thread asks
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal may come while it is asked");
+std::atomic<bool> interrupted = false;  // read by all threads
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may interrupt a read");
 
 extern "C" void on_interrupt(int) { interrupted = true; }
 
@@ -35,7 +35,7 @@ Progress::~Progress() {
 
 void Progress::update(std::size_t done) {
   const Clock::time_point now = Clock::now();
-  // Twice a second is smooth enough to watch, and the first second is not worth a line.
+  // Two updates a second look smooth, and the first second needs no line.
   if (!terminal_ || now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(500)) return;
   last_ = now;
   shown_ = true;
@@ -56,7 +56,7 @@ void Watch::operator()(std::size_t done, std::size_t total) {
 
 void catch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = on_interrupt;  // without SA_RESTART: a read that waits ends
+  action.sa_handler = on_interrupt;  // without SA_RESTART, so that a waiting read returns
   for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) sigaction(signal, &action, nullptr);
   if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // nohup
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);

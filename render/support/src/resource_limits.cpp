@@ -15,7 +15,7 @@ namespace {
 
 std::uint64_t page() { return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)); }
 
-/// Number `which`, from 0, of those that the system keeps of this process's memory, in bytes.
+/// Field `which` of /proc/self/statm, from 0, in bytes.
 std::uint64_t memory_statistic(int which) {
   std::ifstream statistics("/proc/self/statm");
   std::uint64_t pages = 0;
@@ -53,7 +53,7 @@ void require_stack() {
   getrlimit(RLIMIT_STACK, &present);
   if (present.rlim_cur >= kLeast) return;
   throw InputError(
-      fmt::format("the stack is limited to {} KiB, which is not enough: 1024 are (ulimit -s)", present.rlim_cur >> 10U));
+      fmt::format("the stack is limited to {} KiB; at least 1024 KiB are needed (ulimit -s)", present.rlim_cur >> 10U));
 }
 
 std::uint64_t memory_limit() {

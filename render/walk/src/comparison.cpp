@@ -13,17 +13,17 @@
 namespace occlude::render {
 namespace {
 
-/// The rasteriser rounds the vertices of each polygon to 1/256 pixel, so that a border moves by at most half of that on each
-/// axis, sqrt(2)/512; the occluder's border and the hidden polygon's may move towards each other.
+/// The rasteriser rounds the vertices of each polygon to 1/256 pixel, so a border moves by at most 1/512 on each axis,
+/// sqrt(2)/512 in all. The borders of the occluder and of the hidden polygon can move towards each other.
 const double kSnapping = 2 * std::sqrt(2.0) / 512;
 
-/// Where points of the model lie in the picture.
+/// Maps points of the model to the picture.
 class Projector {
  public:
   Projector(const culler::Camera& camera, int width, int height)
       : camera_(camera), axes_(camera.axes()), width_(width), height_(height) {}
 
-  /// In pixels from the top left corner. REQUIRES: the point is before the camera.
+  /// In pixels from the top left corner. REQUIRES: the point is in front of the camera.
   [[nodiscard]] glm::dvec2 operator()(const glm::dvec3& point) const {
     const glm::dvec3 v = point - camera_.eye;
     const double half_height = camera_.projection == culler::Projection::perspective
@@ -54,14 +54,14 @@ double distance_to_outline(const glm::dvec2& p, std::span<const glm::dvec2> outl
   return nearest;
 }
 
-/// Whether the pixel's centre is on the silhouette of the occluder, give or take the snapping.
+/// Whether the pixel's centre is within kSnapping of the occluder's silhouette.
 bool is_on_silhouette(const glm::dvec2& centre, const Projector& project, const culler::Occluder& occluder) {
   std::vector<glm::dvec2> silhouette;
   for (const kernel::Vec3& c : occluder.frustum.silhouette()) silhouette.push_back(project({c.x, c.y, c.z}));
   return distance_to_outline(centre, silhouette) <= kSnapping;
 }
 
-/// Whether snapping can make this pixel show what a shadow, or two together, took.
+/// Whether the rounding can make this pixel show a polygon culled by one shadow, or by two together.
 bool is_snapping(const glm::dvec2& centre, const Projector& project, const culler::CullResult& result,
                  const culler::Culled& cull) {
   const auto is_on = [&](std::uint32_t i) { return is_on_silhouette(centre, project, result.occluders[i]); };

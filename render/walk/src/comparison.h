@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the picture says about a frame's culling.
+// Checks a frame's culling by comparing pictures.
 #pragma once
 
 #include "occlude/culler/culler.h"
@@ -8,7 +8,7 @@
 
 namespace occlude::render {
 
-/// Two pictures of a frame.
+/// A picture of a frame and its item buffer.
 struct Picture {
   Image image;
   ItemBuffer items;

@@ -43,7 +43,7 @@ std::vector<PolygonRange> occluder_ranges(const culler::Culler& culler, const cu
   return ranges;
 }
 
-/// How far what matters to the frame reaches: two fifths of what it draws are nearer. Most of the rest is far and small.
+/// The depth of the interesting part of a frame: two fifths of the drawn polygons are nearer, most others far and small.
 double depth_of_scene(const culler::Culler& culler, const culler::Camera& camera, const std::vector<PolygonRange>& drawn) {
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
   std::vector<double> distances;
@@ -58,7 +58,7 @@ double depth_of_scene(const culler::Culler& culler, const culler::Camera& camera
   return std::max(*quantile, 100 * camera.near);
 }
 
-/// From above and behind the camera, looking down on what lies before it.
+/// A camera above and behind `camera` that looks down on its view.
 culler::Camera outside_camera(const culler::Camera& camera, double depth) {
   culler::Camera outside = camera;
   const glm::dvec3 up = glm::normalize(camera.up);
@@ -75,7 +75,7 @@ culler::Camera outside_camera(const culler::Camera& camera, double depth) {
   return outside;
 }
 
-/// The frame with most to see in each of up to kMoments equal parts of the walk.
+/// The frame with the most visible polygons in each of up to kMoments equal parts of the walk.
 std::vector<std::size_t> moments(const std::vector<FrameRecord>& frames) {
   const std::size_t parts = std::min(kMoments, frames.size());
   std::vector<std::size_t> chosen;
@@ -117,14 +117,14 @@ void add_shadow(std::vector<Line>& lines, const culler::Occluder& occluder, cons
   }
 }
 
-/// A frame from outside, with `marked` polygons and lines as well.
+/// Draws a frame from outside, with `marked` polygons and lines.
 void draw_outside(SceneRenderer& renderer, const culler::Culler& culler, const culler::Camera& camera,
                   const culler::CullResult& result, double depth, std::span<const PolygonRange> marked,
                   std::span<const Line> lines) {
   const auto occluders = occluder_ranges(culler, result);
   const auto shadowed = culled_ranges(culler, result, false);
   const auto out_of_view = culled_ranges(culler, result, true);
-  // What is marked and the occluders first: they are part of the rest, and where two surfaces coincide the first one stays.
+  // Marked polygons and occluders come first: other layers contain them too, and of equal surfaces the first one stays.
   const std::array<Layer, 5> layers{Layer{marked, kMarked}, Layer{occluders, kOccluder}, Layer{result.drawn, std::nullopt},
                                     Layer{shadowed, kShadowCulled}, Layer{out_of_view, kViewCulled}};
   renderer.draw(outside_camera(camera, depth), layers, lines);
@@ -177,7 +177,7 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
 
     const Layer drawn{result.drawn, std::nullopt};
     renderer.draw(camera, std::span(&drawn, 1));
-    plates.push_back({{name + "_view.png", fmt::format("Frame {}: what the camera sees.", frame)}, renderer.image()});
+    plates.push_back({{name + "_view.png", fmt::format("Frame {}: the view of the camera.", frame)}, renderer.image()});
 
     const double depth = depth_of_scene(culler, camera, result.drawn);
     std::vector<Line> lines;

@@ -17,7 +17,7 @@
 namespace occlude::render {
 namespace {
 
-/// Counts the operations of the frame's shadow tests and shows these tests to whoever asked for them.
+/// Counts the operations of the frame's shadow tests and passes the tests to on_shadow_test.
 kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::CullResult& culled,
                                       const WalkOptions& options) {
   const culler::PolygonSoup& soup = culler.hierarchy().soup();
@@ -39,7 +39,7 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
 }  // namespace
 
 std::size_t reference_step(std::size_t frames) {
-  // Enough to meet every part of a path, few enough that it costs little.
+  // Enough to reach every part of a path, and few enough to be cheap.
   constexpr std::size_t kReferenceFrames = 48;
   return std::max<std::size_t>(1, frames / kReferenceFrames);
 }
@@ -49,7 +49,7 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
   const std::size_t end = std::min(options.end, path.frames);
   for (std::size_t f = options.begin; f < end; f += std::min(options.step, end - f)) frames.push_back(f);
   if (frames.empty()) {
-    throw InputError(fmt::format("no frame to walk: the path has frames 0 to {}", path.frames - 1));
+    throw InputError(fmt::format("no frame selected: the path has frames 0 to {}", path.frames - 1));
   }
   return frames;
 }
@@ -71,7 +71,7 @@ culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& o
 WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
                 const std::string& model_name, WalkOutput& output) {
   if (soup.size() < 2) {
-    throw InputError(fmt::format("{}: one polygon only: nothing can hide behind another", model_name));
+    throw InputError(fmt::format("{}: only one polygon; a walk needs at least two", model_name));
   }
   static_cast<void>(frames_of(path, options));  // throws before the work
 

@@ -20,7 +20,7 @@ class Walker {
     view_only_.arithmetic = options.cull.arithmetic;
   }
 
-  /// Culls, draws and compares one frame; `view` is that of the frames before.
+  /// Culls, draws and compares one frame; `view` is the one of the previous frames.
   FrameRecord frame(std::size_t frame, bool reference, culler::View& view) {
     FrameRecord record;
     record.frame = frame;
@@ -37,7 +37,7 @@ class Walker {
       record.witness_ms = timing.witness_ms;
       record.frame_ms = timing.frame_ms;
     };
-    // The order alternates so that neither method always finds the caches as the other left them.
+    // The order alternates, so that neither method always runs with the caches that the other left.
     if (frame % 2 == 0) {
       with_view_frustum();
       with_occlusion();
@@ -64,7 +64,7 @@ class Walker {
     double cull_ms = 0, witness_ms = 0, frame_ms = 0;
   };
 
-  /// Keeps the witnesses as well, outside of the frame time.
+  /// Also collects the witnesses, outside the frame time.
   Timing timed(const culler::Camera& camera, const culler::CullOptions& options, culler::View& view, Picture& picture) {
     check_interrupt();
     Timing timing;
@@ -85,7 +85,7 @@ class Walker {
     return timing;
   }
 
-  /// Milliseconds that it takes.
+  /// Draws these polygons; returns the time in milliseconds.
   double draw_only(const culler::Camera& camera, const std::vector<std::uint32_t>& polygons) const {
     std::vector<PolygonRange> ranges;
     for (const std::uint32_t p : polygons) culler::append_range(ranges, {p, 1});
@@ -130,7 +130,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   result.renderer = stage.description();
   Walker walker(culler, path, options, stage.renderer.get());
   {
-    culler::View warm_up;  // the first picture pays for what the renderer prepares once
+    culler::View warm_up;  // the first picture includes one-time work of the renderer
     static_cast<void>(walker.frame(frames.front(), false, warm_up));
   }
   ViewAlongPath along(culler, path, options, options.cull);

@@ -20,7 +20,7 @@ ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& pat
   const std::vector<std::size_t> frames = frames_of(path, options);
   const auto found = std::ranges::find(frames, frame);
   if (found == frames.end()) {
-    throw InputError(fmt::format("the walk has no frame {}: its last is {}", frame, frames.back()));
+    throw InputError(fmt::format("the walk has no frame {}; its last frame is {}", frame, frames.back()));
   }
   camera_ = path.camera(frame, aspect(options));
   Progress progress("frame", static_cast<std::size_t>(found - frames.begin()) + 1);
@@ -32,7 +32,7 @@ ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& pat
 
 namespace {
 
-/// The polygons that hide the culled subtree, or the part of it that has the polygon.
+/// The polygons that hide the culled subtree, or the part of it that contains the polygon.
 std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t polygon) {
   std::vector<culler::CoverWitness> covers;
   frame.culler().append_covers(frame.result(), frame.camera(), frame.options().cull, kMostCoverVertices, covers);

@@ -31,7 +31,7 @@ std::string near_member(const kernel::ShadowFrustum& frustum, kernel::Near near)
   return fmt::format(R"({{"normal":{},"point":{}}})", triple(plane->normal), triple(plane->point));
 }
 
-/// [a,b,...] of the items' texts.
+/// [a,b,...] of the texts of the items.
 template <class Items, class Text>
 std::string list(const Items& items, Text&& text) {
   std::string result;
@@ -39,7 +39,7 @@ std::string list(const Items& items, Text&& text) {
   return "[" + result + "]";
 }
 
-/// What is drawn of an occluder that is not one polygon of the model: the triangles of its parts.
+/// For an occluder that is not one polygon of the model: the triangles of its parts.
 std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
   const auto parts = culler.occluders().parts(occluder);
   const auto piece = culler.occluders().regions().piece(occluder);
@@ -64,7 +64,7 @@ std::string geometry_members(const culler::Culler& culler, std::uint32_t occlude
   return fmt::format(R"("vertices":{},"faces":{})", list(vertices, triple<kernel::Vec3>), list(faces, face));
 }
 
-/// What culled a subtree, in JSON: written once a frame for each occluder and half-space, for they recur.
+/// What culled a subtree, in JSON. Occluders and half-spaces recur, so their text is made once per frame.
 class Reasons {
  public:
   Reasons(const culler::Culler& culler, const culler::CullResult& result, kernel::Near near)
@@ -89,7 +89,7 @@ class Reasons {
     return fmt::format(R"("by":"shadow","occluders":[{{{}}}],"near":{})", geometry_[i], near_[i]);
   }
 
-  /// A near plane in numbers is that of its occluder: then each has its own.
+  /// If a near plane is given in numbers, each occluder has its own.
   std::string by_two(std::uint32_t i, std::uint32_t j) const {
     const bool is_common = near_[i] == common_near_ && near_[j] == common_near_;
     const auto own_near = [&](std::uint32_t k) { return is_common ? "" : R"(,"near":)" + near_[k]; };
@@ -99,7 +99,7 @@ class Reasons {
 
   std::string common_near_;
   std::vector<std::string> geometry_, near_;  ///< of the occluders
-  std::vector<std::string> view_;             ///< of the half-spaces, in whole
+  std::vector<std::string> view_;             ///< of each half-space, complete
 };
 
 }  // namespace

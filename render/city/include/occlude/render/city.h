@@ -15,7 +15,7 @@ struct City {
   CameraPath path;  ///< 2748 frames at street level through all three parts, never inside a building
 };
 
-/// Builds the model with at least `polygons` polygons. The result depends on the two numbers alone: the same bytes on any
+/// Builds a model of at least `polygons` polygons. The result depends on the two arguments alone: the same bytes for every
 /// machine, compiler and build type (integer random numbers, coordinates on a grid of 2^-10 m, no library trigonometry).
 /// REQUIRES: 20'000 <= polygons <= 20'000'000.
 [[nodiscard]] City generate_city(std::size_t polygons, std::uint64_t seed);

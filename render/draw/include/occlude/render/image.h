@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures in memory and as PNG files.
+// Pictures in memory and PNG files.
 #pragma once
 
 #include <cstddef>
@@ -29,14 +29,14 @@ struct Rgba {
 
 using Image = Raster<Rgba>;
 
-/// Polygon seen at each pixel, by index in the drawn soup; kNothing where there is none.
+/// The polygon visible at each pixel, as its index in the drawn soup; kNothing where there is none.
 using ItemBuffer = Raster<std::uint32_t>;
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 
-/// The picture says who made it, and its own name. The caller commits the file.
+/// Writes a PNG file that contains a mark of this program and the file's name. The caller commits the file.
 void write_png(OutputFile& file, const Image& image);
 
-/// Whether write_png made this file and it has its name still.
+/// Whether write_png made this file and the file still has its original name.
 [[nodiscard]] bool is_own_png(const std::filesystem::path& file);
 
 }  // namespace occlude::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An OpenGL context without a window. The one place that knows which library provides it.
+// An OpenGL context without a window. Its implementation alone knows which library provides it.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace occlude::render {
 
-/// Makes OpenGL 4.5 core current on the constructing thread for as long as it lives.
+/// Keeps an OpenGL 4.5 core context current on the constructing thread during its lifetime.
 class OffscreenContext {
  public:
   virtual ~OffscreenContext() = default;
@@ -15,7 +15,7 @@ class OffscreenContext {
   [[nodiscard]] virtual std::string description() const = 0;
 };
 
-/// Throws std::runtime_error when the machine has no such context.
+/// Throws std::runtime_error if the machine offers no such context.
 [[nodiscard]] std::unique_ptr<OffscreenContext> make_offscreen_context();
 
 }  // namespace occlude::render

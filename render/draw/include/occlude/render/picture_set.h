@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a folder of which each run makes others.
+// The pictures in a folder that each run replaces.
 #pragma once
 
 #include <deque>
@@ -12,17 +12,17 @@
 
 namespace occlude::render {
 
-/// The pictures of one kind in a folder. Those of this run take the place of those of an earlier one, which would be taken
-/// for its own; what the program did not make stays.
+/// The pictures of one kind in a folder. Those of an earlier run are removed, so that nobody takes them for pictures of this
+/// run. Files that this program did not make stay.
 class PictureSet {
  public:
   using IsSuch = std::function<bool(const std::string& name)>;
 
-  /// `is_such` knows the names of the kind. Throws InputError where a file of such a name cannot be replaced: it is read by
-  /// this command, it is another output, a folder or read-only.
+  /// `is_such` recognises names of the kind. Throws InputError if a file with such a name cannot be replaced: it is an
+  /// input, another output, a folder or read-only.
   PictureSet(std::filesystem::path folder, IsSuch is_such);
 
-  /// The picture is whole, and has its name once all are there.
+  /// Writes a picture under a temporary name; commit() renames all pictures and removes the old ones.
   void add(const std::string& name, const Image& image);
   void commit();
 

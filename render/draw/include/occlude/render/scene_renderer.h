@@ -17,13 +17,13 @@ namespace occlude::render {
 
 using culler::PolygonRange;
 
-/// A set of ranges drawn in one manner.
+/// A set of ranges drawn in one style.
 struct Layer {
   std::span<const PolygonRange> ranges;
-  std::optional<Rgba> tint;  ///< blends this colour (by its alpha) over the polygon's own; none: as it is
+  std::optional<Rgba> tint;  ///< blended over the polygon's own colour by its alpha; none: no tint
 };
 
-/// A straight line in model space, drawn over the picture: faintly where something hides it.
+/// A straight line in model space, drawn over the picture; its hidden parts are faint.
 struct Line {
   glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
   Rgba colour;
@@ -31,24 +31,24 @@ struct Line {
 
 class SceneRenderer {
  public:
-  /// Uploads the polygons in their order; pixels of an item buffer hold their index. Coordinates are recentred before they
-  /// are narrowed to float. Throws std::runtime_error for a picture or model larger than OpenGL allows.
+  /// Uploads the polygons in their order; an item buffer holds their indices. Coordinates are recentred before they are
+  /// converted to float. Throws std::runtime_error if the picture or the model is larger than OpenGL allows.
   /// REQUIRES: an OffscreenContext current on this thread, for the lifetime of the object.
   SceneRenderer(const culler::PolygonSoup& soup, int width, int height);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-  /// Clears and draws; returns when the picture is finished (glFinish), so that the call can be timed. Of polygons at the
-  /// same depth the one drawn first is seen, so leaving out hidden polygons changes no pixel.
+  /// Clears and draws. Returns when the picture is finished (glFinish), so that callers can time it. Of polygons at equal
+  /// depth the first one drawn is visible, so leaving out hidden polygons changes no pixel.
   void draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines = {});
 
-  /// What the last draw left.
+  /// The picture of the last draw().
   [[nodiscard]] Image image() const;
 
-  /// The polygon that draw() shows at each pixel, by the same vertices and the same rasterisation, in a pass of its own: a
-  /// picture costs nothing for it, and the last one stays. `offset` moves the picture by so many pixels to the right and up,
-  /// so that pixels meet what lies between their centres.
+  /// The polygon that draw() shows at each pixel, from the same vertices and rasterisation, in a separate pass: it does not
+  /// slow draw() down and keeps the last picture. `offset` moves the picture right and up, in pixels, to sample points
+  /// between the pixel centres.
   [[nodiscard]] ItemBuffer item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,
                                        const glm::dvec2& offset = {0, 0});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A path of the camera through the model: keyframes and their interpolation (JSON).
+// A camera path through a model: keyframes and their interpolation (JSON).
 #pragma once
 
 #include <cstddef>
@@ -29,18 +29,18 @@ struct CameraPath {
   double far = std::numeric_limits<double>::infinity();
   glm::dvec3 up{0, 0, 1};
 
-  /// The camera of `frame`: eye and target run from the first keyframe (frame 0) to the last (frame frames - 1), keyframes
-  /// equally spaced in time. `linear` joins them by straight lines, `smooth` by a Catmull-Rom spline.
+  /// The camera of `frame`. Eye and target move from the first keyframe (frame 0) to the last (frame frames - 1). Keyframes
+  /// are equally spaced in time. `linear` joins them by straight lines, `smooth` by a Catmull-Rom spline.
   [[nodiscard]] culler::Camera camera(std::size_t frame, double aspect) const;
 };
 
-/// Throws InputError, naming the file and the member at fault, for anything the contract of the format does not allow:
-/// fewer than two keyframes, fewer than two or more than a million frames, coordinates that are not finite or that
-/// read_model would refuse, eye on target or up along the line of sight in any frame, near <= 0, far <= near, an unknown
-/// interpolation or projection, orthographic without height. Unknown members are ignored.
+/// Throws InputError, naming the file and the member, for anything that the format does not allow: fewer than two keyframes,
+/// fewer than two or more than a million frames, coordinates that read_model would refuse, a frame whose eye equals its
+/// target or whose up direction is parallel to the line of sight, near <= 0, far <= near, an unknown interpolation or
+/// projection, orthographic without height. Unknown members are ignored.
 [[nodiscard]] CameraPath read_camera_path(const std::filesystem::path& file);
 
-/// Writes the same bytes for the same path on every machine; numbers read back to the same double.
+/// Writes the same bytes on every machine; numbers read back to the same double.
 /// The caller commits the file.
 void write_camera_path(OutputFile& output, const CameraPath& path);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models in and out.
+// Reading and writing models.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,18 @@
 
 namespace occlude::render {
 
-/// Reads a model as polygon soup; polygons keep their sides. PLY and OBJ keep double precision; every other format the
-/// Assimp library knows (glTF, COLLADA, STL, ...) comes in its single precision.
-/// That library works in a child process, whose end, whatever its cause, is the end of the child alone.
-/// Throws InputError with file and place for: a file that cannot be read or parsed, a coordinate that is not finite or
-/// outside {0} or [2^-100, 2^100] in magnitude, an index out of range, a polygon of fewer than three vertices, no polygons.
+/// Reads a model as polygon soup. Polygons are not triangulated. PLY and OBJ are read in double precision; other formats
+/// (glTF, COLLADA, STL, ...) are read by the Assimp library, in its single precision.
+/// Assimp runs in a child process, so its crashes do not end this process.
+/// Throws InputError with file and place if the file cannot be read or parsed, a coordinate is not finite or not 0 and
+/// outside [2^-100, 2^100] in magnitude, an index is out of range, a polygon has fewer than 3 vertices, or none exists.
 [[nodiscard]] culler::PolygonSoup read_model(const std::filesystem::path& file);
 
-/// The limits within which the import library works, in words.
+/// The limits of the import library, in words.
 [[nodiscard]] std::string import_limits();
 
-/// Writes binary little-endian PLY with double coordinates and list uchar/uint32 faces; `comments` become header comments.
-/// The caller commits the file. Throws Interrupted on Ctrl-C.
+/// Writes binary little-endian PLY with double coordinates and lists of uint32 indices. Each line of `comment` becomes a
+/// header comment. The caller commits the file. Throws Interrupted on Ctrl-C.
 void write_ply(OutputFile& file, const culler::PolygonSoup& soup, const std::string& comment);
 
 }  // namespace occlude::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `occlude preprocess` stores.
+// The file of `occlude preprocess`.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ namespace occlude::render {
 /// occluders, u32, and hidden, f32, of the lists; last the CRC-32 of all before it, u32.
 inline constexpr std::uint32_t kPreprocessVersion = 1;
 
-/// Writes what was found out about `soup`. The caller commits the file.
+/// Writes the preprocess of `soup`. The caller commits the file.
 void write_preprocess(OutputFile& file, const culler::PolygonSoup& soup, const culler::Preprocess& preprocess);
 
-/// Reads it back for the model it was made of. Throws InputError, naming the file, for what is no such file, another
-/// version, a file that ends early or goes on too long, a wrong checksum, numbers that cannot be right, and another model.
-/// Allocates no more than the file is long. What the arrays mean is checked by Culler.
+/// Reads the preprocess of `soup`. Throws InputError, naming the file, if it is not such a file, has another version, is too
+/// short or too long, has a wrong checksum or an invalid setting, or was made from another model. Allocates no more than
+/// the size of the file. Culler checks the contents of the arrays.
 [[nodiscard]] culler::Preprocess read_preprocess(const std::filesystem::path& file, const culler::PolygonSoup& soup);
 
 }  // namespace occlude::render

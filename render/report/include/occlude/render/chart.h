@@ -19,9 +19,9 @@ struct Axis {
   Scale scale = Scale::linear;
 };
 
-/// `x` ascends; there is a series, and all have its length. A linear x axis spans the values, and a linear y axis begins at
-/// 0. A logarithmic axis needs positive values and spans them; its numbers along x are the values themselves, and each is
-/// marked by a dot. `height` is that of the y axis, where the chart is 960 wide.
+/// REQUIRES: `x` ascends; there is at least one series, and each has one value per x. A linear x axis spans the values, and
+/// a linear y axis starts at 0. A logarithmic axis needs positive values and spans them; along x its labels are the values
+/// themselves, each marked by a dot. `height` is the height of the y axis; the chart is 960 wide.
 [[nodiscard]] std::string line_chart(const Axis& x_axis, const Axis& y_axis, const std::vector<double>& x,
                                      const std::vector<Series>& series, double height = 222);
 

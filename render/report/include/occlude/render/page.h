@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What the HTML pages have in common: their style, and how they write text and numbers.
+// What the HTML pages share: their style, and the format of text and numbers.
 #pragma once
 
 #include <string>
 
 namespace occlude::render {
 
-/// A whole page, without scripts or outside addresses. Both texts are HTML.
+/// A complete page without scripts or external addresses. Both arguments are HTML.
 [[nodiscard]] std::string page(const std::string& title, const std::string& body);
 
-/// As text within HTML, or as an attribute.
+/// Escapes text for HTML content or an attribute.
 [[nodiscard]] std::string escaped(const std::string& text);
 
-/// A whole number with a comma at every thousand.
+/// Rounds to an integer, with commas between thousands.
 [[nodiscard]] std::string grouped(double value);
 
 }  // namespace occlude::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a walk leaves behind.
+// The output files of a walk.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,15 @@
 
 namespace occlude::render {
 
-/// frames.csv, summary.json, report.html and plates/*.png of a folder, and the witness file that the options name.
+/// frames.csv, summary.json, report.html and plates/*.png in a folder, and the witness file that the options name.
 class WalkFiles : public WalkOutput {
  public:
-  /// Opened before the work, so that what cannot be written is known at once. Throws InputError then.
+  /// Opens all files before the work starts. Throws InputError if one cannot be written.
   WalkFiles(const std::filesystem::path& folder, const WalkOptions& options);
 
   void add_witness(std::string_view line) override;
   void add_plate(const Plate& plate, const Image& image) override;
-  /// Gives all files their names, once every one is whole.
+  /// Writes the reports, then renames all files once every one is complete.
   void commit(const WalkResult& result, const Summary& summary);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What became of a polygon, for people and for programs.
+// The account of one polygon as text, JSON and pictures.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ namespace occlude::render {
 [[nodiscard]] std::string to_text(const ReplayedFrame& frame, const Account& account);
 [[nodiscard]] std::string to_json(const ReplayedFrame& frame, const Account& account);
 
-/// why.json, view.png and outside.png of a folder.
+/// why.json, view.png and outside.png in a folder.
 class WhyFiles {
  public:
-  /// Throws InputError for a folder that cannot be written to.
+  /// Throws InputError if the folder cannot be written.
   explicit WhyFiles(const std::filesystem::path& folder);
 
   /// REQUIRES: an OffscreenContext current on this thread.

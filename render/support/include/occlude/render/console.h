@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Standard output, of which no byte may be lost, and standard error, which nobody need hear.
+// Standard output, whose errors are reported, and standard error, whose errors are ignored.
 #pragma once
 
 #include <string_view>
 
 namespace occlude::render {
 
-/// Puts something in the place of closed standard streams, so that no file of the program becomes one of them. It can be
-/// neither read nor printed to. To be called first of all.
+/// Opens /dev/null for each closed standard stream, so that no file of the program becomes one of them. Reading from it or
+/// printing to it fails. Call this before anything else.
 void hold_standard_streams();
 
-/// Prints. Throws InputError when standard output cannot be written.
+/// Prints to standard output. Throws InputError when standard output cannot be written.
 void print(std::string_view text);
 
-/// Throws InputError when something printed before could not be written.
+/// Flushes standard output. Throws InputError when anything printed could not be written.
 void finish_printing();
 
-/// Says something to the user, on standard error.
+/// Writes a message to standard error.
 void say(std::string_view text);
 
 }  // namespace occlude::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the commands do with bad input, and how they write files.
+// The exceptions that the commands turn into messages and exit codes.
 #pragma once
 
 #include <stdexcept>

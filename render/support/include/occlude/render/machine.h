@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Where a figure was measured.
+// The machine on which a figure was measured.
 #pragma once
 
 #include <string>
 
 namespace occlude::render {
 
-/// As the processor calls itself.
+/// The processor's own name for itself.
 [[nodiscard]] std::string processor_name();
 
-/// What compiled this program.
+/// The compiler of this program.
 [[nodiscard]] std::string compiler_name();
 
 }  // namespace occlude::render

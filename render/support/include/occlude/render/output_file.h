@@ -10,10 +10,10 @@
 
 namespace occlude::render {
 
-/// A file written under a temporary name beside its own and renamed by commit(); without commit() it vanishes. A link stays
-/// one, to the new file. A device or pipe (/dev/stdout) is written directly.
-/// Throws InputError, naming the file, when it cannot be created or written, Interrupted when it waits and the user wishes
-/// to stop.
+/// A file that is written under a temporary name in the same folder and renamed by commit(). Without commit() it is removed.
+/// A symbolic link stays a link, to the new file. A device or pipe (/dev/stdout) is written directly.
+/// Throws InputError, naming the file, when it cannot be created or written, and Interrupted when Ctrl-C ends a write that
+/// waits.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -21,13 +21,13 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// As the user calls it.
+  /// The path as the user gave it.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   void write(std::string_view text);
-  /// All that was written is in the file from here on. Who writes several files closes all of them before the first
+  /// Writes what is still buffered and closes the file. A command with several files closes all of them before the first
   /// commit().
   void close();
-  /// Closes the file and gives it its own name.
+  /// Closes the file and renames it to its final name.
   void commit();
 
  private:
@@ -37,7 +37,7 @@ class OutputFile {
 
   std::filesystem::path path_;
   OutputPlace place_;
-  std::filesystem::path temporary_;  ///< empty for a device, and once there is no such file any more
+  std::filesystem::path temporary_;  ///< empty for a device, and after commit()
   int descriptor_ = -1;
   std::string buffer_;
 };

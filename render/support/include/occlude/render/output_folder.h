@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder that files are written to.
+// A folder for output files.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace occlude::render {
 
-/// A folder that exists from now on, and so do those it lies in; those that are new go again if nothing has come into them.
+/// Creates the folder and its parents. The destructor removes those that it created and that are still empty.
 class OutputFolder {
  public:
   /// Throws InputError, naming the folder, when it cannot be created.
@@ -17,7 +17,7 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
  private:
-  /// The outmost first.
+  /// The folders created, the outermost first.
   std::vector<std::filesystem::path> made_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where files of a command go. What it reads is not replaced, and no two of its files become one.
+// Where the files of a command go. No output replaces an input, and no two outputs are the same file.
 #pragma once
 
 #include <sys/types.h>
@@ -11,25 +11,25 @@
 
 namespace occlude::render {
 
-/// From now on no output may replace this file. It is known by device and inode: through links and other spellings as well.
-/// A file that is not there need not be kept. Throws InputError for the one that standard output goes to.
+/// Registers an input: no output may replace this file. It is identified by device and inode, so links and other spellings
+/// count too. A missing file is ignored. Throws InputError if standard output goes to this file.
 void keep_input(const std::filesystem::path& file);
 
-/// The place that an output is written to, its own as long as this lives.
+/// The place of one output, reserved for the lifetime of the object.
 class OutputPlace {
  public:
-  /// Throws InputError, naming the file, for a folder, for a file that is read-only, is read by this command or is
-  /// one of its standard streams, and for the place of another output.
+  /// Throws InputError, naming the file, if it is a folder, is read-only, is an input or a standard stream of this
+  /// command, or is the place of another output.
   explicit OutputPlace(const std::filesystem::path& file);
   ~OutputPlace();
   OutputPlace(const OutputPlace&) = delete;
   OutputPlace& operator=(const OutputPlace&) = delete;
 
-  /// Beyond all links.
+  /// The place with all links resolved.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// A device or pipe (/dev/stdout), which takes bytes and cannot be replaced.
+  /// Whether it is a device or pipe (/dev/stdout), which is written to and not replaced.
   [[nodiscard]] bool is_device() const { return is_device_; }
-  /// Of the file that is there.
+  /// The permissions of the existing file, if any.
   [[nodiscard]] std::optional<mode_t> permissions() const { return permissions_; }
 
  private:
@@ -38,7 +38,7 @@ class OutputPlace {
   std::optional<mode_t> permissions_;
 };
 
-/// Throws InputError unless every file of such a name in the folder can be replaced, and no output is to get such a name.
+/// Throws InputError unless every file in the folder with a matching name can be replaced and no output has such a name.
 void require_places(const std::filesystem::path& folder, const std::function<bool(const std::string& name)>& is_such);
 
 }  // namespace occlude::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of files and other text that somebody else chose, as messages, JSON and pages give it.
+// Untrusted text, such as file names, made safe for messages, JSON and pages.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace occlude::render {
 
-/// `text` in UTF-8 and on one line: control characters, and bytes that are not UTF-8, as \xNN. Of what is longer than 2000
-/// bytes the middle is left out.
+/// `text` as one line of UTF-8. Control characters, and bytes that are not UTF-8, become \xNN. Text longer than 2000 bytes
+/// loses its middle.
 [[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace occlude::render

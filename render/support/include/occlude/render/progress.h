@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One rewritten line on stderr while a command works, and the wish of the user to stop it.
+// A progress line on stderr, and Ctrl-C.
 #pragma once
 
 #include <chrono>
@@ -10,8 +10,8 @@
 
 namespace occlude::render {
 
-/// Shows "LABEL done/total  time left" once a second has passed, only when stderr is a terminal; the destructor clears it.
-/// A total of 0 is not known: "LABEL done".
+/// Shows "LABEL done/total  time left" after the first second, if stderr is a terminal. The destructor clears the line. A
+/// total of 0 means unknown: "LABEL done".
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
@@ -29,8 +29,8 @@ class Progress {
   bool terminal_, shown_ = false;
 };
 
-/// Progress as work reports it that knows its total when it begins: called with (done, total). Throws Interrupted when the
-/// user wishes to stop.
+/// A progress callback, called with (done, total), for work that knows the total only once it begins. Throws Interrupted
+/// on Ctrl-C.
 class Watch {
  public:
   explicit Watch(std::string label) : label_(std::move(label)) {}
@@ -42,11 +42,11 @@ class Watch {
   std::optional<Progress> progress_;
 };
 
-/// From now on Ctrl-C (and SIGTERM, SIGHUP, the end of `ulimit -t`) only sets a flag, and a closed pipe and the end of
-/// `ulimit -f` are errors of writing.
+/// From now on Ctrl-C (and SIGTERM, SIGHUP, the limit of `ulimit -t`) only sets a flag. A closed pipe and the limit of
+/// `ulimit -f` become write errors.
 void catch_interrupts();
 
-/// Throws Interrupted when the flag is set. Long work calls it between its steps.
+/// Throws Interrupted if the flag is set. Long work calls this between steps.
 void check_interrupt();
 
 }  // namespace occlude::render

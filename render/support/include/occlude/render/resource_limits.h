@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the system lets this process have, so that no input takes the machine down.
+// Memory and other resources of this process, limited so that no input can exhaust the machine.
 #pragma once
 
 #include <sys/resource.h>
@@ -8,29 +8,29 @@
 
 namespace occlude::render {
 
-/// What one process takes at most, bytes: three quarters of the machine's memory, so that there is some left for others.
+/// The most memory that one process may take, bytes: three quarters of the machine's, so that some is left for others.
 [[nodiscard]] std::uint64_t most_memory();
 
-/// From now on this process, and what it starts, has no more than that, or less where the user says so (ulimit -v). What
-/// would need more fails as std::bad_alloc.
+/// Limits this process and its children to most_memory(), or to a lower limit that the user has set (ulimit -v). Beyond it
+/// allocation throws std::bad_alloc.
 void limit_memory();
 
-/// What it has, bytes of address space.
+/// The present limit of the address space, bytes.
 [[nodiscard]] std::uint64_t memory_limit();
 
-/// Throws InputError where a thread gets less than a MiB of stack (ulimit -s): the OpenGL library crashes with much less.
+/// Throws InputError if a thread gets less than 1 MiB of stack (ulimit -s): the OpenGL library crashes with much less.
 void require_stack();
 
-/// Whether there are so many bytes more to be had.
+/// Whether `bytes` more can be allocated.
 [[nodiscard]] bool can_have_memory(std::uint64_t bytes);
 
-/// Bytes. More than what is used of it: it counts what is set aside.
+/// Bytes of address space, including what is reserved but not used.
 [[nodiscard]] std::uint64_t address_space_in_use();
 
-/// Bytes of that which can be written to and is this process's own.
+/// Bytes of it that are private and writable.
 [[nodiscard]] std::uint64_t data_in_use();
 
-/// Sets the limit that can be changed again, no higher than the one that cannot.
+/// Sets the soft limit, capped at the hard limit.
 void limit_resource(int resource, rlim_t value);
 
 }  // namespace occlude::render

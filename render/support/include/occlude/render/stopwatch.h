@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time since a moment, by the clock that never jumps.
+// Elapsed time by the monotonic clock.
 #pragma once
 
 #include <chrono>

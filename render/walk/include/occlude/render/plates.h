@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's plates: what the camera sees, and the same moment from outside with what was culled in colour.
+// The paper's plates: the view of the camera, and the same frame from outside with the culled polygons in colour.
 #pragma once
 
 #include <vector>
@@ -16,14 +16,14 @@ struct DrawnPlate {
   Image image;
 };
 
-/// A street view and a view from outside for each of up to four of `frames`, spread over them.
+/// The view of the camera and a view from outside, for up to four of `frames`, spread over the walk.
 /// REQUIRES: an OffscreenContext current on this thread.
 [[nodiscard]] std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
                                                   const std::vector<FrameRecord>& frames,
                                                   const culler::CullOptions& options);
 
-/// What the camera sees, with the polygon (magenta), its node (red) and the occluder (orange); and the same from outside,
-/// with what was culled by shadow (red).
+/// The view of the camera with the polygon (magenta), its node (red) and the occluder (orange); and the same from outside,
+/// with the polygons culled by shadow (red).
 struct WhyPlates {
   Image view, outside;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A view that goes along a path, through the frames that a walk leaves out as well.
+// A view that moves along a path, including the frames that a walk does not count.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace occlude::render {
 
-/// By frusta, what a frame culls depends on the frames before it. So a frame has the same past whatever the step of a walk
-/// is.
+/// With shadow frusta, the culling of a frame depends on the frames before it. This class gives a frame the same history for
+/// every step of a walk.
 class ViewAlongPath {
  public:
-  /// From the walk's first frame on, culled with `cull`. All of these must outlive this.
+  /// Starts at the walk's first frame and culls with `cull`. All arguments must outlive this object.
   ViewAlongPath(const culler::Culler& culler, const CameraPath& path, const WalkOptions& walk,
                 const culler::CullOptions& cull)
       : culler_(culler), path_(path), walk_(walk), cull_(cull), next_(walk.begin) {}
 
-  /// The view as the frame finds it, for the caller to cull it: frames before it that were left out are culled now. By
-  /// cover, or without occluders, none is, for no frame has a past there. REQUIRES: a frame after that of the last call.
-  /// Throws Interrupted on Ctrl-C.
+  /// The view before `frame`, which the caller then culls. Culls the skipped frames first. With Method::cover or without
+  /// occluders it culls none, because frames do not depend on each other there. REQUIRES: a frame after that of the last
+  /// call. Throws Interrupted on Ctrl-C.
   [[nodiscard]] culler::View& before(std::size_t frame);
   [[nodiscard]] const culler::View& view() const { return view_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What became of one polygon in one frame, and why: drawn or culled, by which node, occluder and plane, by what margin.
+// Why one polygon was drawn or culled in one frame: by which node, occluder and plane, and by what margin.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +17,10 @@
 
 namespace occlude::render {
 
-/// A frame of a walk, culled as the walk does: after the frames before it. Throws InputError when the walk does not come by.
+/// A frame of a walk, culled as in the walk, after the frames before it. Throws InputError if the walk lacks this frame.
 class ReplayedFrame {
  public:
-  /// All of these must outlive this.
+  /// All arguments must outlive this object.
   ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, std::size_t frame);
 
   [[nodiscard]] const culler::Culler& culler() const { return culler_; }
@@ -37,24 +37,24 @@ class ReplayedFrame {
   ViewAlongPath along_;
 };
 
-/// How a box lies to the shadow of one of the frame's occluders.
+/// The position of a box relative to the shadow of one of the frame's occluders.
 struct AgainstShadow {
-  std::uint32_t occluder = 0;  ///< in CullResult::occluders
+  std::uint32_t occluder = 0;  ///< index in CullResult::occluders
   kernel::Clearance clearance;
 };
 
-/// What became of a polygon.
+/// The account of one polygon.
 struct Account {
-  std::uint32_t polygon = 0;           ///< of the tree
-  std::size_t pixels = 0;              ///< that show it, were nothing culled
-  std::uint32_t node = 0;              ///< the subtree that was culled, or the leaf that was drawn
-  std::optional<culler::Culled> cull;  ///< none: drawn
-  double beyond_view = 0;              ///< by view: how far the node is beyond the half-space
-  /// Of a cull by shadow: the node to each of the one or two shadows. Of a drawn polygon: its own box to every shadow, those
-  /// that it is nearest to being in first.
+  std::uint32_t polygon = 0;           ///< index in the tree
+  std::size_t pixels = 0;              ///< pixels that show it without culling
+  std::uint32_t node = 0;              ///< the culled subtree, or the drawn leaf
+  std::optional<culler::Culled> cull;  ///< none if it was drawn
+  double beyond_view = 0;              ///< culled by view: distance of the node beyond the half-space
+  /// Culled by shadow: the node against the one or two shadows. Drawn: the polygon's own box against every shadow, those
+  /// that most nearly contain it first.
   std::vector<AgainstShadow> shadows;
-  std::vector<std::uint32_t> cover;  ///< of a cull by cover: the polygons of the tree that hide the node together
-  std::optional<culler::MissedReasons::Answer> missed;  ///< hidden and drawn: why
+  std::vector<std::uint32_t> cover;  ///< culled by cover: the polygons of the tree that together hide the node
+  std::optional<culler::MissedReasons::Answer> missed;  ///< hidden but drawn: the reason
 };
 
 /// REQUIRES: a polygon of the tree, and the item buffer of the whole model.

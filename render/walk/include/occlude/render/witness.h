@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The proof of a cull in numbers, as others can check it: one JSON line per culled subtree.
+// The proof of a cull in numbers, for independent checks: one line of JSON per culled subtree.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace occlude::render {
 
-/// Appends one line, without its end, for each culled subtree of the frame, which was culled with these options. A cover of
-/// more than kMostCoverVertices is written as those of smaller subtrees, or of polygons.
+/// Appends one line, without line break, for each culled subtree of a frame that was culled with these options. A cover of
+/// more than kMostCoverVertices vertices is written as covers of smaller subtrees, or of single polygons.
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options);
 
