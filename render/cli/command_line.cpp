@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
+
+#include "occlude/render/errors.h"
 
 namespace occlude::cli {
 
@@ -63,5 +66,25 @@ Option Command::add_flag(const std::string& name, bool& value, const std::string
 void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::require_command() { app_->require_subcommand(1); }
 void Command::run(const std::function<void()>& work) { app_->callback(work); }
+
+std::string run_program(const Program& program, int argc, char** argv, const std::function<void(Command)>& declare) {
+  CLI::App app(program.text, program.name);
+  app.require_subcommand(0, 1);  // that there is one is checked below, after an unknown word has been named
+  app.footer(program.footer);
+  app.set_version_flag("--version", program.version);
+  declare(Command(app));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      throw render::InputError(std::string(error.what()) + " (see " + program.name + " --help)");
+    }
+    std::ostringstream text;
+    app.exit(error, text, text);
+    return text.str();
+  }
+  if (app.get_subcommands().empty()) throw render::InputError("which command? (see " + program.name + " --help)");
+  return "";
+}
 
 }  // namespace occlude::cli

@@ -72,4 +72,14 @@ class Command {
   CLI::App* app_;
 };
 
+/// What the help of the whole program tells, and its version.
+struct Program {
+  std::string name, text, footer, version;
+};
+
+/// Reads the command line of the program, to which `declare` adds its commands, and runs the command that it names. Returns
+/// the help or the version where that was asked for instead. Throws render::InputError for a line that cannot be read.
+[[nodiscard]] std::string run_program(const Program& program, int argc, char** argv,
+                                      const std::function<void(Command)>& declare);
+
 }  // namespace occlude::cli

@@ -2,10 +2,9 @@
 // The command `occlude`: assembles the subcommands and turns their exceptions into one line and an exit code.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
-#include <sstream>
+#include <string>
 
 #include "commands.h"
 #include "occlude/render/console.h"
@@ -29,34 +28,25 @@ void add_bench(occlude::cli::Command app, int& exit_code) {
 }
 
 void run(int argc, char** argv, int& exit_code) {
-  CLI::App app("Occlusion culling with shadow frusta, certified: nothing visible is ever culled.", "occlude");
-  app.require_subcommand(0, 1);  // a missing command is reported below, after an unknown one
-  app.footer(
-      "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json --out "
-      "report");
-  app.set_version_flag("--version", OCCLUDE_VERSION);
-  const occlude::cli::Command command(app);
-  occlude::cli::add_generate(command, exit_code);
-  occlude::cli::add_preprocess(command, exit_code);
-  occlude::cli::add_walk(command, exit_code);
-  occlude::cli::add_why(command, exit_code);
-  occlude::cli::add_classify(command, exit_code);
-  occlude::cli::add_validate(command, exit_code);
-  occlude::cli::add_fuzz(command, exit_code);
-  add_bench(command, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = error.get_exit_code();
-    if (code != static_cast<int>(CLI::ExitCodes::Success)) {
-      throw occlude::render::InputError(fmt::format("{} (see occlude --help)", error.what()));
-    }
-    std::ostringstream text;  // help or version
-    app.exit(error, text, text);
-    occlude::render::print(text.str());
-    return occlude::render::finish_printing();
-  }
-  if (app.get_subcommands().empty()) throw occlude::render::InputError("no command given (see occlude --help)");
+  const auto declare = [&](occlude::cli::Command app) {
+    occlude::cli::add_generate(app, exit_code);
+    occlude::cli::add_preprocess(app, exit_code);
+    occlude::cli::add_walk(app, exit_code);
+    occlude::cli::add_why(app, exit_code);
+    occlude::cli::add_classify(app, exit_code);
+    occlude::cli::add_validate(app, exit_code);
+    occlude::cli::add_fuzz(app, exit_code);
+    add_bench(app, exit_code);
+  };
+  const std::string told = occlude::cli::run_program(
+      {.name = "occlude",
+       .text = "Occlusion culling with shadow frusta, certified: nothing visible is ever culled.",
+       .footer =
+           "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json --out "
+           "report",
+       .version = OCCLUDE_VERSION},
+      argc, argv, declare);
+  if (!told.empty()) occlude::render::print(told);
   occlude::render::finish_printing();
 }
 
