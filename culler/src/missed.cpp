@@ -11,6 +11,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occluder_choice.h"
+#include "plane_work.h"
 
 namespace occlude::culler {
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
@@ -63,22 +64,17 @@ void MissedReasons::keep_others(const Culler& culler, const Camera& camera, cons
 }
 
 /// What may still be asked. When it runs out, what is being found out remains unknown.
-class MissedReasons::Work {
+class MissedReasons::Work : public PlaneWork {
  public:
-  Work(std::size_t most, const Checkpoint& checkpoint) : left_(most), checkpoint_(checkpoint) {}
+  Work(std::size_t most, const Checkpoint& checkpoint) : PlaneWork(most), checkpoint_(checkpoint) {}
 
-  [[nodiscard]] bool is_left() const { return left_ > 0; }
-  [[nodiscard]] std::size_t left() const { return left_; }
-  void take(std::size_t planes) {
+  template <class... What>
+  void take(const What&... what) {
     checkpoint_();
-    left_ -= std::min(left_, planes);
-  }
-  void take(const Shadow& shadow, kernel::Stage stage) {
-    take(shadow.frustum.plane_count() + (stage == kernel::Stage::exact ? kExactWork : 0));
+    PlaneWork::take(what...);
   }
 
  private:
-  std::size_t left_;
   const Checkpoint& checkpoint_;
 };
 
@@ -87,7 +83,7 @@ template <class AnyBox>
 kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box, Work& work) const {
   if (!work.is_left()) return kernel::Relation::partial;
   const kernel::Decision found = kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open);
-  work.take(shadow, found.stage);
+  work.take(shadow.frustum, found.stage);
   const bool is_lost = found.relation == kernel::Relation::inside && !frame_.margin.keeps(shadow.frustum, box);
   return is_lost ? kernel::Relation::partial : found.relation;
 }

@@ -8,6 +8,7 @@
 
 #include "bounds.h"
 #include "occlude/kernel/overlap.h"
+#include "plane_work.h"
 #include "single_precision.h"
 #include "solid_angle.h"
 
@@ -45,16 +46,18 @@ class Choice {
         options_(options),
         memory_(memory),
         forward_(camera.axes().forward),
-        viewpoint_(camera.viewpoint()) {}
+        viewpoint_(camera.viewpoint()),
+        work_(kChoiceWorkOfEach * options.occluders) {}
 
   void run() {
     sort_candidates();
-    memory_.tried.clear();
+    forget_trials();
     const bool is_coherent = options_.objective.coherence != 0;
     if (is_coherent) take_proven();
     take_best([&](std::uint32_t i) { return !is_coherent || !memory_.history.hidden(i); });
     take_best([](std::uint32_t) { return true; });
     if (is_coherent) take_probes();
+    memory_.result.stats.choice_work = kChoiceWorkOfEach * options_.occluders - work_.left();
   }
 
  private:
@@ -121,7 +124,7 @@ class Choice {
     std::sort(pool.begin(), pool.end());
     are_probes_ = true;
     for (const Candidate& c : pool) {
-      if (memory_.probes.size() >= options_.probes) return;
+      if (memory_.probes.size() >= options_.probes || !work_.is_left()) return;
       static_cast<void>(take(c.occluder));
     }
   }
@@ -146,10 +149,12 @@ class Choice {
   }
 
   std::vector<Occluder>& chosen() { return memory_.result.occluders; }
-  bool is_full() { return chosen().size() >= options_.occluders; }
+  bool is_full() { return chosen().size() >= options_.occluders || !work_.is_left(); }
 
-  static bool is_in(std::span<const Occluder> occluders, std::uint32_t i) {
-    return std::ranges::find(occluders, i, &Occluder::index) != occluders.end();
+  void forget_trials() {
+    memory_.trials.resize(source_.occluders.size(), Trial::none);
+    for (const std::uint32_t i : memory_.tried) memory_.trials[i] = Trial::none;
+    memory_.tried.clear();
   }
 
   /// Whether the occluder, or a larger one that it is a part of, is chosen from now on, or a probe. Parts are for where
@@ -157,18 +162,27 @@ class Choice {
   bool take(std::uint32_t i) {
     const std::uint32_t container = source_.occluders.container(i);
     if (container != i && take(container)) return true;
-    if (std::ranges::find(memory_.tried, i) != memory_.tried.end()) return is_in(chosen(), i) || is_in(memory_.probes, i);
-    memory_.tried.push_back(i);
+    if (memory_.trials[i] == Trial::none) {
+      memory_.tried.push_back(i);
+      memory_.trials[i] = is_usable(i) && add(i) ? Trial::taken : Trial::refused;
+    }
+    return memory_.trials[i] == Trial::taken;
+  }
+
+  bool is_usable(std::uint32_t i) {
+    if (!work_.is_left()) return false;
     source_.occluders.vertices(source_.soup, i, memory_.loop);
-    if (may_be_clipped(camera_, depth_, memory_.loop) || is_in_shadow()) return false;
-    return add(i);
+    work_.take(memory_.loop.size());
+    return !may_be_clipped(camera_, depth_, memory_.loop) && !is_in_shadow();
   }
 
   bool is_in_shadow() {
     kernel::Aabb box = empty_box();
     for (const kernel::Vec3& v : memory_.loop) grow(box, v);
     return std::ranges::any_of(chosen(), [&](const Occluder& o) {
-      return kernel::conservative_certified(o.frustum, box, kernel::NearBoundary::open).relation == kernel::Relation::inside;
+      const kernel::Decision found = kernel::conservative_certified(o.frustum, box, kernel::NearBoundary::open);
+      work_.take(o.frustum, found.stage);
+      return found.relation == kernel::Relation::inside;
     });
   }
 
@@ -178,7 +192,10 @@ class Choice {
     const bool is_shell = source_.occluders.is_shell(i);
     const kernel::Refusal refusal =
         is_shell ? add_shell(i, spare.back()) : spare.back().assign(viewpoint_, memory_.loop, options_.near);
-    if (refusal != kernel::Refusal::none) return false;
+    if (refusal != kernel::Refusal::none) {
+      work_.take(PlaneWork::kExact);  // such a viewpoint is where signs are zero
+      return false;
+    }
     (are_probes_ ? memory_.probes : chosen()).push_back({i, std::move(spare.back()), 0});
     spare.pop_back();
     return true;
@@ -200,6 +217,7 @@ class Choice {
   View::Memory& memory_;
   glm::dvec3 forward_;
   kernel::Viewpoint viewpoint_;
+  PlaneWork work_;
   bool are_probes_ = false;  ///< whether what is taken only probes
 };
 

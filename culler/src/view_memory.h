@@ -23,6 +23,9 @@ struct SeenLeaf {
   CoverBuffer::Footprint footprint;
 };
 
+/// What came of trying to take an occluder.
+enum class Trial : std::uint8_t { none, taken, refused };
+
 struct View::Memory {
   CullResult result;
   glm::dvec3 eye{};  ///< of the frame
@@ -34,7 +37,8 @@ struct View::Memory {
   std::vector<Candidate> candidates;
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
-  std::vector<std::uint32_t> tried;  ///< occluders that this frame has tried to take
+  std::vector<std::uint32_t> tried;  ///< occluders that the frame has tried to take
+  std::vector<Trial> trials;         ///< of each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
   std::vector<std::uint32_t> holding;  ///< the traversal's stacks

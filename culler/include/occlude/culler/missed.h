@@ -51,10 +51,8 @@ class MissedReasons {
  public:
   /// Of a list that is longer, what looks largest from the eye is asked. Nearly all lists of the models tried are shorter.
   static constexpr std::size_t kMostListed = 4096;
-  /// Work is counted in planes of shadows that boxes and corners are held against, some ten nanoseconds each. An answer of
-  /// the exact stage takes up to twenty microseconds, as much as so many planes.
-  static constexpr std::size_t kExactWork = 2048;
-  /// For all nodes and polygons of a frame, a second or so of one processor: beyond, polygons are not asked.
+  /// Work is counted in planes of shadows that boxes and corners are held against (README.md, Budgets). For all nodes and
+  /// polygons of a frame, a second or so of one processor: beyond, polygons are not asked.
   static constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
   /// `frame` is what the culler made of this camera with these options, and must outlive this.
