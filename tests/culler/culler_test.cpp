@@ -15,10 +15,10 @@
 
 #include "bounds.h"
 #include "frames.h"
-#include "occlude/culler/occluder_history.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/validity.h"
+#include "occluder_history.h"
 #include "scenes.h"
 #include "traverse.h"
 #include "view_memory.h"

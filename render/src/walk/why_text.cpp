@@ -44,7 +44,7 @@ std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32
   return polygons;
 }
 
-/// An occluder among PotentialOccluders, in words.
+/// An occluder of the culler, in words.
 std::string text_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
   constexpr std::size_t kListed = 6;
   const std::vector<std::uint32_t> polygons = polygons_of(culler, occluder);

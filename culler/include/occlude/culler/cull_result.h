@@ -75,7 +75,7 @@ struct CullOptions {
 
 /// An occluder in use: one of the potential occluders, and its shadow.
 struct Occluder {
-  std::uint32_t index = 0;  ///< in PotentialOccluders
+  std::uint32_t index = 0;  ///< in the OccluderSet
   kernel::ShadowFrustum frustum;
   std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took, alone or with another
 };

@@ -60,7 +60,7 @@ class MissedReasons {
 
   struct Answer {
     Missed reason;
-    std::uint32_t occluder = Culled::kNone;  ///< that hides the polygon alone, in PotentialOccluders; none if none does
+    std::uint32_t occluder = Culled::kNone;  ///< that hides the polygon alone, in Culler::occluders(); none if none does
   };
   /// Why polygon p of the tree, which is hidden and drawn, was not culled.
   [[nodiscard]] Answer answer(std::uint32_t p) const;
@@ -94,7 +94,7 @@ class MissedReasons {
   class Asking;
   class Work;
 
-  void keep_others(const Culler& culler, const Camera& camera, const CullOptions& options);
+  void keep_others(const Camera& camera, const CullOptions& options);
   [[nodiscard]] Near all() const;
   [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node, Work& work) const;
   [[nodiscard]] Answer answer(std::uint32_t p, const Near& near, Work& work) const;
@@ -106,7 +106,7 @@ class MissedReasons {
   [[nodiscard]] Missed missed_by_cover(const kernel::Aabb& box, Work& work) const;
 
   const Hierarchy& hierarchy_;
-  const PotentialOccluders& occluders_;
+  const OccluderSet& occluders_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
   std::shared_ptr<const CoverBuffer> cover_;      ///< of a frame by cover
