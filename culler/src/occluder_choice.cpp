@@ -69,9 +69,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   memory.tried.clear();
 }
 
-OccluderChoice::~OccluderChoice() {
-  memory_.result.stats.choice_work = kChoiceWorkOfEach * options_.occluders - work_.left();
-}
+OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.taken(); }
 
 void OccluderChoice::sort_candidates() {
   const auto [listed, hidden] = occluders_.grid().list(view_.camera.eye);

@@ -17,18 +17,19 @@ class PlaneWork {
   /// An answer of the exact stage takes up to twenty microseconds, as much as so many planes.
   static constexpr std::size_t kExact = 2048;
 
-  explicit PlaneWork(std::size_t most) : left_(most) {}
+  explicit PlaneWork(std::size_t most) : most_(most) {}
 
-  [[nodiscard]] bool is_left() const { return left_ > 0; }
-  [[nodiscard]] std::size_t left() const { return left_; }
-  void take(std::size_t planes) { left_ -= std::min(left_, planes); }
+  [[nodiscard]] bool is_left() const { return taken_ < most_; }
+  [[nodiscard]] std::size_t left() const { return most_ - std::min(most_, taken_); }
+  [[nodiscard]] std::size_t taken() const { return taken_; }
+  void take(std::size_t planes) { taken_ += planes; }
   /// Of an answer about one box and one shadow.
   void take(const kernel::ShadowFrustum& shadow, kernel::Stage stage) {
     take(shadow.plane_count() + (stage == kernel::Stage::exact ? kExact : 0));
   }
 
  private:
-  std::size_t left_;
+  std::size_t most_, taken_ = 0;
 };
 
 }  // namespace occlude::culler
