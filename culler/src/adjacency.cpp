@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/adjacency.h"
+#include "adjacency.h"
 
 #include <algorithm>
 #include <array>

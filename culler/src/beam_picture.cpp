@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-
-#include "single_precision.h"
+#include <glm/vec3.hpp>
 
 namespace occlude::culler {
 namespace {
@@ -19,28 +17,27 @@ constexpr double kSeenError = 0x1p-49;
 
 }  // namespace
 
-BeamPicture::BeamPicture(const Camera& camera, double depth, const Size& size, double rounding)
-    : eye_(camera.eye),
-      is_perspective_(camera.projection == Projection::perspective),
+BeamPicture::BeamPicture(const FrameView& view, const Size& size, double rounding)
+    : eye_(view.camera.eye),
+      is_perspective_(view.camera.projection == Projection::perspective),
       width_(size.width),
       height_(size.height),
       middle_{size.width / 2.0, size.height / 2.0},
-      depth_(depth),
-      near_(camera.near + kDepthMargin * depth),
-      error_(kSeenError * depth),
+      depth_(view.depth),
+      near_(view.near),
+      error_(kSeenError * view.depth),
       rounding_(rounding),
       moved_(error_ + rounding_) {
-  const auto [right, up, forward] = camera.axes();
-  right_ = right;
-  up_ = up;
-  forward_ = forward;
+  right_ = view.axes.right;
+  up_ = view.axes.up;
+  forward_ = view.axes.forward;
   if (!is_perspective_) {
     // Where `up` is nearly along the line of sight, `right` is across it only up to what cancels.
     right_ -= glm::dot(right_, forward_) * forward_;
     up_ -= glm::dot(up_, forward_) * forward_;
   }
-  const double half = is_perspective_ ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
-  scale_ = {(middle_.x - size.border) / (half * camera.aspect), (middle_.y - size.border) / half};
+  scale_ = {(middle_.x - size.border) / (view.half_height * view.camera.aspect),
+            (middle_.y - size.border) / view.half_height};
 }
 
 Seen BeamPicture::cut(const Seen& a, const Seen& b) const {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "occlude/culler/camera.h"
+#include "frame_view.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -48,10 +48,9 @@ class BeamPicture {
     double border;  ///< pixels on each side that the camera's picture has not
   };
 
-  /// Of one camera, for a model of which no point is farther than `depth` from the eye, in the sum of the axes. A renderer
-  /// has points out by `rounding`, units of the scene. REQUIRES: the camera has no fault(); 2 border < width, height;
-  /// rounding <= kSinglePrecision depth.
-  BeamPicture(const Camera& camera, double depth, const Size& size, double rounding);
+  /// A renderer has points out by `rounding`, units of the scene. REQUIRES: 2 border < width, height; rounding <=
+  /// kSinglePrecision depth.
+  BeamPicture(const FrameView& view, const Size& size, double rounding);
   BeamPicture() = default;
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }

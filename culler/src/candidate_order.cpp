@@ -45,6 +45,11 @@ void CandidateOrder::keep(std::span<const Candidate> candidates) {
   std::sort(sorted_.begin(), sorted_.end());
 }
 
+void CandidateOrder::reserve(std::size_t candidates, std::size_t occluders) {
+  for (std::vector<Candidate>* own : {&sorted_, &arrivals_, &merged_}) own->reserve(candidates);
+  place_.reserve(occluders);
+}
+
 void CandidateOrder::update(std::span<const Candidate> candidates, std::size_t occluders) {
   place_.resize(occluders);
   for (std::size_t i = 0; i < candidates.size(); ++i) {

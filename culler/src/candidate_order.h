@@ -25,6 +25,9 @@ class CandidateOrder {
   /// of them below `occluders`.
   void update(std::span<const Candidate> candidates, std::size_t occluders);
 
+  /// Makes room for so many candidates of so many occluders.
+  void reserve(std::size_t candidates, std::size_t occluders);
+
   [[nodiscard]] std::span<const Candidate> best_first() const { return sorted_; }
   /// Of the last update: candidates kept from the frame before, and the places by which they moved, all together.
   [[nodiscard]] std::size_t kept() const { return kept_; }

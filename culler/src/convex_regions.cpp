@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "adjacency.h"
 #include "bounds.h"
 #include "disjoint_sets.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "adjacency.h"
 #include "bounds.h"
 #include "disjoint_sets.h"
 
@@ -80,6 +81,8 @@ ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePai
     if (!polytope) return;
     if (result.shell_of_.empty()) result.shell_of_.assign(soup.size(), kNone);
     for (const std::uint32_t p : polygons) result.shell_of_[p] = static_cast<std::uint32_t>(result.shells_.size());
+    result.most_faces_ = std::max(result.most_faces_, polytope->faces().size());
+    result.most_edges_ = std::max(result.most_edges_, polytope->edges().size());
     result.shells_.push_back({{polygons.begin(), polygons.end()}, std::move(*polytope)});
   });
   return result;

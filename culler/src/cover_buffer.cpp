@@ -20,8 +20,8 @@ constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-void CoverBuffer::begin(const Camera& camera, double depth, int width, int height, double margin) {
-  picture_ = BeamPicture(camera, depth, {width, height, kBorder}, margin > 0 ? kSinglePrecision * depth : 0);
+void CoverBuffer::begin(const FrameView& view, int width, int height, double margin) {
+  picture_ = BeamPicture(view, {width, height, kBorder}, margin > 0 ? kSinglePrecision * view.depth : 0);
   piece_.begin(picture_);
   tiles_across_ = width / kTile;
   // Of what is no margin nothing is hidden.

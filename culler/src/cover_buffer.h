@@ -27,10 +27,13 @@ class CoverBuffer {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   /// Opens all pixels of a picture of a size, multiples of kTile. The picture is the camera's, and 16 pixels
-  /// more on each side. `depth` as append_view_frustum() takes it. With a `margin`, a share of the height of the camera's
+  /// more on each side. With a `margin`, a share of the height of the camera's
   /// picture, a box counts as hidden only when it stays so however a renderer in single precision moves it, and what hides
-  /// it, and however it is moved by the margin in the picture. REQUIRES: the camera has no fault(); margin >= 0.
-  void begin(const Camera& camera, double depth, int width, int height, double margin);
+  /// it, and however it is moved by the margin in the picture. REQUIRES: margin >= 0.
+  void begin(const FrameView& view, int width, int height, double margin);
+
+  /// Makes room for meshes of so many triangles.
+  void reserve(std::size_t triangles) { piece_.reserve(triangles); }
 
   /// Whether as much was drawn since begin() as may be: from then on nothing is closed.
   [[nodiscard]] bool is_spent() const { return work_ > kMostWork; }
@@ -53,7 +56,7 @@ class CoverBuffer {
   [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
 
   /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
-  /// viewpoint. REQUIRES: a box no farther from the eye than `depth` of begin(). False of a box that reaches beyond the
+  /// viewpoint. REQUIRES: a box no farther from the eye than the depth of begin(). False of a box that reaches beyond the
   /// picture, or before the near plane.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
   [[nodiscard]] bool hides(const Footprint& box) const;

@@ -9,15 +9,22 @@ namespace {
 /// A side of the coarse picture: whole tiles.
 int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
 
+/// Triangles of a group for which there is room from the first: of the models tried nearly all have fewer. More room is
+/// taken where one has more.
+constexpr std::size_t kRoom = 1024;
+
 }  // namespace
 
-CoverFrame::CoverFrame(const CoverSource& source, const Camera& camera, double reach, const CullOptions& options,
-                       View::Memory& memory)
+CoverFrame::CoverFrame(const CoverSource& source, const FrameView& view, const CullOptions& options, View::Memory& memory)
     : source_(source), options_(options), memory_(memory) {
-  memory.cover.begin(camera, reach, side(options.cover_width), side(options.cover_height), options.margin);
+  memory.cover.begin(view, side(options.cover_width), side(options.cover_height), options.margin);
   memory.result.method = Method::cover;  // the picture is this frame's
+  memory.cover.reserve(kRoom);
+  memory.group.reserve(kRoom);
   memory.seen.clear();
+  memory.seen.reserve(memory.result.culled.capacity());  // leaves, as they
   memory.taken.clear();
+  memory.taken.reserve(kRoom);
   memory.take_planes();
   if (++memory.frame == 0 || memory.polygon_frames.size() != source.triangles.size()) {
     memory.polygon_frames.assign(source.triangles.size(), 0);

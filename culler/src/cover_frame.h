@@ -23,9 +23,8 @@ struct CoverSource {
 
 class CoverFrame {
  public:
-  /// After begin_frame(). `reach` as depth() of all that is drawn or hides.
-  CoverFrame(const CoverSource& source, const Camera& camera, double reach, const CullOptions& options,
-             View::Memory& memory);
+  /// After begin_frame(). `view` is of all that is drawn or hides.
+  CoverFrame(const CoverSource& source, const FrameView& view, const CullOptions& options, View::Memory& memory);
 
   /// `see`, `cull` and `join` as in CoverDescent; of no nodes nothing is done.
   template <class Ask, class See, class Cull, class Join>

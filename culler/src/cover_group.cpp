@@ -3,6 +3,16 @@
 
 namespace occlude::culler {
 
+void CoverGroup::reserve(std::size_t triangles) {
+  vertex_index_.reserve(triangles);  // meshes have fewer vertices than triangles, and a small table is a fast one
+  triangle_index_.reserve(triangles);
+  vertices_.reserve(3 * triangles);
+  triangles_.reserve(triangles);
+  next_.reserve(triangles);
+  polygons_.reserve(triangles);
+  ids_.reserve(triangles);
+}
+
 void CoverGroup::clear() {
   vertex_index_.clear();
   triangle_index_.clear();

@@ -16,6 +16,8 @@ namespace occlude::culler {
 /// Gathers the mesh of a few polygons.
 class CoverGroup {
  public:
+  /// Makes room for so many triangles.
+  void reserve(std::size_t triangles);
   /// Forgets all polygons.
   void clear();
   /// REQUIRES: the polygon was not added since clear(); the same triangles for all.

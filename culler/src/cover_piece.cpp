@@ -58,6 +58,14 @@ void CoverPiece::begin(const BeamPicture& picture) {
            std::max(std::fabs(slopes_y_.front()), std::fabs(slopes_y_.back()));
 }
 
+void CoverPiece::reserve(std::size_t triangles) {
+  seen_.reserve(3 * triangles);
+  vertices_.reserve(3 * triangles);
+  signs_.reserve(triangles);
+  taken_.reserve(triangles);
+  sheets_.reserve(triangles);
+}
+
 void CoverPiece::see(const CoverMesh& mesh) {
   mesh_ = mesh;
   const std::size_t count = mesh_.vertices.size();

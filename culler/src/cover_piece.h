@@ -28,6 +28,8 @@ namespace occlude::culler {
 
 class CoverPiece {
  public:
+  /// Makes room for meshes of so many triangles.
+  void reserve(std::size_t triangles);
   /// What follows is drawn into this picture. REQUIRES: a width and a height of multiples of kTile.
   void begin(const BeamPicture& picture);
   /// Sees a mesh, and parts it into sheets. REQUIRES: begin(); the mesh stays as it is while its sheets are drawn.

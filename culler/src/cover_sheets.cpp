@@ -6,6 +6,14 @@
 
 namespace occlude::culler {
 
+void CoverSheets::reserve(std::size_t triangles) {
+  sets_.reserve(triangles);
+  sheet_of_.reserve(triangles);
+  triangles_.reserve(triangles);
+  begins_.reserve(triangles + 1);
+  next_.reserve(triangles);
+}
+
 void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs) {
   const auto count = static_cast<std::uint32_t>(signs.size());
   sets_.reset(count);

@@ -28,6 +28,8 @@ template <class SignOf>
 /// one side, each with one of the other. A triangle of sign 0 is in no sheet.
 class CoverSheets {
  public:
+  /// Makes room for so many triangles.
+  void reserve(std::size_t triangles);
   void part(const CoverMesh& mesh, std::span<const std::int8_t> signs);
 
   [[nodiscard]] std::size_t size() const { return begins_.size() - 1; }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <compare>
 
-#include "occlude/culler/adjacency.h"
+#include "adjacency.h"
 #include "parallel_sort.h"
 
 namespace occlude::culler {

@@ -28,7 +28,7 @@ auto volumes_of(const Hierarchy& hierarchy) {
 }
 
 /// Whether a polygon of the node is one that the occluder is drawn as.
-auto parts_in(const Hierarchy& hierarchy, const PotentialOccluders& occluders) {
+auto parts_in(const Hierarchy& hierarchy, const OccluderSet& occluders) {
   return [&](std::uint32_t node, std::uint32_t occluder) {
     const HierarchyNode& n = hierarchy.nodes()[node];
     const auto parts = occluders.parts(occluder);
@@ -42,16 +42,15 @@ auto parts_in(const Hierarchy& hierarchy, const PotentialOccluders& occluders) {
 Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
     : config_(config),
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
-      occluders_(PotentialOccluders::find(hierarchy_.soup(), config.occluders, checkpoint)),
-      grid_(OccluderGrid::build(occluders_, hierarchy_.nodes()[0].box, config.grid, checkpoint)),
+      occluders_(OccluderSet::build(hierarchy_.shared_soup(), hierarchy_.nodes()[0].box, config.occluders, config.grid,
+                                    checkpoint)),
       triangles_(std::make_shared<LazyTriangles>()) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
-      occluders_(PotentialOccluders::find(hierarchy_.soup(), preprocess.config.occluders, checkpoint)),
-      grid_(
-          OccluderGrid::restore(occluders_, hierarchy_.nodes()[0].box, preprocess.config.grid, std::move(preprocess.lists))),
+      occluders_(OccluderSet::restore(hierarchy_.shared_soup(), hierarchy_.nodes()[0].box, preprocess.config.occluders,
+                                      preprocess.config.grid, std::move(preprocess.lists), checkpoint)),
       triangles_(std::make_shared<LazyTriangles>()) {}
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
@@ -75,8 +74,8 @@ const CullResult& Culler::cull(const Camera& camera, const CullOptions& options,
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
-    cull_by_frusta(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_),
-                   {hierarchy_.soup(), occluders_, grid_}, camera, options, memory);
+    cull_by_frusta(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), occluders_, camera, options,
+                   memory);
   }
   return memory.result;
 }

@@ -27,8 +27,7 @@ using Mask = std::uint64_t;
 /// The pool: what looks largest and casts a shadow.
 class Pool {
  public:
-  Pool(const Hierarchy& hierarchy, const PotentialOccluders& occluders, const glm::dvec3& eye)
-      : soup_(hierarchy.soup()), occluders_(occluders), eye_(eye) {}
+  Pool(const PotentialOccluders& occluders, const glm::dvec3& eye) : occluders_(occluders), eye_(eye) {}
 
   void fill(std::span<const std::uint32_t> listed) {
     std::vector<Candidate> candidates;
@@ -54,7 +53,7 @@ class Pool {
     if (std::ranges::find(taken_, i) != taken_.end()) return true;
     if (std::ranges::find(refused_, i) != refused_.end() || frusta_.size() == kPool) return false;
     const auto viewpoint = kernel::Viewpoint::eye(to_kernel(eye_));
-    auto [frustum, refusal] = occluders_.shadow(soup_, i, viewpoint, kernel::Near::surface);
+    auto [frustum, refusal] = occluders_.shadow(i, viewpoint, kernel::Near::surface);
     if (!frustum) {
       refused_.push_back(i);
       return false;
@@ -64,7 +63,6 @@ class Pool {
     return true;
   }
 
-  const PolygonSoup& soup_;
   const PotentialOccluders& occluders_;
   const glm::dvec3& eye_;
   std::vector<kernel::ShadowFrustum> frusta_;
@@ -122,7 +120,7 @@ class Descent {
 
 std::vector<HiddenBy> best_together(const Hierarchy& hierarchy, const PotentialOccluders& occluders,
                                     std::span<const std::uint32_t> listed, const glm::dvec3& eye) {
-  Pool pool(hierarchy, occluders, eye);
+  Pool pool(occluders, eye);
   pool.fill(listed);
   std::vector<Hidden> left = Descent(hierarchy, pool.frusta(), eye).hidden();
   std::vector<HiddenBy> taken;

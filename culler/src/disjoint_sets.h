@@ -16,6 +16,7 @@ class DisjointSets {
   DisjointSets() = default;
   explicit DisjointSets(std::size_t size) { reset(size); }
 
+  void reserve(std::size_t size) { parent_.reserve(size); }
   /// Each element is a set of its own.
   void reset(std::size_t size) {
     parent_.resize(size);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -82,7 +83,9 @@ std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, st
 }  // namespace
 
 Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
-    : soup_(reordered(soup, tree.order, checkpoint)), order_(std::move(tree.order)), nodes_(std::move(tree.nodes)) {
+    : soup_(std::make_shared<const PolygonSoup>(reordered(soup, tree.order, checkpoint))),
+      order_(std::move(tree.order)),
+      nodes_(std::move(tree.nodes)) {
   if (config.bounds == Bounds::obb) fit_oriented_boxes(checkpoint);
 }
 
@@ -121,14 +124,14 @@ void Hierarchy::fit_oriented_boxes(const Checkpoint& checkpoint) {
     checkpoint();
     const Node& node = nodes_[i];
     const PolygonRange polygons{node.first, node.count};
-    Fit best = node.is_leaf() ? fit_along_largest(soup_, polygons) : fit_along(axes[i + 1], soup_, polygons);
+    Fit best = node.is_leaf() ? fit_along_largest(*soup_, polygons) : fit_along(axes[i + 1], *soup_, polygons);
     if (!node.is_leaf()) {
-      const Fit other = fit_along(axes[node.right], soup_, polygons);
+      const Fit other = fit_along(axes[node.right], *soup_, polygons);
       if (other.half_area < best.half_area) best = other;
     }
     axes[i] = best.axes;
     if (!(best.half_area < kWorthwhile * half_area(node.box))) continue;
-    if (const auto box = enclosing_box(best, soup_, polygons)) {
+    if (const auto box = enclosing_box(best, *soup_, polygons)) {
       oriented_[i] = static_cast<std::uint32_t>(oriented_boxes_.size());
       oriented_boxes_.push_back(*box);
     }

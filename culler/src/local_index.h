@@ -23,6 +23,11 @@ class LocalIndex {
     }
   }
 
+  /// Takes the space for so many at once.
+  void reserve(std::size_t count) {
+    while (slots_.size() < 2 * count) grow();
+  }
+
   [[nodiscard]] std::uint32_t size() const { return count_; }
 
   /// The number of a thing, kNone where it has none.

@@ -7,10 +7,11 @@
 
 #include "bounds.h"
 #include "cover_buffer.h"
+#include "frame_view.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/kernel/half_space.h"
-#include "occlude/kernel/overlap.h"
-#include "occluder_choice.h"
+#include "plane_work.h"
+#include "shadow_rule.h"
 
 namespace occlude::culler {
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
@@ -25,7 +26,7 @@ MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const C
       unlimited_ = culler.cover(camera, unlimited);
     }
   } else {
-    keep_others(culler, camera, options);
+    keep_others(camera, options);
   }
 }
 
@@ -49,36 +50,30 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 }  // namespace
 
 /// Of the region's list what may occlude from here and is not chosen.
-void MissedReasons::keep_others(const Culler& culler, const Camera& camera, const CullOptions& options) {
-  const PolygonSoup& soup = hierarchy_.soup();
-  const double reach = depth(hierarchy_.nodes()[0].box, camera.eye);
+void MissedReasons::keep_others(const Camera& camera, const CullOptions& options) {
+  const FrameView view(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
   std::vector<kernel::Vec3> vertices;
-  for (const std::uint32_t i : largest_of(culler.grid().list(camera.eye).occluders, occluders_, camera.eye)) {
+  for (const std::uint32_t i : largest_of(occluders_.grid().list(camera.eye).occluders, occluders_, camera.eye)) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
-    occluders_.vertices(soup, i, vertices);
-    if (may_be_clipped(camera, reach, vertices)) continue;
-    auto [frustum, refusal] = occluders_.shadow(soup, i, camera.viewpoint(), options.near);
+    occluders_.vertices(i, vertices);
+    if (view.may_clip(vertices)) continue;
+    auto [frustum, refusal] = occluders_.shadow(i, view.viewpoint, options.near);
     if (frustum) others_.push_back({i, std::move(*frustum)});
   }
 }
 
 /// What may still be asked. When it runs out, what is being found out remains unknown.
-class MissedReasons::Work {
+class MissedReasons::Work : public PlaneWork {
  public:
-  Work(std::size_t most, const Checkpoint& checkpoint) : left_(most), checkpoint_(checkpoint) {}
+  Work(std::size_t most, const Checkpoint& checkpoint) : PlaneWork(most), checkpoint_(checkpoint) {}
 
-  [[nodiscard]] bool is_left() const { return left_ > 0; }
-  [[nodiscard]] std::size_t left() const { return left_; }
-  void take(std::size_t planes) {
+  template <class... What>
+  void take(const What&... what) {
     checkpoint_();
-    left_ -= std::min(left_, planes);
-  }
-  void take(const Shadow& shadow, kernel::Stage stage) {
-    take(shadow.frustum.plane_count() + (stage == kernel::Stage::exact ? kExactWork : 0));
+    PlaneWork::take(what...);
   }
 
  private:
-  std::size_t left_;
   const Checkpoint& checkpoint_;
 };
 
@@ -86,10 +81,9 @@ class MissedReasons::Work {
 template <class AnyBox>
 kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box, Work& work) const {
   if (!work.is_left()) return kernel::Relation::partial;
-  const kernel::Decision found = kernel::conservative_certified(shadow.frustum, box, kernel::NearBoundary::open);
-  work.take(shadow, found.stage);
-  const bool is_lost = found.relation == kernel::Relation::inside && !frame_.margin.keeps(shadow.frustum, box);
-  return is_lost ? kernel::Relation::partial : found.relation;
+  const kernel::Decision found = decide_cull(shadow.frustum, box, Asked{}, frame_.margin);
+  work.take(shadow.frustum, found.stage);
+  return found.relation;
 }
 
 /// Of the shadows above the node those that meet it. Where one of the others has all of it, the rest of them are not asked.

@@ -11,8 +11,8 @@
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/half_space.h"
-#include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_union.h"
+#include "shadow_rule.h"
 #include "traverse.h"
 #include "view_memory.h"
 
@@ -39,24 +39,19 @@ class NodeTests {
     return ask_(node, [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
   }
 
-  /// What is coplanar with an occluder is drawn: the near plane is open. And all that an occluder is drawn as, the faces of
-  /// a shell that the eye does not see among it.
   kernel::Relation shadow(std::uint32_t occluder, std::uint32_t node) {
-    const kernel::ShadowFrustum& frustum = frame_.occluders[occluder].frustum;
-    const kernel::Relation relation = counted(ask_(node, [&](const auto& box) {
-      on_shadow_test_(frame_.occluders[occluder], box);
-      return kernel::decide(frustum, box, options_.arithmetic, options_.test, kernel::NearBoundary::open);
+    const Occluder& by = frame_.occluders[occluder];
+    return counted(ask_(node, [&](const auto& box) {
+      on_shadow_test_(by, box);
+      return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, frame_.margin,
+                         [&] { return holds_part_(node, by.index); });
     }));
-    if (relation != kernel::Relation::inside) return relation;
-    const bool is_kept = ask_(node, [&](const auto& box) { return frame_.margin.keeps(frustum, box); });
-    return is_kept && !holds_part(node, occluder) ? kernel::Relation::inside : kernel::Relation::partial;
   }
 
+  /// A probe hides nothing: it may be roughly right, and is asked neither for a margin nor for its own pieces.
   kernel::Relation probe(std::uint32_t probe, std::uint32_t node) const {
     return ask_(node, [&](const auto& box) {
-      return kernel::decide(probes_[probe].frustum, box, options_.arithmetic, kernel::Test::conservative,
-                            kernel::NearBoundary::open)
-          .relation;
+      return decide_cull(probes_[probe].frustum, box, {.arithmetic = options_.arithmetic}, ShadowMargin()).relation;
     });
   }
 
@@ -65,20 +60,14 @@ class NodeTests {
   }
 
   kernel::Relation pair(std::uint32_t first, std::uint32_t second, std::uint32_t node) {
-    const kernel::ShadowUnion both{frame_.occluders[first].frustum, frame_.occluders[second].frustum};
-    const kernel::Relation relation = counted(
-        ask_(node, [&](const auto& box) { return kernel::overlap_certified(both, box, kernel::NearBoundary::open); }));
-    if (relation != kernel::Relation::inside) return relation;
-    const bool is_kept = ask_(node, [&](const auto& box) { return frame_.margin.keeps(both, box); });
-    return is_kept && !holds_part(node, first) && !holds_part(node, second) ? kernel::Relation::inside
-                                                                            : kernel::Relation::partial;
+    const Occluder &a = frame_.occluders[first], &b = frame_.occluders[second];
+    return counted(ask_(node, [&](const auto& box) {
+      return decide_cull(kernel::ShadowUnion{a.frustum, b.frustum}, box, Asked{}, frame_.margin,
+                         [&] { return holds_part_(node, a.index) || holds_part_(node, b.index); });
+    }));
   }
 
  private:
-  bool holds_part(std::uint32_t node, std::uint32_t occluder) const {
-    return holds_part_(node, frame_.occluders[occluder].index);
-  }
-
   kernel::Relation counted(const kernel::Decision& decision) {
     if (decision.stage == kernel::Stage::exact) ++frame_.stats.exact_shadow_tests;
     return decision.relation;
@@ -97,6 +86,12 @@ class NodeTests {
 template <class Ask, class HoldsPart, class OnShadowTest>
 void traverse(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
               const OnShadowTest& on_shadow_test, const CullOptions& options, View::Memory& memory) {
+  // Room on the stacks for as many as a frame may have, and as deep as trees are: of ten million polygons some 40 levels.
+  constexpr std::size_t kLevels = 64;
+  const std::size_t most = memory.result.occluders.capacity() + memory.probes.capacity();
+  memory.active.reserve(kLevels * (memory.result.view.size() + most));
+  memory.holding.reserve(memory.probes.capacity());
+  memory.planes.reserve(memory.result.view.size());
   NodeTests tests(ask, holds_part, on_shadow_test, options, memory);
   Traversal(nodes, tests, memory.probes, memory.result, memory.active, memory.holding).run();
 }

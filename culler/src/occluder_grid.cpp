@@ -38,7 +38,7 @@ OccluderGrid::OccluderGrid(const kernel::Aabb& box, const Config& config) : orig
 OccluderGrid OccluderGrid::build(const PotentialOccluders& occluders, const kernel::Aabb& model, const Config& config,
                                  const Checkpoint& checkpoint) {
   OccluderGrid grid(model, config);
-  grid.lists_ = list_occluders(grid, occluders, config, checkpoint);
+  grid.take(list_occluders(grid, occluders, config, checkpoint));
   return grid;
 }
 
@@ -61,8 +61,15 @@ OccluderGrid OccluderGrid::restore(const PotentialOccluders& occluders, const ke
            std::ranges::all_of(hidden, [](float h) { return h >= 0 && std::isfinite(h); });
   };
   if (!is_sound()) throw std::invalid_argument("the lists of occluders are not of this model");
-  grid.lists_ = std::move(lists);
+  grid.take(std::move(lists));
   return grid;
+}
+
+void OccluderGrid::take(Lists lists) {
+  lists_ = std::move(lists);
+  for (std::size_t region = 0; region < regions(); ++region) {
+    longest_ = std::max(longest_, list(region).occluders.size());
+  }
 }
 
 std::array<std::size_t, 3> OccluderGrid::cell_of(const glm::dvec3& point) const {

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/occluder_history.h"
+#include "occluder_history.h"
 
 #include "occlude/culler/cull_result.h"
 
 namespace occlude::culler {
-namespace {
-
-/// Frames after which what an occluder hid is forgotten and it is tried once more: of 4, 8, 16, 64 and 300 those that cull
-/// most on the paths through the city, Utrecht, the castle and Sponza together.
-constexpr std::uint32_t kMemory = 16;
-
-}  // namespace
-
 std::optional<std::uint32_t> OccluderHistory::hidden(std::uint32_t occluder) const {
   if (occluder >= place_.size() || place_[occluder] == 0) return std::nullopt;
   return recent_[place_[occluder] - 1].hidden;
@@ -26,6 +18,11 @@ void OccluderHistory::take_down(const Occluder& occluder) {
   recent_[place - 1] = {occluder.index, frames_, occluder.hidden};
 }
 
+void OccluderHistory::reserve(std::size_t potential, std::size_t remembered) {
+  place_.reserve(potential);
+  recent_.reserve(remembered);
+}
+
 void OccluderHistory::record(std::size_t potential, std::span<const Occluder> occluders, std::span<const Occluder> probes) {
   place_.resize(potential);
   ++frames_;
@@ -33,7 +30,7 @@ void OccluderHistory::record(std::size_t potential, std::span<const Occluder> oc
   for (const Occluder& probe : probes) take_down(probe);
   std::size_t kept = 0;
   for (const Entry& entry : recent_) {
-    const bool is_recent = frames_ - entry.frame < kMemory;
+    const bool is_recent = frames_ - entry.frame < kFrames;
     if (is_recent) recent_[kept++] = entry;
     place_[entry.occluder] = is_recent ? static_cast<std::uint32_t>(kept) : 0;
   }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
+#include "adjacency.h"
 #include "bounds.h"
 
 namespace occlude::culler {
@@ -51,10 +53,13 @@ double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
 
 double PotentialOccluder::area() const { return glm::length(area_normal) + round_area; }
 
-PotentialOccluders PotentialOccluders::find(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint) {
+PotentialOccluders PotentialOccluders::find(std::shared_ptr<const PolygonSoup> shared, const Config& config,
+                                            const Checkpoint& checkpoint) {
+  const PolygonSoup& soup = *shared;
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   const std::vector<SidePair> adjacency = find_adjacency(soup, weld, checkpoint);
   PotentialOccluders result;
+  result.soup_ = std::move(shared);
   result.regions_ = ConvexRegions::find(soup, adjacency, checkpoint);
   if (config.shells) result.shells_ = ConvexShells::find(soup, adjacency, checkpoint);
   const ConvexRegions& regions = result.regions_;
@@ -75,27 +80,27 @@ PotentialOccluders PotentialOccluders::find(const PolygonSoup& soup, const Confi
   return result;
 }
 
-void PotentialOccluders::vertices(const PolygonSoup& soup, std::size_t i, std::vector<kernel::Vec3>& vertices) const {
+void PotentialOccluders::vertices(std::size_t i, std::vector<kernel::Vec3>& vertices) const {
   vertices.clear();
   if (is_shell(i)) {
     const auto own = polytope(i).vertices();
     vertices.assign(own.begin(), own.end());
   } else {
-    for (const std::uint32_t index : loop(i)) vertices.push_back(to_kernel(soup.vertices[index]));
+    for (const std::uint32_t index : loop(i)) vertices.push_back(to_kernel(soup().vertices[index]));
   }
 }
 
-OccluderGeometry PotentialOccluders::geometry(const PolygonSoup& soup, std::size_t i) const {
-  if (is_shell(i)) return polytope_of(soup, parts(i));
+OccluderGeometry PotentialOccluders::geometry(std::size_t i) const {
+  if (is_shell(i)) return polytope_of(soup(), parts(i));
   std::vector<kernel::Vec3> polygon;
-  vertices(soup, i, polygon);
+  vertices(i, polygon);
   return polygon;
 }
 
-kernel::ShadowFrustumResult PotentialOccluders::shadow(const PolygonSoup& soup, std::size_t i,
-                                                       const kernel::Viewpoint& viewpoint, kernel::Near near) const {
+kernel::ShadowFrustumResult PotentialOccluders::shadow(std::size_t i, const kernel::Viewpoint& viewpoint,
+                                                       kernel::Near near) const {
   if (is_shell(i)) return kernel::ShadowFrustum::make(viewpoint, polytope(i), near);
-  return kernel::ShadowFrustum::make(viewpoint, std::get<std::vector<kernel::Vec3>>(geometry(soup, i)), near);
+  return kernel::ShadowFrustum::make(viewpoint, std::get<std::vector<kernel::Vec3>>(geometry(i)), near);
 }
 
 std::uint32_t PotentialOccluders::container(std::uint32_t i) const {

@@ -41,7 +41,7 @@ glm::dvec3 viewpoint(const SampleConfig& samples, std::size_t region, std::size_
 /// What the occluders listed by a region hide on average, in the order of its list.
 void sample(const Culler& culler, const SampleConfig& samples, std::size_t region, std::span<float> hidden,
             const Checkpoint& checkpoint) {
-  const OccluderGrid& grid = culler.grid();
+  const OccluderGrid& grid = culler.occluders().grid();
   const auto listed = grid.list(region).occluders;
   for (std::size_t n = 0; n < samples.viewpoints; ++n) {
     checkpoint();
@@ -58,7 +58,7 @@ void sample(const Culler& culler, const SampleConfig& samples, std::size_t regio
 Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
                       const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
   const Culler culler(soup, config, checkpoint);
-  const OccluderGrid& grid = culler.grid();
+  const OccluderGrid& grid = culler.occluders().grid();
   Preprocess result{config, culler.hierarchy().layout(), grid.lists()};
   if (samples.viewpoints == 0) return result;
   result.lists.hidden.assign(result.lists.occluders.size(), 0);

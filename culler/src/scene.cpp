@@ -2,6 +2,7 @@
 #include "occlude/culler/scene.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -17,9 +18,9 @@
 namespace occlude::culler {
 namespace {
 
-PolygonSoup&& checked(PolygonSoup&& soup) {
+std::shared_ptr<const PolygonSoup> checked(PolygonSoup&& soup) {
   require_legal(soup);
-  return std::move(soup);
+  return std::make_shared<const PolygonSoup>(std::move(soup));
 }
 
 /// Around the static objects and the occluders, which is about where cameras are; the origin where there are none.
@@ -31,12 +32,20 @@ kernel::Aabb extent(std::span<const Box> statics, const PolygonSoup& soup) {
   return box;
 }
 
+OccluderSet set_of(const std::shared_ptr<const PolygonSoup>& soup, std::span<const Box> statics, const SceneConfig& config,
+                   const Checkpoint& checkpoint) {
+  return OccluderSet::build(soup, extent(statics, *soup), config.occluders, config.grid, checkpoint);
+}
+
 /// Runs of items to ids.
 void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn, SceneResult& result) {
   result.statics.clear();
   result.dynamics.clear();
   result.static_ranges.clear();
   const auto statics = static_cast<std::uint32_t>(objects.statics());
+  result.statics.reserve(statics);
+  result.dynamics.reserve(objects.dynamics());
+  result.static_ranges.reserve(statics);
   for (const auto [first, count] : drawn) {
     const std::uint32_t end = first + count, middle = std::clamp(statics, first, end);
     if (first < middle) result.static_ranges.push_back({first, middle - first});
@@ -67,9 +76,7 @@ class CoverOccluders : public Lazy<OccluderTree> {};
 
 Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config, const Checkpoint& checkpoint)
     : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics, checkpoint)),
-      soup_(checked(std::move(occluders))),
-      occluders_(PotentialOccluders::find(soup_, config.occluders, checkpoint)),
-      grid_(OccluderGrid::build(occluders_, extent(objects.statics, soup_), config.grid, checkpoint)),
+      occluders_(set_of(checked(std::move(occluders)), objects.statics, config, checkpoint)),
       cover_(std::make_unique<CoverOccluders>()) {}
 
 Scene::~Scene() = default;
@@ -83,17 +90,17 @@ const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options,
   // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
   if (options.method == Method::cover) {
-    const OccluderTree& occluders = cover_->get([&] { return OccluderTree(soup_, {}); });
+    const OccluderTree& occluders = cover_->get([&] { return OccluderTree(occluders_.soup(), {}); });
     cull_by_cover(objects_->nodes(), ask, occluders.source(), camera, options, memory);
   } else {
-    cull_by_frusta(objects_->nodes(), ask, holds_no_part, {soup_, occluders_, grid_}, camera, options, memory);
+    cull_by_frusta(objects_->nodes(), ask, holds_no_part, occluders_, camera, options, memory);
   }
   list_objects(*objects_, memory.result.drawn, view.result_);
   return view.result_;
 }
 
 void Scene::prepare_cover(const Checkpoint& checkpoint) const {
-  static_cast<void>(cover_->get([&] { return OccluderTree(soup_, checkpoint); }));
+  static_cast<void>(cover_->get([&] { return OccluderTree(occluders_.soup(), checkpoint); }));
 }
 
 void Scene::set_bounds(std::uint32_t dynamic, const Box& box) { objects_->set_bounds(dynamic, box); }

@@ -4,22 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "bounds.h"
+#include "frame_view.h"
 #include "occlude/kernel/overlap.h"
 #include "outer_box.h"
 #include "single_precision.h"
 
 namespace occlude::culler {
 
-ShadowMargin::ShadowMargin(const Camera& camera, double share, double depth)
-    : eye_(camera.eye),
-      forward_(camera.axes().forward),
-      is_perspective_(camera.projection == Projection::perspective),
-      size_(share * (is_perspective_ ? 2 * std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height)),
-      rounding_(share == 0 ? 0 : kSinglePrecision * depth) {}
+ShadowMargin::ShadowMargin(const FrameView& view, double share)
+    : eye_(view.camera.eye),
+      forward_(view.axes.forward),
+      is_perspective_(view.camera.projection == Projection::perspective),
+      size_(share * (2 * view.half_height)),
+      rounding_(share == 0 ? 0 : kSinglePrecision * view.depth) {}
 
 double ShadowMargin::size(const kernel::ShadowFrustum& shadow) const {
   if (!is_perspective_) return size_ + rounding_;

@@ -16,8 +16,8 @@ double solid_angle_of(const PolygonSoup& soup, std::span<const std::uint32_t> lo
   return std::fabs(sum);
 }
 
-double exact_solid_angle(const PolygonSoup& soup, const PotentialOccluders& occluders, std::uint32_t i,
-                         const glm::dvec3& eye) {
+double exact_solid_angle(const PotentialOccluders& occluders, std::uint32_t i, const glm::dvec3& eye) {
+  const PolygonSoup& soup = occluders.soup();
   if (!occluders.is_shell(i)) return solid_angle_of(soup, occluders.loop(i), eye);
   double sum = 0;
   for (const std::uint32_t p : occluders.parts(i)) sum += solid_angle_of(soup, soup.loop(p), eye);
@@ -32,14 +32,14 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
   return 2 * std::atan2(glm::dot(a, glm::cross(b, c)), cosine);
 }
 
-double seen_size(const PolygonSoup& soup, const PotentialOccluders& occluders, std::uint32_t i, const Camera& camera,
-                 const glm::dvec3& forward, Objective::Angle angle) {
+double seen_size(const PotentialOccluders& occluders, std::uint32_t i, const FrameView& view, Objective::Angle angle) {
   const PotentialOccluder& known = occluders[i];
+  const Camera& camera = view.camera;
   if (camera.projection == Projection::orthographic) {
-    const double projected = std::fabs(glm::dot(known.area_normal, forward)) + known.round_area;
+    const double projected = std::fabs(glm::dot(known.area_normal, view.axes.forward)) + known.round_area;
     return projected / (camera.height * camera.height * camera.aspect);
   }
-  return angle == Objective::Angle::area ? known.area_angle(camera.eye) : exact_solid_angle(soup, occluders, i, camera.eye);
+  return angle == Objective::Angle::area ? known.area_angle(camera.eye) : exact_solid_angle(occluders, i, camera.eye);
 }
 
 }  // namespace occlude::culler

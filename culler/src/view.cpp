@@ -11,17 +11,16 @@
 #include "bounds.h"
 #include "legal_soup.h"
 #include "occlude/kernel/half_space.h"
-#include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/validity.h"
 #include "outer_box.h"
+#include "shadow_rule.h"
 #include "single_precision.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
 namespace {
 
-using kernel::NearBoundary;
 using kernel::Relation;
 
 /// The half-spaces have a margin for what reaches as far as the model. A box that reaches farther has them moved outwards by
@@ -29,8 +28,8 @@ using kernel::Relation;
 /// longer than 1.
 template <class AnyBox>
 bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
-  const double own_reach = depth(outer_box(box), memory.eye);
-  const double moved = own_reach > memory.reach ? kDepthMargin * own_reach : 0;
+  const double own_reach = depth(outer_box(box), memory.view.camera.eye);
+  const double moved = own_reach > memory.view.depth ? kDepthMargin * own_reach : 0;
   return std::ranges::any_of(memory.result.view, [&](const HalfSpace& h) {
     const double offset = h.offset + moved;
     if (kernel::check(offset) != kernel::Refusal::none) return false;
@@ -41,13 +40,11 @@ bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
 template <class AnyBox>
 bool is_in_shadow(const CullResult& frame, const AnyBox& box) {
   const auto hides = [&](const Occluder& o) {
-    return kernel::conservative_certified(o.frustum, box, NearBoundary::open).relation == Relation::inside &&
-           frame.margin.keeps(o.frustum, box);
+    return decide_cull(o.frustum, box, Asked{}, frame.margin).relation == Relation::inside;
   };
   const auto hide_together = [&](const ShadowPair& pair) {
     const kernel::ShadowUnion both{frame.occluders[pair.first].frustum, frame.occluders[pair.second].frustum};
-    return kernel::overlap_certified(both, box, NearBoundary::open).relation == Relation::inside &&
-           frame.margin.keeps(both, box);
+    return decide_cull(both, box, Asked{}, frame.margin).relation == Relation::inside;
   };
   return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(frame.pairs, hide_together);
 }
@@ -100,7 +97,7 @@ void View::Memory::take_planes() {
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
 }
 
-void View::Memory::begin_frame() {
+void View::Memory::begin_frame(std::size_t nodes) {
   for (Occluder& occluder : result.occluders) spare.push_back(std::move(occluder.frustum));
   for (Occluder& occluder : probes) spare.push_back(std::move(occluder.frustum));
   probes.clear();
@@ -110,6 +107,10 @@ void View::Memory::begin_frame() {
   result.occluders.clear();
   result.pairs.clear();
   result.stats = {};
+  // Subtrees that are drawn or culled have no leaf in common, and between two ranges that are drawn something is culled.
+  const std::size_t leaves = (nodes + 1) / 2;
+  result.drawn.reserve((leaves + 1) / 2);
+  result.culled.reserve(leaves);
 }
 
 }  // namespace occlude::culler

@@ -3,17 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <unordered_map>
 #include <vector>
 
 #include "candidate_order.h"
 #include "cover_buffer.h"
 #include "cover_group.h"
-#include "occlude/culler/occluder_history.h"
+#include "followed_silhouettes.h"
+#include "frame_view.h"
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
-#include "occlude/kernel/polytope_silhouette.h"
+#include "occluder_history.h"
 
 namespace occlude::culler {
 
@@ -23,18 +22,21 @@ struct SeenLeaf {
   CoverBuffer::Footprint footprint;
 };
 
+/// What came of trying to take an occluder.
+enum class Trial : std::uint8_t { none, taken, refused };
+
 struct View::Memory {
   CullResult result;
-  glm::dvec3 eye{};  ///< of the frame
-  double reach = 0;  ///< depth() of all that its half-spaces are about
+  FrameView view;  ///< of the frame, for all that its half-spaces are about
   OccluderHistory history;
   CandidateOrder order;
-  std::unordered_map<std::uint32_t, kernel::PolytopeSilhouette> silhouettes;  ///< of shells, by occluder
+  FollowedSilhouettes silhouettes;
 
   std::vector<Candidate> candidates;
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
-  std::vector<std::uint32_t> tried;  ///< occluders that this frame has tried to take
+  std::vector<std::uint32_t> tried;  ///< occluders that the frame has tried to take
+  std::vector<Trial> trials;         ///< of each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
   std::vector<std::uint32_t> holding;  ///< the traversal's stacks
@@ -49,8 +51,9 @@ struct View::Memory {
 
   /// Makes planes of the result's view.
   void take_planes();
-  /// Empties the result for the next frame; its frusta become spare.
-  void begin_frame();
+  /// Empties the result for the next frame; its frusta become spare. Makes room for all that a frame may draw or cull of a
+  /// tree of so many nodes, so that no frame after the first has to: what is never written to takes addresses alone.
+  void begin_frame(std::size_t nodes);
 };
 
 }  // namespace occlude::culler

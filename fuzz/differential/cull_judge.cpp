@@ -235,7 +235,7 @@ class CullJudge {
   oracle::Shadow& shadow(std::uint32_t index) {
     if (shadows_[index]) return *shadows_[index];
     const culler::Occluder& occluder = result_.occluders[index];
-    return shadows_[index].emplace(viewpoint(), to_oracle(occluders_.geometry(hierarchy_.soup(), occluder.index)),
+    return shadows_[index].emplace(viewpoint(), to_oracle(occluders_.geometry(occluder.index)),
                                    to_oracle(options_.near, {occluder.frustum}));
   }
 

@@ -155,7 +155,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
   const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
                                                                               : kernel::Viewpoint::direction(value);
   const kernel::ShadowFrustumResult fresh =
-      culler.occluders().shadow(culler.hierarchy().soup(), occluder.index, viewpoint, options.near);
+      culler.occluders().shadow(occluder.index, viewpoint, options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
          std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());

@@ -310,7 +310,7 @@ class Forger {
   }
 
   Json occluder_of(std::uint32_t i) {
-    const auto geometry = culler_.occluders().geometry(soup(), i);
+    const auto geometry = culler_.occluders().geometry(i);
     if (const auto* solid = std::get_if<kernel::Polytope>(&geometry)) {
       std::vector<dvec3> vertices;
       for (const kernel::Vec3& v : solid->vertices) vertices.push_back(to_glm(v));

@@ -56,6 +56,21 @@ void PolytopeSilhouette::link(const ConvexPolytope& polytope) {
   }
 }
 
+void PolytopeSilhouette::clear() {
+  turned_.clear();
+  turned_faces_.clear();
+  loop_.clear();
+  faces_asked_ = 0;
+}
+
+void PolytopeSilhouette::reserve(std::size_t faces, std::size_t edges) {
+  turned_.reserve(faces);
+  is_asked_.reserve(faces);
+  turned_faces_.reserve(faces);
+  edges_.reserve(edges);
+  loop_.reserve(edges);
+}
+
 void PolytopeSilhouette::update(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
   const auto count = static_cast<std::uint32_t>(polytope.faces().size());
   turned_.resize(count);

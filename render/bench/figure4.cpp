@@ -71,7 +71,7 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   // One culler for all curves: those without depth complexity give it no weight.
   const culler::Culler culler =
       are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config, render::check_interrupt);
-  figure.regions = culler.grid().regions();
+  figure.regions = culler.occluders().grid().regions();
   if (are_sampled) figure.sampling_s = stopwatch.seconds();
 
   const double in_view = polygons_in_view(culler, subject.path, options.walk);

@@ -26,7 +26,7 @@ struct Candidate {
 std::vector<Candidate> candidates_of(const culler::Culler& culler, const culler::Camera& camera,
                                      const culler::CullResult& culled) {
   std::vector<Candidate> candidates;
-  for (const std::uint32_t i : culler.grid().list(camera.eye).occluders) {
+  for (const std::uint32_t i : culler.occluders().grid().list(camera.eye).occluders) {
     const culler::PotentialOccluder& occluder = culler.occluders()[i];
     const auto is_beyond = [&](const culler::HalfSpace& h) {
       return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius;

@@ -34,7 +34,7 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
   trial.preprocess_s.push_back(stopwatch.seconds());
   const Pass pass = pass_along(culler, subject.path, options.walk, options.walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);
-  trial.point.entries = culler.grid().lists().occluders.size();
+  trial.point.entries = culler.occluders().grid().lists().occluders.size();
   trial.point.listed = pass.listed;
   trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "frame_view.h"
 #include "frames.h"
 #include "kernel/rounding.h"
 #include "occlude/kernel/clearance.h"
@@ -194,7 +195,7 @@ TEST(Clearance, WithoutAShadowThereIsNone) {
   EXPECT_EQ(clearance(none, oriented).distance, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(certain_distance(none, box), 0);
   EXPECT_EQ(certain_distance(none, oriented), 0);
-  for (const ShadowMargin& margin : {ShadowMargin(), ShadowMargin(camera_at(0), 0.01, 100)}) {
+  for (const ShadowMargin& margin : {ShadowMargin(), ShadowMargin(FrameView(camera_at(0), 100), 0.01)}) {
     EXPECT_FALSE(margin.keeps(none, box));
     EXPECT_FALSE(margin.keeps(none, oriented));
     EXPECT_FALSE(margin.keeps(kernel::ShadowUnion{none, none}, box));

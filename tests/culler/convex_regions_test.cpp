@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "adjacency.h"
 #include "occlude/culler/potential_occluders.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"
@@ -276,7 +277,7 @@ TEST(ConvexRegions, PiecesOfAPolygonWithVeryManySides) {
     next += regions.piece(r)->count;
   }
   EXPECT_EQ(next, kSides - 2);
-  const PotentialOccluders occluders = PotentialOccluders::find(soup, {});
+  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
   EXPECT_EQ(occluders[0].area(), 0);
   for (std::size_t r = 1; r < regions.size(); ++r) EXPECT_GT(occluders[r].area(), 0.1);
 }

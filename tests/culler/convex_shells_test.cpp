@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "adjacency.h"
 #include "scenes.h"
 
 namespace {

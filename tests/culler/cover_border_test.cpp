@@ -19,7 +19,7 @@ constexpr int kWidth = 48, kHeight = 32;
 BeamPicture picture() {
   Camera camera;
   camera.aspect = 1.5;
-  return {camera, 100, {kWidth, kHeight, 16}, 0};
+  return {FrameView(camera, 100), {kWidth, kHeight, 16}, 0};
 }
 
 /// What is closed of all tiles, row after row.

@@ -61,7 +61,7 @@ void add(CoverBuffer& buffer, const std::vector<glm::dvec3>& vertices, const std
 class Judge {
  public:
   Judge(const Camera& camera, Mesh mesh, double depth, double margin = 0) : camera_(camera), mesh_(std::move(mesh)) {
-    buffer_.begin(camera, depth, kWidth, kHeight, margin);
+    buffer_.begin(FrameView(camera, depth), kWidth, kHeight, margin);
     std::vector<kernel::Cover::Polygon> polygons;
     for (const auto& piece : mesh_.pieces) {
       add(buffer_, mesh_.vertices, piece);
@@ -182,10 +182,10 @@ TEST(CoverBuffer, TheMarginIsKept) {
 TEST(CoverBuffer, BeginningOpensAllPixels) {
   const Mesh mesh = square(2, 1);
   CoverBuffer buffer;
-  buffer.begin(looking_along_x(), 100, kWidth, kHeight, 0);
+  buffer.begin(FrameView(looking_along_x(), 100), kWidth, kHeight, 0);
   add(buffer, mesh.vertices, mesh.pieces[0]);
   EXPECT_TRUE(buffer.hides(cube({4, 0, 0}, 0.8)));
-  buffer.begin(looking_along_x(), 100, kWidth, kHeight, 0);
+  buffer.begin(FrameView(looking_along_x(), 100), kWidth, kHeight, 0);
   EXPECT_FALSE(buffer.hides(cube({4, 0, 0}, 0.8)));
 }
 
@@ -236,7 +236,7 @@ TEST(BeamPicture, ParallelRaysKeepTheirPlace) {
     camera.target = some();
     camera.up = camera.target + std::ldexp(1.0, -static_cast<int>(random() % 28)) * some();
     if (!fault(camera).empty()) continue;
-    const BeamPicture picture(camera, kDepth, {kWidth, kHeight, 16}, 0);
+    const BeamPicture picture(FrameView(camera, kDepth), {kWidth, kHeight, 16}, 0);
     const glm::dvec3 near = some(), far = near + 0x1p8 * camera.axes().forward;
     const Corner a = picture.corner(picture.see(near)), b = picture.corner(picture.see(far));
     EXPECT_NEAR(a.place.x, b.place.x, a.error + b.error) << i;

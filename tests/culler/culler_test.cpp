@@ -15,10 +15,10 @@
 
 #include "bounds.h"
 #include "frames.h"
-#include "occlude/culler/occluder_history.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/validity.h"
+#include "occluder_history.h"
 #include "scenes.h"
 #include "traverse.h"
 #include "view_memory.h"
@@ -244,9 +244,31 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
         }
       }
     }
-    for (const HalfSpace& h : view_frustum(camera)) {
-      EXPECT_LT(glm::dot(h.normal, camera.eye - 1e5 * (right + up + forward)) + h.offset, 0) << "closed on no side";
-      break;
+  }
+}
+
+/// What is beside one border of the picture is beyond the plane of that border, and of no other.
+TEST(ViewFrustum, IsClosedOnEverySideOfThePicture) {
+  std::mt19937 random(6);
+  for (int i = 0; i < 200; ++i) {
+    const Camera camera = random_camera(random);
+    const auto [right, up, forward] = camera.axes();
+    const double away = 20, half = camera.projection == Projection::perspective
+                                       ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * away
+                                       : camera.height / 2;
+    const double across = camera.aspect * half, beside = 5;  // more than the margin of the planes, 2^-20 of the depth
+    const glm::dvec3 middle = camera.eye + away * forward;
+    std::vector<glm::dvec3> outside{middle - (across + beside) * right, middle + (across + beside) * right,
+                                    middle - (half + beside) * up, middle + (half + beside) * up,
+                                    camera.eye - beside * forward};
+    if (std::isfinite(camera.far)) outside.push_back(camera.eye + (camera.far + beside) * forward);
+    const std::vector<HalfSpace> planes = view_frustum(camera);
+    ASSERT_EQ(planes.size(), outside.size());
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      for (std::size_t p = 0; p < planes.size(); ++p) {
+        if (p != k && k == 4) continue;  // behind the eye one is beyond the sides as well
+        EXPECT_EQ(glm::dot(planes[p].normal, outside[k]) + planes[p].offset < 0, p == k) << "point " << k << ", plane " << p;
+      }
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "occlude/culler/clearance.h"
 #include "occlude/kernel/clearance.h"
 #include "occlude/culler/culler.h"
+#include "plane_work.h"
 #include "scenes.h"
 
 namespace {
@@ -158,7 +159,7 @@ TEST(Missed, CountsTheExactStageAsWork) {
   const CullResult frame = culler.cull(Camera{}, options);
   const MissedReasons reasons(culler, Camera{}, options, frame);
   constexpr std::size_t kExact = 500;  // answers of the exact stage; each wall asks dozens
-  const MissedReasons::Counts some = reasons.count(std::vector<bool>(soup.size()), {}, kExact * MissedReasons::kExactWork);
+  const MissedReasons::Counts some = reasons.count(std::vector<bool>(soup.size()), {}, kExact * PlaneWork::kExact);
   EXPECT_LT(some.asked(), some.missed / 2);
 }
 

@@ -16,7 +16,8 @@ using namespace occlude::culler;
 
 struct Model {
   explicit Model(const PolygonSoup& soup)
-      : box(Hierarchy::build(soup, {}).nodes()[0].box), occluders(PotentialOccluders::find(soup, {})) {}
+      : box(Hierarchy::build(soup, {}).nodes()[0].box),
+        occluders(PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {})) {}
 
   [[nodiscard]] OccluderGrid grid(const OccluderGrid::Config& config = {}) const {
     return OccluderGrid::build(occluders, box, config);

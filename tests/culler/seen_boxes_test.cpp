@@ -54,7 +54,7 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
     camera.aspect = uniform(0.5, 2);
     if (!fault(camera).empty()) continue;
     const double depth = 3 * away + 300;
-    const BeamPicture picture(camera, depth, {512, 288, 16}, i % 2 == 0 ? 0 : 1e-6);
+    const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : 1e-6);
     const BoxPicture boxes(picture, 0);
     SeenBoxes batch;
     std::vector<kernel::Aabb> asked;
@@ -107,7 +107,7 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
 
 TEST(SeenBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
   Camera camera;  // along +x
-  const BeamPicture picture(camera, 100, {128, 96, 16}, 0);
+  const BeamPicture picture(FrameView(camera, 100), {128, 96, 16}, 0);
   const BoxPicture boxes(picture, 0);
   SeenBoxes batch;
   batch.add(boxes, {{0.05, -1, -1}, {2, 1, 1}});

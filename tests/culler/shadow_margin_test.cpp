@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bounds.h"
+#include "frame_view.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"
@@ -102,7 +103,7 @@ class Margin : public testing::TestWithParam<Projection> {
 
 /// Anywhere behind the pentagon and beside it, or just beyond the near plane of its shadow.
 TEST_P(Margin, KeepsWhatStaysInTheShadowHoweverItIsMoved) {
-  const ShadowMargin margin(camera_, kShare, 0);
+  const ShadowMargin margin(FrameView(camera_, 0), kShare);
   for (const kernel::Near near : {kernel::Near::surface, kernel::Near::farthest}) {
     const kernel::ShadowFrustum frustum = shadow(near);
     std::mt19937 random(11);
@@ -138,8 +139,8 @@ TEST_P(Margin, OfNoneIsTheShadowItself) {
   const kernel::ShadowFrustum frustum = shadow(kernel::Near::surface);
   const kernel::Aabb touching{{loop_[0].x, loop_[0].y, loop_[0].z}, {loop_[0].x, loop_[0].y, loop_[0].z}};
   EXPECT_TRUE(ShadowMargin().keeps(frustum, touching));
-  EXPECT_TRUE(ShadowMargin(camera_, 0, 1e9).keeps(frustum, touching));
-  EXPECT_FALSE(ShadowMargin(camera_, kShare, 0).keeps(frustum, touching));
+  EXPECT_TRUE(ShadowMargin(FrameView(camera_, 1e9), 0).keeps(frustum, touching));
+  EXPECT_FALSE(ShadowMargin(FrameView(camera_, 0), kShare).keeps(frustum, touching));
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspective, Projection::orthographic));
@@ -155,7 +156,7 @@ TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
     Camera camera;
     camera.projection = projection;
     const auto shadow = kernel::ShadowFrustum::make(camera.viewpoint(), wall, kernel::Near::surface).frustum.value();
-    const ShadowMargin margin(camera, kNone, kDepth);
+    const ShadowMargin margin(FrameView(camera, kDepth), kNone);
     const auto keeps = [&](double x, double y) { return margin.keeps(shadow, kernel::Aabb{{x, y, 0}, {x, y, 0}}); };
     // The sides are x >= y and 20 >= y.
     const double side =
@@ -180,7 +181,7 @@ TEST(ShadowMargin, OfTwoIsThatOfTheNearer) {
   };
   const auto far = shadow({{20, -20, -20}, {20, 0, -20}, {20, 0, 20}, {20, -20, 20}});
   const auto near = shadow({{5, 0, -5}, {5, 5, -5}, {5, 5, 5}, {5, 0, 5}});
-  const ShadowMargin margin(camera, kNone, kDepth);
+  const ShadowMargin margin(FrameView(camera, kDepth), kNone);
   // The side is x >= y, and the box is grown along both axes.
   const double side = 40 - 2 * (40 * kRounding / 5 + 2 * kRounding);
   for (const kernel::ShadowUnion& both : {kernel::ShadowUnion{far, near}, kernel::ShadowUnion{near, far}}) {

@@ -20,7 +20,6 @@ namespace {
 /// Counts the operations of the frame's shadow tests and passes the tests to on_shadow_test.
 kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::CullResult& culled,
                                       const WalkOptions& options) {
-  const culler::PolygonSoup& soup = culler.hierarchy().soup();
   kernel::Operations total;
   culler.visit_shadow_tests(culled, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
     check_interrupt();
@@ -31,7 +30,7 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
         box);
     if (!options.on_shadow_test) return;
     options.on_shadow_test(
-        {frame, occluder.frustum.viewpoint(), culler.occluders().geometry(soup, occluder.index), options.cull.near, box});
+        {frame, occluder.frustum.viewpoint(), culler.occluders().geometry(occluder.index), options.cull.near, box});
   });
   return total;
 }

@@ -53,7 +53,7 @@ std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
 
 /// The members of an occluder, without braces.
 std::string geometry_members(const culler::Culler& culler, std::uint32_t occluder) {
-  const auto geometry = culler.occluders().geometry(culler.hierarchy().soup(), occluder);
+  const auto geometry = culler.occluders().geometry(occluder);
   if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry)) {
     return fmt::format(R"("polygon":{}{})", list(*polygon, triple<kernel::Vec3>), parts_member(culler, occluder));
   }

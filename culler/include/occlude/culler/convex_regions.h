@@ -11,11 +11,12 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/adjacency.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {
+
+struct SidePair;
 
 /// Triangles [first, first + count) of the fan that a polygon is drawn as.
 struct FanRun {

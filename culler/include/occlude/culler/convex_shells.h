@@ -9,12 +9,13 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/adjacency.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/convex_polytope.h"
 
 namespace occlude::culler {
+
+struct SidePair;
 
 /// Every shell is closed and convex exactly: the kernel has checked it. No polygon is in two.
 class ConvexShells {
@@ -26,6 +27,9 @@ class ConvexShells {
                                          const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return shells_.size(); }
+  /// No shell has more.
+  [[nodiscard]] std::size_t most_faces() const { return most_faces_; }
+  [[nodiscard]] std::size_t most_edges() const { return most_edges_; }
   [[nodiscard]] const kernel::ConvexPolytope& polytope(std::size_t s) const { return shells_[s].polytope; }
   /// The polygons of the soup that are its faces, in ascending order.
   [[nodiscard]] std::span<const std::uint32_t> parts(std::size_t s) const { return shells_[s].parts; }
@@ -40,6 +44,7 @@ class ConvexShells {
     kernel::ConvexPolytope polytope;
   };
   std::vector<Shell> shells_;
+  std::size_t most_faces_ = 0, most_edges_ = 0;
   std::vector<std::uint32_t> shell_of_;  ///< of each polygon; empty where there are no shells
 };
 

@@ -75,7 +75,7 @@ struct CullOptions {
 
 /// An occluder in use: one of the potential occluders, and its shadow.
 struct Occluder {
-  std::uint32_t index = 0;  ///< in PotentialOccluders
+  std::uint32_t index = 0;  ///< in the OccluderSet
   kernel::ShadowFrustum frustum;
   std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took, alone or with another
 };
@@ -126,8 +126,9 @@ struct CullStats {
   std::size_t cover_groups_left = 0;                  ///< not drawn into it, for a budget was spent
   std::size_t exact_shadow_tests = 0;                 ///< of these, decided by the kernel's exact stage
   std::size_t potential_occluders = 0, occluders_in_view = 0;
-  std::size_t sort_kept = 0;   ///< candidates that the frame before had as well
-  std::size_t sort_moves = 0;  ///< by how many places the insertion sort moved them, all together
+  std::size_t sort_kept = 0;    ///< candidates that the frame before had as well
+  std::size_t sort_moves = 0;   ///< by how many places the insertion sort moved them, all together
+  std::size_t choice_work = 0;  ///< of choosing among the sorted, in planes of shadows: bounded (README.md, Budgets)
   std::size_t silhouette_faces = 0, silhouette_faces_asked = 0;  ///< of polytopes: all, and those asked for their side
   /// `shadow`: of one occluder, of two together, or of a cover.
   std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;

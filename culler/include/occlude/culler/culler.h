@@ -8,8 +8,7 @@
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/culler/occluder_grid.h"
-#include "occlude/culler/potential_occluders.h"
+#include "occlude/culler/occluder_set.h"
 #include "occlude/culler/preprocess.h"
 #include "occlude/culler/view.h"
 
@@ -67,9 +66,8 @@ class Culler {
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// What may be an occluder, of the polygons of hierarchy().soup().
-  [[nodiscard]] const PotentialOccluders& occluders() const { return occluders_; }
-  [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
+  /// What may be an occluder, of the polygons of hierarchy().soup(), and the regions that list it.
+  [[nodiscard]] const OccluderSet& occluders() const { return occluders_; }
 
  private:
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
@@ -77,8 +75,7 @@ class Culler {
   Identity identity_;
   BuildConfig config_;
   Hierarchy hierarchy_;
-  PotentialOccluders occluders_;
-  OccluderGrid grid_;
+  OccluderSet occluders_;
   std::shared_ptr<LazyTriangles> triangles_;
 };
 

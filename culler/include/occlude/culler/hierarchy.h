@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -57,11 +58,12 @@ class Hierarchy {
   [[nodiscard]] Layout layout() const;
 
   /// The polygons in the order of the leaves.
-  [[nodiscard]] const PolygonSoup& soup() const { return soup_; }
+  [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }
+  [[nodiscard]] const std::shared_ptr<const PolygonSoup>& shared_soup() const { return soup_; }
   /// Index in the input of polygon p of soup().
   [[nodiscard]] std::uint32_t original(std::size_t p) const { return order_[p]; }
   /// Number of fan triangles in polygons [0, p) of soup(); p may be soup().size().
-  [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_.first[p] - 2 * p; }
+  [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_->first[p] - 2 * p; }
   /// The root first.
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
   /// The leaf that has polygon p of soup().
@@ -86,7 +88,7 @@ class Hierarchy {
 
   void fit_oriented_boxes(const Checkpoint& checkpoint);
 
-  PolygonSoup soup_;
+  std::shared_ptr<const PolygonSoup> soup_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
   std::vector<kernel::Obb> oriented_boxes_;

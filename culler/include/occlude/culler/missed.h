@@ -51,10 +51,8 @@ class MissedReasons {
  public:
   /// Of a list that is longer, what looks largest from the eye is asked. Nearly all lists of the models tried are shorter.
   static constexpr std::size_t kMostListed = 4096;
-  /// Work is counted in planes of shadows that boxes and corners are held against, some ten nanoseconds each. An answer of
-  /// the exact stage takes up to twenty microseconds, as much as so many planes.
-  static constexpr std::size_t kExactWork = 2048;
-  /// For all nodes and polygons of a frame, a second or so of one processor: beyond, polygons are not asked.
+  /// Work is counted in planes of shadows that boxes and corners are held against (README.md, Budgets). For all nodes and
+  /// polygons of a frame, a second or so of one processor: beyond, polygons are not asked.
   static constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
   /// `frame` is what the culler made of this camera with these options, and must outlive this.
@@ -62,7 +60,7 @@ class MissedReasons {
 
   struct Answer {
     Missed reason;
-    std::uint32_t occluder = Culled::kNone;  ///< that hides the polygon alone, in PotentialOccluders; none if none does
+    std::uint32_t occluder = Culled::kNone;  ///< that hides the polygon alone, in Culler::occluders(); none if none does
   };
   /// Why polygon p of the tree, which is hidden and drawn, was not culled.
   [[nodiscard]] Answer answer(std::uint32_t p) const;
@@ -96,7 +94,7 @@ class MissedReasons {
   class Asking;
   class Work;
 
-  void keep_others(const Culler& culler, const Camera& camera, const CullOptions& options);
+  void keep_others(const Camera& camera, const CullOptions& options);
   [[nodiscard]] Near all() const;
   [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node, Work& work) const;
   [[nodiscard]] Answer answer(std::uint32_t p, const Near& near, Work& work) const;
@@ -108,7 +106,7 @@ class MissedReasons {
   [[nodiscard]] Missed missed_by_cover(const kernel::Aabb& box, Work& work) const;
 
   const Hierarchy& hierarchy_;
-  const PotentialOccluders& occluders_;
+  const OccluderSet& occluders_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
   std::shared_ptr<const CoverBuffer> cover_;      ///< of a frame by cover

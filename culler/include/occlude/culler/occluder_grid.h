@@ -61,6 +61,8 @@ class OccluderGrid {
   /// Of the region that holds the point; points outside the model go to the nearest region.
   [[nodiscard]] List list(const glm::dvec3& point) const { return list(region_at(point)); }
   [[nodiscard]] List list(std::size_t region) const;
+  /// Entries of the longest list.
+  [[nodiscard]] std::size_t longest() const { return longest_; }
   [[nodiscard]] std::size_t region_at(const glm::dvec3& point) const;
 
   [[nodiscard]] const std::array<std::size_t, 3>& size() const { return size_; }
@@ -73,6 +75,7 @@ class OccluderGrid {
  private:
   OccluderGrid(const kernel::Aabb& model, const Config& config);
 
+  void take(Lists lists);
   [[nodiscard]] std::array<std::size_t, 3> cell_of(const glm::dvec3& point) const;
   [[nodiscard]] std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
     return (z * size_[1] + y) * size_[0] + x;
@@ -82,6 +85,7 @@ class OccluderGrid {
   double edge_ = 1;  ///< of a region, model units
   std::array<std::size_t, 3> size_{1, 1, 1};
   Lists lists_;
+  std::size_t longest_ = 0;
 };
 
 }  // namespace occlude::culler

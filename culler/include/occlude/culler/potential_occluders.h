@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
@@ -41,10 +42,11 @@ class PotentialOccluders {
     bool shells = true;
   };
 
-  /// REQUIRES: finite coordinates.
-  [[nodiscard]] static PotentialOccluders find(const PolygonSoup& soup, const Config& config,
+  /// Those that the polygons of the soup are, make up and enclose. REQUIRES: finite coordinates.
+  [[nodiscard]] static PotentialOccluders find(std::shared_ptr<const PolygonSoup> soup, const Config& config,
                                                const Checkpoint& checkpoint = {});
 
+  [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }
   /// Occluders 0, ..., size() - 1: first the regions, then the shells.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
   [[nodiscard]] const PotentialOccluder& operator[](std::size_t i) const { return known_[i]; }
@@ -61,16 +63,17 @@ class PotentialOccluders {
     return is_shell(i) ? shells_.parts(i - regions_.size()) : regions_.parts(i);
   }
   /// Fills `vertices` with all of its own: of a region its corners in order.
-  void vertices(const PolygonSoup& soup, std::size_t i, std::vector<kernel::Vec3>& vertices) const;
+  void vertices(std::size_t i, std::vector<kernel::Vec3>& vertices) const;
   /// What the kernel takes for the occluder: a polygon or a polytope.
-  [[nodiscard]] OccluderGeometry geometry(const PolygonSoup& soup, std::size_t i) const;
+  [[nodiscard]] OccluderGeometry geometry(std::size_t i) const;
   /// Its shadow, or why it has none from there.
-  [[nodiscard]] kernel::ShadowFrustumResult shadow(const PolygonSoup& soup, std::size_t i,
-                                                   const kernel::Viewpoint& viewpoint, kernel::Near near) const;
+  [[nodiscard]] kernel::ShadowFrustumResult shadow(std::size_t i, const kernel::Viewpoint& viewpoint,
+                                                   kernel::Near near) const;
   /// The next larger occluder that i is a part of, which hides all that i does; i itself if there is none.
   [[nodiscard]] std::uint32_t container(std::uint32_t i) const;
 
  private:
+  std::shared_ptr<const PolygonSoup> soup_;
   ConvexRegions regions_;
   ConvexShells shells_;
   std::vector<PotentialOccluder> known_;

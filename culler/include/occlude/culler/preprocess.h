@@ -10,15 +10,14 @@
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/culler/occluder_grid.h"
-#include "occlude/culler/potential_occluders.h"
+#include "occlude/culler/occluder_set.h"
 
 namespace occlude::culler {
 
 /// How a model is prepared.
 struct BuildConfig {
   Hierarchy::Config hierarchy = {};
-  PotentialOccluders::Config occluders = {};
+  OccluderSet::Config occluders = {};
   OccluderGrid::Config grid = {};
 };
 

@@ -12,9 +12,8 @@
 #include "occlude/culler/box.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/culler/occluder_grid.h"
+#include "occlude/culler/occluder_set.h"
 #include "occlude/culler/polygon_soup.h"
-#include "occlude/culler/potential_occluders.h"
 #include "occlude/culler/view.h"
 
 namespace occlude::culler {
@@ -30,7 +29,7 @@ struct SceneObjects {
 
 /// How the occluders are prepared.
 struct SceneConfig {
-  PotentialOccluders::Config occluders = {};
+  OccluderSet::Config occluders = {};
   OccluderGrid::Config grid = {};
 };
 
@@ -88,7 +87,7 @@ class Scene {
   /// As Culler::prepare_cover().
   void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
-  /// What to draw for the next frame of this camera. After some frames along a path nothing is allocated any more. Returns
+  /// What to draw for the next frame of this camera. After the first frame of a view nothing is allocated any more. Returns
   /// view.result(). A view that was used with another scene starts anew. Throws std::invalid_argument for a camera with a
   /// fault(), std::runtime_error while the processor does not round to nearest, and the view keeps its last frame.
   const SceneResult& cull(const Camera& camera, const CullOptions& options, SceneView& view) const;
@@ -105,15 +104,13 @@ class Scene {
   [[nodiscard]] std::size_t dynamics() const;
   /// The ids of the static objects in the order in which SceneResult::static_ranges counts them.
   [[nodiscard]] std::span<const std::uint32_t> static_order() const;
-  /// What may be an occluder, of the polygons of the soup: Occluder::index is one of these.
-  [[nodiscard]] const PotentialOccluders& occluders() const { return occluders_; }
+  /// What may be an occluder, with the polygons of the soup: Occluder::index is one of these.
+  [[nodiscard]] const OccluderSet& occluders() const { return occluders_; }
 
  private:
   Identity identity_;
   std::unique_ptr<ObjectTree> objects_;
-  PolygonSoup soup_;
-  PotentialOccluders occluders_;
-  OccluderGrid grid_;
+  OccluderSet occluders_;
   std::unique_ptr<CoverOccluders> cover_;
 };
 

@@ -6,12 +6,13 @@
 #include <glm/vec3.hpp>
 
 #include "occlude/culler/box.h"
-#include "occlude/culler/camera.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
+
+struct FrameView;
 
 /// The shadow less the margin is what stays in the shadow however it is moved by up to the margin in the picture. So each
 /// plane n . x >= d of it, relative to the eye, becomes (n - m |n_across| forward) . x >= d, n_across being the part of n
@@ -28,9 +29,8 @@ class ShadowMargin {
  public:
   /// None: the shadow itself.
   ShadowMargin() = default;
-  /// `share` of the height of the camera's picture, in a model of which no point is farther than `depth` from the eye; none
-  /// if the share is 0. REQUIRES: share >= 0, and a camera without a fault().
-  ShadowMargin(const Camera& camera, double share, double depth);
+  /// `share` of the height of the view's picture; none if the share is 0. REQUIRES: share >= 0.
+  ShadowMargin(const FrameView& view, double share);
 
   [[nodiscard]] bool is_none() const { return size_ == 0; }
 

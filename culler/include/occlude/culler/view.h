@@ -32,8 +32,8 @@ class Identity {
 };
 
 /// A view belongs to one camera, and to one thread at a time; different views may be culled at once. Used with another
-/// culler or scene than in the frame before it starts anew, as if it had just been made. After some frames along a path
-/// nothing is allocated any more.
+/// culler or scene than in the frame before it starts anew, as if it had just been made. After its first frame
+/// nothing is allocated any more (README.md, Contracts).
 class View {
  public:
   View();

@@ -23,8 +23,13 @@ class PolytopeSilhouette {
 
   /// Moves on to this viewpoint. Asks the faces along the silhouette last seen and those that it moves across; all of them
   /// the first time. REQUIRES: a legal viewpoint, which is not checked, rounding to nearest
-  /// (validity.h), and the same polytope at every call.
+  /// (validity.h), and the same polytope at every call since clear().
   void update(const Viewpoint& viewpoint, const ConvexPolytope& polytope);
+
+  /// Forgets what it has seen, so that the next polytope may be another. Keeps its memory.
+  void clear();
+  /// Makes room for a polytope of so many faces and edges: up to that update() allocates nothing even the first time.
+  void reserve(std::size_t faces, std::size_t edges);
 
   /// In ascending order.
   [[nodiscard]] std::span<const std::uint32_t> turned_faces() const { return turned_faces_; }

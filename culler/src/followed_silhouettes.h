@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The silhouettes of shells that a view follows from frame to frame.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "occlude/kernel/polytope_silhouette.h"
+
+namespace occlude::culler {
+
+/// So many, whatever the path: for a new one goes one that was not asked for since the last round of the places (the clock
+/// algorithm, Corbato 1968).
+class FollowedSilhouettes {
+ public:
+  /// Makes places for `count` of `shells`, which have so many faces and edges at most. REQUIRES: count > 0 where there are
+  /// shells; the same shells at every call.
+  void reserve(std::size_t count, std::size_t shells, std::size_t faces, std::size_t edges) {
+    place_.resize(shells, kNone);
+    followed_.reserve(count);
+    while (followed_.size() < count) followed_.emplace_back().seen.reserve(faces, edges);
+  }
+
+  /// What was last seen of the shell, or nothing yet.
+  [[nodiscard]] kernel::PolytopeSilhouette& of(std::uint32_t shell) {
+    if (place_[shell] == kNone) {
+      place_[shell] = free_place();
+      followed_[place_[shell]].shell = shell;
+    }
+    Followed& followed = followed_[place_[shell]];
+    followed.is_recent = true;
+    return followed.seen;
+  }
+
+  [[nodiscard]] std::size_t size() const { return followed_.size(); }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  struct Followed {
+    std::uint32_t shell = kNone;
+    bool is_recent = false;  ///< asked for since the hand was here
+    kernel::PolytopeSilhouette seen;
+  };
+
+  std::uint32_t free_place() {
+    for (;; hand_ = (hand_ + 1) % followed_.size()) {
+      Followed& followed = followed_[hand_];
+      if (!followed.is_recent) break;
+      followed.is_recent = false;
+    }
+    Followed& free = followed_[hand_];
+    if (free.shell != kNone) place_[free.shell] = kNone;
+    free.seen.clear();
+    return static_cast<std::uint32_t>(hand_);
+  }
+
+  std::vector<Followed> followed_;
+  std::vector<std::uint32_t> place_;  ///< of each shell, or kNone
+  std::size_t hand_ = 0;
+};
+
+}  // namespace occlude::culler

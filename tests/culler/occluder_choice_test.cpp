@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "occluder_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+#include "frames.h"
+#include "occlude/culler/culler.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude::culler;
+
+/// A wall before so many small ones, which all may be occluders and which it hides.
+PolygonSoup one_wall_before(std::size_t hidden) {
+  PolygonSoup soup;
+  add_wall(soup, 2, -2, 2, -2, 2);
+  for (std::size_t i = 0; i < hidden; ++i) {
+    const double x = 3 + 0.001 * static_cast<double>(i), y = -1 + 0.1 * static_cast<double>(i % 20);
+    add_wall(soup, x, y, y + 0.05, 0, 0.05);
+  }
+  return soup;
+}
+
+/// All of the soup in one list.
+Culler listing_all(const PolygonSoup& soup) { return Culler(soup, {.grid = {.threshold = 1e-12, .regions = 1}}); }
+
+TEST(OccluderChoice, WorkIsBoundedWhereOneWallHidesAllOtherCandidates) {
+  constexpr std::size_t kHidden = 20000;
+  const Culler culler = listing_all(one_wall_before(kHidden));
+  const CullOptions options{.occluders = 2};
+  const CullResult frame = look(culler, options);
+  ASSERT_EQ(frame.stats.occluders_in_view, kHidden + 1);
+  EXPECT_EQ(frame.occluders.size(), 1U);
+  EXPECT_EQ(frame.stats.shadow_culled_polygons, kHidden);
+  const std::size_t most = kChoiceWorkOfEach * options.occluders;
+  EXPECT_GE(frame.stats.choice_work, most) << "not all can be asked";
+  EXPECT_LE(frame.stats.choice_work, most + PlaneWork::kExact + 100) << "no more than the last candidate beyond";
+  EXPECT_EQ(look(culler, options).drawn, frame.drawn);
+}
+
+/// What the wall leaves to be seen is chosen, however much it hides.
+TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
+  constexpr std::size_t kHidden = 5000;
+  PolygonSoup soup = one_wall_before(kHidden);
+  add_wall(soup, 60, 100, 100.01, 0, 0.01);  // the least of all, beside the wall
+  const Culler culler = listing_all(soup);
+  Camera camera;
+  camera.fov_y_deg = 120;
+  const CullResult frame = culler.cull(camera, {.occluders = 2});
+  ASSERT_EQ(frame.occluders.size(), 2U);
+  EXPECT_EQ(original(culler, frame.occluders[1]), kHidden + 1);
+  EXPECT_LT(frame.stats.choice_work, 2 * kChoiceWorkOfEach);
+}
+
+}  // namespace
