@@ -47,11 +47,7 @@ std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32
   return polygons;
 }
 
-<<<<<<< HEAD:render/report/src/why_report.cpp
-/// A potential occluder in words.
-=======
-/// An occluder of the culler, in words.
->>>>>>> 6d560f2f50a361b19157e2b86a7f29e481bec907:render/src/walk/why_text.cpp
+/// An occluder in words.
 std::string text_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
   constexpr std::size_t kListed = 6;
   const std::vector<std::uint32_t> polygons = polygons_of(culler, occluder);
