@@ -69,9 +69,9 @@ int main() {
     camera.eye = {2.0 * frame - 10, 0, 2};
     camera.target = camera.eye + glm::dvec3{0, 1, 0};
     Device device;
-    // Each frame.
+    // Each frame: ranges of the ordered index buffer.
     const CullResult& result = culler.cull(camera, {.occluders = 8}, view);
-    for (const auto& [first, count] : result.drawn) device.draw_indexed(3 * first, 3 * count);  // of the ordered index buffer
+    for (const auto& [first, count] : result.drawn) device.draw_indexed(3 * first, 3 * count);
     std::printf("frame %d: %4zu of %zu triangles in %zu calls\n", frame, device.indices / 3, soup.size(), device.calls);
   }
 }

@@ -214,7 +214,8 @@ void run_covers(std::uint64_t seed, Report& report) {
     judge(report, "cover", seed, "box " + std::to_string(i), decision.relation, decision.stage,
           oracle::relation_to_cover(to_oracle(question.viewpoint), polygons, to_oracle(box), coefficients(question.drawn)));
     const auto* const aabb = std::get_if<kernel::Aabb>(&box);
-    if (aabb == nullptr || is_unlike || decision.relation != kernel::Relation::inside || !is_judged_twice(seed * kGroup + i)) continue;
+    if (aabb == nullptr || is_unlike || decision.relation != kernel::Relation::inside || !is_judged_twice(seed * kGroup + i))
+      continue;
     ++report.tally.judged_twice;
     if (shows(question, *aabb)) add_finding(report, "cover", seed, "second oracle", "box " + std::to_string(i) + " shows");
   }

@@ -154,8 +154,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
   const kernel::Vec3 value{at.x, at.y, at.z};  // apart from the culler's own
   const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
                                                                               : kernel::Viewpoint::direction(value);
-  const kernel::ShadowFrustumResult fresh =
-      culler.occluders().shadow(occluder.index, viewpoint, options.near);
+  const kernel::ShadowFrustumResult fresh = culler.occluders().shadow(occluder.index, viewpoint, options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
          std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());

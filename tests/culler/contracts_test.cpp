@@ -12,10 +12,10 @@
 #include "frame_view.h"
 #include "frames.h"
 #include "kernel/rounding.h"
-#include "occlude/kernel/clearance.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
 #include "occlude/culler/shadow_margin.h"
+#include "occlude/kernel/clearance.h"
 #include "scenes.h"
 
 namespace {

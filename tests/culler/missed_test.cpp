@@ -9,8 +9,8 @@
 
 #include "frames.h"
 #include "occlude/culler/clearance.h"
-#include "occlude/kernel/clearance.h"
 #include "occlude/culler/culler.h"
+#include "occlude/kernel/clearance.h"
 #include "plane_work.h"
 #include "scenes.h"
 
