@@ -11,7 +11,7 @@ packages=(
   libosmesa6-dev libpng-dev zlib1g-dev libassimp-dev  # render
   libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
-  libgtest-dev patch                          # tests
+  libgtest-dev patch python3                  # tests
   "$@"
 )
 
