@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many boxes against one frustum, one box against many frusta: the certified tests in SIMD, the same answers. Reading
-// order: 10.
+// Many boxes against one frustum, or one box against many frusta: the certified tests in SIMD, with the same relations.
+// Reading order: 10.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,17 @@
 
 namespace occlude::kernel {
 
-/// Axis-aligned boxes, coordinate by coordinate. REQUIRES of every box: check(box) == Refusal::none; not checked.
+/// A copy of axis-aligned boxes, coordinate by coordinate. REQUIRES (not checked): check(box) == Refusal::none for each.
 class BoxBatch {
  public:
   explicit BoxBatch(std::span<const Aabb> boxes);
 
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// REQUIRES: i < size().
   [[nodiscard]] Aabb box(std::size_t i) const;
-  /// The box around all boxes; the origin when there are none.
+  /// The smallest box that contains all boxes; the point (0, 0, 0) if there are none.
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
-  /// Coordinates 0 to 2 are those of the minima, 3 to 5 of the maxima; readable beyond size() up to a whole vector.
+  /// Coordinate k of all boxes: k = 0 to 2 are the minima, 3 to 5 the maxima. Readable past size() by one SIMD vector.
   [[nodiscard]] const double* coordinate(std::size_t k) const { return coordinates_.data() + k * stride_; }
 
  private:
@@ -31,28 +32,32 @@ class BoxBatch {
   Aabb bounds_;
 };
 
-/// relation[i] becomes the relation of box i to the frustum, as the function of the same name answers for one box.
-/// REQUIRES: relation.size() == boxes.size(), and rounding to nearest (validity.h).
+/// Sets relation[i] to the relation of box i to the frustum: what the function of the same name for one box answers
+/// (overlap.h). Nothing is allocated. REQUIRES (not checked): relation.size() == boxes.size(), and rounding to nearest
+/// (validity.h).
 void conservative_certified(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near,
                             std::span<Relation> relation);
 void overlap_certified(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near, std::span<Relation> relation);
 
-/// Shadow frusta, plane by plane. Refers to the frusta, which must outlive it.
+/// The planes of shadow frusta, plane by plane. It refers to the frusta: they must outlive it and must not change.
 class FrustumBatch {
  public:
   explicit FrustumBatch(std::span<const ShadowFrustum> frusta);
 
-  /// What the planes number j of all frusta hold, in rows of size() and readable beyond up to a whole vector. A frustum with
-  /// fewer planes has one there that all boxes are on the inner side of.
+  /// The numbers of a filter plane; `rows` is how many there are.
   enum Row : std::size_t { normal_x, normal_y, normal_z, offset, rows };
 
   [[nodiscard]] std::size_t size() const { return frusta_.size(); }
   [[nodiscard]] std::span<const ShadowFrustum> frusta() const { return frusta_; }
+  /// The greatest plane_count() of the frusta.
   [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
+  /// One number of plane `plane` of every frustum, size() of them, readable past the end by one SIMD vector. A frustum with
+  /// fewer planes has a dummy there, which contains every box. REQUIRES: plane < plane_count().
   [[nodiscard]] const double* row(std::size_t plane, Row row) const {
     return planes_.data() + (plane * rows + row) * stride_;
   }
-  /// Coordinates 0 to 2 of the origins of the frusta, slopes (3) and bases (4) of their bounds.
+  /// Of every frustum: the coordinates of its origin (k = 0 to 2), the slope (3) and the base (4) of its filter_bound();
+  /// readable past the end as a row is. The base is infinite for a frustum that is_none().
   [[nodiscard]] const double* frame(std::size_t k) const { return frames_.data() + k * stride_; }
 
  private:
@@ -61,8 +66,8 @@ class FrustumBatch {
   std::vector<double> planes_, frames_;
 };
 
-/// relation[i] becomes the relation of the box to frustum i. REQUIRES: relation.size() == frusta.size(), rounding to nearest
-/// and check(box) == Refusal::none; not checked.
+/// Sets relation[i] to the relation of the box to frustum i, as above. REQUIRES (not checked): relation.size() ==
+/// frusta.size(), check(box) == Refusal::none, and rounding to nearest (validity.h).
 void conservative_certified(const FrustumBatch& frusta, const Aabb& box, NearBoundary near, std::span<Relation> relation);
 void overlap_certified(const FrustumBatch& frusta, const Aabb& box, NearBoundary near, std::span<Relation> relation);
 

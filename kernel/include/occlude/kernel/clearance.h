@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a box is from the planes of a shadow frustum.
+// How far a box is from the planes of a shadow frustum, in the units of the input.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,19 @@
 
 namespace occlude::kernel {
 
-/// How far a box is on the inner side of all the planes of a shadow: units of the input.
+/// The least signed distance of a box from the planes of a shadow, and the plane that has it.
 struct Clearance {
-  double distance = 0;    ///< up to rounding; negative: how far a corner sticks out, infinitely where there is no shadow
-  std::size_t plane = 0;  ///< the nearest: those of the near side first, then one for each edge of the silhouette
+  double distance = 0;    ///< rounded; negative: how far the box sticks out beyond `plane`
+  std::size_t plane = 0;  ///< index in ShadowFrustum::recipes(), less than plane_count()
 };
 
-/// REQUIRES, here and below: check(box) == Refusal::none, which is not checked, and rounding to nearest (validity.h).
+/// The clearance of the box, in doubles: not a proof. {-infinity, 0} if shadow.is_none(). REQUIRES, here and below (not
+/// checked): check(box) == Refusal::none, and rounding to nearest (validity.h).
 [[nodiscard]] Clearance clearance(const ShadowFrustum& shadow, const Aabb& box);
 [[nodiscard]] Clearance clearance(const ShadowFrustum& shadow, const Obb& box);
 
-/// No more than the distance of the box, which is in the shadow, from any of the shadow's planes, whatever was rounded; 0
-/// where no more is certain or there is no shadow (ShadowFrustum::is_none()). Takes one root.
+/// A lower bound, whatever was rounded, on the distance of the box from every plane of the shadow. 0 unless the box is
+/// certainly in the shadow and off all planes; 0 if shadow.is_none(). Costs one square root.
 [[nodiscard]] double certain_distance(const ShadowFrustum& shadow, const Aabb& box);
 [[nodiscard]] double certain_distance(const ShadowFrustum& shadow, const Obb& box);
 

@@ -6,14 +6,16 @@
 
 namespace occlude::kernel {
 
-/// {x : normal . x + offset >= 0}, the coefficients taken as exact numbers within the legal range (validity.h).
+/// {x : normal . x + offset >= 0}. The coefficients are exact numbers within the legal range (validity.h); the normal need
+/// not have length 1.
 struct HalfSpace {
   Vec3 normal;
   double offset = 0;
 };
 
-/// `inside` when all of the box is in the half-space, `outside` when none of it is; exact for `certified`. REQUIRES:
-/// coefficients within the legal range, check(box) == Refusal::none, which are not checked, and rounding to nearest.
+/// `inside` if all of the box is in the half-space, `outside` if none of it is, else `partial`. Exact for `certified`;
+/// `plain` may be wrong by rounding. Nothing is allocated. REQUIRES (not checked): legal coefficients, check(box) ==
+/// Refusal::none, and rounding to nearest (validity.h).
 [[nodiscard]] Relation relation(const HalfSpace& half_space, const Aabb& box, Arithmetic arithmetic);
 [[nodiscard]] Relation relation(const HalfSpace& half_space, const Obb& box, Arithmetic arithmetic);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Counts of what the tests cost, in the units of the paper's Table 1.
+// Operation counts of the tests, in the units of the paper's Table 1.
 #pragma once
 
 #include <cstdint>
 
 namespace occlude::kernel {
 
-/// A dot product is one of 3-vectors; `scalar` are single multiplications and divisions, `vector` additions and
-/// subtractions of 3-vectors, `cross` cross products. `tests` is the number of box-frustum tests they were spent on.
+/// Operations, and the number of box-frustum `tests` that they were spent on: `dot` and `cross` products of 3-vectors,
+/// `vector` additions and subtractions of 3-vectors, `scalar` multiplications. Scalar additions and comparisons are not
+/// counted, and none of the counted operations is a division.
 struct Operations {
   std::uint64_t tests = 0, dot = 0, scalar = 0, vector = 0, cross = 0;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's question: does this box lie in this shadow, across its border, or outside? Reading order: 9.
+// The kernel's question: is this box inside a shadow, across its border, or outside (section 5)? Reading order: 9.
 #pragma once
 
 #include "occlude/kernel/operations.h"
@@ -8,27 +8,29 @@
 
 namespace occlude::kernel {
 
+/// An answer, and the stage that gave it.
 struct Decision {
   Relation relation = Relation::partial;
   Stage stage = Stage::filter;
 };
 
-/// Whether a box that touches the near plane may be `inside`. Culling takes `open`: what is coplanar with an occluder is
-/// drawn. The definition of the shadow frustum is `closed`.
+/// Whether a box that touches the near side from within may be `inside`. `closed`, the definition of the shadow frustum:
+/// yes. `open`: no, it is `partial`. Culling uses `open`, so that what is coplanar with an occluder is drawn.
 enum class NearBoundary { closed, open };
 
-/// Relation of `box` to `frustum`; `partial` where frustum.is_none(). REQUIRES: check(box) == Refusal::none, which is not
-/// checked, and rounding to nearest (validity.h).
+/// Relation of `box` to `frustum`; `partial` (stage `filter`) if frustum.is_none(). REQUIRES (not checked): check(box) ==
+/// Refusal::none, and rounding to nearest (validity.h). Nothing is allocated.
 ///
 /// Properties of `certified`:
-/// (1) overlap: exactly the relation of the two sets of real numbers, touching being `partial` unless the box is inside.
-/// (2) conservative: `inside` and `outside` are exactly true; whatever no single plane of the frustum decides is `partial`.
-/// (3) The answer depends on the sets alone: permuting axes, mirroring, scaling by a power of two, exact translation,
-///     repeated or collinear vertices change nothing. Nor does it matter which way round the loop goes and where it begins:
-///     with Near::surface never, with Near::farthest unless several vertices of the silhouette are exactly as far as the
-///     farthest. Of these the first in the input gives the near plane, and the order of the input decides which that is.
-/// (4) A box within another that is `inside` is `inside`.
-/// `plain` is wrong where rounding makes it so.
+/// (1) overlap: exactly the relation of the two closed point sets. A box that only touches the frustum is `partial`, or
+///     `inside` if all of it lies in the border.
+/// (2) conservative: finds every `inside`. `outside` is always true, but is found only where a single plane of the frustum
+///     separates the box from it; all else is `partial`.
+/// (3) The relation depends on the point sets alone: permuting axes, mirroring, scaling by a power of two, exact
+///     translation, repeated or collinear vertices change nothing. Nor does the direction or the start of the loop, with one
+///     exception: with Near::farthest and several equally far vertices, the first in the input determines the near plane.
+/// (4) A box within a box that is `inside` is `inside`.
+/// `plain` has none of these properties where rounding makes it wrong.
 [[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const Aabb& box,
                                          NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const Obb& box,
@@ -45,14 +47,15 @@ enum class NearBoundary { closed, open };
 [[nodiscard]] Relation conservative_plain(const ShadowFrustum& frustum, const Obb& box,
                                           NearBoundary near = NearBoundary::closed);
 
-/// The same, chosen at run time; the stage of `plain` is `filter`.
+/// The same, with the variant chosen at run time. The stage of `plain` is always `filter`.
 [[nodiscard]] Decision decide(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test,
                               NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Decision decide(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test,
                               NearBoundary near = NearBoundary::closed);
 
-/// What the test costs on this box, counted operation by operation as it runs (Table 1); of `certified` the filter, which
-/// nearly always is all there is. The frustum's own preparation is not counted, as in the paper.
+/// What the test costs on this box with NearBoundary::closed, counted while it runs (Table 1). `tests` is 1. For `certified`
+/// only the filter is counted, which nearly always decides. As in the paper, building the frustum is not counted. REQUIRES:
+/// as above.
 [[nodiscard]] Operations count_operations(const ShadowFrustum& frustum, const Aabb& box, Arithmetic arithmetic, Test test);
 [[nodiscard]] Operations count_operations(const ShadowFrustum& frustum, const Obb& box, Arithmetic arithmetic, Test test);
 

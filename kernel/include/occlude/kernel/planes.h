@@ -20,29 +20,30 @@ struct ExactPlane {
   friend bool operator==(const ExactPlane&, const ExactPlane&) = default;
 };
 
-/// Through the edge in which side `side` meets the one near plane, parallel to `axis`: the positive combination
-/// |N_side . axis| f_near + |N_near . axis| f_side of their values, in which `axis` cancels.
+/// The plane through the edge in which a side plane meets the near plane (plane 0, the only one), parallel to `axis`. Its
+/// value is |N_side . axis| f_near + |N_near . axis| f_side, in which `axis` cancels.
 struct CutEdgePlane {
-  std::uint32_t side;  ///< number of the plane
+  std::uint32_t side;  ///< index of the side plane in ShadowFrustum::recipes()
   Vec3 axis;
 
   friend bool operator==(const CutEdgePlane&, const CutEdgePlane&) = default;
 };
 
-/// Parallel to `face`, through the point in which the frustum's edge through a corner of the silhouette meets the one near
-/// plane. REQUIRES: face.origin is that corner.
+/// The plane parallel to `face` through a vertex of the near side: the point in which the ray through a silhouette corner
+/// meets the near plane (plane 0, the only one). REQUIRES: face.origin is that corner.
 struct CutVertexPlane {
-  std::uint32_t corner;
+  std::uint32_t corner;  ///< index in ShadowFrustum::silhouette()
   ExactPlane face;
 
   friend bool operator==(const CutVertexPlane&, const CutVertexPlane&) = default;
 };
 
+/// A plane by input coordinates alone: nothing is rounded.
 using PlaneRecipe = std::variant<ExactPlane, CutEdgePlane, CutVertexPlane>;
 
-/// What rounding can do to the values of planes: over a box that reaches as far as `reach` from the origin of the frustum
-/// they are off by at most slope * reach + base (error_bounds.h).
-/// `Real` is double, or a number that follows every rounding.
+/// A bound on rounding errors: at a vertex of a box the value of a FilterPlane is off by at most slope * reach + base
+/// (error_bounds.h). `reach` bounds every coordinate of the box, in magnitude, relative to the origin of the frustum.
+/// `Real` is double, or a number type that tracks rounding errors.
 template <class Real>
 struct BasicFilterBound {
   Real slope = 0, base = 0;
@@ -51,19 +52,22 @@ struct BasicFilterBound {
 };
 using FilterBound = BasicFilterBound<double>;
 
-/// A plane in doubles, for points relative to the origin of the frustum, each coordinate rounded once. It is scaled by a
-/// power of two so that the slope of its bound lies in [1/2, 1): one bound then serves all planes of a frustum.
+/// A plane in doubles: its value at x is normal . (x - origin of the frustum) + offset, where x - origin is rounded too. It
+/// is scaled by a power of two that brings the slope of its bound into [1/2, 1), so that one bound serves all planes of a
+/// frustum.
 struct FilterPlane {
-  Vec3 normal, magnitudes;  ///< its components, and their absolute values
+  Vec3 normal, magnitudes;  ///< the normal, and the absolute values of its components
   double offset = 0;
-  /// Where CornerFrame keeps the coordinates of the vertex farthest along the normal: axis + (0 for min, 4 for max).
+  /// For each axis, which bound of a box the vertex farthest along the normal has: axis + (0 for min, 4 for max). The fourth
+  /// entry is padding.
   std::array<std::uint8_t, 4> farther{};
 
   friend bool operator==(const FilterPlane&, const FilterPlane&) = default;
 };
 
-/// The next 53 bits of the same: |N - (normal of the filter plane + normal)| <= uncertainty.slope in sum of components, the
-/// offset likewise to uncertainty.base; up to the roundings of these sums.
+/// What rounding to a FilterPlane lost: the next 53 bits of normal and offset, in the same scale. Added to the FilterPlane
+/// they leave an error of at most uncertainty.slope in the normal (sum over components) and uncertainty.base in the offset,
+/// up to the rounding of these bounds themselves.
 struct RefinedPlane {
   Vec3 normal;
   double offset = 0;

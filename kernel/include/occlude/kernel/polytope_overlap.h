@@ -8,9 +8,9 @@
 
 namespace occlude::kernel {
 
-/// Relation of the polytope to the frustum, exactly, as the function of the same name answers for boxes. The viewpoint may
-/// lie in the polytope. REQUIRES: rounding to nearest (validity.h). `stage` is that of the answer; the polytope's silhouette
-/// is preparation, like the frustum's.
+/// The exact relation of the polytope to the frustum; properties as of overlap_certified() for boxes (overlap.h). The
+/// viewpoint may lie in the polytope. `stage` does not count the silhouette of the polytope, which is preparation, as that
+/// of the frustum is. Allocates. REQUIRES: a polytope of ConvexPolytope::make(), and rounding to nearest (validity.h).
 [[nodiscard]] Decision overlap_certified(const ShadowFrustum& frustum, const ConvexPolytope& occludee,
                                          NearBoundary near = NearBoundary::closed);
 

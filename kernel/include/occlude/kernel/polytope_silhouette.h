@@ -13,29 +13,33 @@
 
 namespace occlude::kernel {
 
-/// The silhouette of one polytope. Exact whatever the viewpoints were before: what was seen last only says where to look.
+/// The silhouette of one polytope. It is exact and independent of earlier viewpoints; the last silhouette only tells where
+/// to start looking. A face is turned to an eye strictly on its outer side, and to a direction of view that points strictly
+/// to its inner side; a face seen edge-on is not turned.
 class PolytopeSilhouette {
  public:
-  /// A vertex of the loop and the turned face at the edge from it to the next.
+  /// A vertex of the loop, and the turned face at the edge from it to the next vertex.
   struct Step {
-    std::uint32_t vertex, face;
+    std::uint32_t vertex, face;  ///< indices in vertices() and faces() of the polytope
   };
 
-  /// Moves on to this viewpoint. Asks the faces along the silhouette last seen and those that it moves across; all of them
-  /// the first time. REQUIRES: a legal viewpoint, which is not checked, rounding to nearest
-  /// (validity.h), and the same polytope at every call since clear().
+  /// Moves the silhouette to this viewpoint. Tests whether faces are turned: those along the last silhouette and those that
+  /// it moves across; all faces if there was no silhouette, or if that leads to none.
+  /// REQUIRES (not checked): check(viewpoint) == Refusal::none, rounding to nearest (validity.h), and the same polytope at
+  /// every call since clear().
   void update(const Viewpoint& viewpoint, const ConvexPolytope& polytope);
 
-  /// Forgets what it has seen, so that the next polytope may be another. Keeps its memory.
+  /// Forgets the silhouette, so that the next polytope may be a different one. Keeps the memory.
   void clear();
-  /// Makes room for a polytope of so many faces and edges: up to that update() allocates nothing even the first time.
+  /// Reserves memory: update() does not allocate for polytopes of at most so many faces() and edges().
   void reserve(std::size_t faces, std::size_t edges);
 
-  /// In ascending order.
+  /// The faces turned to the viewpoint, in ascending order; indices in faces() of the polytope.
   [[nodiscard]] std::span<const std::uint32_t> turned_faces() const { return turned_faces_; }
-  /// Clockwise seen from the viewpoint (right-handed axes); empty when the viewpoint is in the polytope.
+  /// Clockwise seen from the viewpoint (right-handed axes). Empty if the viewpoint is in the polytope or on its surface, and
+  /// before the first update().
   [[nodiscard]] std::span<const Step> loop() const { return loop_; }
-  /// How many faces the last update asked for their side.
+  /// How many faces the last update() tested.
   [[nodiscard]] std::size_t faces_asked() const { return faces_asked_; }
 
  private:

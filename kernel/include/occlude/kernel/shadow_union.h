@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An occluder that is the union of two convex objects (section 4 of the paper): two frusta, one occluder. Reading
-// order: 11.
+// An occluder that is the union of two convex objects (section 4 of the paper): two frusta, one occluder. Reading order: 11.
 #pragma once
 
 #include "occlude/kernel/overlap.h"
@@ -9,15 +8,17 @@
 
 namespace occlude::kernel {
 
-/// What is hidden by either of two convex objects seen from one viewpoint. The union of their shadows need not be convex.
+/// The union of two shadows, usually of one viewpoint. It need not be convex.
 struct ShadowUnion {
-  const ShadowFrustum &first, &second;  ///< must outlive this
+  const ShadowFrustum &first, &second;  ///< references: both must outlive this, so never temporaries
 };
 
-/// Relation of `box` to the union, exact: `inside` also when each frustum hides a part of the box and both together all of
-/// it. With NearBoundary::open `inside` is said only when true, for boxes that both shadows share at a near plane not
-/// always. A frustum that is_none() adds nothing to the union, whose border is not known then: it is never `outside`.
-/// REQUIRES: check(box) == Refusal::none, which is not checked, and rounding to nearest (validity.h).
+/// Relation of `box` to the union.
+/// 1. NearBoundary::closed: exact. `inside` also if neither shadow contains the box but both together do.
+/// 2. NearBoundary::open: `inside` is always true, but may be missed (`partial`) for a box that meets a near plane and that
+///    neither shadow contains alone. `outside` is as in 1.
+/// 3. A frustum that is_none() adds nothing. Then the answer is never `outside`.
+/// REQUIRES (not checked): check(box) == Refusal::none, and rounding to nearest (validity.h).
 [[nodiscard]] Decision overlap_certified(const ShadowUnion& shadows, const Aabb& box,
                                          NearBoundary near = NearBoundary::closed);
 [[nodiscard]] Decision overlap_certified(const ShadowUnion& shadows, const Obb& box,

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Which inputs the kernel answers for, and the reasons for which it refuses the others. Reading order: 2.
+// Which inputs are legal, and the reasons for refusing others. Reading order: 2. For the whole kernel:
 //
-// What checks: everything that makes something of its input, ShadowFrustum, ConvexPolytope, ViewCone and Cover, and the
-// questions about a Cover. They refuse and say why. What does not: questions about boxes, points and half-spaces, which are
-// asked millions of times a second. They REQUIRE check() == Refusal::none of what they are given. Of other numbers their
-// answers mean nothing, but nothing is read or written out of place, whatever the numbers are.
-//
-// Rounding: everything REQUIRES that the processor rounds to nearest, as it does unless told otherwise; in other modes error
-// bounds and exact sums are void. What checks its input checks that too, and refuses. So a program that runs in another mode
-// has nothing to ask about. A program that changes the mode between making and asking has to change it back.
+// 1. These check their input, and refuse it with a reason: make() and assign() of ShadowFrustum, make() of ConvexPolytope,
+//    ViewCone and Cover. Questions about a Cover check the box.
+// 2. Nothing else checks: BoxBatch, PolytopeSilhouette, and all other questions about boxes, points and half-spaces, which
+//    are asked millions of times a second. They REQUIRE check() == Refusal::none for what they are given. With other numbers
+//    the answer means nothing, but no memory is read or written out of bounds.
+// 3. Everything REQUIRES rounding to nearest, the default of every processor; otherwise error bounds and exact sums do not
+//    hold. What checks its input (1) also checks the rounding mode, and refuses. Questions do not check it: a program that
+//    changes the mode must restore it before it asks.
+// 4. Refusals are returned, not thrown. The only exception ever thrown is std::bad_alloc, when memory runs out.
+// 5. There is no shared mutable state. Const members, and functions of const arguments, may run on several threads at once.
 #pragma once
 
 #include <bit>
@@ -21,6 +23,7 @@
 
 namespace occlude::kernel {
 
+/// Why an input is refused; `none`: it is legal. Where several reasons apply, one of them is given.
 enum class Refusal {
   none,
   not_finite,
@@ -37,6 +40,7 @@ enum class Refusal {
   rounding_mode,
 };
 
+/// The reason in English, for messages; empty for `none`.
 [[nodiscard]] constexpr std::string_view to_string(Refusal refusal) {
   switch (refusal) {
     case Refusal::none:
@@ -69,18 +73,18 @@ enum class Refusal {
   return "";
 }
 
-/// The exact stage works on products of up to six differences of coordinates. With every magnitude 0 or in this range the
-/// smallest non-zero difference is 2^-152, so the tiniest term of such a product is at least 2^-912 and the largest at most
-/// 2^(6 * 101 + 12): neither underflows (2^-1022) nor overflows (2^1024).
+/// A legal number is 0 or has a magnitude in [kMinMagnitude, kMaxMagnitude]. Then two numbers that differ do so by at least
+/// 2^-152. The exact stage multiplies up to six such differences: the terms of the products lie between 2^-912 and
+/// 2^(6 * 101 + 12), and neither underflow (2^-1022) nor overflow (2^1024). Covers (cover.h) use longer integers instead.
 inline constexpr double kMinMagnitude = 0x1p-100;
 inline constexpr double kMaxMagnitude = 0x1p+100;
 
-/// Refusal::rounding_mode while the calling thread's additions are not rounded to nearest: asked of the additions
-/// themselves, for whoever sets the mode may have told the processor alone and not the library of C. Takes a nanosecond.
+/// Refusal::rounding_mode if the calling thread does not round to nearest, else Refusal::none. It tests real additions,
+/// since the mode may have been set without <cfenv>. Takes about a nanosecond.
 [[nodiscard]] Refusal check_rounding();
 
-/// By the bits, which order magnitudes as numbers do: whoever embeds the kernel may have set the processor to take the
-/// smallest numbers for zero, or have told the compiler that there is no infinity.
+/// Whether the number is legal: not_finite, out_of_range or none. It compares bits, which order magnitudes as numbers do, so
+/// that it holds also where the processor flushes subnormals to zero or the compiler assumes that numbers are finite.
 [[nodiscard]] inline Refusal check(double x) {
   constexpr auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number) & ~(std::uint64_t{1} << 63U); };
   const std::uint64_t magnitude = bits(x);
@@ -89,6 +93,7 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
   return is_legal ? Refusal::none : Refusal::out_of_range;
 }
 
+/// Points: every coordinate must be legal.
 [[nodiscard]] inline Refusal check(const Vec3& v) {
   for (int axis = 0; axis < 3; ++axis) {
     if (const Refusal refusal = check(v[axis]); refusal != Refusal::none) return refusal;
@@ -103,11 +108,13 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
   return Refusal::none;
 }
 
+/// Legal coordinates, and a direction that is not zero.
 [[nodiscard]] inline Refusal check(const Viewpoint& viewpoint) {
   if (const Refusal refusal = check(viewpoint.value); refusal != Refusal::none) return refusal;
   return !viewpoint.is_eye() && viewpoint.value == Vec3{} ? Refusal::zero_direction : Refusal::none;
 }
 
+/// Legal coordinates, and min <= max on every axis.
 [[nodiscard]] inline Refusal check(const Aabb& box) {
   for (const Vec3& corner : {box.min, box.max}) {
     if (const Refusal refusal = check(corner); refusal != Refusal::none) return refusal;
@@ -118,6 +125,7 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
   return Refusal::none;
 }
 
+/// Legal centre and half edges. The corners, which are sums of these, need not be legal numbers.
 [[nodiscard]] inline Refusal check(const Obb& box) {
   if (const Refusal refusal = check(box.center); refusal != Refusal::none) return refusal;
   return check(box.half_edges);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box against a view frustum: any intersection of half-spaces, with a far plane or without. Reading order: 12.
+// A box against a view frustum: any intersection of half-spaces, with or without a far plane. Reading order: 12.
 #pragma once
 
 #include <span>
@@ -10,11 +10,12 @@
 
 namespace occlude::kernel {
 
-/// Exact relation of `box` to the intersection of the half-spaces, in any order, redundant ones included; touching is
-/// `partial` unless the box is inside. Cubic in their number, which is five or six for a view frustum.
-/// No half-space at all leaves all of space, which every box is inside. REQUIRES: coefficients within the legal range
-/// (validity.h), check(box) == Refusal::none, which are not checked, rounding to nearest, and an intersection that is not
-/// empty: of an empty one nothing but `inside` is sure to be right.
+/// The exact relation of `box` to the intersection of the half-spaces.
+/// 1. A box that only touches the intersection is `partial`, or `inside` if all of it lies in the border.
+/// 2. Order and redundant half-spaces do not matter. With no half-space every box is `inside`.
+/// 3. If the intersection is empty, the answer is `outside` or, wrongly, `partial`; never `inside`.
+/// 4. Time is cubic in the number of half-spaces, which is five or six for a view frustum. Nothing is allocated.
+/// REQUIRES (not checked): legal coefficients, check(box) == Refusal::none, and rounding to nearest (validity.h).
 [[nodiscard]] Decision overlap_certified(std::span<const HalfSpace> frustum, const Aabb& box);
 [[nodiscard]] Decision overlap_certified(std::span<const HalfSpace> frustum, const Obb& box);
 
