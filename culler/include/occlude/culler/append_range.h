@@ -8,7 +8,8 @@
 
 namespace occlude::culler {
 
-/// Appends a range, or makes the last one longer where it begins right after it. REQUIRES: it begins after the last one.
+/// Appends `range`. If it begins where the last range ends, extends the last range instead.
+/// REQUIRES: `range` does not begin before the end of the last range.
 inline void append_range(std::vector<PolygonRange>& ranges, const PolygonRange& range) {
   if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first) {
     ranges.back().count += range.count;

@@ -8,6 +8,7 @@
 
 namespace occlude::culler {
 
+/// An axis-aligned or an oriented box. It is legal if kernel::check(box) == Refusal::none (occlude/kernel/validity.h).
 using Box = std::variant<kernel::Aabb, kernel::Obb>;
 
 }  // namespace occlude::culler

@@ -10,11 +10,11 @@
 
 namespace occlude::culler {
 
-/// A call that the caller wants made now and then, from any of the threads that work and from several at once. What it
-/// throws stops the work and comes out of it: an engine throws when its loading screen was left.
+/// A function of the caller that long work calls every few milliseconds, on any of its threads and on several at once. What
+/// it throws stops the work and is thrown on to the caller. So an engine cancels loading by throwing.
 class Checkpoint {
  public:
-  /// Nothing is called.
+  /// Calls nothing.
   Checkpoint() = default;
   template <std::invocable Call>
   requires(!std::same_as<std::remove_cvref_t<Call>, Checkpoint>) Checkpoint(Call&& call)
@@ -23,9 +23,9 @@ class Checkpoint {
   void operator()() const {
     if (call_) call_();
   }
-  /// For step i of a loop with short steps: only now and then.
+  /// For step i of a loop of short steps: calls the function once in 2^14 steps, beginning with step 0.
   void at(std::size_t i) const {
-    constexpr std::size_t kSteps = std::size_t{1} << 14U;  // of at most microseconds each: some of them a second
+    constexpr std::size_t kSteps = std::size_t{1} << 14U;  // each takes microseconds at most
     if (i % kSteps == 0) (*this)();
   }
 

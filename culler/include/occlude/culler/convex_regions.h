@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can hide: the convex regions of the soup (section 4). A wall comes as two triangles, a roof as ten; joined they are
-// one occluder, which hides what each of them does and what only some of them do together. Joined for hiding, never for
+// What can hide: the convex regions of the soup (section 4). A wall comes as two triangles, a roof as ten. Joined, they are
+// one occluder, which hides what each hides alone and what only several hide together. They are joined for hiding, never for
 // drawing. A polygon that is not convex, or has very many sides, hides as convex pieces of the fan that it is drawn as.
 // Reading order: 4.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace occlude::culler {
 
-struct SidePair;
+struct SidePair;  // src/adjacency.h
 
 /// Triangles [first, first + count) of the fan that a polygon is drawn as.
 struct FanRun {
@@ -25,37 +25,45 @@ struct FanRun {
   friend bool operator==(const FanRun&, const FanRun&) = default;
 };
 
-/// Region r below the number of polygons is polygon r; those after them are joined of several, edge to edge; the last are
-/// pieces of polygons that are not convex or have more sides than kMostSides. A joined region is convex and nearly flat up
-/// to rounding: whether its loop is an occluder for a viewpoint the kernel decides exactly.
+/// The regions are numbered in three groups:
+/// 1. Region r < soup.size() is polygon r, whatever its shape.
+/// 2. Then come the joined regions: several polygons, joined edge to edge. Each is convex and nearly flat up to rounding,
+///    and has at most 32 sides.
+/// 3. Then come the pieces of polygons that are not convex or have more than kMostSides sides.
+/// Whether the loop of a region is an occluder for a viewpoint, the kernel decides exactly.
 ///
-/// Two things hold exactly of the parts of a region: every edge but those of the loop is run through as often one way as the
-/// other, and all their corners are corners of the loop. So a loop that is convex from a viewpoint hides no more than its
-/// parts do: seen from there, the triangles drawn of them cover all that the loop, their border, winds around; and what is
-/// on one side of a plane with all corners of the loop is so with all of the triangles.
+/// Two properties of a region's parts (of a piece: of its run of triangles) hold exactly:
+/// 1. Every edge that is not on the loop is traversed as often in one direction as in the other.
+/// 2. Every corner of a part is a corner of the loop.
+/// So a loop that is convex from a viewpoint hides no more than its parts. By (1), the triangles drawn of the parts cover,
+/// as seen from there, everything that the loop winds around. By (2), a plane with the whole loop on one side has all
+/// triangles on that side.
+///
+/// Const calls may run on several threads at once. Region and polygon numbers are not checked.
 class ConvexRegions {
  public:
-  /// Every side is a plane of the shadow, at which every test of a box may have to look: with so many a frame of some
-  /// thousands of tests stays within milliseconds for each occluder. No region but a polygon of the soup has more.
+  /// The most sides of a joined region or a piece; a polygon of the soup may have more. Each side is a plane of the shadow,
+  /// and each test of a box may ask every plane. With this limit, some thousands of tests take milliseconds per occluder.
   static constexpr std::uint32_t kMostSides = 256;
 
-  /// REQUIRES: finite coordinates, and the adjacency of this soup.
+  /// Called by PotentialOccluders::find(). REQUIRES: the soup is well formed, its coordinates are finite, and `adjacency` is
+  /// what find_adjacency() (src/adjacency.h) finds in it. What `checkpoint` throws is thrown on.
   [[nodiscard]] static ConvexRegions find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
                                           const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return first_vertex_.size() - 1; }
-  /// The largest region that the polygon is part of: a joined one, or itself.
+  /// The joined region that the polygon is a part of; `polygon` itself if there is none.
   [[nodiscard]] std::uint32_t whole(std::uint32_t polygon) const { return whole_[polygon]; }
-  /// The corners, as vertices of the soup, in order.
+  /// The corners of region r in loop order, as indices of soup vertices.
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t r) const {
     return std::span(vertices_).subspan(first_vertex_[r], first_vertex_[r + 1] - first_vertex_[r]);
   }
-  /// The polygons of the soup that it is drawn as, in ascending order; of a piece the polygon that it is of.
+  /// The polygons that region r is drawn as, ascending. For a piece: the polygon that it is a piece of.
   [[nodiscard]] std::span<const std::uint32_t> parts(std::size_t r) const {
     return std::span(polygons_).subspan(first_polygon_[r], first_polygon_[r + 1] - first_polygon_[r]);
   }
 
-  /// Of a piece the run of its polygon's fan; none of other regions.
+  /// For a piece: its run of triangles in the fan of its polygon. For other regions: none.
   [[nodiscard]] std::optional<FanRun> piece(std::size_t r) const {
     return r < first_piece_ ? std::nullopt : std::optional(runs_[r - first_piece_]);
   }
@@ -70,7 +78,8 @@ class ConvexRegions {
   std::vector<FanRun> runs_;
 };
 
-/// The loop around the run of triangles of the fan of a loop.
+/// The border of a run of triangles in the fan of `loop`: v0, then the corners of the run in order.
+/// REQUIRES: run.first + run.count <= loop.size() - 2.
 [[nodiscard]] std::vector<std::uint32_t> piece_of(std::span<const std::uint32_t> loop, const FanRun& run);
 
 }  // namespace occlude::culler

@@ -16,136 +16,152 @@
 
 namespace occlude::culler {
 
-/// The objective of section 4.2, by which occluders are chosen: the product of its criteria, each to the power of its
-/// weight. A weight of 0 switches a criterion off.
+/// The objective of section 4.2, by which occluders are chosen: the product of three criteria, each to the power of its
+/// weight. A weight of 0 switches a criterion off. It is a heuristic: the choice cannot make a cull wrong.
+/// REQUIRES: the weights are finite and not negative, which is not checked.
 struct Objective {
+  /// How large an occluder looks from the eye. Ignored by orthographic cameras: theirs is its share of the picture's area.
   enum class Angle {
-    area,   ///< the area-angle of Coorg and Teller
-    exact,  ///< the solid angle itself
+    area,   ///< the area-angle (PotentialOccluder::area_angle)
+    exact,  ///< the solid angle
   };
   Angle angle = Angle::area;
   double solid_angle = 1;
-  /// Of what an occluder hides as sampled by a preprocess; without one all are alike.
+  /// Weight of what an occluder hides as sampled by preprocess(). Without samples all occluders are equal.
   double depth_complexity = 1;
-  /// Of what it hid in the last frames of the view; where it was not tried then, of what good occluders are near it in the
-  /// picture. Without it no frame depends on another, and nothing is probed.
+  /// Weight of what it hid in the last frames of the view. For a candidate not tried in them: of what the occluders near it
+  /// in the picture hid. With 0 the occluders of a frame do not depend on earlier frames, and there are no probes.
   double coherence = 1;
 };
 
 /// What hides.
 enum class Method {
-  frusta,  ///< the shadows of a few chosen occluders, one by one: the paper's
-  cover,   ///< all that is found visible, front to back, joined in a coarse picture
+  frusta,  ///< the shadows of a few chosen occluders, each on its own: the paper's method
+  cover,   ///< everything that is found visible, front to back, joined in a coarse picture
 };
 
-/// The most polygons of a leaf that a tree does best with. By cover leaves are small: what is hidden but for a corner of its
-/// leaf is drawn.
+/// The best Hierarchy::Config::leaf_size for a method. For covers leaves are small: a hidden polygon is drawn if any part of
+/// its leaf's box is not hidden.
 [[nodiscard]] inline constexpr std::uint32_t leaf_size_for(Method method) { return method == Method::cover ? 4 : 16; }
 
-/// Sides of the coarse picture of a cover, pixels.
+/// Limits of the width and of the height of the coarse picture, in pixels.
 inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;
 
+/// How a frame is culled. Each option names the method that it is for; the other method ignores it.
 struct CullOptions {
   Method method = Method::frusta;
-  /// The size of the coarse picture, rounded up to multiples of 8 and taken into the limits above. A larger one hides more
-  /// and costs more. Cover alone.
+  /// Cover. The size of the coarse picture in pixels, clamped to the limits above and then rounded up to multiples of 8. A
+  /// larger picture hides more and costs more.
   int cover_width = 512, cover_height = 288;
-  /// Once so many triangles were drawn into it, no more are: the nearest hide what is behind them. Those drawn last may be
-  /// some hundred too many. Cover alone.
+  /// Cover. Once so many triangles are drawn into the picture, no more are; the nearest come first. Triangles are drawn in
+  /// groups, so that the last group may exceed the number by some hundred.
   std::size_t cover_triangles = std::numeric_limits<std::size_t>::max();
-  /// The same once the frame has taken so many milliseconds. What it culls then depends on the machine; nothing visible is
-  /// culled all the same. Cover alone.
+  /// Cover. The same once the frame has taken so many milliseconds. What is culled then depends on the machine's speed. Even
+  /// then nothing visible is culled.
   double cover_ms = std::numeric_limits<double>::infinity();
-  /// Frusta alone, as all that is below but the margin and `arithmetic`, which is then that of the half-spaces.
-  /// n_occ, how many occluders a frame uses; 0 is view-frustum culling alone. The paper finds 5 to 10 worth their cost.
+  /// Frusta. n_occ, the most occluders that a frame uses; 0: view-frustum culling alone. The paper finds 5 to 10 worth their
+  /// cost.
   std::size_t occluders = 8;
-  /// Candidates a frame that hide nothing yet: what they would hide of what is drawn is counted, and the best of them are
-  /// occluders in the next frame of the view. Each costs less than an occluder.
+  /// Frusta. The most probes of a frame: candidates that hide nothing in it. What they would have hidden of the polygons
+  /// drawn is counted, and the best become occluders in the next frame of the view. A probe costs less than an occluder.
   std::size_t probes = 8;
+  /// Frusta. How occluders are chosen.
   Objective objective = {};
+  /// Frusta. Where a shadow begins.
   kernel::Near near = kernel::Near::surface;
+  /// Both methods. The arithmetic of the half-spaces and, with frusta, of the shadows of single occluders. With `plain`
+  /// something visible may be culled.
   kernel::Arithmetic arithmetic = kernel::Arithmetic::certified;
+  /// Frusta. The test of a box against the shadow of one occluder.
   kernel::Test test = kernel::Test::conservative;
-  /// By how much of the picture's height shadows are taken smaller than they are (ShadowMargin). 0 culls all that is exactly
-  /// hidden; for a rasteriser to draw the same picture with and without culling, it has to be what it rounds by.
+  /// Both methods. By how much shadows are taken smaller than they are (ShadowMargin), as a share of the picture's height.
+  /// 0: by nothing. For a rasteriser to draw the same pixels with and without culling, it must be at least the rasteriser's
+  /// rounding of positions in the picture. REQUIRES: margin >= 0, which is not checked.
   double margin = 0;
-  /// Whether pairs of the occluders that share an edge hide together what neither hides alone. Certified, always exact.
+  /// Frusta. Whether two chosen occluders that share an edge also hide together what neither hides alone. Always certified
+  /// and exact, whatever `arithmetic` is.
   bool unions = false;
 };
 
-/// An occluder in use: one of the potential occluders, and its shadow.
+/// An occluder of a frame: one of the potential occluders, and its shadow.
 struct Occluder {
   std::uint32_t index = 0;  ///< in the OccluderSet
   kernel::ShadowFrustum frustum;
-  std::uint32_t hidden = 0;  ///< polygons of the subtrees that its shadow took, alone or with another
+  std::uint32_t hidden = 0;  ///< polygons in the subtrees culled by its shadow, alone or in a pair
 };
 
-/// Two occluders of a frame that are also asked together, as one union: places in CullResult::occluders.
+/// Two occluders of a frame whose shadows are also tested as one union. `first` and `second` are indices in
+/// CullResult::occluders, first < second.
 struct ShadowPair {
-  /// Pairs a frame asks, for each of its occluders: the best together first. Eight occluders have all their 28; in the
-  /// models tried they have 8 at most, and 64 have 67.
+  /// A frame has at most kMostOfEach * occluders.size() pairs; pairs of the occluders chosen first are preferred. Eight
+  /// occluders may have all their 28 pairs. In the models tried eight have at most 8, and 64 have 67.
   static constexpr std::size_t kMostOfEach = 4;
 
   std::uint32_t first, second;
 };
 
-/// A subtree that was not drawn, and why.
+/// A subtree that is not drawn, and why. `node` is its root in Hierarchy::nodes().
 struct Culled {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   enum class By { view, shadow, cover };
   std::uint32_t node = 0;
   By by = By::view;
-  std::uint32_t index = 0;       ///< of the half-space in CullResult::view, or of the occluder
-  std::uint32_t second = kNone;  ///< by shadow: of the occluder that hides it together with the first, if any
+  std::uint32_t index = 0;       ///< by view: in CullResult::view; by shadow: in CullResult::occluders; by cover: 0
+  std::uint32_t second = kNone;  ///< by a pair of shadows: the other occluder's index in CullResult::occluders
 };
 
-/// The proof of a cull, to be kept: the frame has the planes that it is about.
+/// The proof of a cull, to be stored. The planes that it refers to are in the frame.
 struct Witness {
   Culled cull;
-  /// No corner of the subtree's box is nearer to a plane of the shadow, or to the half-space, on the side that culls: units
-  /// of the scene, rounded down; 0 where nothing more is known, as of a cull by two shadows together.
+  /// A lower bound on the distance from the corners of the subtree's box to the half-space, or to the planes of the shadow,
+  /// on the side that culls; model units. 0 if no bound is known: always for a cull by a pair or by a cover.
   double margin = 0;
 };
 
-/// What hides a subtree that was culled by cover, or a part of one.
+/// What hides a subtree that was culled by cover, or a part of the subtree.
 struct CoverWitness {
-  PolygonRange range;
-  kernel::Aabb box;                     ///< about the range: hidden
-  std::vector<std::uint32_t> polygons;  ///< of Hierarchy::soup(), ascending
+  PolygonRange range;                   ///< what is hidden, in Hierarchy::soup()
+  kernel::Aabb box;                     ///< holds the range; all of it is hidden
+  std::vector<std::uint32_t> polygons;  ///< what hides it, in Hierarchy::soup(), ascending
 };
 
 struct CullStats {
-  std::size_t nodes_visited = 0;
+  std::size_t nodes_visited = 0;                      ///< in a Scene by cover: of the tree of occluders as well
   std::size_t view_tests = 0;                         ///< box against half-space
   std::size_t shadow_tests = 0;                       ///< box against shadow frustum
-  std::size_t union_tests = 0;                        ///< box against two of them together
+  std::size_t union_tests = 0;                        ///< box against two shadows as one union
   std::size_t probe_tests = 0;                        ///< box against the shadow of a probe
   std::size_t cover_tests = 0;                        ///< box against the coarse picture
   std::size_t cover_groups = 0, cover_triangles = 0;  ///< drawn into it: joined meshes, and their triangles
-  std::size_t cover_groups_left = 0;                  ///< not drawn into it, for a budget was spent
-  std::size_t exact_shadow_tests = 0;                 ///< of these, decided by the kernel's exact stage
-  std::size_t potential_occluders = 0, occluders_in_view = 0;
-  std::size_t sort_kept = 0;    ///< candidates that the frame before had as well
-  std::size_t sort_moves = 0;   ///< by how many places the insertion sort moved them, all together
+  std::size_t cover_groups_left = 0;                  ///< not drawn into it, because a budget was spent
+  std::size_t exact_shadow_tests = 0;                 ///< of shadow_tests and union_tests: decided by the exact stage
+  std::size_t potential_occluders = 0, occluders_in_view = 0;  ///< of the region's list: all, and those in view
+  std::size_t sort_kept = 0;                                   ///< candidates that the frame before had as well
+  std::size_t sort_moves = 0;                                  ///< places that the insertion sort moved them by, summed
   std::size_t choice_work = 0;  ///< of choosing among the sorted, in planes of shadows: bounded (README.md, Budgets)
   std::size_t silhouette_faces = 0, silhouette_faces_asked = 0;  ///< of polytopes: all, and those asked for their side
-  /// `shadow`: of one occluder, of two together, or of a cover.
+  /// `shadow_culled` counts culls by one shadow, by a pair and by a cover.
   std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;
 };
 
+/// The result of one frame. Polygons and nodes are those of Hierarchy::soup() and Hierarchy::nodes(); in a Scene, its
+/// objects and their tree.
+/// 1. Every polygon is in exactly one range of `drawn` or in the subtree of exactly one element of `culled`.
+/// 2. Both are in ascending order of their polygons.
 struct CullResult {
   Method method = Method::frusta;
   std::vector<PolygonRange> drawn;  ///< in the order of the leaves, neighbours merged
   std::vector<Culled> culled;       ///< in the order of the tree
-  std::vector<HalfSpace> view;
+  std::vector<HalfSpace> view;      ///< as append_view_frustum() has them
   ShadowMargin margin;
-  std::vector<Occluder> occluders;
-  std::vector<ShadowPair> pairs;  ///< none unless CullOptions::unions
+  std::vector<Occluder> occluders;  ///< in the order in which they were chosen; none by cover
+  std::vector<ShadowPair> pairs;    ///< none unless CullOptions::unions
   CullStats stats;
 };
 
-/// Options by which a frame by cover comes about again as it was, whatever time that takes.
+/// Options that repeat a frame by cover: with these, the same camera gives the same frame, however long it takes. `options`
+/// are those of the frame.
 [[nodiscard]] inline CullOptions repeated(const CullResult& frame, CullOptions options) {
   options.cover_triangles = frame.stats.cover_triangles;
   options.cover_ms = std::numeric_limits<double>::infinity();

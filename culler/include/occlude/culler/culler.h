@@ -18,55 +18,64 @@ class CoverBuffer;
 class CoverTriangles;
 class LazyTriangles;
 
-/// Const calls may run on several threads at once.
+/// Const calls may run on several threads at once, each with a View of its own. A copy counts as the same culler for a View.
 class Culler {
  public:
-  /// Throws std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
-  /// (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a grid that cannot
-  /// be; std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h). Seconds for millions
-  /// of polygons: what `checkpoint` throws meanwhile comes out.
+  /// Copies the soup. Takes seconds for millions of polygons, on all processors. Throws
+  /// 1. std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
+  ///    (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a config.grid
+  ///    out of range;
+  /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
+  /// 3. what `checkpoint` throws.
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
-  /// From what preprocess() found out about this soup. Throws std::invalid_argument also when it is about another.
+  /// The same from what preprocess() found out about this soup. Throws std::invalid_argument also when `preprocess` cannot
+  /// be about this soup. Not all others are noticed; they make culling less effective, never wrong.
   Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint = {});
 
-  /// Makes what frames by cover need, which else the first of them does: half a second for a million polygons. What
-  /// `checkpoint` throws comes out.
+  /// Makes what frames by cover need. Otherwise the first such frame makes it: half a second for a million polygons. It is
+  /// made once. What `checkpoint` throws is thrown on, and the next call tries again.
   void prepare_cover(const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
-  /// visible is culled when options.arithmetic is certified. Throws std::invalid_argument for a camera with a fault(),
-  /// and std::runtime_error while the processor does not round to nearest.
+  /// visible is culled if options.arithmetic is certified. There are no probes. Throws std::invalid_argument for a camera
+  /// with a fault(), and std::runtime_error while the processor does not round to nearest.
   [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
-  /// The same for the next frame of a camera that moves: occluders are chosen by what they hid in the frames before, which
-  /// culls far more. Returns view.result(). A view that was used with another culler or scene starts anew.
+  /// The same for the next frame of a camera that moves. Occluders are chosen by what they hid in the frames before, which
+  /// culls far more. Returns view.result(), valid until the next frame of the view. A view that was used with another culler
+  /// or scene starts anew. If the camera or the rounding mode is refused, the view keeps its last frame.
   const CullResult& cull(const Camera& camera, const CullOptions& options, View& view) const;
 
-  // What follows REQUIRES that `frame` is one of this culler, which is not checked.
+  // What takes a `frame` REQUIRES that it is a frame of this culler, and that `camera` and `options` are those of the frame.
+  // Neither is checked.
 
-  /// Calls `visit` for every test of a box against a shadow that `frame` took, in the order of the traversal. `options` are
-  /// those of the frame.
+  /// Calls `visit` for every test of a box against the shadow of one occluder that `frame` took, in the order of the
+  /// traversal. Tests of pairs and of probes are left out.
   void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
                           const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
 
-  /// Appends the proof of every cull of the frame, but for what hides culls by cover.
+  /// Appends a witness for every cull of the frame, in the order of frame.culled. What hides a cull by cover is not in it:
+  /// see append_covers().
   void append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const;
 
-  /// The same of the culls by cover, found again: a cull is proved as one, or, while its proof has more than `most` corners,
-  /// as its two halves, and a leaf polygon by polygon. `camera` and `options` are those of the frame.
+  /// Appends what hides each cull by cover; nothing for a frame by frusta. Culls the frame again to find it. A subtree has
+  /// one witness if the polygons that hide it have at most `most` corners together. Otherwise its two halves have witnesses
+  /// of their own, and each polygon of a leaf. Throws as cull().
   void append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
 
-  /// The coarse picture as a frame by cover with these options leaves it.
+  /// The coarse picture (src/cover_buffer.h) as a frame with these options leaves it. Throws as cull().
+  /// REQUIRES: options.method is cover.
   [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const Camera& camera, const CullOptions& options) const;
 
-  /// The cull of the frame that took polygon p of the tree; null where it is drawn.
+  /// The element of frame.culled whose subtree has polygon p of hierarchy().soup(); null if p is drawn.
+  /// REQUIRES: p < hierarchy().soup().size().
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
 
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// What may be an occluder, of the polygons of hierarchy().soup(), and the regions that list it.
+  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them.
   [[nodiscard]] const OccluderSet& occluders() const { return occluders_; }
 
  private:

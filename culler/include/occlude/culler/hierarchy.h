@@ -18,11 +18,11 @@
 
 namespace occlude::culler {
 
-/// The bounding volumes of the nodes. `obb`: oriented boxes where they are smaller than axis-aligned ones.
+/// The bounding volumes of the nodes. `obb`: an oriented box where its surface is below 0.8 of the axis-aligned one's.
 enum class Bounds { aabb, obb };
 
-/// Holds items [first, first + count) of the order of the leaves, all of them within `box`. Nodes lie in depth-first order:
-/// the left child follows its parent, the right child has the index `right`; a leaf has right = 0.
+/// A node holds items [first, first + count), in the order of the leaves, and `box` holds all of them. Nodes are in
+/// depth-first order: the left child follows its parent, the right child is node `right`. A leaf has right = 0.
 struct HierarchyNode {
   kernel::Aabb box;
   std::uint32_t first = 0, count = 0, right = 0;
@@ -32,27 +32,32 @@ struct HierarchyNode {
 
 struct BoxTree;
 
+/// Const calls may run on several threads at once. Indices are not checked.
 class Hierarchy {
  public:
   struct Config {
-    /// Most polygons in a leaf. Smaller leaves cull more and cost more tests and more, shorter draw ranges.
+    /// The most polygons of a leaf; 0 counts as 1. Smaller leaves cull more, but cost more tests and make more, shorter draw
+    /// ranges.
     std::uint32_t leaf_size = 16;
     Bounds bounds = Bounds::aabb;
   };
 
   using Node = HierarchyNode;
 
-  /// What takes time to find: the order of the polygons and the shape of the tree. The boxes follow from them.
+  /// The result of build() that takes time to find: the order of the polygons and the shape of the tree. The boxes follow
+  /// from these two.
   struct Layout {
     std::vector<std::uint32_t> order;  ///< of the input's polygons, in the order of the leaves
     std::vector<std::uint32_t> left;   ///< of each node, depth-first, how many polygons its left child has; a leaf has 0
   };
 
   /// Builds top-down, splitting where the surface area heuristic (Goldsmith and Salmon 1987) estimates the least cost.
-  /// REQUIRES: soup is not empty and its coordinates are in the kernel's legal range.
+  /// Copies the soup. What `checkpoint` throws is thrown on.
+  /// REQUIRES: soup is well formed and not empty, and its coordinates are in the kernel's legal range.
   [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint = {});
 
-  /// The same tree from its layout. Throws std::invalid_argument when it cannot be a layout of this soup.
+  /// The same tree from its layout; config.leaf_size is not used. Throws std::invalid_argument when it cannot be the layout
+  /// of a tree of so many polygons. REQUIRES as build().
   [[nodiscard]] static Hierarchy restore(const PolygonSoup& soup, const Config& config, const Layout& layout,
                                          const Checkpoint& checkpoint = {});
   [[nodiscard]] Layout layout() const;
@@ -66,10 +71,10 @@ class Hierarchy {
   [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_->first[p] - 2 * p; }
   /// The root first.
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
-  /// The leaf that has polygon p of soup().
+  /// The leaf (index in nodes()) that holds polygon p of soup().
   [[nodiscard]] std::uint32_t leaf_of(std::uint32_t p) const;
-  /// Calls question(box) with the bounding volume of the node, an AABB or an OBB: it holds all polygons of the node,
-  /// exactly.
+  /// Returns question(box), where `box` is the bounding volume of the node: a kernel::Aabb or a kernel::Obb that holds
+  /// every polygon of the node exactly.
   template <class Question>
   decltype(auto) ask(std::uint32_t node, Question&& question) const {
     const std::uint32_t i = oriented_.empty() ? kNone : oriented_[node];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Why hidden polygons are drawn: what a better choice of occluders, a finer tree, or shadows taken together would still
-// cull. Reading order: 15.
+// Why hidden polygons are drawn: what a better choice of occluders, a finer tree, or joined shadows could still cull.
+// Reading order: 15.
 #pragma once
 
 #include <array>
@@ -15,20 +15,21 @@
 
 namespace occlude::culler {
 
-/// In the order in which they are asked: the first that holds is the reason. The first two and the last four are those of
-/// frames by cover, where what a cover closes takes the place of the shadow of an occluder: its picture as the frame leaves
-/// it.
+/// Reasons, in the order in which they are tested: the first that holds is the answer.
+/// 1. Frames by frusta have the first six.
+/// 2. Frames by cover have the first two and the last four. For them read "hidden by the frame's final coarse picture" where
+///    coarse_node says "in the shadow".
 enum class Missed {
-  out_of_view,     ///< no shadow is asked for: all of it is beyond a half-space of the view, its leaf is not
-  coarse_node,     ///< the polygon's own box is in the shadow of an occluder of the frame, that of its leaf is not
+  out_of_view,     ///< the polygon is beyond a half-space of the view, its leaf is not
+  coarse_node,     ///< the polygon's own box is in the shadow of an occluder of the frame, its leaf's box is not
   straddling_box,  ///< the polygon is in the shadow of an occluder of the frame, its box is not
-  several,         ///< each corner is in the shadow of some occluder of the frame, but no shadow has all
-  not_chosen,      ///< no occluder of the frame, but another of the region's list has the polygon in its shadow
+  several,         ///< each corner is in the shadow of some occluder of the frame, but not all in the same one
+  not_chosen,      ///< the polygon is in the shadow of an occluder of the region's list that the frame did not choose
   no_single_one,   ///< no occluder of the list hides it alone: several do, or what it shows is less than a pixel
-  beyond_picture,  ///< its box reaches out of the coarse picture, or before the near plane
-  over_budget,     ///< it would be hidden if the frame had drawn all that is seen into its picture
+  beyond_picture,  ///< its box reaches beyond the coarse picture or in front of the near plane
+  over_budget,     ///< it would be hidden if the options set no budget for what is drawn into the picture
   open_pixel,      ///< a pixel that its box touches is open: a border runs there, or nothing closes it
-  not_behind       ///< all of these are closed, but in one nothing is nearer than the box
+  not_behind       ///< all pixels that its box touches are closed, but in one of them not strictly in front of the box
 };
 inline constexpr std::size_t kMissedReasons = 10;
 
@@ -45,24 +46,28 @@ inline constexpr std::size_t kMissedReasons = 10;
   return kNames[static_cast<std::size_t>(reason)];
 }
 
-/// Shadows are taken less the frame's margin, strictly beyond their near planes, and decided exactly. Makes the shadows of
-/// what the region lists: for analysis, not for every frame.
+/// Finds the reasons for one frame. Shadows are less the frame's margin, begin strictly beyond their near planes, and are
+/// decided exactly. For analysis, not for every frame: it makes the shadow of every occluder that the region lists.
+/// Const calls may run on several threads at once.
 class MissedReasons {
  public:
-  /// Of a list that is longer, what looks largest from the eye is asked. Nearly all lists of the models tried are shorter.
+  /// The most occluders of the region's list that are tried: those that look largest from the eye. Nearly all lists of the
+  /// models tried are shorter.
   static constexpr std::size_t kMostListed = 4096;
-  /// Work is counted in planes of shadows that boxes and corners are held against (README.md, Budgets). For all nodes and
-  /// polygons of a frame, a second or so of one processor: beyond, polygons are not asked.
+  /// The default work of count(): about a second of one processor. The unit is one plane of a shadow that a box or a corner
+  /// is tested against (README.md, Budgets).
   static constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
-  /// `frame` is what the culler made of this camera with these options, and must outlive this.
+  /// REQUIRES: `frame` is what `culler` made of this camera with these options, which is not checked; both outlive this
+  /// object. For a frame by cover, culls the frame again, and throws as Culler::cull().
   MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame);
 
   struct Answer {
     Missed reason;
-    std::uint32_t occluder = Culled::kNone;  ///< that hides the polygon alone, in Culler::occluders(); none if none does
+    std::uint32_t occluder = Culled::kNone;  ///< one that hides the polygon alone, in Culler::occluders(), or kNone
   };
-  /// Why polygon p of the tree, which is hidden and drawn, was not culled.
+  /// Why polygon p of Hierarchy::soup() was not culled. Takes as much work as it needs. REQUIRES: p is hidden, and drawn by
+  /// the frame.
   [[nodiscard]] Answer answer(std::uint32_t p) const;
 
   struct Counts {
@@ -72,8 +77,10 @@ class MissedReasons {
     [[nodiscard]] std::size_t asked() const { return std::accumulate(reasons.begin(), reasons.end(), std::size_t{0}); }
     Counts& operator+=(const Counts& other);
   };
-  /// Asks all that the frame missed, as far as `most_work` goes; on all processors, the same for any number of them. `shows`
-  /// tells of each polygon of the tree whether the frame shows it.
+  /// Counts the reasons of everything that the frame missed. Polygons that `most_work` does not reach are counted in
+  /// `missed` alone. Runs on all processors; the result does not depend on their number. shows[p] tells whether polygon p of
+  /// Hierarchy::soup() is visible in the frame. What `checkpoint` throws is thrown on.
+  /// REQUIRES: shows.size() is the number of polygons.
   [[nodiscard]] Counts count(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
                              std::size_t most_work = kMostWork) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that may hide a model, and where it may be chosen: the polygons, the potential occluders that they make up, and the
+// Everything that may hide a model, and where it may be chosen: the polygons, the potential occluders made of them, and the
 // regions that list these. Reading order: 8.
 #pragma once
 
@@ -14,10 +14,11 @@
 
 namespace occlude::culler {
 
+/// Const calls may run on several threads at once. Copies share the soup.
 class OccluderSet : public PotentialOccluders {
  public:
-  /// What may hide of the soup, with a grid over `space`, where the viewpoints are. REQUIRES and throws as
-  /// PotentialOccluders::find() and OccluderGrid::build().
+  /// The potential occluders of the soup, and a grid of regions over `space`, which is about where the viewpoints are.
+  /// REQUIRES and throws as PotentialOccluders::find() and OccluderGrid::build().
   [[nodiscard]] static OccluderSet build(std::shared_ptr<const PolygonSoup> soup, const kernel::Aabb& space,
                                          const Config& config, const OccluderGrid::Config& grid,
                                          const Checkpoint& checkpoint = {}) {
@@ -26,7 +27,7 @@ class OccluderSet : public PotentialOccluders {
     return {std::move(potential), std::move(lists)};
   }
 
-  /// The same with the lists that such a grid had. Throws as OccluderGrid::restore().
+  /// The same with the lists of a grid that was built before. REQUIRES as build(); throws as OccluderGrid::restore().
   [[nodiscard]] static OccluderSet restore(std::shared_ptr<const PolygonSoup> soup, const kernel::Aabb& space,
                                            const Config& config, const OccluderGrid::Config& grid, OccluderGrid::Lists lists,
                                            const Checkpoint& checkpoint = {}) {

@@ -15,8 +15,9 @@
 
 namespace occlude::culler {
 
-/// Calls work(i) once for every i below `count`, on all processors, or as many as the system gives threads for, `checkpoint`
-/// before each; returns when all are done. An exception stops what has not begun and is thrown on to the caller.
+/// Calls checkpoint() and then work(i), once for every i < count, on several threads at once: one for each processor, or as
+/// many as the system can start. The calling thread is one of them. Returns when all calls have returned.
+/// If a call throws, no further calls begin. Once those that run have returned, the first exception is thrown on.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work, const Checkpoint& checkpoint = {}) {
   std::atomic<std::size_t> next = 0;

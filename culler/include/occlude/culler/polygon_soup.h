@@ -21,14 +21,18 @@ struct PolygonRange {
   friend bool operator==(const PolygonRange&, const PolygonRange&) = default;
 };
 
-/// Of `count` polygons which are in the ranges.
+/// For each of `count` polygons, whether it is in one of the ranges. REQUIRES: no range ends beyond `count`.
 [[nodiscard]] std::vector<bool> polygons_of(std::span<const PolygonRange> ranges, std::size_t count);
 
 /// Polygons as loops of vertex indices. Polygon p is drawn as the fan of triangles (v0, vi, vi+1) of its loop; both sides
 /// are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the tools.
 ///
-/// Well formed: `first` begins with 0, never descends and ends with indices.size(); each polygon has at least three corners,
-/// which may repeat; all indices are below vertices.size(). Culler and Scene refuse others; all else REQUIRES it.
+/// A soup is well formed if
+/// 1. `first` begins with 0, never descends and ends with indices.size();
+/// 2. each polygon has at least three corners, which may repeat;
+/// 3. all indices are below vertices.size().
+/// Culler, Scene and preprocess() refuse a soup that is not; everything else REQUIRES that it is. Polygon numbers are not
+/// checked.
 struct PolygonSoup {
   std::vector<glm::dvec3> vertices;
   std::vector<std::uint32_t> indices;      ///< the loops of all polygons, one after another
@@ -47,21 +51,21 @@ struct PolygonSoup {
   /// The smallest axis-aligned box that holds polygon p.
   [[nodiscard]] kernel::Aabb box(std::size_t p) const;
 
-  /// Adds a vertex and returns its index. Throws std::length_error, and adds nothing, where 32 bits cannot hold that.
+  /// Adds a vertex and returns its index. Throws std::length_error, and adds nothing, if 32 bits cannot hold the index.
   std::uint32_t add_vertex(const glm::dvec3& v) {
     const std::uint32_t index = narrowed(vertices.size());
     vertices.push_back(v);
     return index;
   }
-  /// Adds a polygon over existing vertices. Throws std::length_error, and adds nothing, where 32 bits cannot hold the number
-  /// of all indices. REQUIRES: at least three indices, all below vertices.size().
+  /// Adds a polygon over existing vertices. Throws std::length_error, and adds nothing, if 32 bits cannot hold the number of
+  /// all indices. REQUIRES, not checked: at least three indices, all below vertices.size().
   void add_polygon(std::span<const std::uint32_t> polygon) {
     const std::uint32_t end = narrowed(indices.size() + polygon.size());
     indices.insert(indices.end(), polygon.begin(), polygon.end());
     first.push_back(end);
   }
 
-  /// The same number in 32 bits. Throws std::length_error where they cannot hold it.
+  /// The same number in 32 bits. Throws std::length_error if it does not fit.
   [[nodiscard]] static std::uint32_t narrowed(std::size_t number) {
     if (number > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("more than 2^32 vertices or corners");
     return static_cast<std::uint32_t>(number);

@@ -18,31 +18,37 @@
 
 namespace occlude::culler {
 
-/// What the choice of occluders knows about one of them. A polygon that repeats another and is no part of anything larger,
-/// or has so many sides that it hides as pieces, has no area: it is in no list.
+/// What the choice of occluders knows about one of them. Lengths are in model units. Two kinds of polygons have no area
+/// here, and so are in no list: one that repeats another and is no part of anything larger, and one with more than
+/// ConvexRegions::kMostSides sides, which hides as pieces.
 struct PotentialOccluder {
   glm::dvec3 centre{0, 0, 0};
-  glm::dvec3 area_normal{0, 0, 0};  ///< of a region: unit normal times area
-  double round_area = 0;            ///< of a shell: its mean area as projected, a quarter of its surface (Cauchy 1832)
+  glm::dvec3 area_normal{0, 0, 0};  ///< of a region: unit normal times area; of a shell: 0
+  double round_area = 0;            ///< of a shell: its mean projected area, a quarter of its surface (Cauchy 1832)
   double radius = 0;                ///< no vertex is farther from the centre, up to rounding
 
-  /// The area-angle a |N . V| / |V|^2 seen from `eye`, an approximation of the solid angle in steradians (Coorg and Teller
-  /// 1996): a the area, N the unit normal, V the unit and |V| the full distance to the centre.
+  /// The area-angle seen from `eye`, which approximates the solid angle in steradians (Coorg and Teller 1996). Of a region
+  /// it is a |N . V| / |V|^2: a is the area, N the unit normal, V the unit vector to the centre, and |V| the distance to the
+  /// centre. Of a shell it is round_area / |V|^2. 0 if the eye is at the centre.
   [[nodiscard]] double area_angle(const glm::dvec3& eye) const;
-  /// An upper bound of its area as projected in any direction.
+  /// area_angle(eye) is at most area() / |V|^2, up to rounding. Of a region: its area. Of a shell: round_area, which is a
+  /// mean; its projection can be up to twice as large.
   [[nodiscard]] double area() const;
 };
 
 using OccluderGeometry = std::variant<std::vector<kernel::Vec3>, kernel::Polytope>;
 
+/// Const calls may run on several threads at once. Occluder numbers are not checked.
 class PotentialOccluders {
  public:
   struct Config {
-    /// Whether to look for convex shells: without them every occluder is flat.
+    /// Whether to look for convex shells. Without them every occluder is flat.
     bool shells = true;
   };
 
-  /// Those that the polygons of the soup are, make up and enclose. REQUIRES: finite coordinates.
+  /// All potential occluders of the soup: its polygons, the regions that they make up and the shells that they form. Keeps
+  /// the soup. What `checkpoint` throws is thrown on. REQUIRES: the soup is not null, is well formed, and has finite
+  /// coordinates.
   [[nodiscard]] static PotentialOccluders find(std::shared_ptr<const PolygonSoup> soup, const Config& config,
                                                const Checkpoint& checkpoint = {});
 
@@ -56,20 +62,21 @@ class PotentialOccluders {
   [[nodiscard]] bool is_shell(std::size_t i) const { return i >= regions_.size(); }
   /// REQUIRES: is_shell(i).
   [[nodiscard]] const kernel::ConvexPolytope& polytope(std::size_t i) const { return shells_.polytope(i - regions_.size()); }
-  /// The corners of a region, as vertices of the soup, in order. REQUIRES: !is_shell(i).
+  /// The corners of a region in loop order, as indices of soup vertices. REQUIRES: !is_shell(i).
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t i) const { return regions_.loop(i); }
-  /// The polygons of the soup that it is drawn as, in ascending order.
+  /// The polygons of the soup that occluder i is drawn as, ascending.
   [[nodiscard]] std::span<const std::uint32_t> parts(std::size_t i) const {
     return is_shell(i) ? shells_.parts(i - regions_.size()) : regions_.parts(i);
   }
-  /// Fills `vertices` with all of its own: of a region its corners in order.
+  /// Replaces `vertices` with the vertices of occluder i; for a region, its corners in loop order.
   void vertices(std::size_t i, std::vector<kernel::Vec3>& vertices) const;
-  /// What the kernel takes for the occluder: a polygon or a polytope.
+  /// Occluder i as the kernel takes it: a polygon or a polytope.
   [[nodiscard]] OccluderGeometry geometry(std::size_t i) const;
-  /// Its shadow, or why it has none from there.
+  /// The shadow of occluder i from the viewpoint, or why it has none from there.
   [[nodiscard]] kernel::ShadowFrustumResult shadow(std::size_t i, const kernel::Viewpoint& viewpoint,
                                                    kernel::Near near) const;
-  /// The next larger occluder that i is a part of, which hides all that i does; i itself if there is none.
+  /// The next larger occluder that i is a part of, which hides everything that i hides; i itself if there is none. From a
+  /// polygon to its joined region, if any, and from there to its shell.
   [[nodiscard]] std::uint32_t container(std::uint32_t i) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much smaller than it is a shadow is taken, for renderers that round: a rasteriser with vertices on a grid draws
-// borders a little beside where they are. Reading order: 8.
+// By how much shadows are made smaller for renderers that round: a rasteriser that snaps vertices to a grid draws borders a
+// little beside where they are. Reading order: 8.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,32 +12,33 @@
 
 namespace occlude::culler {
 
-struct FrameView;
+struct FrameView;  // src/frame_view.h
 
-/// The shadow less the margin is what stays in the shadow however it is moved by up to the margin in the picture. So each
-/// plane n . x >= d of it, relative to the eye, becomes (n - m |n_across| forward) . x >= d, n_across being the part of n
-/// across the line of sight and m the margin at distance 1 along it: sides move inwards, and the near plane away from the
-/// eye by what its depth changes along the margin. For parallel rays n . x >= d + m |n_across|, m a length.
+/// The shadow less the margin is the set of points that stay in the shadow under both of these moves:
+/// 1. In the picture, by up to the margin. Each plane n . x >= d of the shadow, relative to the eye, becomes
+///    (n - m |n_across| forward) . x >= d. Here n_across is the part of n perpendicular to the line of sight, and m the
+///    margin at distance 1 along it. Sides move inwards; the near plane moves away from the eye by as much as its depth
+///    changes over the margin. For parallel rays: n . x >= d + m |n_across|, where m is a length.
+/// 2. In space, by up to `rounding`: the error with which a renderer in single precision places the occluder and the box.
+///    The shadow of an occluder at depth w is then off by rounding / w in the picture. This is added to m, and d grows by
+///    2 rounding |n|.
 ///
-/// And it is what stays in the shadow when the renderer, in single precision, has positions out by up to `rounding`, those
-/// of the occluder and those of the box. An occluder that is w away then casts a shadow that is out by rounding / w in the
-/// picture, which is added to m, and d grows by 2 rounding |n|.
-///
-/// Computed in doubles: the margin is a promise to a renderer that rounds, and takes away from what is exactly in the
-/// shadow.
+/// It is computed in doubles and has their rounding. That cannot make a cull wrong: the margin only takes away from what is
+/// exactly in the shadow. Const calls may run on several threads at once.
 class ShadowMargin {
  public:
-  /// None: the shadow itself.
+  /// No margin: the shadow itself.
   ShadowMargin() = default;
-  /// `share` of the height of the view's picture; none if the share is 0. REQUIRES: share >= 0.
+  /// A margin of `share` times the height of the view's picture; no margin if `share` is 0. REQUIRES: share >= 0.
   ShadowMargin(const FrameView& view, double share);
 
   [[nodiscard]] bool is_none() const { return size_ == 0; }
 
-  /// Whether a box that is in the shadow is so with the margin. REQUIRES: a shadow from the camera's viewpoint.
+  /// Whether a box that is in the shadow is also in the shadow less the margin. False if the shadow is none.
+  /// REQUIRES: the box is in the shadow; the shadow is from the view's viewpoint.
   [[nodiscard]] bool keeps(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) const;
   [[nodiscard]] bool keeps(const kernel::ShadowFrustum& shadow, const kernel::Obb& box) const;
-  /// The same of two shadows together; now and then not, where it is.
+  /// The same for the union of two shadows. Conservative: it may say no of a box that is in the union less the margin.
   [[nodiscard]] bool keeps(const kernel::ShadowUnion& shadows, const Box& box) const;
 
  private:

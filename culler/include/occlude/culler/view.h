@@ -12,13 +12,13 @@
 namespace occlude::culler {
 
 enum class Visibility {
-  visible,      ///< for all that the frame knows
-  occluded,     ///< all of it is in the shadow of one occluder, or of a pair that is asked together, or behind a cover
-  out_of_view,  ///< all of it is beyond a half-space of the view
+  visible,      ///< neither of the other two could be shown
+  occluded,     ///< all of it is in the shadow of one occluder, or of a pair of CullResult::pairs, or behind the cover
+  out_of_view,  ///< all of it is beyond one half-space of the view
 };
 
-/// Tells the cullers and scenes of a program from each other, so that a view notices which of them it is used with. A copy
-/// holds the same and is the same.
+/// Tells the cullers and scenes of a program apart, so that a view notices which of them it is used with. A copy has the
+/// same identity, as it holds the same. Any thread may make one.
 class Identity {
  public:
   Identity();
@@ -31,9 +31,10 @@ class Identity {
   std::uint64_t number_ = 0;
 };
 
-/// A view belongs to one camera, and to one thread at a time; different views may be culled at once. Used with another
-/// culler or scene than in the frame before it starts anew, as if it had just been made. After its first frame
-/// nothing is allocated any more (README.md, Contracts).
+/// 1. A view belongs to one camera, and one thread at a time may cull with it. Different views may be culled at once.
+/// 2. If it is used with another culler or scene than in the frame before, it starts anew, as if it had just been made.
+/// 3. After its first frame nothing more is allocated. Exceptions: README.md, Growth and budgets.
+/// 4. A view that was moved from may only be destroyed or assigned to.
 class View {
  public:
   View();
@@ -41,21 +42,24 @@ class View {
   View(View&&) noexcept;
   View& operator=(View&&) noexcept;
 
-  /// The last frame.
+  /// The last frame; empty before the first. Valid until the next frame of this view.
   [[nodiscard]] const CullResult& result() const;
 
-  /// What the last frame makes of any box, say of something about to be created: by the same half-spaces and occluders, or
-  /// cover, with its margin, and certified whatever the frame was. Shadows are strictly beyond their near planes. Everything
-  /// is visible before the first frame. For a box that reaches farther than all that the culler knows the half-spaces are
-  /// taken as much larger as they would be, had the culler known of it. Many threads may ask one view at a time, between its
-  /// frames. Throws std::invalid_argument for a box that the kernel refuses, std::runtime_error while the processor does not
-  /// round to nearest (occlude/kernel/validity.h).
+  /// Whether any box, such as that of an object about to be created, would be visible in the last frame.
+  /// 1. It is tested against the frame's half-spaces, and its occluders or cover, with the frame's margin. The tests are
+  ///    certified, whatever the frame's arithmetic. Shadows begin strictly beyond their near planes.
+  /// 2. Before the first frame everything is visible.
+  /// 3. The box may reach farther from the eye than everything that the culler or scene holds. Then the half-spaces are
+  ///    moved outwards by another 2^-20 of its L1 distance (append_view_frustum()), and no cover hides it.
+  /// 4. Allocates nothing. Many threads may ask the same view at once, while no frame of it is being culled.
+  /// Throws std::invalid_argument for a box that is not legal, and std::runtime_error while the processor does not round to
+  /// nearest (occlude/kernel/validity.h).
   [[nodiscard]] Visibility visibility(const Box& box) const;
 
-  /// For the cullers alone: src/view_memory.h.
+  /// For the cullers only: src/view_memory.h. Not protected by `const`.
   struct Memory;
   [[nodiscard]] Memory& memory() const { return *memory_; }
-  /// The same for a frame of this culler or scene: empty unless the frame before was one of it.
+  /// The same for the next frame with this culler or scene; emptied unless the frame before was with the same one.
   [[nodiscard]] Memory& memory_for(const Identity& owner);
 
  private:
