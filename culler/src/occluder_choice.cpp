@@ -20,8 +20,12 @@ bool out_of_view(const PotentialOccluder& occluder, std::span<const HalfSpace> v
       view, [&](const HalfSpace& h) { return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius; });
 }
 
+/// A score is the product of at most three such powers: it stays finite, and can be sorted, whatever the weights.
+constexpr double kMostPower = 1e100;
+
 double weighted(double criterion, double weight) {
-  return weight == 0 ? 1 : weight == 1 ? criterion : std::pow(criterion, weight);
+  if (weight == 0) return 1;
+  return weight == 1 ? criterion : std::fmin(std::pow(criterion, weight), kMostPower);  // which is what no number becomes
 }
 
 /// Frusta go from one occluder to another, and would grow again and again until each of them has been the largest. Nearly

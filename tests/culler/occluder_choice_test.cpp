@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
+#include "view_memory.h"
 
 namespace {
 
@@ -53,6 +56,24 @@ TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
   ASSERT_EQ(frame.occluders.size(), 2U);
   EXPECT_EQ(original(culler, frame.occluders[1]), kHidden + 1);
   EXPECT_LT(frame.stats.choice_work, 2 * kChoiceWorkOfEach);
+}
+
+/// Scores that are no numbers could not be sorted.
+TEST(OccluderChoice, IsMadeWhateverTheWeights) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  PolygonSoup soup;
+  for (int i = 0; i < 100; ++i) add_wall(soup, 20 + i, i % 10 - 5, i % 10 - 4.5, -1, 0.1 * (i % 7));
+  const Culler culler = listing_all(soup);
+  for (const double weight : {std::nan(""), infinity, -infinity, 1e300, -1e300, 0.5}) {
+    const CullOptions options{.objective = {.solid_angle = weight, .depth_complexity = weight, .coherence = weight}};
+    View view;
+    for (int frame = 0; frame < 3; ++frame) {
+      const CullResult& result = culler.cull(Camera{}, options, view);
+      EXPECT_GT(result.occluders.size(), 0U) << weight;
+      ASSERT_GT(view.memory().candidates.size(), 50U);
+      for (const Candidate& candidate : view.memory().candidates) EXPECT_TRUE(std::isfinite(candidate.score)) << weight;
+    }
+  }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace occlude::culler {
 
 /// The objective of section 4.2, by which occluders are chosen: the product of three criteria, each to the power of its
 /// weight. A weight of 0 switches a criterion off. It is a heuristic: the choice cannot make a cull wrong.
-/// REQUIRES: the weights are finite and not negative, which is not checked.
+/// Weights that are negative or not finite make a poor choice and nothing worse.
 struct Objective {
   /// How large an occluder looks from the eye. Ignored by orthographic cameras: theirs is its share of the picture's area.
   enum class Angle {
