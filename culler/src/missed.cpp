@@ -122,7 +122,7 @@ bool MissedReasons::hides(const Shadow& shadow, const kernel::Aabb& box, Work& w
 bool MissedReasons::is_out_of_view(std::uint32_t p, Work& work) const {
   return std::ranges::any_of(frame_.view, [&](const HalfSpace& h) {
     return std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
-      work.take(1);
+      work.take(std::size_t{1});
       const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
       return work.is_left() && kernel::relation({to_kernel(h.normal), h.offset}, kernel::Aabb{corner, corner},
                                                 kernel::Arithmetic::certified) == kernel::Relation::outside;
