@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "command_arguments.h"
@@ -234,8 +238,24 @@ std::optional<FailureFiles> failure_files(const std::string& folder) {
   return folder.empty() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
 }
 
+/// Whether a walk by cover wrote the file: the tree that its lines speak of has smaller leaves. A pipe cannot be read twice,
+/// and is taken for one by frusta.
+bool is_by_cover(const std::string& file) {
+  if (std::error_code error; !std::filesystem::is_regular_file(file, error)) return false;
+  constexpr std::string_view kByCover = "\"by\":\"cover\"";
+  std::ifstream in(file, std::ios::binary);
+  std::string text, block(std::size_t{1} << 16U, '\0');
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(in.gcount()));
+    if (text.find(kByCover) != std::string::npos) return true;
+    text.erase(0, text.size() - std::min(text.size(), kByCover.size()));
+  }
+  return false;
+}
+
 void validate(Arguments& arguments, int& exit_code) {
-  const render::WalkOptions options = arguments.walk.options();
+  render::WalkOptions options = arguments.walk.options();
+  if (is_by_cover(arguments.witness)) options.build.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::cover);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
