@@ -9,6 +9,13 @@ walk_of_squares
 "$occlude" walk good.ply --path path.json --out walked --no-render --witness witness.jsonl >/dev/null || fail "walk"
 total=$(wc -l <witness.jsonl)
 
+# The lines of a walk by cover speak of a tree with smaller leaves.
+"$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path city.json >/dev/null || fail "generate"
+"$occlude" walk city.ply --path city.json --frames 0:40:20 --no-render --method cover --out covered --witness cover.jsonl >/dev/null ||
+  fail "walk by cover"
+"$occlude" validate city.ply --path city.json --witness cover.jsonl >stdout || fail "validate a walk by cover"
+grep -qx "$(wc -l <cover.jsonl) of $(wc -l <cover.jsonl) witnesses proved" stdout || fail "validate a walk by cover: $(cat stdout)"
+
 # Witnesses that lie are found out.
 "$occlude" walk good.ply --path back.json --out aside --no-render --witness aside.jsonl >/dev/null || fail "walk, looking away"
 lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES PATH]
