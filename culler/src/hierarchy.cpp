@@ -84,6 +84,7 @@ std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, st
 
 Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
     : soup_(std::make_shared<const PolygonSoup>(reordered(soup, tree.order, checkpoint))),
+      leaf_size_(config.leaf_size),
       order_(std::move(tree.order)),
       nodes_(std::move(tree.nodes)) {
   if (config.bounds == Bounds::obb) fit_oriented_boxes(checkpoint);

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "command_arguments.h"
@@ -24,7 +20,6 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
-#include "occlude/render/line_reader.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
@@ -34,6 +29,7 @@
 #include "proof.h"
 #include "validation.h"
 #include "visibility_check.h"
+#include "witness_file.h"
 
 namespace occlude::cli {
 namespace {
@@ -64,12 +60,6 @@ Shard parse_shard(const std::string& text, const Turns& turns) {
   if (i == 0 || i > n) refuse("--shard", "expected I/N with I from 1 to N");
   return {i - 1, n, turns};
 }
-
-/// A witness and where it stands.
-struct Place {
-  std::string line, name;
-  std::size_t number;  ///< of its line, from 1
-};
 
 /// Proves witnesses and keeps what they say is culled; the outcome is the same for any number of threads.
 class Proving {
@@ -128,21 +118,19 @@ class Proving {
 constexpr std::size_t kBatch = 16384;
 constexpr std::size_t kBatchBytes = render::kMostJson;
 
-void prove_file(Proving& proving, const std::string& file) {
-  render::LineReader lines(file);
-  render::Progress progress("proved MB", lines.size() >> 20U);
+void prove_file(Proving& proving, WitnessFile& file) {
+  render::Progress progress("proved MB", file.size() >> 20U);
   std::vector<Place> places;
   std::size_t bytes = 0;
   const auto prove_batch = [&] {
     proving.prove(places);
     places.clear();
     bytes = 0;
-    progress.update(lines.read() >> 20U);
+    progress.update(file.read() >> 20U);
   };
-  for (std::string line; lines.next(line);) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    places.push_back({line, fmt::format("{}:{}", lines.name(), lines.number()), lines.number()});
-    bytes += line.size();
+  while (const std::optional<Place> place = file.next()) {
+    places.push_back(*place);
+    bytes += place->line.size();
     if (places.size() == kBatch || bytes >= kBatchBytes) prove_batch();
   }
   prove_batch();
@@ -238,26 +226,12 @@ std::optional<FailureFiles> failure_files(const std::string& folder) {
   return folder.empty() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
 }
 
-/// Whether a walk by cover wrote the file: the tree that its lines speak of has smaller leaves. A pipe cannot be read twice,
-/// and is taken for one by frusta.
-bool is_by_cover(const std::string& file) {
-  if (std::error_code error; !std::filesystem::is_regular_file(file, error)) return false;
-  constexpr std::string_view kByCover = "\"by\":\"cover\"";
-  std::ifstream in(file, std::ios::binary);
-  std::string text, block(std::size_t{1} << 16U, '\0');
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
-    text.append(block, 0, static_cast<std::size_t>(in.gcount()));
-    if (text.find(kByCover) != std::string::npos) return true;
-    text.erase(0, text.size() - std::min(text.size(), kByCover.size()));
-  }
-  return false;
-}
-
 void validate(Arguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
-  if (is_by_cover(arguments.witness)) options.build.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::cover);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
+  std::optional<WitnessFile> witnesses;
+  if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   const Shard shard = parse_shard(arguments.shard, turns);
   std::optional<FailureFiles> files = failure_files(arguments.out);
@@ -272,7 +246,7 @@ void validate(Arguments& arguments, int& exit_code) {
   if (is_anew) {
     prove_anew(proving, walked, shard);
   } else {
-    prove_file(proving, arguments.witness);
+    prove_file(proving, *witnesses);
   }
 
   Validation result;

@@ -29,6 +29,10 @@ struct Proof {
   std::size_t first = 0, count = 0;  ///< the triangles it says are culled; none where the line names none of the model
 };
 
+/// Culler::leaf_size of the tree whose triangles the witness on this line counts: "leaf", or what is best for frusta.
+/// LineError when it is no witness.
+[[nodiscard]] std::uint32_t leaf_size_of(std::string_view line);
+
 /// The cameras of a walk.
 struct Cameras {
   std::size_t frames = 0;
@@ -41,7 +45,7 @@ class Prover {
   /// `hierarchy` gives the order in which a witness counts triangles. REQUIRES: it outlives the prover.
   Prover(const culler::Hierarchy& hierarchy, Cameras cameras);
 
-  /// Proves the witness on this line (LineError when it is no witness at all):
+  /// Proves the witness on this line (LineError when it is no witness at all, or counts triangles of another tree):
   /// - the triangles named exist and lie in the box named, which keeps the margin named, if any, to the planes that cull it;
   /// - by view: the box is exactly beyond the plane, whose numbers are legal, and of what the renderer may draw of the model
   ///   (camera_picture.h) nothing is on the plane or beyond it;
@@ -50,9 +54,8 @@ class Prover {
   ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
   ///   are such polygons, and the renderer clips none of it;
   /// - by cover: each point of the box has a polygon of the list strictly between it and the frame's viewpoint, counting
-  /// what
-  ///   the renderer surely draws of them. These may be culled themselves: of all that a ray meets the first is hidden by
-  ///   nothing.
+  ///   what the renderer surely draws of them. These may be culled themselves: of all that a ray meets the first is hidden
+  ///   by nothing.
   /// None of a frame that is not wanted; one that is not of the path is none.
   [[nodiscard]] std::optional<Proof> prove(
       std::string_view line, const std::function<bool(std::optional<std::size_t> frame)>& is_wanted = {}) const;
@@ -70,11 +73,11 @@ class Prover {
   [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
-  /// Whether the loop is the border of what `parts` lists, runs of triangles each of one polygon, none of them among those
-  /// triangles.
   /// Why the polygons do not hide the box together; empty when they do.
   [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
                                            const culler::Camera& camera, const Box& box) const;
+  /// Whether the loop is the border of what `parts` lists, runs of triangles each of one polygon, none of them among those
+  /// triangles.
   [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
                                        std::size_t count) const;
   /// The loop about triangles [first, first + count) of the fan of polygon p.

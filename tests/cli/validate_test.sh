@@ -9,12 +9,23 @@ walk_of_squares
 "$occlude" walk good.ply --path path.json --out walked --no-render --witness witness.jsonl >/dev/null || fail "walk"
 total=$(wc -l <witness.jsonl)
 
-# The lines of a walk by cover speak of a tree with smaller leaves.
+# The lines of a walk by cover speak of a tree with smaller leaves, and say so.
 "$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path city.json >/dev/null || fail "generate"
 "$occlude" walk city.ply --path city.json --frames 0:40:20 --no-render --method cover --out covered --witness cover.jsonl >/dev/null ||
   fail "walk by cover"
-"$occlude" validate city.ply --path city.json --witness cover.jsonl >stdout || fail "validate a walk by cover"
-grep -qx "$(wc -l <cover.jsonl) of $(wc -l <cover.jsonl) witnesses proved" stdout || fail "validate a walk by cover: $(cat stdout)"
+proves_all() { # proves_all WHAT FILE [WITNESSES]
+  "$occlude" validate city.ply --path city.json --witness "${3:-$2}" >stdout || fail "validate a walk $1"
+  grep -qx "$(wc -l <"$2") of $(wc -l <"$2") witnesses proved" stdout || fail "validate a walk $1: $(cat stdout)"
+}
+proves_all 'by cover' cover.jsonl
+proves_all 'by cover, from a pipe' cover.jsonl <(cat cover.jsonl)
+"$occlude" walk city.ply --path city.json --frames 0:40:20 --no-render --leaf 7 --bounds obb --out leaves --witness leaves.jsonl \
+  >/dev/null || fail "walk with leaves of 7"
+proves_all 'with leaves of 7' leaves.jsonl
+sed '2s/"leaf":7/"leaf":8/' leaves.jsonl >lie.jsonl
+expect_error 'lie.jsonl:2: "leaf"' "$occlude" validate city.ply --path city.json --witness lie.jsonl
+sed '1s/"leaf":7/"leaf":-7/' leaves.jsonl >lie.jsonl
+expect_error 'lie.jsonl:1: "leaf"' "$occlude" validate city.ply --path city.json --witness lie.jsonl
 
 # Witnesses that lie are found out.
 "$occlude" walk good.ply --path back.json --out aside --no-render --witness aside.jsonl >/dev/null || fail "walk, looking away"
