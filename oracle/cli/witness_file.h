@@ -11,10 +11,10 @@
 
 namespace occlude::cli {
 
-/// A witness and where it stands.
+/// A witness and where it comes from.
 struct Place {
   std::string line, name;
-  std::size_t number;  ///< of its line, from 1
+  std::size_t number;  ///< the number of its line, from 1
 };
 
 /// The lines that are not blank. The first is read at once, because it tells the tree; so a pipe will do. Throws InputError as
