@@ -7,8 +7,8 @@
 
 namespace occlude::culler {
 
-/// Components of normals and of the line of sight below this fraction of their length are dropped, so that all stay within
-/// the kernel's legal range: far below what rounding turns them by, which is 2^-53.
+/// Components of normals and of the line of sight that are smaller than this share of their length are dropped, so that all
+/// numbers stay within the kernel's legal range. That is far less than the 2^-53 by which rounding turns them.
 inline constexpr double kNegligible = 0x1p-60;
 
 /// REQUIRES: a length of 1, up to rounding.
