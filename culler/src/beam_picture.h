@@ -138,8 +138,8 @@ inline Place BeamPicture::place(const Seen& seen) const {
   return {middle_.x + scale_.x * (seen.right * shrink), middle_.y + scale_.y * (seen.up * shrink)};
 }
 
-/// Let r and f be the coordinates as computed and s and g the exact ones, each with an error of at most e. Then r / f - s /
-/// g = ((r - s) f - r (f - g)) / (f g), which is at most e (1 + |r / f|) / (f - e).
+/// Let r and f be the coordinates as computed and s and g the exact ones, each with an error of at most e. Then
+/// r / f - s / g = ((r - s) f - r (f - g)) / (f g), which is at most e (1 + |r / f|) / (f - e).
 inline double BeamPicture::place_error(const Place& place, double forward) const {
   const double aside = std::max(std::fabs(place.x - middle_.x), std::fabs(place.y - middle_.y));
   const double scale = std::max(scale_.x, scale_.y);

@@ -36,7 +36,7 @@ class Sides {
   [[nodiscard]] std::uint32_t next(std::uint32_t side) const { return next_[side]; }
   [[nodiscard]] std::uint32_t previous(std::uint32_t side) const { return previous_[side]; }
 
-  /// Joins the loops of the two sides into one, in which these two sides no longer are.
+  /// Joins the loops of the two sides into one, which no longer has these two sides.
   void join(std::uint32_t side, std::uint32_t twin) {
     link(previous_[side], next_[twin]);
     link(previous_[twin], next_[side]);

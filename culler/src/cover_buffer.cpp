@@ -118,8 +118,7 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
       const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
       const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                                  {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
-      const bool is_of_box =
-          pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches the pixel
+      const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches it
       if (!is_of_box || id == kNone) {
         last = kNone;
       } else if (id == last) {

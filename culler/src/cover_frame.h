@@ -33,7 +33,7 @@ class CoverFrame {
     CoverDescent(nodes, ask, memory_.planes, options_, memory_.cover, memory_.result.stats, see, cull, join).run();
   }
 
-  /// Keeps a leaf of the tree of `nodes` that is seen for finish(), because what is drawn later may still hide it.
+  /// Notes that a leaf of the tree of `nodes` is seen. finish() asks again, because what is drawn later may still hide it.
   void see(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { memory_.seen.push_back({leaf, footprint}); }
   /// Keeps the polygons of a leaf of the source for join().
   void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
@@ -57,8 +57,8 @@ class CoverFrame {
         draw(nodes[leaf]);
       }
     }
-    std::ranges::sort(memory_.result.culled, {},
-                      &Culled::node);  // nodes are numbered depth-first, so this is the order of their items
+    // Nodes are numbered depth-first, so this is the order of their items.
+    std::ranges::sort(memory_.result.culled, {}, &Culled::node);
   }
 
  private:

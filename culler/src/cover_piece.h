@@ -51,7 +51,7 @@ class CoverPiece {
   [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
   /// In this tile the sheet is nowhere less near than this.
   [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
-  /// How many tiles of its triangles were drawn.
+  /// The work of the last draw(): the tiles of the triangles drawn.
   [[nodiscard]] std::size_t work() const { return work_; }
   /// A rectangle that holds a triangle of the mesh with its error; none if the triangle is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;

@@ -49,7 +49,7 @@ bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t size) {
 
 /// Every split of build() leaves at most 15/16 of the extent along an axis on either side. Coordinates that are not equal
 /// differ by at least 2^-152 and at most 2^101. So there are at most 3 ln 2^253 / ln(16/15) levels of such splits, and 32
-/// levels of halves. The traversal takes some hundred bytes of stack for each level.
+/// levels of halving. The traversal takes some hundred bytes of stack for each level.
 constexpr std::uint32_t kDeepest = 8192;
 
 /// The nodes of a layout over `count` polygons, without their boxes.

@@ -8,7 +8,7 @@
 namespace occlude::culler {
 
 /// Components of normals and of the line of sight that are smaller than this share of their length are dropped, so that all
-/// numbers stay within the kernel's legal range. That is far less than the 2^-53 by which rounding turns them.
+/// numbers stay within the kernel's legal range. The share is far below the 2^-53 by which rounding turns the vectors.
 inline constexpr double kNegligible = 0x1p-60;
 
 /// REQUIRES: a length of 1, up to rounding.

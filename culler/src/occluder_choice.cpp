@@ -33,7 +33,7 @@ double weighted(double criterion, double weight) {
 /// have at most this many planes, those of the profile included.
 constexpr std::size_t kPlanes = 64;
 
-/// A polygon may be a part of a joined region, and of a shell. So each candidate may lead to this many tries.
+/// A polygon may be a part of a joined region, and the region of a shell, so each candidate may lead to this many tries.
 constexpr std::size_t kTries = 3;
 
 /// Probes are chosen from at most this many candidates that were not tried lately.
@@ -56,8 +56,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
                                View::Memory& memory)
     : occluders_(occluders), view_(view), options_(options), memory_(memory), work_(kChoiceWorkOfEach * options.occluders) {
   const std::size_t all = occluders.size(), used = std::min(all, options.occluders + options.probes);
-  const std::size_t remembered =
-      std::min(all, (OccluderHistory::kFrames + 1) * used);  // includes those about to be forgotten
+  const std::size_t remembered = std::min(all, (OccluderHistory::kFrames + 1) * used);  // with those about to be forgotten
   memory.history.reserve(all, remembered);
   const std::size_t candidates = std::max({occluders.grid().longest(), remembered, kPool});
   memory.order.reserve(candidates, all);

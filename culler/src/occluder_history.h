@@ -33,7 +33,7 @@ class OccluderHistory {
   /// What the occluder hid in the last frame that used it; none if that is too long ago.
   [[nodiscard]] std::optional<std::uint32_t> hidden(std::uint32_t occluder) const;
 
-  /// Reserves memory to remember this many of the potential occluders.
+  /// Reserves memory for `potential` occluders, of which at most `remembered` are kept at once.
   void reserve(std::size_t potential, std::size_t remembered);
   /// Records a frame that chose from this many potential occluders. What probes would have hidden counts as hidden.
   void record(std::size_t potential, std::span<const Occluder> occluders, std::span<const Occluder> probes);

@@ -50,8 +50,8 @@ struct SeenBoxes {
 
   Floats low_x, low_y, high_x, high_y;  ///< the positions between which the whole box lies, with its error
   Integers x0, y0, x1, y1;              ///< the pixels that it touches, with the margin, as BeamPicture::pixels()
-  /// No point of the box is nearer. Infinity if that is unknown, or where the box is: for one that reaches before the near
-  /// plane.
+  /// No point of the box is nearer. Infinity if that or the position of the box is unknown, for example of one that
+  /// reaches before the near plane.
   Floats most;
   Floats distance;  ///< orders boxes from front to back; a heuristic
 };

@@ -23,7 +23,7 @@ namespace occlude::culler {
 /// ms and a second. The models tried take at most half of it: 8,300 for each of eight occluders, 8,000 for each of 64.
 inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairWork = std::size_t{1} << 20U;
 
-/// Probes are not followed into smaller subtrees, in polygons, because what they hide there is little.
+/// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
 inline constexpr std::uint32_t kProbed = 64;
 
 template <class Tests>
