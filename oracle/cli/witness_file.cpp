@@ -19,9 +19,7 @@ WitnessFile::WitnessFile(const std::string& name) : lines_(name), next_(read_nex
   }
 }
 
-std::optional<Place> WitnessFile::next() {
-  return std::exchange(next_, read_next());
-}
+std::optional<Place> WitnessFile::next() { return std::exchange(next_, read_next()); }
 
 std::optional<Place> WitnessFile::read_next() {
   for (std::string line; lines_.next(line);) {

@@ -17,8 +17,8 @@ struct Place {
   std::size_t number;  ///< the number of its line, from 1
 };
 
-/// The lines that are not blank. The first is read at once, because it tells the tree; so a pipe will do. Throws InputError as
-/// LineReader does.
+/// The lines that are not blank. The first is read at once, because it tells the tree; so a pipe will do. Throws InputError
+/// as LineReader does.
 class WitnessFile {
  public:
   /// Throws InputError, with the place, also if the first line is no witness.
