@@ -235,7 +235,7 @@ void run_culling(std::uint64_t seed, Report& report) {
   report.tally.stages[stats.exact_shadow_tests != 0 ? 1 : 0] += soup.size();
   const std::string wrong = fault_of_frame(culler, camera, options, view);
   if (wrong.empty()) return;
-  add_finding(report, "culler", seed, "frame", wrong);
+  add_finding(report, "frame", wrong);
 }
 
 }  // namespace occlude::fuzz

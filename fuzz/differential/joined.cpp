@@ -102,7 +102,7 @@ void run_joined(std::uint64_t seed, Report& report) {
     report.tally.relations[2] += result.stats.view_culled_polygons;
     report.tally.stages[0] += soup.size();
     const std::string wrong = fault_of(culler, camera, options, result);
-    if (!wrong.empty()) return add_finding(report, "joined", seed, "frame", wrong);
+    if (!wrong.empty()) return add_finding(report, "frame", wrong);
     camera.eye += 0.25 * lattice_point(random, 2);
     camera.target += 0.125 * lattice_point(random, 2);
     if (!culler::fault(camera).empty()) return;

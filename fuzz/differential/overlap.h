@@ -13,10 +13,9 @@
 namespace occlude::fuzz {
 
 /// Puts `boxes` to the shadow of the question's occluder (the box of `question` does not count): certified and conservative,
-/// one by one and in batches, near plane closed and open, plain and the rivals, against the oracle; some boxes against the
-/// second oracle too. `family` and `seed` name the findings.
-void judge_overlap(const Case& question, std::span<const Box> boxes, const std::string& family, std::uint64_t seed,
-                   Report& report);
+/// one by one and in batches, near plane closed and open, plain and the rivals, against the oracle; some boxes, of the
+/// seed's choice, against the second oracle too.
+void judge_overlap(const Case& question, std::span<const Box> boxes, std::uint64_t seed, Report& report);
 
 /// A case of the family and its neighbours.
 void run_overlap(Family family, std::uint64_t seed, Report& report);

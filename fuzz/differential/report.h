@@ -51,12 +51,12 @@ struct Tally {
 
 /// A disagreement, and how to make it again.
 struct Finding {
-  std::string family;
+  std::string kind;                ///< who was wrong about what: a smaller case must show the same
+  std::string what;                ///< one line: who said what
+  std::optional<Case> question{};  ///< where it is one that a case file can hold
+  std::string expect{};            ///< the oracle's answer to it
+  std::string family{};            ///< it and the seed make the finding again; whoever ran the cases knows them
   std::uint64_t seed = 0;
-  std::string kind;              ///< who was wrong about what: a smaller case must show the same
-  std::string what;              ///< one line: who said what
-  std::optional<Case> question;  ///< where it is one that a case file can hold
-  std::string expect;            ///< the oracle's answer to it
 };
 
 struct Report {
@@ -67,6 +67,9 @@ struct Report {
 
 /// Findings kept of many reports: those of the lowest seeds.
 inline constexpr std::size_t kKeptFindings = 3;
+
+/// Says of each finding where it comes from.
+void sign(Report& report, const std::string& family, std::uint64_t seed);
 
 /// Adds `part` to `whole`, in whatever order parts come.
 void add(Report& whole, Report&& part);
