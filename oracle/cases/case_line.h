@@ -5,45 +5,21 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "cases/json_input.h"
+#include "cases/case_json.h"
 
 namespace occlude::cases {
 
-/// A question, and the answer that its line says is right, if it says.
-struct CaseLine {
-  Case question;
-  std::optional<std::string> expect;
-};
-
-/// The member "id", null where there is none. Throws LineError, as the next.
-[[nodiscard]] nlohmann::ordered_json case_id(const nlohmann::json& object);
-
-[[nodiscard]] CaseLine read_case(const nlohmann::json& object);
-
-/// A question about the joined shadow of several polygons. Its answers are "inside" and "partial".
-struct CoverLine {
-  kernel::Viewpoint viewpoint;
-  std::vector<Polygon> polygons;
-  Box box;
-  std::optional<std::string> expect;
-};
-
-/// Whether the object's occluder is a "cover".
-[[nodiscard]] bool is_cover(const nlohmann::json& object);
-
-[[nodiscard]] CoverLine read_cover(const nlohmann::json& object);
+/// The object on a line, as render::parse_json reads it: NaN, Infinity and numbers beyond the doubles are what they are, so
+/// that the case is refused for them and not the line. Throws LineError.
+[[nodiscard]] nlohmann::json parse_object(std::string_view line);
 
 /// Calls `take` with the object on every line that is not blank, in order; "-" is standard input. Throws InputError, naming
 /// file and line, for what cannot be read and for the LineErrors of `take`, and Interrupted. Who prints while it works asks
 /// for `silence`: no progress between the lines.
 void for_each_case(const std::string& file, bool silence,
                    const std::function<void(std::size_t number, const nlohmann::json&)>& take);
-
-/// The line that reads back as the same case, without a line break; an empty `expect` is left out.
-[[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
 
 }  // namespace occlude::cases

@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
-hand_cases
+three_cases
 
 # fuzz: nothing is wrong, whatever the number of jobs and however the cases are dealt.
 "$occlude" fuzz --cases 20000 --seed 7 >table || fail "fuzz: $(tail -3 table)"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cases worked out by hand are made of.
+// Short names for what the oracle is asked and answers, and two occluders.
 #pragma once
 
 #include <cmath>
