@@ -11,13 +11,13 @@
 
 namespace occlude::cases {
 
-/// A question, and the answer that its line says is right, if it says.
+/// A question, and the right answer if the line has one.
 struct CaseLine {
   Case question;
   std::optional<std::string> expect;
 };
 
-/// The member "id", null where there is none. Throws LineError, as the next.
+/// The member "id", or null when there is none. Like the functions below it throws LineError.
 [[nodiscard]] nlohmann::ordered_json case_id(const nlohmann::json& object);
 
 [[nodiscard]] CaseLine read_case(const nlohmann::json& object);
@@ -35,7 +35,7 @@ struct CoverLine {
 
 [[nodiscard]] CoverLine read_cover(const nlohmann::json& object);
 
-/// The line that reads back as the same case, without a line break; an empty `expect` is left out.
+/// The line that reads back as the same case, without a line break. An empty `expect` is left out.
 [[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
 
 }  // namespace occlude::cases

@@ -72,7 +72,7 @@ TEST(OccluderGrid, FlatAndDegenerateModels) {
   EXPECT_EQ(Model(point).grid().lists().occluders.size(), 0U);
 }
 
-/// Each as large as the model.
+/// Random triangles, each as large as the model.
 PolygonSoup large_triangles(std::size_t count) {
   std::mt19937 random(17);
   const auto corner = [&] {
@@ -108,7 +108,7 @@ TEST(OccluderGrid, KeepsToItsBudgetLargestFirst) {
 
 TEST(OccluderGrid, OfABudgetThatIsNotSpentNothingIsCut) {
   const Model model(random_town_of_houses(4, 1500));
-  constexpr double kThreshold = 0.1;  // of a lower one the budget of so small a model is spent
+  constexpr double kThreshold = 0.1;  // with a lower one, so small a model spends its budget
   const OccluderGrid grid = model.grid({.threshold = kThreshold});
   const std::size_t entries = grid.lists().occluders.size();
   ASSERT_LT(entries, OccluderGrid::Config::kEntriesOfFew);
@@ -127,7 +127,7 @@ TEST(OccluderGrid, OfASmallModelItsBudgetIsSmall) {
   EXPECT_GT(others, Config::kEntriesOfEach * more.occluders.size() * 9 / 10);
 }
 
-/// The number of threads is the machine's own: that it does not count shows in repeated runs.
+/// The number of threads is that of the machine. Repeated runs show that their timing does not matter.
 TEST(OccluderGrid, IsTheSameInEveryRun) {
   const Model model(large_triangles(300));
   const OccluderGrid::Config config{.regions = 4096, .entries = 50000};
