@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle on cases that no file can hold, against a second way of deciding in integers, and on changes that must not matter.
+// The oracle on cases that no file can hold, against a second way in integers, and on changes that must not matter.
 #include "occlude/oracle/oracle.h"
 
 #include <gtest/gtest.h>
