@@ -35,7 +35,7 @@ using Kind = Partition::Kind;
 class Lists : public testing::TestWithParam<Kind> {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Lists, testing::Values(Kind::grid, Kind::tree),
-                         [](const auto& info) { return info.param == Kind::grid ? "grid" : "tree"; });
+                         [](const auto& of) { return of.param == Kind::grid ? "grid" : "tree"; });
 
 TEST(AreaAngle, IsAreaTimesCosineOverSquaredDistance) {
   const PotentialOccluder wall{.centre = {10, 0, 0}, .area_normal = {4, 0, 0}};

@@ -45,7 +45,7 @@ glm::dvec3 point_in(const Aabb& box, std::mt19937& random) {
 class Partitions : public testing::TestWithParam<Kind> {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Partitions, testing::Values(Kind::grid, Kind::tree),
-                         [](const auto& info) { return info.param == Kind::grid ? "grid" : "tree"; });
+                         [](const auto& of) { return of.param == Kind::grid ? "grid" : "tree"; });
 
 TEST_P(Partitions, EveryPointIsInOneRegion) {
   const Hierarchy tree = tree_of(random_town(11, 2000));
