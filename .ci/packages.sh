@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs the Debian packages that the project builds with, where they are missing, and the packages that it is given.
-# Needs root or sudo only then. Usage: bash .ci/packages.sh [PACKAGE...]
+# Installs the Debian packages that the project builds with and those given as arguments, where they are missing. Needs root
+# or sudo only if one is. Usage: bash .ci/packages.sh [PACKAGE...]
 set -euo pipefail
 
 packages=(

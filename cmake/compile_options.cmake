@@ -1,14 +1,14 @@
-# What every target of the project is compiled with. Included once, from the top.
+# The flags with which every target of the project is compiled. Included once, from the top.
 #
 # occlude_options carries the flags privately: nothing of it reaches a project that links our libraries.
 add_library(occlude_options INTERFACE)
 target_compile_features(occlude_options INTERFACE cxx_std_20)
 target_compile_options(occlude_options INTERFACE
-  # A contracted a*b+c rounds once instead of twice. The error-free operations (kernel/src/error_free.h) work out what each
-  # rounding loses: should the compiler leave one out, what they give is no longer exact, and the exact stage is wrong. The
-  # filter's bounds would still hold, but `plain` and every figure in the files would differ between machines.
+  # A contracted a*b+c rounds once instead of twice. The error-free operations (kernel/src/error_free.h) compute what each
+  # rounding loses. If the compiler left one out, their results would no longer be exact, and the exact stage would be wrong.
+  # The filter's bounds would still hold, but `plain` and every figure in the files would differ between machines.
   -ffp-contract=off
-  # Whoever embeds us may compile with -ffast-math; the kernel's arithmetic must not be rearranged.
+  # A project that embeds us may compile with -ffast-math; the kernel's arithmetic must not be rearranged.
   -fno-fast-math)
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(occlude_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
@@ -19,7 +19,7 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
-  # SVE vectors have no size that a compiler knows, so they cannot be members, as ours are. NEON takes their place.
+  # SVE vectors have no size known to the compiler, so they cannot be members, as ours are. NEON is used instead.
   target_compile_definitions(occlude_options INTERFACE
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 endif()
@@ -37,7 +37,8 @@ if(OCCLUDE_FUZZERS)
   target_compile_options(occlude_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# occlude_module(NAME DIRECTORY): the library occlude::NAME from DIRECTORY/src, its public headers in DIRECTORY/include.
+# occlude_module(NAME DIRECTORY): makes the library occlude::NAME from DIRECTORY/src, with its public headers in
+# DIRECTORY/include.
 function(occlude_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/src/*/*.cpp)
   add_library(occlude_${name} STATIC ${sources})

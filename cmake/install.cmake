@@ -1,6 +1,6 @@
-# What `cmake --install` puts under a prefix: the kernel and the culler, which are what other programs link, described for
-# CMake and for pkg-config; and the command where it is built. No file says where it was built or where it lies: the prefix
-# may be moved. Included once, from the top.
+# What `cmake --install` puts under a prefix: the kernel and the culler, which other programs link, with descriptions for
+# CMake and pkg-config; and the command if it is built. No file contains the path of the build or of the prefix, so the
+# prefix may be moved. Included once, from the top.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

@@ -1,10 +1,10 @@
 # Planted faults (fuzz/mutants/README.md). With OCCLUDE_MUTANT=NAME the kernel and the culler are built from a copy in the
-# build folder into which fuzz/mutants/NAME.patch has put a fault, to see the tests and the fuzzer catch it. Included once,
-# from the top; sets OCCLUDE_SOURCES, the folder that kernel/ and culler/ are taken from.
+# build folder to which fuzz/mutants/NAME.patch was applied, to check that the tests and the fuzzer catch the fault. Included
+# once, from the top. Sets OCCLUDE_SOURCES, the folder from which kernel/ and culler/ are built.
 set(OCCLUDE_MUTANT "" CACHE STRING "Planted fault to build with, for testing the tests: a name from fuzz/mutants, or none")
 set(OCCLUDE_SOURCES ${PROJECT_SOURCE_DIR})
 
-# occlude_plant(NAME FOLDER): FOLDER/kernel and FOLDER/culler, copies with the fault; unchanged files keep their time.
+# occlude_plant(NAME FOLDER): makes FOLDER/kernel and FOLDER/culler, copies with the fault. Unchanged files keep their time.
 function(occlude_plant name folder)
   set(patch ${PROJECT_SOURCE_DIR}/fuzz/mutants/${name}.patch)
   if(NOT EXISTS ${patch})

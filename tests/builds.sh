@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The same answers bit for bit from every build: g++ and clang++, -O0 and -O3, without and with FMA, on every instruction set
-# of this machine for batches. One line a build; exit 1 when one differs. Usage: bash tests/builds.sh (x86-64, minutes).
+# Checks that every build gives the same answers bit for bit: g++ and clang++, -O0 and -O3, without and with FMA, and batches
+# on every instruction set of this machine. Prints one line per build. Exit code 1 if one differs. Usage: bash
+# tests/builds.sh (x86-64, minutes).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# build_and_test COMPILER FLAGS...: "passed" or "FAILED" and how many tests; the log stays beside the build.
+# build_and_test COMPILER FLAGS...: prints "passed" or "FAILED" and how many tests; the log stays beside the build.
 build_and_test() {
   local compiler=$1 flags=${*:2}
   local folder=build/answers/$compiler${flags// /}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# How much of the kernel the tests and the fuzzer's corpus run: a table of lines and branches, and every line that nothing reaches.
-# Exit code 1 when a test fails. Needs clang and llvm (llvm-profdata, llvm-cov). Usage: bash tests/coverage.sh
+# Prints how much of the kernel the tests and the fuzzer's corpus run: a table of lines and branches, and every line that is
+# not reached. Exit code 1 if a test fails. Needs clang and llvm (llvm-profdata, llvm-cov). Usage: bash tests/coverage.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tool() { command -v "$1" || ls /usr/lib/llvm-*/bin/"$1" | tail -n 1; }

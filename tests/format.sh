@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Every C++ file is as clang-format 14 writes it by .clang-format. With --fix it becomes so. Usage: bash tests/format.sh [--fix]
+# Checks that every C++ file is formatted as by clang-format 14 with .clang-format; --fix formats them. Usage: bash
+# tests/format.sh [--fix]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 how=(--dry-run -Werror)

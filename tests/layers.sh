@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# No folder includes what stands above it: what every object of a build was made of, held against the table below, which is
-# the picture in the README. Usage: bash tests/layers.sh BUILD_FOLDER
+# Checks that no folder includes one above it: what every object of a build was made of is compared with the table below,
+# which is the picture in the README. Usage: bash tests/layers.sh BUILD_FOLDER
 set -euo pipefail
 build=$(realpath "$1")
 cd "$(dirname "$0")/.."
 
-# FOLDER: the folders that it may include, all of them named above it, so that there is no ring.
+# FOLDER: the folders that it may include. All of them are named above it, so there is no cycle.
 layers='
 kernel:
 culler: kernel
@@ -38,7 +38,8 @@ ninja -C "$build" -t deps | sed "s|^    $PWD/|    |; s|^    \(\.\./\)*|    |" | 
     }
   }
   function wrong(what) { if (!(what in said)) { said[what] = 1; print what; bad = 1 } }
-  # The folder of the table that a file lies in; none for what is not ours, and for tests, which may include everything.
+  # The folder of the table that contains a file; none for files that are not ours, and for tests, which may include
+  # everything.
   function folder(path, parts, n, two) {
     n = split(path, parts, "/")
     if (path ~ /^\// || n < 3) return ""

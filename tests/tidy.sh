@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# clang-tidy, with what .clang-tidy asks for, over the kernel and the culler. Minutes of processor time: not of continuous
-# integration. Usage: bash tests/tidy.sh
+# Runs clang-tidy with .clang-tidy on the kernel and the culler. It takes minutes of processor time, so it is not a part of
+# continuous integration. Usage: bash tests/tidy.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash .ci/packages.sh clang clang-tidy

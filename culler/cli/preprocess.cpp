@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// occlude preprocess: what can be found out about a model once and used by every walk.
+// occlude preprocess: finds out once what every walk through a model can use.
 #include "occlude/culler/preprocess.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mesh as an engine has it, vertices and an index buffer: a wall with a row of small pyramids behind it. Walks past the
-// wall and prints how much of the mesh is drawn.
+// A mesh as an engine stores it, with vertices and an index buffer: a wall with rows of small pyramids behind it. The
+// example walks past the wall and prints how much of the mesh is drawn.
 #include <occlude/culler/culler.h>
 
 #include <array>
@@ -13,7 +13,7 @@ using namespace occlude::culler;
 
 namespace {
 
-/// Stands for a graphics interface: counts what it is asked to draw.
+/// Stands in for a graphics interface. It counts what it is asked to draw.
 struct Device {
   std::size_t calls = 0, indices = 0;
 
@@ -25,7 +25,7 @@ struct Device {
 
 struct Mesh {
   std::vector<std::array<float, 3>> vertices;
-  std::vector<std::uint32_t> indices;  // three for each triangle
+  std::vector<std::uint32_t> indices;  // three per triangle
 };
 
 void add_pyramid(Mesh& mesh, float x, float y) {
@@ -56,7 +56,7 @@ int main() {
   }
   const Culler culler(soup);  // throws std::invalid_argument, with the place, where the soup is not legal
 
-  // The triangles in the order of the culler's tree: upload this index buffer in the place of yours.
+  // The triangles in the order of the culler's tree. Upload this index buffer instead of your own.
   std::vector<std::uint32_t> ordered;
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     for (const std::uint32_t vertex : soup.loop(culler.hierarchy().original(p))) ordered.push_back(vertex);
@@ -69,7 +69,7 @@ int main() {
     camera.eye = {2.0 * frame - 10, 0, 2};
     camera.target = camera.eye + glm::dvec3{0, 1, 0};
     Device device;
-    // Each frame: ranges of the ordered index buffer.
+    // Each frame, draw ranges of the ordered index buffer.
     const CullResult& result = culler.cull(camera, {.occluders = 8}, view);
     for (const auto& [first, count] : result.drawn) device.draw_indexed(3 * first, 3 * count);
     std::printf("frame %d: %4zu of %zu triangles in %zu calls\n", frame, device.indices / 3, soup.size(), device.calls);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A street between two rows of houses, things in the courts behind them, and a car that drives along behind one row. Walks
-// down the street and prints what is to be drawn.
+// A street between two rows of houses, things in the courts behind them, and a car that drives along behind one row. The
+// example walks down the street and prints what must be drawn.
 #include <occlude/culler/scene.h>
 
 #include <array>
@@ -17,7 +17,7 @@ using occlude::kernel::Vec3;
 
 namespace {
 
-/// The box as six polygons: a convex solid, so it hides as one.
+/// Adds the box as six polygons. They close a convex solid, so they hide as one occluder.
 void add_solid(PolygonSoup& soup, const Aabb& box) {
   std::array<std::uint32_t, 8> corner{};
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -30,13 +30,13 @@ void add_solid(PolygonSoup& soup, const Aabb& box) {
   }
 }
 
-/// A car on the road behind the row at y = 20, turned by the shear that its half edges give.
+/// The box of a car on the road behind the row at y = 20, turned by atan(1/4) from the direction of the road.
 Obb car(double x) { return {{x, 35, 0.75}, {{{2, 0.5, 0}, {-0.25, 1, 0}, {0, 0, 0.75}}}}; }
 
 }  // namespace
 
 int main() {
-  // Each house is an object with a box; its walls, half a metre inside, are what hides.
+  // Each house is an object with a box. Its walls, at least half a metre inside the box, are the occluder.
   std::vector<Box> statics;
   PolygonSoup walls;
   for (double x = 0; x < 200; x += 20) {
@@ -60,7 +60,7 @@ int main() {
     camera.eye = {15.0 * frame - 10, 0, 2};
     camera.target = camera.eye + glm::dvec3{1, 0.5, 0};
     const SceneResult& draw = scene.cull(camera, {.occluders = 8}, view);
-    const Visibility spawn = view.visibility(Aabb{{60, 40, 0}, {61, 41, 2}});  // anything, object or not
+    const Visibility spawn = view.visibility(Aabb{{60, 40, 0}, {61, 41, 2}});  // any box, whether or not it is an object
     std::printf("frame %d: %3zu of %zu objects in %zu ranges, %3zu hidden; the car is %s, the spawn point %s\n", frame,
                 draw.statics.size(), statics.size(), draw.static_ranges.size(), view.frame().stats.shadow_culled_polygons,
                 draw.dynamics.empty() ? "not drawn" : "drawn",

@@ -35,8 +35,8 @@ std::vector<Side> sides_of(const PolygonSoup& soup, std::span<const std::uint32_
   return sides;
 }
 
-/// The corners of a polygon in an order that neither where its loop begins nor which way round it goes changes: from the
-/// least on, to the lesser of its neighbours.
+/// The corners of a polygon in an order that depends neither on where its loop begins nor on its orientation: it starts at
+/// the least corner and goes on to the lesser of its two neighbours.
 class Corners {
  public:
   Corners(std::span<const std::uint32_t> loop, std::span<const std::uint32_t> weld) : loop_(loop), weld_(weld) {
@@ -56,7 +56,7 @@ class Corners {
   bool goes_back_ = false;
 };
 
-/// What nearly always tells polygons apart.
+/// Tells nearly all polygons apart: the first three corners and the number of sides.
 struct PolygonKey {
   std::array<std::uint32_t, 3> corners;
   std::uint32_t sides, polygon;
@@ -112,7 +112,8 @@ std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::ui
     keys[p] = {{corners[0], corners[1], corners[2]}, static_cast<std::uint32_t>(corners.size()), p};
   }
   parallel_sort(keys, checkpoint);
-  // Of those that are alike so far, by the corners left; the first of equals stays the first.
+  // Compares polygons with equal keys by their remaining corners. The sort is stable, so the first of equal polygons stays
+  // first.
   const auto compare = [&](const PolygonKey& a, const PolygonKey& b) {
     const Corners left(soup.loop(a.polygon), weld), right(soup.loop(b.polygon), weld);
     std::size_t i = 3;

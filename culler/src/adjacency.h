@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Adjacency found in the soup: which sides of its polygons run along one edge.
+// Adjacency found in the soup: which sides of its polygons run along the same edge.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace occlude::culler {
 
-/// Side s runs from the vertex soup.indices[s] to the next of the same loop.
+/// Two sides that run along the same edge. Side s runs from the vertex soup.indices[s] to the next vertex of its loop.
 struct SidePair {
   double length;  ///< squared
   std::uint32_t side, twin;
@@ -20,16 +20,16 @@ struct SidePair {
 /// The polygon of each side.
 [[nodiscard]] std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup);
 
-/// Of each vertex the first with the same coordinates.
+/// For each vertex, the first vertex with the same coordinates.
 [[nodiscard]] std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices, const Checkpoint& checkpoint = {});
 
-/// Sides along one edge in opposite directions, with no third there, by equal coordinates: the longest first. `weld` is what
-/// welded() makes of the vertices.
+/// The pairs of sides that run along one edge in opposite directions, where no third side runs along it, the longest first.
+/// `weld` is the result of welded(): vertices with equal coordinates count as one.
 [[nodiscard]] std::vector<SidePair> find_adjacency(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
                                                    const Checkpoint& checkpoint = {});
 
-/// Of each polygon whether one before it has the same corners in the same order, either way round: it hides what that one
-/// hides.
+/// For each polygon, whether an earlier one has the same corners in the same order, in either orientation. Such a polygon
+/// hides only what the earlier one hides.
 [[nodiscard]] std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
                                               const Checkpoint& checkpoint = {});
 

@@ -9,10 +9,11 @@
 namespace occlude::culler {
 namespace {
 
-/// In units of 2^-53: a difference of coordinates rounds once, its product with an axis once and the sum twice, of terms
-/// that are no more than the depth together: 4, and the axes are a little longer than 1. A cut adds the rounding of a
-/// difference of two such numbers, of a product and of a sum: 5 more, and what its forward is off near() by is as little.
-/// Parallel rays run along `forward`, which the other axes are across up to a few roundings: 2 more. 11 in all, of 16.
+/// In units of 2^-53 of the depth. The difference of two coordinates rounds once, its product with an axis once, and the sum
+/// of the products twice. The terms together are no larger than the depth, so that is 4; the axes are a little longer than
+/// 1. A cut adds the roundings of a difference of two such numbers, of a product and of a sum: 5 more. The forward
+/// coordinate of a cut differs from near() by no more than that. Parallel rays run along `forward`, to which the other axes
+/// are perpendicular up to a few roundings: 2 more. That is 11 in all; the constant is 16.
 constexpr double kSeenError = 0x1p-49;
 
 }  // namespace
@@ -32,7 +33,7 @@ BeamPicture::BeamPicture(const FrameView& view, const Size& size, double roundin
   up_ = view.axes.up;
   forward_ = view.axes.forward;
   if (!is_perspective_) {
-    // Where `up` is nearly along the line of sight, `right` is across it only up to what cancels.
+    // Where `up` is nearly parallel to the line of sight, cancellation leaves `right` not quite perpendicular to it.
     right_ -= glm::dot(right_, forward_) * forward_;
     up_ -= glm::dot(up_, forward_) * forward_;
   }

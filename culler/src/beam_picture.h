@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A coarse picture whose pixels are cones of rays, and by how much places in it are out.
+// A coarse picture whose pixels are cones of rays, and bounds of the errors of positions in it.
 #pragma once
 
 #include <algorithm>
@@ -18,82 +18,87 @@ struct Seen {
   double right, up, forward;
 };
 
-/// Of a point of the picture: pixels to the right, and up, from a corner.
+/// A position in the picture: pixels to the right and up from its lower left corner.
 struct Place {
   double x, y;
 };
 
-/// A place, and by how much it is out, at most, in both directions.
+/// A position, and a bound of its error in each of the two directions.
 struct Corner {
   Place place;
   double error;
 };
 
-/// Of places, all that is between.
+/// All positions between two.
 struct PlaceRectangle {
   Place low, high;
 };
 
-/// Whole pixels, from .x0 to before .x1, and rows likewise.
+/// Whole pixels: columns from x0 to before x1, rows from y0 to before y1.
 struct PixelRectangle {
   int x0, y0, x1, y1;
 };
 
-/// Which ray meets which pixel is given by the doubles that are kept here, taken as exact numbers: rays in a pixel of the
-/// picture are those of a convex cone, or a convex beam along a direction of view.
+/// The doubles that are kept here, taken as exact numbers, define which ray meets which pixel. The rays of a pixel form a
+/// convex cone, or a convex beam when they are parallel.
 class BeamPicture {
  public:
   struct Size {
     int width, height;
-    double border;  ///< pixels on each side that the camera's picture has not
+    double border;  ///< pixels added on each side of the camera's picture
   };
 
-  /// A renderer has points out by `rounding`, units of the scene. REQUIRES: 2 border < width, height; rounding <=
-  /// kSinglePrecision depth.
+  /// `rounding` bounds how far a renderer moves a point, in units of the scene. REQUIRES: 2 border < width, height; rounding
+  /// <= kSinglePrecision times the depth of the view.
   BeamPicture(const FrameView& view, const Size& size, double rounding);
   BeamPicture() = default;
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }
-  /// Pieces of a cover are cut there: beyond the renderer's near plane, whatever it rounds.
+  /// How far along the line of sight meshes are cut: beyond the renderer's near plane, however it rounds.
   [[nodiscard]] double near() const { return near_; }
 
-  /// As given: what is out by error() and no more lies within it.
+  /// The depth of the view. error() holds for points no farther from the eye than this, in the sum of the axes.
   [[nodiscard]] double depth() const { return depth_; }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
-  /// What see() measures along: nearly of length 1.
+  /// The axes along which see() measures. Their length is nearly 1.
   [[nodiscard]] const glm::dvec3& right() const { return right_; }
   [[nodiscard]] const glm::dvec3& up() const { return up_; }
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
-  /// A place is middle() and a slope times scale(); of parallel rays, what lies right and up times it.
+  /// A position is middle() plus scale() times the slope of its ray, or times the distances to the right and up of a
+  /// parallel ray.
   [[nodiscard]] const Place& middle() const { return middle_; }
   [[nodiscard]] const Place& scale() const { return scale_; }
 
   [[nodiscard]] Seen see(const glm::dvec3& point) const;
-  /// Where the edge from a to b passes near(): the same point whichever triangle asks, as long as a and b are not exchanged.
+  /// Where the edge from a to b passes near(). The result is the same for every triangle that asks, as long as a and b are
+  /// not exchanged.
   [[nodiscard]] Seen cut(const Seen& a, const Seen& b) const;
-  /// REQUIRES: in perspective a point at near() or beyond; and so below.
+  /// REQUIRES: in perspective, a point at near() or beyond. The functions below require the same of `forward`.
   [[nodiscard]] Place place(const Seen& seen) const;
-  /// In neither direction is a place out by more, by error() and rounding(), of a point so far along the line of sight.
+  /// Bounds the error of a position in each direction, for a point that far along the line of sight. It includes error(),
+  /// rounding() and the roundings of the position itself.
   [[nodiscard]] double place_error(const Place& place, double forward) const;
   [[nodiscard]] Corner corner(const Seen& seen) const {
     const Place place = this->place(seen);
     return {place, place_error(place, seen.forward)};
   }
-  /// Of the ray through a place: to the right and up, where it has gone 1 along the line of sight.
+  /// The slope of the ray through a position: how far right and up it is after a distance of 1 along the line of sight. Of a
+  /// parallel ray, how far right and up of the eye it runs.
   [[nodiscard]] Place slope(double x, double y) const;
-  /// The larger, the nearer, and linear along what is straight in the picture: 1 / forward, or -forward of parallel rays.
+  /// Larger for nearer points, and linear along straight lines in the picture: 1 / forward, or -forward with parallel rays.
   [[nodiscard]] double nearness(double forward) const { return is_perspective_ ? 1 / forward : -forward; }
 
-  /// No coordinate of what is seen, or cut, is out by more.
+  /// Bounds the error of each coordinate that see() and cut() return.
   [[nodiscard]] double error() const { return error_; }
-  /// Nor, beside that, has a renderer it out by more.
+  /// Bounds how far a renderer moves a point, in addition to error().
   [[nodiscard]] double rounding() const { return rounding_; }
-  /// The nearness of a point so far along the line of sight is out by no more.
+  /// Bounds the error of nearness(forward).
   [[nodiscard]] double nearness_error(double forward) const;
 
-  /// The pixels that the rectangle of places touches, which may end a pixel outside of the picture.
+  /// The pixels that a rectangle of positions touches when it is widened by `wider` pixels. They may end a pixel outside of
+  /// the picture.
   [[nodiscard]] PixelRectangle pixels(const Place& low, const Place& high, double wider) const;
-  /// As far as it is in the picture.
+  /// The rectangle clipped to the picture.
   [[nodiscard]] PixelRectangle clipped(const PixelRectangle& r) const;
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
@@ -102,23 +107,23 @@ class BeamPicture {
   glm::dvec3 eye_{}, right_{}, up_{}, forward_{};
   bool is_perspective_ = true;
   int width_ = 0, height_ = 0;
-  Place middle_{}, scale_{};  ///< pixels; pixels for a slope of 1, or a length of 1 across parallel rays
+  Place middle_{}, scale_{};  ///< in pixels; in pixels per unit of slope, or of length with parallel rays
   double depth_ = 0, near_ = 0, error_ = 0, rounding_ = 0;
-  double moved_ = 0;  ///< the sum of the two
+  double moved_ = 0;  ///< error_ + rounding_
 };
 
-/// Four roundings of a place, and as much again for what rounds where the place is used.
+/// The four roundings of a position, 2^-53 each, and as much again for the roundings where the position is used.
 inline constexpr double kPlaceError = 0x1p-50;
 
-/// A bound of a few roundings is out by less than this share of it.
+/// Computing a bound takes a few roundings. This factor is more than their error.
 inline constexpr double kBoundRounded = 1 + 0x1p-40;
 
-/// The pixel that has a place, from -1 to `count`: beside the picture all are alike.
+/// The pixel that holds a position. -1 and `count` stand for everything beside the picture.
 [[nodiscard]] inline int pixel_at(double x, int count) {
   return static_cast<int>(std::min(std::max(x, -1.0), static_cast<double>(count)) + 1) - 1;
 }
 
-/// The first pixel from 0 to `count` whose middle is beyond the place.
+/// The first pixel, from 0 to `count`, whose middle is beyond the position.
 [[nodiscard]] inline int first_middle(double x, int count) {
   return static_cast<int>(std::min(std::max(x + 0.5, 0.0), static_cast<double>(count)));
 }
@@ -133,8 +138,8 @@ inline Place BeamPicture::place(const Seen& seen) const {
   return {middle_.x + scale_.x * (seen.right * shrink), middle_.y + scale_.y * (seen.up * shrink)};
 }
 
-/// With r and f the coordinates as computed, s and g as they are, both out by e: r / f - s / g is
-/// ((r - s) f - r (f - g)) / (f g), at most e (1 + |r / f|) / (f - e).
+/// Let r and f be the coordinates as computed and s and g the exact ones, each with an error of at most e. Then
+/// r / f - s / g = ((r - s) f - r (f - g)) / (f g), which is at most e (1 + |r / f|) / (f - e).
 inline double BeamPicture::place_error(const Place& place, double forward) const {
   const double aside = std::max(std::fabs(place.x - middle_.x), std::fabs(place.y - middle_.y));
   const double scale = std::max(scale_.x, scale_.y);

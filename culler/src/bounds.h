@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small arithmetic of boxes and loops, and the border between GLM and the kernel.
+// Small computations on boxes and loops, and conversions between GLM and the kernel.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace occlude::culler {
 [[nodiscard]] inline kernel::Vec3 to_kernel(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline glm::dvec3 to_glm(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// The box that holds nothing: any point grows it to that point.
+/// The empty box. Growing it by a point makes it that point.
 [[nodiscard]] inline kernel::Aabb empty_box() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
@@ -34,7 +34,7 @@ inline void grow(kernel::Aabb& box, const kernel::Aabb& other) {
 
 inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kernel::Aabb{point, point}); }
 
-/// No point of the box is farther from the eye than this, in the sum of the axes.
+/// The largest distance of a point of the box from the eye, as the sum over the axes.
 [[nodiscard]] inline double depth(const kernel::Aabb& box, const glm::dvec3& eye) {
   glm::dvec3 farthest{};
   for (int axis = 0; axis < 3; ++axis) {

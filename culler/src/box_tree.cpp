@@ -18,11 +18,11 @@ Aabb bounds(std::span<const Aabb> boxes, std::span<const std::uint32_t> items) {
   return box;
 }
 
-/// Candidate split positions an axis; 16 is where the gain of more flattens out (Wald 2007).
+/// Candidate split positions per axis. More than 16 gain little (Wald 2007).
 constexpr std::size_t kBins = 16;
 
 struct Builder {
-  std::span<const Aabb> boxes;  ///< of the items, by their number
+  std::span<const Aabb> boxes;  ///< of all items, by their number
   std::vector<std::uint32_t>& order;
   std::vector<HierarchyNode>& nodes;
   std::vector<std::uint32_t>& spare;
@@ -45,7 +45,7 @@ struct Builder {
   struct Split {
     double cost = std::numeric_limits<double>::infinity();
     int axis = 0;
-    std::size_t bin = 0;  ///< items in bins below it go left
+    std::size_t bin = 0;  ///< items in lower bins go left
   };
 
   struct Binning {
@@ -63,7 +63,7 @@ struct Builder {
     return {low, high > low ? static_cast<double>(kBins) / (high - low) : 0};
   }
 
-  /// Cheapest split on an axis by the surface area heuristic: items times area, left plus right.
+  /// The cheapest split on an axis by the surface area heuristic: number of items times area, left plus right.
   Split best_split(std::uint32_t first, std::uint32_t count, int axis) const {
     checkpoint();
     const Binning bin = binning(first, count, axis);
@@ -97,7 +97,7 @@ struct Builder {
     return best;
   }
 
-  /// Reorders order[first, first + count) and returns how many go left, at least one and not all.
+  /// Reorders order[first, first + count) and returns how many items go left: at least one, and not all.
   std::uint32_t partition(std::uint32_t first, std::uint32_t count) {
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -109,8 +109,8 @@ struct Builder {
                             [&](std::uint32_t item) { return bin(centre(item, best.axis)) < best.bin; });
   }
 
-  /// Those that go left first, all in the order in which they were; how many go left. As std::stable_partition, which takes
-  /// memory at every call.
+  /// Moves the items that go left to the front and returns their number. Both groups keep their order. std::stable_partition
+  /// would do the same, but allocates at every call.
   template <class GoesLeft>
   std::uint32_t stable_partition(std::span<std::uint32_t> items, GoesLeft&& goes_left) {
     spare.clear();

@@ -16,10 +16,12 @@ bool is_legal(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kerne
 
 bool is_legal_length(double x) { return x > 0 && kernel::check(x) == kernel::Refusal::none; }
 
-/// Sine of the least angle between the line of sight and `up`: below it rounding decides which way the picture is turned.
+/// The least sine of the angle between the line of sight and `up`. Below it, rounding decides which way the picture is
+/// turned.
 constexpr double kLeastSine = 1e-9;
 
-/// Far more than any picture has. The planes of one side tilt by what rounding does at the far end of the other.
+/// Far more than any picture has. Rounding tilts the planes of the view; the larger the ratio, the farther the tilt moves a
+/// plane at the ends of its side.
 constexpr double kLargestAspect = 65536;
 
 bool has_line_of_sight(const Camera& camera) {
@@ -34,7 +36,8 @@ std::string fault(const Camera& camera) {
   if (!is_legal(camera.eye) || !is_legal(camera.target) || !is_legal(camera.up))
     return "a number is not finite or out of range";
   if (!has_line_of_sight(camera)) return "eye and target meet, or up lies along the line of sight";
-  // A smaller opening would drown the planes' margin in rounding; the tangent of half a larger one grows without bound.
+  // With a smaller angle, rounding would exceed the margin of the planes. With a larger one, the tangent of its half grows
+  // without bound.
   if (!(camera.fov_y_deg >= 0.001 && camera.fov_y_deg <= 179)) return "the opening must be from 0.001 to 179 degrees";
   if (!is_legal_length(camera.near)) return "the near plane must be before the eye and in range";
   if (!(camera.far > camera.near) || (std::isfinite(camera.far) && !is_legal_length(camera.far)))

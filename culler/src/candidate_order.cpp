@@ -6,13 +6,13 @@
 namespace occlude::culler {
 namespace {
 
-/// Moves a candidate up to which insertion is cheaper than sorting anew, which takes about ten comparisons for each of a
-/// thousand: a camera that jumps must not cost a square.
+/// Up to this many moves per candidate, insertion is cheaper than a new sort, which takes about ten comparisons for each of
+/// a thousand candidates. The limit keeps a camera that jumps from taking quadratic time.
 constexpr std::size_t kMostMoves = 8;
 
 }  // namespace
 
-/// Moves the last of the sorted up to its place.
+/// Moves the last of the sorted candidates up to its place.
 void CandidateOrder::insert_last() {
   std::size_t i = sorted_.size() - 1;
   const Candidate last = sorted_[i];
@@ -23,7 +23,7 @@ void CandidateOrder::insert_last() {
   sorted_[i] = last;
 }
 
-/// Those of the last frame that are candidates again, with their new scores; takes them from place_.
+/// Keeps the candidates that the last frame had too, with their new scores, and sorts them. Clears their entries in place_.
 void CandidateOrder::keep(std::span<const Candidate> candidates) {
   merged_.clear();
   for (const Candidate& last : sorted_) {

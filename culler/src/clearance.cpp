@@ -10,10 +10,10 @@
 namespace occlude::culler {
 namespace {
 
-/// What a few more roundings, of lengths and quotients, can do to a distance is far less than this share of it.
+/// A distance takes a few more roundings, of lengths and quotients. Together they are far less than this share of it.
 constexpr double kRounding = 0x1p-40;
 
-/// No coordinate of the box is larger; up to rounding.
+/// Bounds the magnitude of the coordinates of the box, up to rounding.
 double reach(const kernel::Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 double reach(const kernel::Aabb& box) { return std::max(reach(box.min), reach(box.max)); }
 double reach(const kernel::Obb& box) {
@@ -26,7 +26,7 @@ template <class AnyBox>
 double beyond(const HalfSpace& half_space, const AnyBox& box) {
   const double greatest = -least(-half_space.normal, {}, box) + half_space.offset;
   const double size = std::fabs(half_space.normal.x) + std::fabs(half_space.normal.y) + std::fabs(half_space.normal.z);
-  // A sum of a few products, each with less than eight roundings.
+  // The sum has a few products, each with fewer than eight roundings of 2^-53.
   const double error = 0x1p-48 * (size * reach(box) + std::fabs(half_space.offset));
   const double distance = -(greatest + error) / glm::length(half_space.normal);
   return distance * (distance > 0 ? 1 - kRounding : 1 + kRounding);

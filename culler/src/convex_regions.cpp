@@ -12,16 +12,16 @@
 namespace occlude::culler {
 namespace {
 
-/// The least cosine between the mean normals of what is joined, about a milliradian at every join: the near plane of the
-/// region's shadow lies beyond all of it, and a bend moves that back.
+/// The least cosine between the mean normals of what is joined: about a milliradian at every join. The near plane of the
+/// region's shadow lies beyond the whole region, so a bend moves it back.
 constexpr double kFlat = 1 - 0x1p-21;
-/// The least sine of the turn at the ends of an edge across which polygons are joined, unless the way goes straight on. A
-/// corner that rounding may turn the other way would make the region useless from half of all viewpoints.
+/// The least sine of the turn at the ends of a shared edge, unless the path goes straight on there. A corner that rounding
+/// may turn the other way would make the region useless from half of all viewpoints.
 constexpr double kTurn = 0x1p-20;
-/// Planes of a shadow cost time at every test; few walls have more sides.
+/// Every side is a plane of the shadow and costs time at every test. Few walls have more sides.
 constexpr std::uint32_t kMostJoined = 32;
 
-/// The loops, their sides linked.
+/// The loops of the polygons, with linked sides.
 class Sides {
  public:
   explicit Sides(const PolygonSoup& soup) : soup_(soup), next_(soup.indices.size()), previous_(soup.indices.size()) {
@@ -36,7 +36,7 @@ class Sides {
   [[nodiscard]] std::uint32_t next(std::uint32_t side) const { return next_[side]; }
   [[nodiscard]] std::uint32_t previous(std::uint32_t side) const { return previous_[side]; }
 
-  /// Makes one loop of those that the two sides are of, which are lost.
+  /// Joins the loops of the two sides into one, which no longer has these two sides.
   void join(std::uint32_t side, std::uint32_t twin) {
     link(previous_[side], next_[twin]);
     link(previous_[twin], next_[side]);
@@ -52,14 +52,15 @@ class Sides {
   std::vector<std::uint32_t> next_, previous_;
 };
 
-/// Whether the way along u and then v turns with the area by more than this sine, or goes straight on.
+/// Whether the path along u and then v turns the same way as the area, by at least this sine, or goes straight on.
 bool turns(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& area, double least) {
   const double turn = glm::dot(glm::cross(u, v), area);
   if (turn == 0) return glm::dot(u, v) >= 0;
   return turn >= least * glm::length(u) * glm::length(v) * glm::length(area);
 }
 
-/// Whether the loop turns with its area everywhere, and so does its fan: a star that runs round twice only does the former.
+/// Whether the loop turns the same way as its area everywhere, and so does its fan. A star that runs round twice passes only
+/// the first check.
 bool turns_with(const PolygonSoup& soup, std::span<const std::uint32_t> loop, const glm::dvec3& area) {
   const std::size_t n = loop.size();
   const glm::dvec3& base = soup.vertices[loop[0]];
@@ -71,7 +72,7 @@ bool turns_with(const PolygonSoup& soup, std::span<const std::uint32_t> loop, co
   return true;
 }
 
-/// Polygons joined so far, each set known by one of them.
+/// The polygons joined so far. Each set is identified by one of its polygons.
 class Merging {
  public:
   Merging(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
@@ -99,9 +100,9 @@ class Merging {
   void for_each_set(Visit&& visit) {
     joined_.for_each_set(visit);
   }
-  /// Whether the polygon is convex, as far as doubles tell.
+  /// Whether the polygon is convex, as far as doubles can tell.
   [[nodiscard]] bool is_convex(std::uint32_t polygon) const { return is_convex_[polygon]; }
-  /// The corners of the set that the polygon is in; of a polygon alone in the order given.
+  /// Appends the corners of the set that the polygon is in. A polygon alone keeps the order given.
   void append_loop(std::uint32_t polygon, std::vector<std::uint32_t>& vertices) {
     const std::uint32_t first = sets_[joined_.find(polygon)].side;
     std::uint32_t side = first;
@@ -114,10 +115,10 @@ class Merging {
  private:
   struct Set {
     std::uint32_t sides, side;
-    glm::dvec3 area;  ///< twice it, along the normal; zero for what must stay alone
+    glm::dvec3 area;  ///< twice the area, along the normal; zero for a polygon that must stay alone
   };
 
-  /// Whether the way from a side to another, which begins where it ends, turns with the area.
+  /// Whether the path along `side` and then `other`, which begins where `side` ends, turns the same way as the area.
   [[nodiscard]] bool turns(std::uint32_t side, std::uint32_t other, const glm::dvec3& area) const {
     return culler::turns(sides_.to(side) - sides_.from(side), sides_.to(other) - sides_.from(other), area, kTurn);
   }
@@ -142,8 +143,8 @@ class Merging {
   std::vector<std::uint32_t> polygon_of_;  ///< of each side
 };
 
-/// The runs of triangles (v0, vi, vi+1), ..., (v0, vj-1, vj) of the fan of a polygon for which the loop (v0, vi, ..., vj) is
-/// convex and has no more sides than `most`.
+/// Divides the fan of a polygon into runs of triangles (v0, vi, vi+1), ..., (v0, vj-1, vj). The loop (v0, vi, ..., vj) of a
+/// run is convex, unless it is a single triangle, and has at most `most` sides.
 std::vector<FanRun> convex_runs(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std::uint32_t most) {
   const auto count = static_cast<std::uint32_t>(loop.size() - 2);
   std::vector<FanRun> runs;

@@ -11,15 +11,15 @@
 namespace occlude::culler {
 namespace {
 
-/// Every face turned to the eye is a plane of the shadow and costs time at every test; the check that a solid is convex
-/// takes faces times vertices, and sides times vertices.
+/// Every face turned to the eye is a plane of the shadow and costs time at every test. The check that a solid is convex
+/// takes time in proportion to faces times vertices and to sides times vertices.
 constexpr std::size_t kMostFaces = 64;
-/// A prism with so many faces has six times as many sides; this is twice that.
+/// A prism with that many faces has almost six times as many sides. This is twice that.
 constexpr std::size_t kMostSides = 768;
-/// A tetrahedron.
+/// The faces of a tetrahedron.
 constexpr std::size_t kLeastFaces = 4;
 
-/// What holds together edge to edge.
+/// Groups of polygons that are connected edge to edge.
 class Parts {
  public:
   Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
@@ -34,7 +34,7 @@ class Parts {
     }
   }
 
-  /// Calls visit(polygons) for every part.
+  /// Calls visit(polygons) for every group.
   template <class Visit>
   void for_each(Visit&& visit) {
     sets_.for_each_set(visit);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for every instruction set, chosen at run time.
+// Compiled once for each instruction set. The best one is chosen at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cover_border.cpp"
 #include <hwy/foreach_target.h>
-// foreach_target.h goes first.
+// foreach_target.h must come first.
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -22,13 +22,13 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the first byte of a row is its lowest");
 
-/// Tiles that are drawn into.
+/// The tiles that a border is drawn into.
 struct BorderTiles {
   BorderTile* tiles;
   int across;
   std::uint32_t border;
 
-  /// One of them, which is empty at first.
+  /// The tile at a place. It is emptied when this border first asks for it.
   BorderTile& at(int x, int y) const {
     BorderTile& tile = tiles[y * across + x];
     if (tile.border != border) tile = {.border = border};
@@ -36,16 +36,16 @@ struct BorderTiles {
   }
 };
 
-/// A part of an edge in floats: from x to the right by slope for each row from y up, as far as rise.
+/// A piece of an edge in floats. It starts at (x, y), goes right by `slope` for each row upwards, and is `rise` rows high.
 struct EdgePart {
   double y;
   float x, slope, rise;
-  float error, wide;  ///< by which it may be out, up and down, and across
-  int row0, row1;     ///< of the picture, to draw
-  float left, right;  ///< columns likewise
+  float error, wide;  ///< bounds of its vertical and its horizontal error
+  int row0, row1;     ///< rows of the picture to draw
+  float left, right;  ///< columns to draw
 };
 
-/// An edge over columns: how high it is in the middle of the first, and by how much more in each further one.
+/// An edge as a function of columns: its height in the middle of the first one, and the change for each further one.
 struct EdgeColumns {
   double y, slope;
   int column0, column1;  ///< to draw
@@ -64,7 +64,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A lane for each row, or column, of a tile. All round alike, whatever their number: nothing is fused.
+// A lane for each row or column of a tile. Nothing is fused, so the results do not depend on the number of lanes.
 using FloatTag = hn::CappedTag<float, kTile>;
 using IntegerTag = hn::RebindToSigned<FloatTag>;
 using Floats = hn::Vec<FloatTag>;
@@ -76,7 +76,7 @@ constexpr IntegerTag kDi;
 HWY_INLINE Floats clamp(Floats x, Floats low, Floats high) { return hn::Min(hn::Max(x, low), high); }
 HWY_INLINE Integers clamp_to_tile(Integers x) { return hn::Min(hn::Max(x, hn::Zero(kDi)), hn::Set(kDi, kTile)); }
 
-/// Touches pixels of the rows of a tile from y on, from x0 to before x1 in each.
+/// Touches pixels in the rows of a tile from y upwards: in each row the columns from x0 to before x1.
 HWY_INLINE void touch_rows(const BorderTiles& tiles, int y, Integers x0, Integers x1) {
   const hn::Rebind<std::uint32_t, IntegerTag> du;
   const hn::Rebind<std::uint8_t, IntegerTag> bytes;
@@ -115,7 +115,7 @@ void touch(const BorderTiles& tiles, const EdgePart& edge) {
   }
 }
 
-/// Turns the degree in each column from the first pixel on whose middle is above the edge.
+/// Changes the degree in each column, from the first pixel upwards whose middle is above the edge.
 void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
   const int lanes = static_cast<int>(hn::Lanes(kD));
   const Floats half = hn::Set(kD, 0.5F), low = hn::Set(kD, static_cast<float>(edge.row0)),
@@ -145,7 +145,8 @@ HWY_INLINE std::uint64_t nonzero(hn::Vec<BytesTag> degrees) {
   return bits[0];
 }
 
-/// The pixels whose degree is not 0 where the border has drawn nothing: the same in each row.
+/// The closed pixels of a tile into which nothing of the border was drawn: those whose degree is not 0, the same in each
+/// row.
 std::uint64_t close(const std::uint8_t* degrees) {
   const BytesTag d;
   std::uint64_t row = 0;
@@ -153,7 +154,8 @@ std::uint64_t close(const std::uint8_t* degrees) {
   return row * 0x0101010101010101U;
 }
 
-/// Those that it does not touch; adds the turns of each row to the degrees.
+/// The closed pixels of a tile that the border was drawn into: those it does not touch whose degree is not 0. Adds the turns
+/// of each row to the degrees.
 std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
   const BytesTag d;
   std::uint64_t closed = 0;
@@ -168,7 +170,7 @@ std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
   return closed & ~tile.touched;
 }
 
-/// Row after row of tiles, from below.
+/// Goes through the tiles row by row, from below.
 void find_closed(const BorderTiles& tiles, const PixelRectangle& r, std::uint8_t* degrees, std::uint64_t* closed) {
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x) {
@@ -196,7 +198,7 @@ HWY_EXPORT(turn);
 HWY_EXPORT(find_closed);
 
 constexpr double kLeastRise = 0x1p-20;
-/// Steeper, or farther away, an edge is so all the same.
+/// Edges that are steeper or farther away are limited to this. They separate the same pixels.
 constexpr double kMost = 0x1p100;
 }  // namespace
 
@@ -229,9 +231,9 @@ void CoverBorder::touch(const Corner& from, const Corner& to) {
                                  {static_cast<double>(pixels_.x1), static_cast<double>(pixels_.y1)}});
   if (!part) return;
   const auto& [low, high] = *part;
-  // In floats, out by u = 2^-24 of a number: how far a row is from the edge's low end rounds three times, a place on the
-  // edge by five. Twice that makes room for what is second order. So the edge may also end a little higher than it does: its
-  // slope stays in range.
+  // Floats round by u = 2^-24 of a number. The distance of a row from the edge's low end takes three roundings, a position
+  // on the edge five. The bounds are more than twice that, which leaves room for second-order terms. An edge that is nearly
+  // level gets a rise of kLeastRise, so that its slope stays in range; the error includes it.
   const double rise = std::max(high.y - low.y, kLeastRise);
   const double error = edge.error() + kLeastRise + 0x1p-21 * (rise + kTile);
   const double wide = edge.wide() + 0x1p-20 * (std::fabs(low.x) + std::fabs(high.x));
@@ -244,7 +246,7 @@ void CoverBorder::touch(const Corner& from, const Corner& to) {
     rounded_up(error), rounded_up(wide), row0, row1, static_cast<float>(pixels_.x0), static_cast<float>(pixels_.x1)});
 }
 
-/// Columns whose middle is beyond a.x and not beyond b.x.
+/// Turns the columns whose middle is beyond a.x and not beyond b.x.
 void CoverBorder::turn(const Place& a, const Place& b, int degree) {
   const double run = b.x - a.x;
   if (!(run > 0)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The border of a sheet in the coarse picture: the pixels that it touches, and those that it goes around.
+// The border of a sheet in the coarse picture: which pixels it touches, and which it encloses.
 #pragma once
 
 #include <array>
@@ -12,24 +12,25 @@
 
 namespace occlude::culler {
 
-/// What is drawn of a border into a tile.
+/// What a border has drawn into a tile.
 struct BorderTile {
   std::uint64_t touched = 0;  ///< pixels
-  /// By how much the degree changes from the pixel below to a pixel, modulo 256: rows of a byte for each column.
+  /// The change of the degree from the pixel below to each pixel, modulo 256: rows with a byte for each column.
   std::array<std::array<std::uint8_t, kTile>, kTile> turns{};
-  std::uint32_t border = 0;  ///< nothing is, unless this is the border's number
+  std::uint32_t border = 0;  ///< the number of the border that drew it; for another border the tile is empty
 };
 
 class CoverBorder {
  public:
-  /// Nothing is drawn so far, in these tiles of a picture. REQUIRES: a width and a height of multiples of kTile.
+  /// Starts an empty border in these tiles of a picture. REQUIRES: its width and height are multiples of kTile.
   void begin(const BeamPicture& picture, const PixelRectangle& tiles);
 
-  /// An edge of degree d: pixels that come as near it as its ends are out are touched; above it, where it goes to the right,
-  /// the degree is d higher than below, and where it goes to the left, lower.
+  /// Draws an edge of degree d. Pixels are touched that come as near to it as the errors of its ends. Above an edge that
+  /// goes to the right the degree is d higher than below it; above one that goes to the left, d lower.
   void draw(const Corner& from, const Corner& to, int degree);
 
-  /// Of a closed border: the pixels of the tiles that it does not touch, and whose degree is not 0.
+  /// Finds the closed pixels of the tiles: those that the border does not touch and whose degree is not 0. REQUIRES: the
+  /// border is a closed curve.
   void find_closed(std::vector<std::uint64_t>& closed);
 
  private:
@@ -38,9 +39,9 @@ class CoverBorder {
 
   int width_ = 0, height_ = 0, tiles_across_ = 0;
   PixelRectangle tiles_{}, pixels_{};
-  std::uint32_t border_ = 0;  ///< counts what was begun
+  std::uint32_t border_ = 0;  ///< counts calls of begin()
   std::vector<BorderTile> drawn_;
-  std::vector<std::uint8_t> degrees_;  ///< of the topmost row so far
+  std::vector<std::uint8_t> degrees_;  ///< in the topmost row of pixels so far
 };
 
 }  // namespace occlude::culler

@@ -12,8 +12,8 @@
 namespace occlude::culler {
 namespace {
 
-/// Pixels about the camera's picture: what reaches beyond it a little is hidden all the same. Twice as many hide no more in
-/// the models tried, and leave the picture fewer.
+/// Pixels added on each side of the camera's picture, so that boxes which reach a little beyond it can still be hidden. With
+/// twice as many no more is hidden in the models tried, and the picture itself has fewer pixels.
 constexpr double kBorder = 16;
 
 constexpr float kOpen = -std::numeric_limits<float>::infinity();
@@ -24,7 +24,7 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   picture_ = BeamPicture(view, {width, height, kBorder}, margin > 0 ? kSinglePrecision * view.depth : 0);
   piece_.begin(picture_);
   tiles_across_ = width / kTile;
-  // Of what is no margin nothing is hidden.
+  // With a margin that is negative or not a number, nothing is hidden.
   boxes_ = BoxPicture(picture_, margin >= 0 ? margin * (height - 2 * kBorder) : std::numeric_limits<double>::infinity());
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -118,7 +118,7 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
       const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
       const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                                  {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
-      const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else the margin alone reaches it
+      const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches it
       if (!is_of_box || id == kNone) {
         last = kNone;
       } else if (id == last) {

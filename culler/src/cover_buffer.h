@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Joined shadows in a coarse picture: of each pixel, how near something is that all its rays meet.
+// Joined shadows in a coarse picture: for each pixel, how near something is that all its rays meet.
 //
-// A pixel is a convex cone of rays. Where all of them meet a mesh, all that is farther than the mesh is there is hidden. A
-// box is hidden when that is so in every pixel that it touches. What is found is never wrong: numbers are rounded in
-// doubles, and by how much is accounted for (beam_picture.h, cover_piece.h).
+// A pixel is a convex cone of rays. Where all of them meet a mesh, everything farther than the mesh is hidden there. A box
+// is hidden when this holds in every pixel that it touches. The answer is never wrong: all rounding errors of positions and
+// depths are bounded and accounted for (beam_picture.h, cover_piece.h, seen_boxes.h).
 #pragma once
 
 #include <cstddef>
@@ -26,54 +26,54 @@ class CoverBuffer {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Opens all pixels of a picture of a size, multiples of kTile. The picture is the camera's, and 16 pixels
-  /// more on each side. With a `margin`, a share of the height of the camera's
-  /// picture, a box counts as hidden only when it stays so however a renderer in single precision moves it, and what hides
-  /// it, and however it is moved by the margin in the picture. REQUIRES: margin >= 0.
+  /// Starts a picture of this size in which all pixels are open. It is the camera's picture with 16 more pixels on each
+  /// side. `margin` is a share of the height of the camera's picture. With a margin above 0, a box counts as hidden only if
+  /// it stays hidden however it is moved by the margin in the picture, and however a renderer in single precision moves it
+  /// and what hides it. REQUIRES: width and height are multiples of kTile; margin >= 0.
   void begin(const FrameView& view, int width, int height, double margin);
 
-  /// Makes room for meshes of so many triangles.
+  /// Reserves memory for meshes of this many triangles.
   void reserve(std::size_t triangles) { piece_.reserve(triangles); }
 
-  /// Whether as much was drawn since begin() as may be: from then on nothing is closed.
+  /// Whether all the work that a picture may take is done. From then on add() closes nothing.
   [[nodiscard]] bool is_spent() const { return work_ > kMostWork; }
 
-  /// From now on it is kept which mesh was the last to bring a pixel nearer.
+  /// From now on, keeps for each pixel the mesh that last brought it nearer.
   void keep_owners();
 
-  /// Closes what the mesh closes, as far as it is beyond the near plane. `id` is what owners() calls it.
+  /// Closes the pixels that the mesh closes as far as it is beyond the near plane. `id` identifies it in owners().
   void add(const CoverMesh& mesh, std::uint32_t id = 0);
 
   /// Where a box is in the picture.
   struct Footprint {
-    PixelRectangle pixels;  ///< that it touches, with the margin
-    float most;             ///< nothing of it is nearer
-    bool is_in_picture;     ///< all of it, and beyond the near plane
+    PixelRectangle pixels;  ///< those that it touches, with the margin
+    float most;             ///< no point of it is nearer
+    bool is_in_picture;     ///< all of it is, and beyond the near plane
   };
   [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const { return footprint(seen(box), 0); }
-  /// Of one of several that were seen in box_picture().
+  /// The footprint of box i of those that were seen in box_picture().
   [[nodiscard]] Footprint footprint(const SeenBoxes& boxes, std::size_t i) const;
   [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
 
-  /// True only when every point of the box has one of the meshes, beyond the near plane, strictly between it and the
-  /// viewpoint. REQUIRES: a box no farther from the eye than the depth of begin(). False of a box that reaches beyond the
-  /// picture, or before the near plane.
+  /// True only if each point of the box has a point of one of the meshes, beyond the near plane, strictly between it and the
+  /// viewpoint. False for a box that reaches beyond the picture or before the near plane. REQUIRES: the box is no farther
+  /// from the eye than the depth of the view.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
   [[nodiscard]] bool hides(const Footprint& box) const;
-  /// Why it does not hide the box; none where it does.
+  /// Why the box is not hidden; `none` if it is.
   enum class Gap { none, beyond_picture, open, not_behind };
   [[nodiscard]] Gap gap(const kernel::Aabb& box) const;
 
-  /// How many pixels of the picture that the box touches do not hide it: counted until there are enough. 0 of a box in the
-  /// picture when it is hidden.
+  /// How many of the pixels that the box touches do not hide it. Counting stops at `enough`. A box in the picture is hidden
+  /// if the result is 0.
   [[nodiscard]] int open(const Footprint& box, int enough) const { return open(box.pixels, box.most, enough); }
 
-  /// A mesh that closes pixels of a box, and the places between which these are, as far as the box may reach.
+  /// A mesh that closes pixels of a box, and the rectangle of positions that holds these pixels as far as the box may reach.
   struct Owner {
     std::uint32_t id;
     PlaceRectangle places;
   };
-  /// By ascending ids. REQUIRES: keep_owners() before what hides the box was added; hides(box).
+  /// In ascending order of ids. REQUIRES: keep_owners() was called before what hides the box was added; hides(box).
   [[nodiscard]] std::vector<Owner> owners(const kernel::Aabb& box) const;
 
   [[nodiscard]] const BeamPicture& picture() const { return picture_; }
@@ -81,15 +81,16 @@ class CoverBuffer {
   [[nodiscard]] const CoverPiece& piece() const { return piece_; }
 
  private:
-  /// Tiles of each sheet, and of each triangle, some nanoseconds each: a tenth of a second or so. The models tried take
-  /// a tenth of it.
+  /// The tiles of sheets and triangles that a picture may take. A tile takes some nanoseconds, so this is about a tenth of a
+  /// second. The models tried take a tenth of it.
   static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
-  /// Those of the piece's tiles between which all lie that it may close or bring nearer; none where there are none.
+  /// The smallest rectangle that holds all tiles of the piece that it may close or bring nearer; none if there are no such
+  /// tiles.
   [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
-  /// How many pixels of the rectangle do not hide what is no nearer than `most`: counted until there are enough.
+  /// How many pixels of the rectangle do not hide what has a nearness of `most` or less. Counting stops at `enough`.
   [[nodiscard]] int open(const PixelRectangle& r, float most, int enough) const {
     return open_pixels({nearness_.data(), farthest_.data(), tiles_across_}, r, most, enough);
   }
@@ -102,8 +103,8 @@ class CoverBuffer {
   int tiles_across_ = 0;
   std::size_t work_ = 0;
   std::vector<float> nearness_;        ///< of each pixel, tile after tile; -infinity while it is open
-  std::vector<float> farthest_;        ///< of each tile, the least of it
-  std::vector<std::uint32_t> owners_;  ///< as nearness_; empty unless they are kept
+  std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
+  std::vector<std::uint32_t> owners_;  ///< ids in the order of nearness_; empty unless they are kept
 };
 
 }  // namespace occlude::culler

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One descent of a tree, front to back, that culls by the view and by what a cover buffer has closed.
 //
-// What is not culled goes to `see`, a leaf at a time, and a few leaves together may close pixels for what comes behind them.
-// Nothing hides itself: a box reaches what it holds, and is not strictly beyond it.
+// Leaves that are not culled go to `see`, one at a time. A few leaves together may then close pixels for what lies behind
+// them. Nothing hides itself, because a box is never strictly beyond what it holds.
 #pragma once
 
 #include <array>
@@ -19,18 +19,19 @@
 
 namespace occlude::culler {
 
-/// `ask` calls a question with the bounding volume of a node; see(leaf, footprint, is_worth_closing) is told what is not
-/// culled, cull(Culled) what is. After each subtree of few items join() is called, and may add to the buffer what was seen.
-/// REQUIRES: at most 32 planes.
+/// `ask` calls a question with the bounding volume of a node. see(leaf, footprint, is_worth_closing) is called for each leaf
+/// that is not culled, cull(Culled) for each node that is. join() is called after each subtree of few items and may add to
+/// the buffer what was seen. REQUIRES: at most 32 planes.
 template <class Ask, class See, class Cull, class Join>
 class CoverDescent {
  public:
-  /// A subtree of so many items at most is few; a leaf is, however many it has. Fewer draw more that was drawn before, more
-  /// delay what is seen for what comes behind it: from 64 to 2,048 it is all the same.
+  /// A subtree has few items if it has at most this many, or is a leaf. With a smaller limit, more of what
+  /// was drawn before is drawn again; with a larger one, what was seen closes pixels later. From 64 to 2,048 it makes no
+  /// difference.
   static constexpr std::uint32_t kFew = 256;
 
-  /// What is seen through fewer pixels is not worth drawing: slits that nothing closes. With 4 there would be half as many
-  /// triangles more, and what is culled more for it is a few thousandths.
+  /// A leaf that is seen through fewer pixels is not worth drawing: it shows through slits that nothing closes. With a
+  /// limit of 4, frames would draw 50 % more triangles and cull only a few thousandths more.
   static constexpr int kWorthClosing = 8;
 
   CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,
@@ -56,10 +57,10 @@ class CoverDescent {
  private:
   struct Visit {
     std::uint32_t node;
-    std::uint32_t across;  ///< a bit for each plane that the node may be across
-    bool is_part;          ///< of a subtree of few items
+    std::uint32_t across;  ///< a bit for each plane that may cross the node
+    bool is_part;          ///< whether it is in a subtree of few items
   };
-  /// Nodes that are asked together.
+  /// Nodes that are tested together.
   struct Batch {
     std::array<Visit, SeenBoxes::kMost> visits;
     SeenBoxes boxes;
@@ -67,7 +68,7 @@ class CoverDescent {
 
   [[nodiscard]] bool is_few(std::uint32_t node) const { return nodes_[node].is_leaf() || nodes_[node].count <= kFew; }
 
-  /// What is below a node, or the leaf itself: three levels of the tree at once, nearest first.
+  /// Visits what is below a node, or the leaf itself: three levels of the tree at once, nearest first.
   void visit_below(const Visit& visit) {
     Batch batch;
     gather(visit, kLevels, batch);
@@ -83,7 +84,7 @@ class CoverDescent {
     }
   }
 
-  /// Adds what is in view so many levels below; nothing beneath a subtree of few items, but from within.
+  /// Adds the nodes in view this many levels below. Goes into a subtree of few items only if it starts within it.
   void gather(const Visit& visit, int levels, Batch& batch) {
     const HierarchyNode& node = nodes_[visit.node];
     const bool is_start = levels == kLevels;
@@ -98,7 +99,7 @@ class CoverDescent {
     }
   }
 
-  /// Culls what is not.
+  /// Whether the node is in view. Culls it if not.
   bool is_in_view(Visit& visit) {
     ++stats_.nodes_visited;
     for (std::uint32_t left = visit.across; left != 0; left &= left - 1) {

@@ -6,11 +6,11 @@
 namespace occlude::culler {
 namespace {
 
-/// A side of the coarse picture: whole tiles.
+/// A side of the coarse picture, rounded up to whole tiles.
 int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
 
-/// Triangles of a group for which there is room from the first: of the models tried nearly all have fewer. More room is
-/// taken where one has more.
+/// Memory is reserved for groups of this many triangles. Nearly all groups of the models tried have fewer; a larger one
+/// allocates more.
 constexpr std::size_t kRoom = 1024;
 
 }  // namespace
@@ -18,11 +18,11 @@ constexpr std::size_t kRoom = 1024;
 CoverFrame::CoverFrame(const CoverSource& source, const FrameView& view, const CullOptions& options, View::Memory& memory)
     : source_(source), options_(options), memory_(memory) {
   memory.cover.begin(view, side(options.cover_width), side(options.cover_height), options.margin);
-  memory.result.method = Method::cover;  // the picture is this frame's
+  memory.result.method = Method::cover;  // the picture is this frame's from here on
   memory.cover.reserve(kRoom);
   memory.group.reserve(kRoom);
   memory.seen.clear();
-  memory.seen.reserve(memory.result.culled.capacity());  // leaves, as they
+  memory.seen.reserve(memory.result.culled.capacity());  // one for each leaf at most, as `culled`
   memory.taken.clear();
   memory.taken.reserve(kRoom);
   memory.take_planes();
@@ -62,12 +62,12 @@ bool CoverFrame::join() {
   return true;
 }
 
-/// What this frame has drawn before.
+/// Adds the polygons around a leaf that this frame has drawn before.
 void CoverFrame::add_around(std::uint32_t leaf) {
   for (const std::uint32_t p : source_.triangles.around(leaf)) {
     if (memory_.polygon_frames[p] != memory_.frame) continue;
     memory_.group.add(source_.triangles, p);
-    memory_.polygon_frames[p] = 0;  // once
+    memory_.polygon_frames[p] = 0;  // so that it is added only once
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame by cover as it comes about: what it draws, what it culls, and what has closed pixels.
+// The state of a frame by cover: what it draws, what it culls, and what has closed pixels.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace occlude::culler {
 
-/// What hides in frames by cover: polygons in the order of a tree. Of no nodes, nothing.
+/// The polygons that hide in frames by cover, in the order of a tree. Without nodes nothing hides.
 struct CoverSource {
   std::span<const HierarchyNode> nodes;
   const CoverTriangles& triangles;
@@ -23,28 +23,29 @@ struct CoverSource {
 
 class CoverFrame {
  public:
-  /// After begin_frame(). `view` is of all that is drawn or hides.
+  /// REQUIRES: begin_frame() was called; `view` reaches as far as all that is drawn or hides.
   CoverFrame(const CoverSource& source, const FrameView& view, const CullOptions& options, View::Memory& memory);
 
-  /// `see`, `cull` and `join` as in CoverDescent; of no nodes nothing is done.
+  /// `see`, `cull` and `join` as in CoverDescent. Does nothing without nodes.
   template <class Ask, class See, class Cull, class Join>
   void descend(std::span<const HierarchyNode> nodes, const Ask& ask, const See& see, const Cull& cull, const Join& join) {
     if (nodes.empty()) return;
     CoverDescent(nodes, ask, memory_.planes, options_, memory_.cover, memory_.result.stats, see, cull, join).run();
   }
 
-  /// A leaf of the tree of `nodes` is seen: what comes behind it may hide it yet.
+  /// Notes that a leaf of the tree of `nodes` is seen. finish() asks again, because what is drawn later may still hide it.
   void see(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { memory_.seen.push_back({leaf, footprint}); }
   /// Keeps the polygons of a leaf of the source for join().
   void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
-  /// Draws what was taken into the coarse picture, with what was drawn before and touches it, so that no seam stays open
-  /// between. False where nothing was, or no more may be; else it has the number groups().
+  /// Draws the kept polygons into the coarse picture, together with the polygons that were drawn before and touch them, so
+  /// that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the group that was
+  /// drawn has the number groups().
   bool join();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
 
   void cull(std::span<const HierarchyNode> nodes, const Culled& culled);
-  /// Asks again about the leaves that were seen, now that all is closed that will be, draws those that are not hidden, and
-  /// puts what was drawn and culled in the order of the tree.
+  /// Tests the leaves that were seen again, now that no more pixels will be closed. Draws those that are not hidden, and
+  /// puts what was drawn and culled into the order of the tree.
   template <class Cull>
   void finish(std::span<const HierarchyNode> nodes, const Cull& cull) {
     std::ranges::sort(memory_.seen, {}, &SeenLeaf::leaf);
@@ -56,7 +57,8 @@ class CoverFrame {
         draw(nodes[leaf]);
       }
     }
-    std::ranges::sort(memory_.result.culled, {}, &Culled::node);  // depth-first, so in the order of their items
+    // Nodes are numbered depth-first, so this is the order of their items.
+    std::ranges::sort(memory_.result.culled, {}, &Culled::node);
   }
 
  private:

@@ -43,7 +43,7 @@ CoverMesh CoverGroup::mesh(const CoverTriangles& triangles) {
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const auto& next = triangles.next(ids_[t]);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      // Along the ring to the next side of a triangle of the group: in the end to itself.
+      // Follows the ring to the next side of a triangle of the group. Without another one, that is the side itself.
       RingStep step = next[i];
       std::uint32_t owner = triangle_index_.find(step.side / 3);
       while (owner == LocalIndex::kNone && step.is_of_two == 0) {

@@ -13,20 +13,20 @@
 
 namespace occlude::culler {
 
-/// Gathers the mesh of a few polygons.
+/// Builds the mesh of a few polygons.
 class CoverGroup {
  public:
-  /// Makes room for so many triangles.
+  /// Reserves memory for this many triangles.
   void reserve(std::size_t triangles);
   /// Forgets all polygons.
   void clear();
-  /// REQUIRES: the polygon was not added since clear(); the same triangles for all.
+  /// REQUIRES: the polygon was not added since clear(); `triangles` is the same in all calls.
   void add(const CoverTriangles& triangles, std::uint32_t polygon);
   [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
 
-  /// Of all that was added. It holds until the next call of clear() or add().
+  /// The mesh of all that was added. It is valid until the next call of clear() or add().
   [[nodiscard]] CoverMesh mesh(const CoverTriangles& triangles);
-  /// Of each triangle of the mesh, the polygon that it is part of.
+  /// For each triangle of the mesh, its polygon.
   [[nodiscard]] std::span<const std::uint32_t> polygons() const { return polygons_; }
 
  private:
@@ -34,7 +34,7 @@ class CoverGroup {
   std::vector<glm::dvec3> vertices_;
   std::vector<CoverMesh::Triangle> triangles_;
   std::vector<CoverMesh::Next> next_;
-  std::vector<std::uint32_t> polygons_, ids_;  ///< of the triangles: the polygon, and which of all triangles it is
+  std::vector<std::uint32_t> polygons_, ids_;  ///< for each triangle: its polygon, and its number among all triangles
 };
 
 }  // namespace occlude::culler

@@ -10,20 +10,21 @@
 
 namespace occlude::culler {
 
-/// More sides along one edge would make frames slow, and hide hardly more.
+/// With more sides along one edge, frames would be slow and hide hardly more.
 inline constexpr std::size_t kMostInRing = 16;
 
-/// A view of a mesh: whoever has made it keeps it.
+/// A view of a mesh. Its maker keeps the memory.
 struct CoverMesh {
-  /// Corners, counted in the vertices: three different ones.
+  /// Corners as indices of vertices: three different ones.
   using Triangle = std::array<std::uint32_t, 3>;
-  /// Side 3 t + i goes from corner i of triangle t to the next. Of each side of a triangle, the next along the same edge, of
-  /// whatever triangle: they make rings of at most kMostInRing, and one that is alone is its own next.
+  /// For each side of a triangle, the next side along the same edge, of any triangle. Side 3 t + i goes from corner i of
+  /// triangle t to the next corner. The sides along an edge form rings of at most kMostInRing sides. A side that is alone is
+  /// its own next.
   using Next = std::array<std::uint32_t, 3>;
 
   std::span<const glm::dvec3> vertices;  ///< different points
   std::span<const Triangle> triangles;
-  std::span<const Next> next;  ///< of the triangles
+  std::span<const Next> next;  ///< one for each triangle
 
   [[nodiscard]] std::uint32_t next_of(std::uint32_t side) const { return next[side / 3][side % 3]; }
 };

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A sheet that is narrower, in pixels, closes at most a few of them.
+/// A sheet that is narrower than this, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 4;
 
-/// The smallest upright rectangle about places, with what they are out by.
+/// The smallest upright rectangle around positions and their errors.
 struct Extent {
   Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
 
@@ -39,7 +39,7 @@ struct CoverPiece::Outline {
   std::array<Corner, 4> corners;
   std::size_t count = 0;
   Extent extent;
-  float nearness = std::numeric_limits<float>::infinity();  ///< no corner is less near
+  float nearness = std::numeric_limits<float>::infinity();  ///< no corner has less
 
   void hold(const Vertex& vertex) {
     corners[count++] = vertex.corner;
@@ -156,7 +156,7 @@ void CoverPiece::clear(const PixelRectangle& tiles) {
   }
 }
 
-/// Takes a triangle that is somewhere in what is drawn.
+/// Takes a triangle if any of it is in the pixels that are drawn.
 void CoverPiece::take(std::uint32_t triangle) {
   const Outline outline = this->outline(mesh_.triangles[triangle]);
   const auto& [low, high] = outline.extent;
@@ -166,7 +166,7 @@ void CoverPiece::take(std::uint32_t triangle) {
   if (is_in) lay_depth(mesh_.triangles[triangle], outline);
 }
 
-/// Which way round it looks, up to rounding.
+/// 1 if the triangle looks counter-clockwise, -1 if clockwise, 0 if it is seen edge-on; up to rounding.
 int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
   const Seen &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
   const double side = picture_.is_perspective()
@@ -176,7 +176,8 @@ int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
   return side > 0 ? 1 : side < 0 ? -1 : 0;
 }
 
-/// A triangle is nowhere farther than its farthest corner, nor, within a tile, than its plane.
+/// Lowers the nearness of the tiles that the triangle touches. The triangle is nowhere farther than its farthest corner,
+/// nor, within a tile, than its plane.
 void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle, const Outline& outline) {
   const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
   const PixelRectangle r{std::max(touched.x0, rectangle_.x0), std::max(touched.y0, rectangle_.y0),
@@ -217,7 +218,8 @@ void CoverPiece::lay(int tile_x, int tile_y, float nearness) {
   tile = std::min(tile, nearness);
 }
 
-/// The sides that are border, each edge with its first triangle, and where it is cut.
+/// Draws the sides of a triangle that are border, each edge only with the first of its triangles, and the cut at the near
+/// plane.
 void CoverPiece::draw_sides(std::uint32_t triangle) {
   const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
   const auto sign_of = [&](std::uint32_t t) { return is_taken(t) ? signs_[t] : 0; };
@@ -229,7 +231,7 @@ void CoverPiece::draw_sides(std::uint32_t triangle) {
   if (is_cut_) draw_cut(corners, signs_[triangle]);
 }
 
-/// Whether no side of a triangle taken goes before it in the ring.
+/// Whether the side is the first of its ring among those of triangles that are taken.
 bool CoverPiece::is_first(std::uint32_t side) const {
   for (std::uint32_t other = mesh_.next_of(side); other != side; other = mesh_.next_of(other)) {
     if (other < side && is_taken(other / 3)) return false;
@@ -244,7 +246,7 @@ void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to, int degree) {
   border_.draw(end(from), end(to), degree);
 }
 
-/// Where a triangle is cut is border: it goes back there from where the loop leaves what is drawn to where it returns.
+/// The cut of a triangle is border: it leads from where the loop leaves the drawn part back to where the loop returns.
 void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle, int degree) {
   Corner leaves{}, returns{};
   bool is_cut = false;

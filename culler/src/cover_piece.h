@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Meshes in the coarse picture: which pixels they close, and how near they are there.
+// Draws meshes into the coarse picture: which pixels they close, and how near they are there.
 //
-// Triangles that look clockwise are turned over: so many of a set of them as a ray meets, that is its degree. It changes
-// only where a ray crosses the border of the set: the edges along which its triangles go more often one way than the other,
-// and where they are cut at the near plane. All rays of a pixel that the border does not touch have the degree of its
-// middle; where that is not 0, all of them meet the set. Which triangles are in it, which way they are turned and whether
-// they overlap can make a pixel stay open, and never close a wrong one: only the border is drawn.
+// Triangles that look clockwise are turned over. The degree of a ray is the number of triangles of a set that it then meets.
+// It changes only where a ray crosses the border of the set: the edges along which its triangles go more often one way than
+// the other, and the cuts of triangles at the near plane. All rays of a pixel that the border does not touch have the degree
+// of the ray in its middle. If that is not 0, all of them meet the set. Only the border is drawn. So it does not matter for
+// correctness which triangles are in the set, which way they are turned and whether they overlap: a bad choice can leave a
+// pixel open, but never close a wrong one.
 //
-// So a mesh is drawn sheet by sheet: what hangs together across edges that, as seen, have a triangle on either side. It has
-// no fold and no border within, and is as near as it alone is.
+// Meshes are therefore drawn sheet by sheet. The triangles of a sheet are connected across edges that, as seen, have a
+// triangle on either side. A sheet has no fold and no inner border, and its depth is its own.
 #pragma once
 
 #include <array>
@@ -28,37 +29,38 @@ namespace occlude::culler {
 
 class CoverPiece {
  public:
-  /// Makes room for meshes of so many triangles.
+  /// Reserves memory for meshes of this many triangles.
   void reserve(std::size_t triangles);
-  /// What follows is drawn into this picture. REQUIRES: a width and a height of multiples of kTile.
+  /// The calls that follow draw into this picture. REQUIRES: its width and height are multiples of kTile.
   void begin(const BeamPicture& picture);
-  /// Sees a mesh, and parts it into sheets. REQUIRES: begin(); the mesh stays as it is while its sheets are drawn.
+  /// Projects a mesh and divides it into sheets. REQUIRES: begin() was called; the mesh stays as it is while its sheets are
+  /// drawn.
   void see(const CoverMesh& mesh);
   [[nodiscard]] std::size_t sheets() const { return sheets_.size(); }
 
-  /// Finds where a sheet is in the picture. False where it closes nothing.
+  /// Finds where a sheet is in the picture. Returns false if it closes nothing.
   [[nodiscard]] bool find(std::size_t sheet);
   /// The tiles that hold all pixels which the sheet may close.
   [[nodiscard]] const PixelRectangle& tiles() const { return found_; }
-  /// How near, at most, the sheet is.
+  /// The sheet is nowhere nearer than this.
   [[nodiscard]] float nearest() const { return nearest_; }
 
-  /// Draws what was found, in these tiles. REQUIRES: tiles of the picture, one at least.
+  /// Draws the sheet that was found into these tiles. REQUIRES: at least one tile, all of them in the picture.
   void draw(const PixelRectangle& tiles);
   /// The pixels of a tile that the sheet closes.
   [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
-  /// How near, at least, it is there.
+  /// In this tile the sheet is nowhere less near than this.
   [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
-  /// Tiles of its triangles that it took to draw.
+  /// The work of the last draw(): the tiles of the triangles drawn.
   [[nodiscard]] std::size_t work() const { return work_; }
-  /// Holds a triangle of the mesh, wherever it is by what it is out; none where it is in no sheet.
+  /// A rectangle that holds a triangle of the mesh with its error; none if the triangle is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;
 
  private:
-  /// A vertex in the picture; of what is before the near plane, nothing.
+  /// A vertex in the picture. It is not set for a vertex before the near plane.
   struct Vertex {
     Corner corner;
-    float nearness;  ///< no more than it is
+    float nearness;  ///< a lower bound
   };
   /// What is drawn of a triangle: a convex loop.
   struct Outline;
@@ -80,15 +82,15 @@ class CoverPiece {
   void draw_cut(const CoverMesh::Triangle& triangle, int degree);
 
   BeamPicture picture_;
-  std::vector<double> slopes_x_, slopes_y_;  ///< of the rays between tiles
-  double reach_ = 0;                         ///< of SeenPlane
+  std::vector<double> slopes_x_, slopes_y_;  ///< of the rays along the borders of tiles
+  double reach_ = 0;                         ///< as SeenPlane takes it
   CoverMesh mesh_;
   std::vector<Seen> seen_;  ///< the vertices
   std::vector<Vertex> vertices_;
-  std::vector<std::int8_t> signs_;  ///< of the triangles: 0 where it is seen edge-on, -1 where it is turned over
+  std::vector<std::int8_t> signs_;  ///< of each triangle: 1, 0 if it is seen edge-on, or -1 if it is turned over
   CoverSheets sheets_;
-  std::span<const std::uint32_t> sheet_;  ///< that was found: its triangles
-  std::vector<std::uint32_t> taken_;      ///< of the triangles, the last piece that they were drawn for
+  std::span<const std::uint32_t> sheet_;  ///< the triangles of the sheet that was found
+  std::vector<std::uint32_t> taken_;      ///< for each triangle, the last piece_ that it was drawn for
   bool is_cut_ = false;
   PixelRectangle found_{};      ///< tiles
   PixelRectangle rectangle_{};  ///< pixels that are drawn
@@ -96,9 +98,9 @@ class CoverPiece {
   std::size_t work_ = 0;
 
   int tiles_across_ = 0;
-  std::uint32_t piece_ = 0;  ///< counts what was drawn of the mesh
+  std::uint32_t piece_ = 0;  ///< counts the sheets drawn of the mesh
   CoverBorder border_;
-  std::vector<std::uint64_t> closed_;  ///< of the tiles
+  std::vector<std::uint64_t> closed_;  ///< of each tile
   std::vector<float> nearness_;
 };
 

@@ -18,7 +18,7 @@ void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs
   const auto count = static_cast<std::uint32_t>(signs.size());
   sets_.reset(count);
   for (std::uint32_t side = 0; side < 3 * count; ++side) join_ring(mesh, signs, side);
-  // Sheets in the order of their first triangles, each with its triangles in order.
+  // Orders sheets by their first triangles, and the triangles of a sheet by number.
   sheet_of_.assign(count, 0);
   begins_.assign(1, 0);
   for (std::uint32_t t = 0; t < count; ++t) {
@@ -43,7 +43,7 @@ void CoverSheets::join(std::uint32_t triangle, std::uint32_t other) {
   if (a != b) sets_.join(std::min(a, b), std::max(a, b));
 }
 
-/// Joins the triangles of a ring two by two, when asked with its first side.
+/// Joins the triangles of a ring two by two. Does so only when `first` is the first side of the ring.
 void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first) {
   const std::uint32_t second = mesh.next_of(first);
   if (second <= first) return;  // alone, or not the first
@@ -60,7 +60,7 @@ void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> 
     ring[count++] = side;
   }
   const std::uint32_t from = mesh.triangles[first / 3][first % 3];
-  std::array<std::uint32_t, kMostInRing> alone{};  // triangles that have no partner so far, all of one way
+  std::array<std::uint32_t, kMostInRing> alone{};  // triangles without a partner so far, all turned the same way
   std::size_t left = 0;
   int way = 0;
   for (const std::uint32_t side : std::span(ring).first(count)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sheets of a mesh as seen from a viewpoint: what hangs together without a fold.
+// The sheets of a mesh as seen from a viewpoint: triangles that are connected without a fold.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace occlude::culler {
 
-/// So many more of the triangles that sign_of(triangle) turns along the edge of a side go its way than the other.
+/// How many more triangles along the edge of a side go its way than the other way, each counted with sign_of(triangle).
 template <class SignOf>
 [[nodiscard]] int degree(const CoverMesh& mesh, std::uint32_t side, const SignOf& sign_of) {
   const auto from = [&](std::uint32_t s) { return mesh.triangles[s / 3][s % 3]; };
@@ -24,11 +24,11 @@ template <class SignOf>
   return sum;
 }
 
-/// Of the triangles that share an edge, two hang together when, as seen, they are on either side of it; where several are on
-/// one side, each with one of the other. A triangle of sign 0 is in no sheet.
+/// Divides a mesh into sheets. Two triangles that share an edge are connected if, as seen, they are on either side of it. If
+/// several are on one side, each is connected with one of the other side. A triangle of sign 0 is in no sheet.
 class CoverSheets {
  public:
-  /// Makes room for so many triangles.
+  /// Reserves memory for this many triangles.
   void reserve(std::size_t triangles);
   void part(const CoverMesh& mesh, std::span<const std::int8_t> signs);
 
@@ -42,7 +42,7 @@ class CoverSheets {
   void join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first);
 
   DisjointSets sets_;
-  std::vector<std::uint32_t> sheet_of_;  ///< of the triangle that stands for its set
+  std::vector<std::uint32_t> sheet_of_;  ///< for the triangle that stands for its set
   std::vector<std::uint32_t> triangles_, begins_ = {0}, next_;
 };
 

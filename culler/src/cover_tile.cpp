@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Eight pixels at most, a row of a tile.
+/// At most eight pixels: a row of a tile.
 using Floats = hn::CappedTag<float, kTile>;
 
 int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
@@ -33,7 +33,7 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
       if (picture.farthest[tile] > most) continue;
       const float* const pixels = picture.nearness + tile * static_cast<int>(kTilePixels);
       for (int i = 0; i < kTile; i += lanes) {
-        // Of each column, minus how many are open.
+        // For each column, minus the number of its open pixels.
         auto open = hn::Zero(di);
         for (int row = row0; row < row1; ++row) {
           open = hn::Add(open, hn::BitCast(di, hn::VecFromMask(d, hn::Le(hn::LoadU(d, pixels + row * kTile + i), limit))));

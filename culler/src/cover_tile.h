@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pixels of a square of the coarse picture, all at once.
+// The pixels of a tile of the coarse picture, all at once.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,21 @@
 
 namespace occlude::culler {
 
-/// How near things are, at least, is kept for squares of so many pixels a side. A bit for each pixel of one: bit 8 y + x.
+/// The sides of a tile in pixels. The nearness of pixels is stored tile by tile. A mask has a bit for each pixel of a tile:
+/// bit 8 y + x.
 inline constexpr int kTile = 8;
 inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 
-/// How near things are, in tiles.
+/// The nearness of pixels, stored by tiles.
 struct TilePicture {
-  const float* nearness;  ///< of the pixels, tile after tile
-  const float* farthest;  ///< of the tiles, the least of it
+  const float* nearness;  ///< of each pixel, tile after tile
+  const float* farthest;  ///< of each tile, the least nearness of its pixels
   int tiles_across;
 };
-/// How many pixels of the rectangle are no nearer than `most`; counted, a tile at a time, until there are enough.
+/// How many pixels of the rectangle have a nearness of at most `most`. Counts tile by tile, and stops at `enough`.
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
-/// Brings those of the mask to `nearness` unless they are nearer, and returns the least of all.
+/// Raises the pixels of the mask to `nearness` unless they are nearer already. Returns the least nearness of all pixels of
+/// the tile.
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness);
 
 }  // namespace occlude::culler

@@ -10,11 +10,11 @@
 namespace occlude::culler {
 namespace {
 
-/// Of polygons about a leaf: one of more sides is not among them, nor are those at a corner where more meet, nor what would
-/// make them more than so many triangles for each of its own.
+/// Limits of the polygons around a leaf. Polygons with more than kMostSides sides are left out, and so are those at a corner
+/// where more than kMostAtCorner meet. All of them together have at most kMostAround triangles for each of the leaf's own.
 constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 8;
 
-/// A side of a triangle by the edge that it runs along.
+/// A side of a triangle, ordered by the edge that it runs along.
 struct Side {
   std::uint32_t low, high, side;
 
@@ -46,7 +46,7 @@ std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triang
   return next;
 }
 
-/// Which polygons have a vertex.
+/// For each vertex, the polygons that have it.
 class Incidence {
  public:
   Incidence(const PolygonSoup& soup, std::span<const std::uint32_t> weld)
@@ -98,7 +98,7 @@ class Around {
   const PolygonSoup& soup_;
   std::span<const std::uint32_t> weld_;
   Incidence incidence_;
-  std::vector<std::uint32_t> leaf_of_;  ///< of each polygon, the first of the last leaf that has it in or about it
+  std::vector<std::uint32_t> leaf_of_;  ///< for each polygon, the first polygon of the last leaf that it is in or around
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What hides a cull by cover, found by culling the frame again and keeping who closed which pixel.
+// Names what hides each cull by cover. It culls the frame again and keeps which group closed which pixel.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +25,7 @@ bool meet(const PlaceRectangle& a, const PlaceRectangle& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-/// Watches a frame, and names for each cull by cover what hides it.
+/// Watches a frame, and names the polygons that hide each cull by cover.
 class CoverReplay {
  public:
   CoverReplay(const Hierarchy& hierarchy, View::Memory& memory, std::size_t most, std::vector<CoverWitness>& witnesses)
@@ -85,7 +85,7 @@ class CoverReplay {
   View::Memory& memory_;
   std::size_t most_;
   std::vector<CoverWitness>& witnesses_;
-  std::vector<std::vector<DrawnTriangle>> drawn_;  ///< of the groups
+  std::vector<std::vector<DrawnTriangle>> drawn_;  ///< of each group
 };
 
 }  // namespace

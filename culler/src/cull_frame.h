@@ -32,8 +32,8 @@ inline void require_sound(const Camera& camera) {
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
 }
 
-/// What all frames begin with: an empty result, and the half-spaces of the view. `depth` as depth() of what is drawn.
-/// REQUIRES: require_sound(camera).
+/// Begins a frame of either method: empties the result and makes the half-spaces of the view. `depth` is depth() of all that
+/// is drawn. REQUIRES: require_sound(camera).
 inline const FrameView& begin_frame(std::span<const HierarchyNode> nodes, double depth, const Camera& camera,
                                     const CullOptions& options, View::Memory& memory) {
   memory.begin_frame(nodes.size());
@@ -44,19 +44,19 @@ inline const FrameView& begin_frame(std::span<const HierarchyNode> nodes, double
   return memory.view;
 }
 
-/// As depth() of all below the root; 0 of no nodes.
+/// The depth() of the root; 0 without nodes.
 inline double depth(std::span<const HierarchyNode> nodes, const Camera& camera) {
   return nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
 }
 
-/// By frusta, as the paper has it. `ask` and `holds_part` as in NodeTests; of no nodes nothing is drawn.
+/// Culls by frusta, as in the paper. `ask` and `holds_part` as in NodeTests. Without nodes nothing is drawn.
 template <class Ask, class HoldsPart>
 void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
                     const OccluderSet& occluders, const Camera& camera, const CullOptions& options, View::Memory& memory) {
   const FrameView& view = begin_frame(nodes, depth(nodes, camera), camera, options, memory);
 
-  // Section 4.2: of the list of the eye's region what is in view, sorted by the objective; the best n_occ, each with its
-  // shadow frustum. First comes what hid something in the frames before (4, criterion 3).
+  // Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
+  // frusta. What hid something in earlier frames comes first (4, criterion 3).
   if (options.occluders > 0) {
     OccluderChoice choice(occluders, view, options, memory);
     const bool is_coherent = options.objective.coherence != 0;
@@ -72,18 +72,18 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const 
   const auto unwatched = [](const Occluder&, const auto&) {};
   if (!nodes.empty()) traverse(nodes, ask, holds_part, unwatched, options, memory);
 
-  // For the next frame: what each occluder has hidden, and each probe would have.
+  // For the next frame: what each occluder hid, and what each probe would have hidden.
   memory.history.record(occluders.size(), memory.result.occluders, memory.probes);
 }
 
-/// Is told of a frame by cover what it does, and wants nothing of it.
+/// Observes a frame by cover, and does nothing.
 struct Unwatched {
   static void begin(const CoverFrame&) {}
   static void joined(const CoverFrame&) {}
   static void culled(const Culled&) {}
 };
 
-/// A model by cover: what is seen of it is what hides.
+/// Culls a model by cover: what is seen of it hides the rest.
 template <class Ask, class Watch = Unwatched>
 void cull_by_cover(const CoverSource& source, const Ask& ask, const Camera& camera, const CullOptions& options,
                    View::Memory& memory, Watch&& watch = {}) {
@@ -105,12 +105,12 @@ void cull_by_cover(const CoverSource& source, const Ask& ask, const Camera& came
   frame.finish(source.nodes, cull);
 }
 
-/// Objects by cover: first what is seen of the occluders closes pixels, then the objects are asked.
+/// Culls objects by cover: first the occluders that are seen close pixels, then the objects are tested.
 template <class Ask>
 void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, const CoverSource& source, const Camera& camera,
                    const CullOptions& options, View::Memory& memory) {
   const FrameView& view = begin_frame(nodes, depth(nodes, camera), camera, options, memory);
-  // What hides may reach farther than the objects.
+  // Occluders may reach farther than the objects.
   const FrameView all(camera, std::max(view.depth, depth(source.nodes, camera)));
   CoverFrame frame(source, all, options, memory);
   const auto ask_occluders = [&](std::uint32_t node, auto&& question) { return question(source.nodes[node].box); };

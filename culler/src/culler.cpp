@@ -29,7 +29,7 @@ auto volumes_of(const Hierarchy& hierarchy) {
   return [&](std::uint32_t node, auto&& question) { return hierarchy.ask(node, question); };
 }
 
-/// Whether a polygon of the node is one that the occluder is drawn as.
+/// Whether a part of the occluder is in the node.
 auto parts_in(const Hierarchy& hierarchy, const OccluderSet& occluders) {
   return [&](std::uint32_t node, std::uint32_t occluder) {
     const HierarchyNode& n = hierarchy.nodes()[node];

@@ -15,16 +15,16 @@
 namespace occlude::culler {
 namespace {
 
-/// Occluders whose shadows are made at a viewpoint, as many as a word has bits.
+/// The number of occluders whose shadows are made at a viewpoint: the bits of a word.
 constexpr std::size_t kPool = 64;
-/// Occluders told apart by what they hide: more than any frame uses of one region.
+/// At most this many occluders are found: more than any frame uses of one region.
 constexpr std::size_t kMostTaken = 32;
-/// The least angle, radians, under which a subtree is looked into.
+/// A subtree that is seen under a smaller angle, in radians, is not descended into.
 constexpr double kLeastAngle = 0.05;
 
 using Mask = std::uint64_t;
 
-/// The pool: what looks largest and casts a shadow.
+/// The occluders that look largest and cast a shadow.
 class Pool {
  public:
   Pool(const PotentialOccluders& occluders, const glm::dvec3& eye) : occluders_(occluders), eye_(eye) {}
@@ -42,11 +42,11 @@ class Pool {
   }
 
   [[nodiscard]] std::span<const kernel::ShadowFrustum> frusta() const { return frusta_; }
-  /// The listed occluder that frustum i is of, or is chosen for.
+  /// The listed occluder that frustum i counts for: its own, or a listed part of it.
   [[nodiscard]] std::uint32_t occluder(std::size_t i) const { return named_[i]; }
 
  private:
-  /// The largest that i is a part of and that casts a shadow from here.
+  /// Takes the largest occluder that i is a part of and that casts a shadow from here. Returns whether it is in the pool.
   bool take(std::uint32_t i) {
     const std::uint32_t container = occluders_.container(i);
     if (container != i && take(container)) return true;
@@ -69,13 +69,13 @@ class Pool {
   std::vector<std::uint32_t> taken_, named_, refused_;
 };
 
-/// Polygons that all of some occluders hide, each alone.
+/// How many polygons each of some occluders hides alone.
 struct Hidden {
   Mask by;
   std::uint32_t polygons;
 };
 
-/// One descent with all shadows: which subtree lies in which.
+/// One descent of the tree with all shadows: it finds which subtree lies in which shadow.
 class Descent {
  public:
   Descent(const Hierarchy& hierarchy, std::span<const kernel::ShadowFrustum> frusta, const glm::dvec3& eye)
@@ -86,7 +86,7 @@ class Descent {
   [[nodiscard]] const std::vector<Hidden>& hidden() const { return hidden_; }
 
  private:
-  /// `active` are to be asked, `by` hide the node's parent.
+  /// `active` are the shadows to be tested, `by` those that hide the parent of the node.
   void visit(std::uint32_t index, Mask active, Mask by) {
     const HierarchyNode& node = nodes_[index];
     Mask undecided = 0;

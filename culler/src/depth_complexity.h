@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Criterion 2 of section 4: what occluders really hide, found out from sampled viewpoints.
+// Criterion 2 of section 4: what occluders really hide, measured at sampled viewpoints.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@ struct HiddenBy {
 };
 
 /// Which of the listed occluders, given in ascending order, hide most together as seen from a point, in all directions. They
-/// are taken one by one, each time the one that hides most of what those before it leave, and only that counts for it: a
-/// wall behind a wall hides nothing. A larger occluder that is not listed counts for its listed part. Looks at the occluders
-/// that look largest, and at subtrees of the hierarchy as far as they look large; boxes not decided there count as not
-/// hidden.
+/// are taken one by one. Each time the one is taken that hides most of what is left, and only that counts for it, because a
+/// wall behind a wall hides nothing. A larger occluder that is not listed counts for its listed part. Only the occluders
+/// that look largest are considered. Subtrees that look small are not descended into, and a box that stays undecided there
+/// counts as not hidden.
 [[nodiscard]] std::vector<HiddenBy> best_together(const Hierarchy& hierarchy, const PotentialOccluders& occluders,
                                                   std::span<const std::uint32_t> listed, const glm::dvec3& eye);
 

@@ -17,7 +17,7 @@ class DisjointSets {
   explicit DisjointSets(std::size_t size) { reset(size); }
 
   void reserve(std::size_t size) { parent_.reserve(size); }
-  /// Each element is a set of its own.
+  /// Makes each element a set of its own.
   void reset(std::size_t size) {
     parent_.resize(size);
     std::iota(parent_.begin(), parent_.end(), 0U);
@@ -33,7 +33,7 @@ class DisjointSets {
   /// Joins the sets that roots a and b stand for; a stands for both.
   void join(std::uint32_t a, std::uint32_t b) { parent_[b] = a; }
 
-  /// Calls visit(members) for every set, of the least root first, with its members in ascending order.
+  /// Calls visit(members) for every set, in ascending order of the roots, with its members in ascending order.
   template <class Visit>
   void for_each_set(Visit&& visit) {
     const auto size = static_cast<std::uint32_t>(parent_.size());

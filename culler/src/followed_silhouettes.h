@@ -11,11 +11,11 @@
 
 namespace occlude::culler {
 
-/// So many, whatever the path: for a new one goes one that was not asked for since the last round of the places (the clock
-/// algorithm, Corbato 1968).
+/// Holds a fixed number of silhouettes, whatever the path. A new one replaces one that was not asked for since the hand
+/// passed it last (the clock algorithm, Corbato 1968).
 class FollowedSilhouettes {
  public:
-  /// Makes places for `count` of `shells`, which have so many faces and edges at most. REQUIRES: count > 0 where there are
+  /// Makes places for `count` of `shells`, which have at most this many faces and edges. REQUIRES: count > 0 if there are
   /// shells; the same shells at every call.
   void reserve(std::size_t count, std::size_t shells, std::size_t faces, std::size_t edges) {
     place_.resize(shells, kNone);
@@ -23,7 +23,7 @@ class FollowedSilhouettes {
     while (followed_.size() < count) followed_.emplace_back().seen.reserve(faces, edges);
   }
 
-  /// What was last seen of the shell, or nothing yet.
+  /// What was last seen of the shell; empty at first.
   [[nodiscard]] kernel::PolytopeSilhouette& of(std::uint32_t shell) {
     if (place_[shell] == kNone) {
       place_[shell] = free_place();
@@ -41,7 +41,7 @@ class FollowedSilhouettes {
 
   struct Followed {
     std::uint32_t shell = kNone;
-    bool is_recent = false;  ///< asked for since the hand was here
+    bool is_recent = false;  ///< asked for since the hand was here last
     kernel::PolytopeSilhouette seen;
   };
 
@@ -58,7 +58,7 @@ class FollowedSilhouettes {
   }
 
   std::vector<Followed> followed_;
-  std::vector<std::uint32_t> place_;  ///< of each shell, or kNone
+  std::vector<std::uint32_t> place_;  ///< for each shell, its place, or kNone
   std::size_t hand_ = 0;
 };
 

@@ -15,17 +15,17 @@
 namespace occlude::culler {
 namespace {
 
-/// The same half-space, or one little larger, in numbers that are legal for the kernel: coordinates up to 2^100 have offsets
-/// up to 2^103, and what is left of an offset that cancels may be as small as any number.
+/// The same half-space, or a slightly larger one, in numbers that are legal for the kernel. Coordinates up to 2^100 have
+/// offsets up to 2^103, and what is left of an offset after cancellation may be arbitrarily small.
 HalfSpace legal(const glm::dvec3& normal, double offset) {
   if (std::fabs(offset) > kernel::kMaxMagnitude) return {normal * 0x1p-4, offset * 0x1p-4};
   if (offset != 0 && std::fabs(offset) < kernel::kMinMagnitude) return {normal, kernel::kMinMagnitude};
   return {normal, offset};
 }
 
-/// The half-space beyond `point` along `inward`, moved outward by the margin and by more than its offset is rounded by:
-/// three products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient. The few roundings of a
-/// normal tilt the plane by far less at `depth` than the margin.
+/// The half-space beyond `point` in the direction `inward`. It is moved outwards by the margin and by more than its offset
+/// is rounded by: three products |normal_k| |point_k|, each with at most four roundings and a dropped coefficient. The
+/// roundings of the normal tilt the plane at `depth` by far less than the margin.
 HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double depth) {
   const glm::dvec3 normal = without_negligible(inward / glm::length(inward));
   const double size = std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame makes of its camera, once. Reading order: 12.
+// What a frame computes from its camera once. Reading order: 11.
 #pragma once
 
 #include <span>
@@ -11,23 +11,24 @@
 namespace occlude::culler {
 
 struct FrameView {
-  /// For a model no point of which is farther than `reach` from the eye, in the sum of the axes. REQUIRES: the camera has no
+  /// For a model with no point farther than `reach` from the eye, in the sum of the axes. REQUIRES: the camera has no
   /// fault().
   FrameView(const Camera& of, double reach);
-  /// Of no model.
+  /// For no model.
   FrameView() : FrameView(Camera{}, 0) {}
 
-  /// As append_view_frustum().
+  /// Does what append_view_frustum() does.
   void append_half_spaces(std::vector<HalfSpace>& planes) const;
-  /// Whether the renderer may clip something of the vertices' convex hull at its near plane: then it must not occlude.
+  /// Whether the renderer may clip something of the convex hull of the vertices at its near plane. Such a thing must not
+  /// occlude.
   [[nodiscard]] bool may_clip(std::span<const kernel::Vec3> vertices) const;
 
   Camera camera;
-  double depth;  ///< as given
+  double depth;  ///< the `reach` given
   Camera::Axes axes;
   kernel::Viewpoint viewpoint;
-  double half_height;  ///< of the picture: where it is 1 away along the line of sight, or, of parallel rays, anywhere
-  double near;         ///< so far along it: what is beyond the renderer clips nowhere, whatever it rounds
+  double half_height;  ///< of the picture at a distance of 1 along the line of sight; with parallel rays, anywhere
+  double near;         ///< the renderer clips nothing that is farther along the line of sight, however it rounds
 };
 
 }  // namespace occlude::culler

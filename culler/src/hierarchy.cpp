@@ -47,16 +47,15 @@ bool is_permutation(const std::vector<std::uint32_t>& order, std::size_t size) {
   return order.size() == size;
 }
 
-/// Every split of build() leaves at most 15 in 16 of the extent along an axis to either side. Coordinates that are not equal
-/// differ by 2^-152 at least and by 2^101 at most, so that there are no more than 3 ln 2^253 / ln(16/15) levels of such
-/// splits, and 32 of halves. The traversal takes some hundred bytes of stack for each.
+/// Every split of build() leaves at most 15/16 of the extent along an axis on either side. Coordinates that are not equal
+/// differ by at least 2^-152 and at most 2^101. So there are at most 3 ln 2^253 / ln(16/15) levels of such splits, and 32
+/// levels of halving. The traversal takes some hundred bytes of stack for each level.
 constexpr std::uint32_t kDeepest = 8192;
 
 /// The nodes of a layout over `count` polygons, without their boxes.
 std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, std::uint32_t count) {
   std::vector<Hierarchy::Node> nodes(left.size());
-  /// Subtrees that begin at the next node: their polygons, how deep they lie, and the node whose right child they are, or
-  /// kNoParent.
+  /// A subtree that is still to come: its polygons, its depth, and the node whose right child it is, or kNoParent.
   struct Pending {
     std::uint32_t first, count, depth;
     std::size_t parent;
@@ -84,6 +83,7 @@ std::vector<Hierarchy::Node> nodes_of(const std::vector<std::uint32_t>& left, st
 
 Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
     : soup_(std::make_shared<const PolygonSoup>(reordered(soup, tree.order, checkpoint))),
+      leaf_size_(config.leaf_size),
       order_(std::move(tree.order)),
       nodes_(std::move(tree.nodes)) {
   if (config.bounds == Bounds::obb) fit_oriented_boxes(checkpoint);
@@ -112,8 +112,8 @@ Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, cons
   return Hierarchy(soup, config, std::move(tree), checkpoint);
 }
 
-/// An oriented box costs about twice as many operations as an axis-aligned one; below this share of its surface it is
-/// crossed so much less often that it pays.
+/// An oriented box costs about twice as many operations as an axis-aligned one. If its surface is less than this share of
+/// the other's, a plane crosses it so much less often that it pays.
 constexpr double kWorthwhile = 0.8;
 
 /// Bottom-up: a leaf tries the edges of its largest polygon, an inner node the axes of both its children.

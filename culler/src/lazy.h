@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is made when it is first asked for: who culls by frusta alone pays nothing for what covers need.
+// A value that is made when it is first asked for. Culling by frusta alone then pays nothing for what covers need.
 #pragma once
 
 #include <mutex>
@@ -12,7 +12,7 @@ namespace occlude::culler {
 template <class T>
 class Lazy {
  public:
-  /// Made by make(), once; what that throws comes out, and the next call tries again.
+  /// The value, which make() makes at the first call. If make() throws, so does get(), and the next call tries again.
   template <class Make>
   const T& get(const Make& make) {
     std::call_once(once_, [&] { value_ = make(); });

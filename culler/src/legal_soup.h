@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which models the cullers take, and in which rounding mode.
+// The checks of models and of the rounding mode.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +39,8 @@ inline void require_well_formed(const PolygonSoup& soup) {
   if (soup.first.back() != soup.indices.size()) throw std::invalid_argument("the soup has indices after its last polygon");
 }
 
-/// Throws as both, and std::invalid_argument, with the vertex and the reason, for a coordinate that is not finite or out of
-/// the kernel's legal range.
+/// Throws what the two functions above throw, and std::invalid_argument, with the vertex and the reason, for a coordinate
+/// that is not finite or out of the kernel's legal range.
 inline void require_legal(const PolygonSoup& soup) {
   require_rounding();
   require_well_formed(soup);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers from 0 on for a few of many things, in the order in which they come.
+// Numbers a few of many things from 0 on, in the order in which they come.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace occlude::culler {
 
-/// A hash table that is emptied at no cost and takes the space of what it has held at most at once.
+/// A hash table that is emptied at no cost. Its memory is in proportion to the most things that it has held at once.
 class LocalIndex {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -23,20 +23,20 @@ class LocalIndex {
     }
   }
 
-  /// Takes the space for so many at once.
+  /// Reserves memory for this many things.
   void reserve(std::size_t count) {
     while (slots_.size() < 2 * count) grow();
   }
 
   [[nodiscard]] std::uint32_t size() const { return count_; }
 
-  /// The number of a thing, kNone where it has none.
+  /// The number of a thing; kNone if it has none.
   [[nodiscard]] std::uint32_t find(std::uint32_t thing) const {
     const Slot& slot = slots_[slot_of(thing)];
     return slot.epoch == epoch_ ? slot.number : kNone;
   }
 
-  /// The number of a thing, which is size() before where it is new.
+  /// The number of a thing. A new thing gets the number size().
   std::uint32_t number(std::uint32_t thing) {
     if (2 * std::size_t{count_} >= slots_.size()) grow();
     Slot& slot = slots_[slot_of(thing)];
@@ -49,10 +49,10 @@ class LocalIndex {
     std::uint32_t thing = 0, number = 0, epoch = 0;
   };
 
-  /// Where the thing is, or would be.
+  /// The slot of the thing, or the one that it would take.
   [[nodiscard]] std::size_t slot_of(std::uint32_t thing) const {
-    // Neighbours in the model have near numbers: the golden ratio spreads them (Knuth, The Art of Computer
-    // Programming, 6.4).
+    // Neighbours in the model have close numbers. Multiplication by the golden ratio spreads them (Knuth, The Art of
+    // Computer Programming, 6.4).
     std::size_t at = (thing * 0x9E3779B9U) >> shift_;
     while (slots_[at].epoch == epoch_ && slots_[at].thing != thing) at = (at + 1) & (slots_.size() - 1);
     return at;
@@ -68,7 +68,7 @@ class LocalIndex {
   }
 
   std::vector<Slot> slots_ = std::vector<Slot>(256);
-  int shift_ = 32 - std::countr_zero(256U);  ///< so that what is left of a hash is below slots_.size()
+  int shift_ = 32 - std::countr_zero(256U);  ///< shifts a hash below slots_.size()
   std::uint32_t count_ = 0, epoch_ = 1;
 };
 

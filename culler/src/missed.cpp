@@ -32,7 +32,7 @@ MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const C
 
 namespace {
 
-/// Of the list what looks largest from the eye, in the order of the list.
+/// The occluders of the list that look largest from the eye, at most kMostListed, in the order of the list.
 std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const PotentialOccluders& occluders,
                                       const glm::dvec3& eye) {
   std::vector<std::uint32_t> kept(list.begin(), list.end());
@@ -49,7 +49,7 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 
 }  // namespace
 
-/// Of the region's list what may occlude from here and is not chosen.
+/// Keeps the occluders of the region's list that may occlude from here and are not chosen.
 void MissedReasons::keep_others(const Camera& camera, const CullOptions& options) {
   const FrameView view(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
   std::vector<kernel::Vec3> vertices;
@@ -62,7 +62,7 @@ void MissedReasons::keep_others(const Camera& camera, const CullOptions& options
   }
 }
 
-/// What may still be asked. When it runs out, what is being found out remains unknown.
+/// The work that is left. When it runs out, what is being asked remains unknown.
 class MissedReasons::Work : public PlaneWork {
  public:
   Work(std::size_t most, const Checkpoint& checkpoint) : PlaneWork(most), checkpoint_(checkpoint) {}
@@ -77,7 +77,7 @@ class MissedReasons::Work : public PlaneWork {
   const Checkpoint& checkpoint_;
 };
 
-/// To the shadow less the margin; `partial` where no work is left.
+/// The relation of a box to the shadow less the margin; `partial` if no work is left.
 template <class AnyBox>
 kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box, Work& work) const {
   if (!work.is_left()) return kernel::Relation::partial;
@@ -86,7 +86,8 @@ kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box
   return found.relation;
 }
 
-/// Of the shadows above the node those that meet it. Where one of the others has all of it, the rest of them are not asked.
+/// Of the shadows that meet the parent, those that meet the node. If one of the others holds the whole node, the rest of
+/// them are not tested.
 MissedReasons::Near MissedReasons::narrowed(const Near& above, std::uint32_t node, Work& work) const {
   const auto relation_to = [&](const Shadow& shadow) {
     return hierarchy_.ask(node, [&](const auto& box) { return relation(shadow, box, work); });
@@ -130,7 +131,7 @@ bool MissedReasons::is_out_of_view(std::uint32_t p, Work& work) const {
   });
 }
 
-/// A shadow is convex: it has a polygon when it has its corners. What an occluder is drawn as is drawn.
+/// A shadow is convex: it holds a polygon if it holds its corners. The parts of an occluder are not hidden by it.
 bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) const {
   return !std::ranges::binary_search(occluders_.parts(shadow.occluder), p) &&
          std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
@@ -140,7 +141,7 @@ bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) con
 }
 
 Missed MissedReasons::missed_by_cover(const kernel::Aabb& box, Work& work) const {
-  constexpr std::size_t kPlanes = 100;  // about as much time: a box is placed, and some tiles are looked at
+  constexpr std::size_t kPlanes = 100;  // a box takes about as much time: it is projected, and some tiles are read
   work.take(kPlanes);
   const CoverBuffer::Gap gap = cover_->gap(box);
   if (gap == CoverBuffer::Gap::none) return Missed::coarse_node;
@@ -183,14 +184,14 @@ MissedReasons::Counts& MissedReasons::Counts::operator+=(const Counts& other) {
   return *this;
 }
 
-/// A descent of a part of the tree, which ends when its work does.
+/// A descent of a part of the tree, which ends when its work runs out.
 class MissedReasons::Asking {
  public:
   Asking(const MissedReasons& reasons, const std::vector<bool>& missed, Work& work)
       : reasons_(reasons), missed_(missed), work_(work) {}
 
-  /// Descends, with the shadows that meet the nodes, to those of at most so many polygons and to leaves, but for subtrees
-  /// without a missed polygon.
+  /// Descends to the leaves and to the nodes of at most `polygons` polygons, with the shadows that meet them, and calls
+  /// on_subtree for each. Leaves out subtrees without a missed polygon.
   template <class OnSubtree>
   void descend(const Subtree& above, std::uint32_t polygons, const OnSubtree& on_subtree) {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[above.node];
@@ -227,7 +228,7 @@ MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const
                                            std::size_t most_work) const {
   std::vector<bool> missed = polygons_of(frame_.drawn, hierarchy_.soup().size());
   for (std::size_t p = 0; p < missed.size(); ++p) missed[p] = missed[p] && !shows[p];
-  // Subtrees of a share of the model each, so that all processors have some.
+  // Divides the model into subtrees, so that all processors have some.
   constexpr std::uint32_t kShares = 64;
   const HierarchyNode& root = hierarchy_.nodes()[0];
   std::vector<Subtree> subtrees;
@@ -237,7 +238,8 @@ MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const
   Counts total{.missed = asking.missed_in(root)};
   std::vector<Counts> counts(subtrees.size());
   parallel_for(subtrees.size(), [&](std::size_t i) {
-    // Of half of the work that is left each has the same, for the way down; of the other half its share of what is missed.
+    // Half of the work that is left is divided equally, for the way down. The other half is divided in proportion to the
+    // missed polygons.
     const double even = 1 / static_cast<double>(subtrees.size());
     const double of_missed =
         static_cast<double>(asking.missed_in(hierarchy_.nodes()[subtrees[i].node])) / static_cast<double>(total.missed);

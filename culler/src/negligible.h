@@ -7,8 +7,8 @@
 
 namespace occlude::culler {
 
-/// Components of normals and of the line of sight below this fraction of their length are dropped, so that all stay within
-/// the kernel's legal range: far below what rounding turns them by, which is 2^-53.
+/// Components of normals and of the line of sight that are smaller than this share of their length are dropped, so that all
+/// numbers stay within the kernel's legal range. The share is far below the 2^-53 by which rounding turns the vectors.
 inline constexpr double kNegligible = 0x1p-60;
 
 /// REQUIRES: a length of 1, up to rounding.

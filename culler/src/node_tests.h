@@ -18,8 +18,8 @@
 
 namespace occlude::culler {
 
-/// `Ask` calls a question with the bounding volume of a node; holds_part(node, potential occluder) tells whether one of its
-/// items is what the occluder is drawn as; on_shadow_test(occluder, box) is told every test of a shadow.
+/// `Ask` calls a question with the bounding volume of a node. holds_part(node, potential occluder) says whether a part of
+/// the occluder is in the node. on_shadow_test(occluder, box) is called at every test of a shadow.
 template <class Ask, class HoldsPart, class OnShadowTest>
 class NodeTests {
  public:
@@ -48,7 +48,7 @@ class NodeTests {
     }));
   }
 
-  /// A probe hides nothing: it may be roughly right, and is asked neither for a margin nor for its own pieces.
+  /// A probe hides nothing, so its answer may be approximate: neither the margin nor its own parts are considered.
   kernel::Relation probe(std::uint32_t probe, std::uint32_t node) const {
     return ask_(node, [&](const auto& box) {
       return decide_cull(probes_[probe].frustum, box, {.arithmetic = options_.arithmetic}, ShadowMargin()).relation;
@@ -82,11 +82,12 @@ class NodeTests {
   CullResult& frame_;
 };
 
-/// The descent of a frame whose half-spaces and occluders are known.
+/// One descent of the tree, for a frame whose half-spaces and occluders are known.
 template <class Ask, class HoldsPart, class OnShadowTest>
 void traverse(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
               const OnShadowTest& on_shadow_test, const CullOptions& options, View::Memory& memory) {
-  // Room on the stacks for as many as a frame may have, and as deep as trees are: of ten million polygons some 40 levels.
+  // Memory for the stacks: all planes, occluders and probes that a frame may have, at each level of the deepest trees. The
+  // tree of ten million polygons has some 40 levels.
   constexpr std::size_t kLevels = 64;
   const std::size_t most = memory.result.occluders.capacity() + memory.probes.capacity();
   memory.active.reserve(kLevels * (memory.result.view.size() + most));

@@ -11,11 +11,12 @@
 namespace occlude::culler {
 namespace {
 
-/// How much the cost of the moving part may grow, from the least since it was built, before it is built anew. A descent
-/// visits nodes in proportion to it, so that with 2 a loose tree never costs more on top than a fresh one costs in all;
-/// and objects that only drift apart have their tree built once each time its surfaces double. From the least, not the
-/// first: objects that began scattered, met and scatter otherwise would pass unnoticed. In model units, not as a share of
-/// the root: objects that all began at one place have a tree without any order, which is bad only once they have left it.
+/// The tree of the dynamic objects is rebuilt when its cost exceeds its least cost since the last rebuild by this factor. A
+/// descent visits nodes in proportion to the cost. So with 2 a loose tree never adds more than what a fresh one costs in
+/// all, and the tree of objects that only drift apart is rebuilt each time its surfaces double. The least cost counts, not
+/// the first: else objects that begin scattered, meet and scatter in another way would pass unnoticed. The cost is in model
+/// units, not a share of the root: objects that all begin at one place have a tree without any order, which is bad only once
+/// they have left it.
 constexpr double kLoose = 2;
 
 void require_legal(const Box& box, const char* kind, std::size_t id) {

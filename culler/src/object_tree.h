@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The objects of a scene in one tree: what stays below one child of the root, what moves below the other.
+// The objects of a scene in one tree: static ones below one child of the root, dynamic ones below the other.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 
 namespace occlude::culler {
 
-/// An object is item i: static ones first, in the order given, then the dynamic ones. Each has a leaf of its own, which is
-/// asked about the object's box; inner nodes are axis-aligned boxes that hold the boxes below them exactly. So an object is
-/// culled if, and only if, its own box is to be culled, whatever the tree.
+/// Items are the objects: first the static ones in the order given, then the dynamic ones. Each has a leaf of its own, whose
+/// bounding volume is the object's box. Inner nodes are axis-aligned boxes that hold the boxes below them exactly. So an
+/// object is culled if and only if its own box is to be culled, whatever the tree.
 class ObjectTree {
  public:
   /// Throws std::invalid_argument, with the object and the reason, for a box with a refusal_of().
@@ -26,9 +26,10 @@ class ObjectTree {
   [[nodiscard]] std::size_t statics() const { return statics_; }
   [[nodiscard]] std::size_t dynamics() const { return next_.size(); }
 
-  /// From the next update() on. Throws std::invalid_argument as the constructor does, and where there is no such object.
+  /// Takes effect at the next update(). Throws std::invalid_argument as the constructor does, and if there is no such
+  /// object.
   void set_bounds(std::size_t dynamic, const Box& box);
-  /// Takes the boxes that were set. Refits what moves, or builds it anew where it has become loose.
+  /// Applies the boxes that were set. Refits the tree of the dynamic objects, or rebuilds it if it has become loose.
   void update();
 
   /// Empty without objects.
@@ -50,11 +51,11 @@ class ObjectTree {
 
   std::size_t statics_;
   std::vector<Box> boxes_;           ///< of the items
-  std::vector<kernel::Aabb> outer_;  ///< around them
+  std::vector<kernel::Aabb> outer_;  ///< axis-aligned boxes around them
   std::vector<Box> next_;            ///< of the dynamic ones, from the next update on
-  BoxTree tree_;                     ///< of both
-  std::size_t first_moving_ = 0;     ///< node: from here on they belong to what moves
-  double least_cost_ = 0;            ///< of what moves, since it was built
+  BoxTree tree_;                     ///< of all items
+  std::size_t first_moving_ = 0;     ///< the first node of the dynamic objects
+  double least_cost_ = 0;            ///< of the dynamic objects' tree since it was built
 };
 
 }  // namespace occlude::culler

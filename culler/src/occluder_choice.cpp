@@ -13,36 +13,37 @@
 namespace occlude::culler {
 namespace {
 
-/// Whether the ball about an occluder is beyond one of the half-spaces. A heuristic question: rounding may answer it either
-/// way.
+/// Whether the ball around an occluder is beyond one of the half-spaces. This is a heuristic: rounding may give either
+/// answer.
 bool out_of_view(const PotentialOccluder& occluder, std::span<const HalfSpace> view) {
   return std::ranges::any_of(
       view, [&](const HalfSpace& h) { return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius; });
 }
 
-/// A score is the product of at most three such powers: it stays finite, and can be sorted, whatever the weights.
+/// A score is the product of at most three such powers. The limit keeps it finite, so that it can be sorted whatever the
+/// weights.
 constexpr double kMostPower = 1e100;
 
 double weighted(double criterion, double weight) {
   if (weight == 0) return 1;
-  return weight == 1 ? criterion : std::fmin(std::pow(criterion, weight), kMostPower);  // which is what no number becomes
+  return weight == 1 ? criterion : std::fmin(std::pow(criterion, weight), kMostPower);  // NaN becomes that too
 }
 
-/// Frusta go from one occluder to another, and would grow again and again until each of them has been the largest. Nearly
-/// all have no more planes, those of the profile included.
+/// Frusta are reused by other occluders, and would grow again and again until each of them has been the largest. Nearly all
+/// have at most this many planes, those of the profile included.
 constexpr std::size_t kPlanes = 64;
 
-/// A polygon is a part of a joined region, and that of a shell: with each candidate as many may be tried.
+/// A polygon may be a part of a joined region, and the region of a shell, so each candidate may lead to this many tries.
 constexpr std::size_t kTries = 3;
 
-/// Probes are chosen of so many that were not tried lately.
+/// Probes are chosen from at most this many candidates that were not tried lately.
 constexpr std::size_t kPool = 64;
-/// Cosine of the angle within which occluders are near each other, and how much the best of all occluders raises the score
-/// of what is near it. Of 0, 3 and 10, and of the cosines 0.95 and 0.8, these two cull most on the paths through the city,
-/// Utrecht, the castle and Sponza together.
+/// Occluders are near each other within the angle that has this cosine. The best of all occluders raises the score of what
+/// is near it by this factor. Of the factors 0, 3 and 10 and the cosines 0.95 and 0.8, these two cull most on the paths
+/// through the city, Utrecht, the castle and Sponza together.
 constexpr double kNear = 0.8, kNeighbour = 10;
 
-/// Whether the silhouettes meet in two corners: between occluders that share an edge nothing shows.
+/// Whether the silhouettes share two corners. Nothing shows between occluders that share an edge.
 bool share_an_edge(const kernel::ShadowFrustum& a, const kernel::ShadowFrustum& b) {
   return std::ranges::count_if(a.silhouette(), [&](const kernel::Vec3& v) {
            return std::ranges::find(b.silhouette(), v) != b.silhouette().end();
@@ -142,7 +143,8 @@ void OccluderChoice::take_probes() {
   }
 }
 
-/// The most that an occluder of this frame near this one in the picture hid lately, as a share of what any of them did.
+/// What the occluders of this frame that are near this one in the picture hid lately: the most of any, as a share of the
+/// most that any occluder of the frame hid.
 double OccluderChoice::goodness_near(std::uint32_t i) const {
   const glm::dvec3 direction = direction_of(i);
   double near = 0, most = 1;
@@ -154,7 +156,7 @@ double OccluderChoice::goodness_near(std::uint32_t i) const {
   return near / most;
 }
 
-/// From the eye to the middle of an occluder.
+/// The direction from the eye to the middle of an occluder.
 glm::dvec3 OccluderChoice::direction_of(std::uint32_t i) const {
   const glm::dvec3 v = occluders_[i].centre - view_.camera.eye;
   const double length = glm::length(v);
@@ -163,8 +165,8 @@ glm::dvec3 OccluderChoice::direction_of(std::uint32_t i) const {
 
 bool OccluderChoice::is_full() const { return memory_.result.occluders.size() >= options_.occluders || !work_.is_left(); }
 
-/// Whether the occluder, or a larger one that it is a part of, is chosen from now on, or a probe. Parts are for where
-/// their whole cannot be used.
+/// Takes the occluder, or a larger one that it is a part of, as an occluder of the frame or as a probe. Returns whether one
+/// of them is taken. A part is used only where its whole cannot be.
 bool OccluderChoice::take(std::uint32_t i) {
   const std::uint32_t container = occluders_.container(i);
   if (container != i && take(container)) return true;
@@ -198,7 +200,7 @@ bool OccluderChoice::add(std::uint32_t i) {
   const kernel::Refusal refusal =
       is_shell ? add_shell(i, spare.back()) : spare.back().assign(view_.viewpoint, memory_.loop, options_.near);
   if (refusal != kernel::Refusal::none) {
-    work_.take(PlaneWork::kExact);  // such a viewpoint is where signs are zero
+    work_.take(PlaneWork::kExact);  // the kernel refuses where signs are zero, which takes the exact stage
     return false;
   }
   (are_probes_ ? memory_.probes : memory_.result.occluders).push_back({i, std::move(spare.back()), 0});

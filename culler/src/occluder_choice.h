@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The choice of section 4.2: the list of the eye's region, narrowed to the view frustum, sorted by the objective, the best
-// n_occ. Reading order: 11.
+// The choice of section 4.2: the list of the eye's region is narrowed to the view frustum and sorted by the objective, and
+// the best n_occ are taken. Reading order: 12.
 #pragma once
 
 #include <cstddef>
@@ -15,35 +15,36 @@
 
 namespace occlude::culler {
 
-/// The work that choosing may take, for each occluder that a frame may use: PlaneWork, to which each corner of a candidate
-/// counts as a plane, and a candidate that the kernel refuses as an answer of the exact stage. Without a bound one wall that
-/// hides all other candidates has every one of them asked. For each occluder that is half a millisecond or so, and more
-/// than four times what the models tried take at most: 14,100, with 64 occluders a frame.
+/// The work that choosing may take for each occluder that a frame may use, in units of PlaneWork. A corner of a candidate
+/// counts as a plane, and a candidate that the kernel refuses as an answer of the exact stage. Without a bound, one wall
+/// that hides all other candidates would have every one of them tested. The bound is about half a millisecond for each
+/// occluder, and more than four times the most that the models tried take: 14,100, with 64 occluders a frame.
 inline constexpr std::size_t kChoiceWorkOfEach = std::size_t{1} << 16U;
 
-/// The steps of a choice, for a frame whose half-spaces are known; cull_frame.h has their order. Fills
-/// memory.result.occluders and memory.pairs, best first, and memory.probes. Left out are occluders that the kernel refuses
-/// from this viewpoint, those that reach before the renderer's near plane (what is clipped away must not occlude), and those
-/// that lie in the shadow of a better one: their shadow is part of its shadow. Once the work is spent no more are taken.
+/// The steps of a choice, for a frame whose half-spaces are known. cull_frame.h has their order. They fill
+/// memory.result.occluders and memory.result.pairs, best first, and memory.probes. Three kinds of occluders are left out:
+/// those that the kernel refuses from this viewpoint, those that reach before the renderer's near plane (what is clipped
+/// away must not occlude), and those in the shadow of a better one, because their shadow is a subset of its shadow. Once the
+/// work is spent no more are taken.
 class OccluderChoice {
  public:
-  /// Makes room for all that a choice by these options may take, so that none after the first has to.
+  /// Reserves memory for all that a choice by these options may take, so that no choice after the first allocates.
   OccluderChoice(const OccluderSet& occluders, const FrameView& view, const CullOptions& options, View::Memory& memory);
   ~OccluderChoice();
   OccluderChoice(const OccluderChoice&) = delete;
   OccluderChoice& operator=(const OccluderChoice&) = delete;
 
-  /// The region's list, narrowed to the view frustum, by the criteria that do not depend on earlier frames.
+  /// Sorts what the region lists and is in view by the criteria that do not depend on earlier frames.
   void sort_candidates();
-  /// What hid something lately and is in view, whatever the region lists.
+  /// Takes what hid something lately and is in view, whether or not the region lists it.
   void take_proven();
-  /// Candidates that were not tried in the last frames, best first, while there is room.
+  /// Takes candidates that were not tried in the last frames, best first, while there is room.
   void take_untried();
-  /// The rest of them.
+  /// Takes the other candidates, best first.
   void take_best();
-  /// The best of what was not tried lately; those near a good occluder in the picture come first.
+  /// Takes the best candidates that were not tried lately as probes, first those near a good occluder in the picture.
   void take_probes();
-  /// Those that share an edge. Pairs among the best occluders come before pairs with the next.
+  /// Pairs the occluders that share an edge. Pairs among the best occluders come before pairs with the next.
   void pair_neighbours();
 
  private:
@@ -62,7 +63,7 @@ class OccluderChoice {
   const CullOptions& options_;
   View::Memory& memory_;
   PlaneWork work_;
-  bool are_probes_ = false;  ///< whether what is taken only probes
+  bool are_probes_ = false;  ///< whether what is taken is a probe
 };
 
 }  // namespace occlude::culler

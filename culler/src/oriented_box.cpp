@@ -17,17 +17,17 @@ namespace {
 
 constexpr BoxAxes kCoordinateAxes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
 
-/// Components below this are dropped: with the smallest half edges they would leave the kernel's legal range, and the box
-/// is widened by more than they tilt it.
+/// Components of axes below this are dropped, because with the smallest half edges they would leave the kernel's legal
+/// range. The box is widened by more than that tilts it.
 constexpr double kNegligible = 0x1p-52;
 
-/// Along the edge from `from` to `to` as far as it lies in the plane with this normal, across it, and the normal; the
-/// coordinate axes where there is no such edge or plane.
+/// The axes along the edge from `from` to `to`, as far as it lies in the plane with this normal; across it in the plane; and
+/// along the normal. They are the coordinate axes if there is no such edge or plane.
 BoxAxes axes_along(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& normal) {
   const double length = glm::length(normal);
   if (!(length > 0)) return kCoordinateAxes;
   const glm::dvec3 n = normal / length, edge = to - from, along = edge - glm::dot(edge, n) * n;
-  // An edge more across the plane than in it says nothing about the plane.
+  // An edge that points more out of the plane than along it says nothing about the plane.
   if (!(2 * glm::dot(along, along) > glm::dot(edge, edge))) return kCoordinateAxes;
   BoxAxes axes{glm::normalize(along), glm::normalize(glm::cross(n, along)), n};
   for (glm::dvec3& axis : axes) {
@@ -50,7 +50,7 @@ std::size_t largest_polygon(const PolygonSoup& soup, const PolygonRange& polygon
   return largest;
 }
 
-/// Of all loops, one after another.
+/// The vertices of all loops, one loop after another.
 std::span<const std::uint32_t> vertices_of(const PolygonSoup& soup, const PolygonRange& polygons) {
   const std::uint32_t begin = soup.first[polygons.first], end = soup.first[polygons.first + polygons.count];
   return std::span(soup.indices).subspan(begin, end - begin);
@@ -78,7 +78,8 @@ Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& 
 }
 
 Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
-  // A triangle's edges are the diagonal of a wall and its two sides; further edges of many repeat the first.
+  // The edges of a triangle are the diagonal of a wall and two of its sides. Of many edges, later ones repeat the directions
+  // of the first.
   constexpr std::size_t kMostEdges = 8;
   const std::size_t largest = largest_polygon(soup, polygons);
   const auto loop = soup.loop(largest);
@@ -95,12 +96,12 @@ Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
 std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup, const PolygonRange& polygons) {
   const glm::dvec3 middle = fit.low / 2.0 + fit.high / 2.0, half = fit.high / 2.0 - fit.low / 2.0;
   kernel::Obb box{to_kernel(middle.x * fit.axes[0] + middle.y * fit.axes[1] + middle.z * fit.axes[2]), {}};
-  // Heights along the axes, and the centre made from them, are off by a few roundings of the largest coordinate, axes that
-  // are not quite orthogonal tilt the faces by a few of the extent: 2^-50 of both together is about that. A flat box stays
-  // thick enough to have a volume, and its numbers legal.
+  // Extents along the axes, and the centre made from them, are off by a few roundings of the largest coordinate. Axes that
+  // are not quite orthogonal tilt the faces by a few roundings of the extent. 2^-50 of the largest coordinate is about both
+  // together. The least slack keeps a flat box thick enough to have a volume, and its numbers legal.
   const double size = std::max({std::fabs(fit.low.x), std::fabs(fit.low.y), std::fabs(fit.low.z), std::fabs(fit.high.x),
                                 std::fabs(fit.high.y), std::fabs(fit.high.z)});
-  constexpr int kMostTries = 6;  // to 2^-40, far below what single precision shows (2^-24)
+  constexpr int kMostTries = 6;  // up to a slack of 2^-40, far below single precision (2^-24)
   double slack = std::max(0x1p-50 * size, 4 * kernel::kMinMagnitude);
   for (int i = 0; i < kMostTries; ++i, slack *= 4) {
     for (int k = 0; k < 3; ++k) {

@@ -25,12 +25,12 @@ struct Fit {
 /// The smallest box along these axes, up to rounding.
 [[nodiscard]] Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons);
 
-/// The smallest of the boxes along an edge of the largest of the polygons and along its normal: what is built stands along
-/// its walls.
+/// The smallest of the boxes along the coordinate axes, and along an edge and the normal of the largest polygon, because
+/// what is built stands along its walls.
 [[nodiscard]] Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons);
 
-/// The oriented box of the fit, widened until it holds every vertex of the polygons exactly; none where that takes too much,
-/// or numbers beyond the kernel's legal range.
+/// The oriented box of the fit, widened until it holds every vertex of the polygons exactly. None if that takes too many
+/// tries, or numbers beyond the kernel's legal range.
 [[nodiscard]] std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup,
                                                        const PolygonRange& polygons);
 

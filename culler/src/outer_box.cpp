@@ -7,8 +7,8 @@
 namespace occlude::culler {
 namespace {
 
-/// Not below the exact number that `x` was rounded from: the double nearest to that number is x, so it is less than the next
-/// one up. Nothing overflows: a box's numbers are at most 2^100.
+/// A double that is not below the exact number that `x` was rounded from. x is the double nearest to that number, so the
+/// number is less than the next double up. Nothing overflows, because the numbers of a box are at most 2^100.
 double up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 double down(double x) { return -up(-x); }
 
@@ -21,7 +21,7 @@ double legal_above(double x) { return -legal_below(-x); }
 
 kernel::Aabb around(const kernel::Aabb& box) { return box; }
 
-/// On an axis an oriented box reaches from its centre as far as its half edges together; every sum is rounded outward.
+/// On each axis, an oriented box reaches as far from its centre as its half edges together. Every sum is rounded outwards.
 kernel::Aabb around(const kernel::Obb& box) {
   kernel::Aabb result;
   for (int axis = 0; axis < 3; ++axis) {

@@ -11,10 +11,11 @@
 
 namespace occlude::culler {
 
-/// As std::stable_sort, for any number of processors: pieces are sorted, and merged two by two.
+/// Sorts as std::stable_sort does, with the same result for any number of processors: pieces are sorted, and then merged two
+/// by two.
 template <class T, class Less = std::less<>>
 void parallel_sort(std::vector<T>& values, const Checkpoint& checkpoint, Less less = {}) {
-  constexpr std::size_t kPiece = std::size_t{1} << 16U;  // some milliseconds
+  constexpr std::size_t kPiece = std::size_t{1} << 16U;  // takes some milliseconds
   const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(std::min(i, values.size())); };
   const auto for_each_piece = [&](std::size_t length, auto&& work) {
     const auto one = [&](std::size_t i) { work(i * length); };

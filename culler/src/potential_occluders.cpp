@@ -12,7 +12,7 @@
 namespace occlude::culler {
 namespace {
 
-/// Centre and radius about some vertices.
+/// The centre and the radius of a ball around some vertices.
 PotentialOccluder ball(const PolygonSoup& soup, std::span<const std::uint32_t> vertices) {
   const glm::dvec3 base = soup.vertices[vertices[0]];
   glm::dvec3 sum{0, 0, 0};
@@ -66,7 +66,7 @@ PotentialOccluders PotentialOccluders::find(std::shared_ptr<const PolygonSoup> s
   const std::vector<bool> is_repeated = find_repeated(soup, weld, checkpoint);
   const auto is_left_out = [&](std::uint32_t i) {
     if (regions.loop(i).size() > ConvexRegions::kMostSides) return true;
-    // A part of something larger stands for that in a list.
+    // A repeated polygon that is a part of something larger stays, because it stands for that in a list.
     return i < soup.size() && is_repeated[i] && result.container(i) == i;
   };
   result.known_.resize(regions.size() + result.shells_.size());

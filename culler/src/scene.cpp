@@ -23,7 +23,7 @@ std::shared_ptr<const PolygonSoup> checked(PolygonSoup&& soup) {
   return std::make_shared<const PolygonSoup>(std::move(soup));
 }
 
-/// Around the static objects and the occluders, which is about where cameras are; the origin where there are none.
+/// The box around the static objects and the occluders, which is about where cameras are; the origin if there are none.
 kernel::Aabb extent(std::span<const Box> statics, const PolygonSoup& soup) {
   if (statics.empty() && soup.empty()) return {};
   kernel::Aabb box = empty_box();
@@ -42,7 +42,7 @@ OccluderSet set_of(const std::shared_ptr<const PolygonSoup>& soup, std::span<con
   return OccluderSet::build(soup, space, config.occluders, config.lists, checkpoint);
 }
 
-/// Runs of items to ids.
+/// Turns ranges of drawn items into the ids of objects.
 void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn, SceneResult& result) {
   result.statics.clear();
   result.dynamics.clear();
@@ -61,14 +61,14 @@ void list_objects(const ObjectTree& objects, std::span<const PolygonRange> drawn
 
 }  // namespace
 
-/// A tree of the occluders, none of no occluders, and their triangles.
+/// A tree of the occluders, if there are any, and their triangles.
 struct OccluderTree {
   std::optional<Hierarchy> tree;
   CoverTriangles triangles;
 
   OccluderTree(const PolygonSoup& soup, const Checkpoint& checkpoint) {
     if (soup.empty()) return;
-    constexpr std::uint32_t kLeaf = 4;  // as models are culled best
+    constexpr std::uint32_t kLeaf = 4;  // models are culled best with this size
     tree = Hierarchy::build(soup, {.leaf_size = kLeaf}, checkpoint);
     triangles = CoverTriangles::find(tree->soup(), tree->nodes(), checkpoint);
   }
@@ -92,7 +92,8 @@ const SceneResult& Scene::cull(const Camera& camera, const CullOptions& options,
   require_sound(camera);
   View::Memory& memory = view.view_.memory_for(identity_);
   const auto ask = [&](std::uint32_t node, auto&& question) { return objects_->ask(node, question); };
-  // An object is no part of an occluder: one that holds what an occluder stands for reaches its near plane.
+  // No object is a part of an occluder. A box that contains what an occluder stands for reaches its near plane, so it is not
+  // culled.
   const auto holds_no_part = [](std::uint32_t, std::uint32_t) { return false; };
   if (options.method == Method::cover) {
     const OccluderTree& occluders = cover_->get([&] { return OccluderTree(occluders_.soup(), {}); });

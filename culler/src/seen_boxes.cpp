@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for every instruction set, chosen at run time.
+// Compiled once for each instruction set. The best one is chosen at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "seen_boxes.cpp"
 #include <hwy/foreach_target.h>
-// foreach_target.h goes first.
+// foreach_target.h must come first.
 #include <hwy/highway.h>
 
 #include "seen_boxes.h"
@@ -15,26 +15,27 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A box in each lane. All lanes round alike, whatever their number: nothing is fused.
+/// One box per lane. Nothing is fused, so the results do not depend on the number of lanes.
 using FloatTag = hn::CappedTag<float, SeenBoxes::kMost>;
 using IntegerTag = hn::RebindToSigned<FloatTag>;
 using Lanes = hn::Vec<FloatTag>;
 
 constexpr FloatTag kD;
 
-// With u = 2^-24. A coordinate relative to the eye rounds by u of it, that of an axis by u, their product by u, and the sum
-// of three twice: 5 u of m, the sum of the coordinates, with axes of length 1. What is second order fits into one more.
+// With u = 2^-24. A coordinate relative to the eye rounds by u of it, a coordinate of an axis by u, their product by u, and
+// the sum of three products twice. With axes of length 1 that is 5 u of the sum of the coordinates. One more u is for
+// second-order terms.
 constexpr float kSeenError = 6 * 0x1p-24F;
-// A quotient rounds twice, the scale, its product and the sum once: 5 u of a place. Taking the bound away, and what is wider
-// than it, and adding 1 to find the pixel round by 3 u of the sum of the three: the bound is below kMostError, and of it
-// kBoundRounded takes account. 16 u in all.
+// A quotient rounds twice; the scale, its product and the sum round once each: 5 u of a position. Subtracting the bound and
+// the margin, and adding 1 to find the pixel, round by 3 u of the sum of position, bound and margin. The bound is below
+// kMostError, and kBoundRounded accounts for its share. That is 8 u; the constant is 16 u.
 constexpr float kPlaceError = 0x1p-20F;
-// Ten roundings of a bound, and of a sum of lengths.
+// More than ten roundings of a bound, and of a sum of lengths.
 constexpr float kBoundRounded = 1 + 0x1p-20F;
-// A box that is out by more, pixels, is as good as nowhere.
+// A box with a larger error, in pixels, is treated as one of unknown position.
 constexpr float kMostError = 0x1p20F;
 
-/// Of the corners of a box, least and most.
+/// The least and the largest value over the corners of a box.
 struct Range {
   Lanes low, high;
 
@@ -44,7 +45,7 @@ struct Range {
   }
 };
 
-/// Coordinates of eight corners along an axis of the picture.
+/// The coordinates of the eight corners along an axis of the picture.
 struct Corners {
   HWY_INLINE Corners(const std::array<float, 3>& axis, const Lanes* low, const Lanes* high) {
     const Lanes x = hn::Set(kD, axis[0]), y = hn::Set(kD, axis[1]), z = hn::Set(kD, axis[2]);
@@ -61,7 +62,7 @@ struct Corners {
 
 HWY_INLINE Lanes larger_than(Lanes x, float share) { return hn::Add(x, hn::Mul(hn::Abs(x), hn::Set(kD, share))); }
 
-/// As pixel_at().
+/// Does what pixel_at() does.
 HWY_INLINE hn::Vec<IntegerTag> pixel(Lanes x, float count) {
   const Lanes one = hn::Set(kD, 1.0F);
   const Lanes within = hn::Min(hn::Max(x, hn::Set(kD, -1.0F)), hn::Set(kD, count));
@@ -98,7 +99,7 @@ HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) 
   x = {hn::Mul(x.low, scale_x), hn::Mul(x.high, scale_x)};
   y = {hn::Mul(y.low, scale_y), hn::Mul(y.high, scale_y)};
 
-  // As BeamPicture::place_error(): what is nearer, and what is farther aside, is out by more.
+  // As BeamPicture::place_error(): the error is larger for what is nearer and for what is farther aside.
   const Lanes moved =
       hn::Mul(hn::Add(hn::Mul(sum, hn::Set(kD, kSeenError)), hn::Set(kD, p.moved)), hn::Set(kD, kBoundRounded));
   const Lanes least = hn::Sub(nearest, moved);
@@ -123,7 +124,7 @@ HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) 
   hn::StoreU(hn::Add(pixel(hn::Add(high_x, wider), p.width), next), di, &boxes.x1[i]);
   hn::StoreU(hn::Add(pixel(hn::Add(high_y, wider), p.height), next), di, &boxes.y1[i]);
 
-  // False of what is no number.
+  // False if one of them is NaN.
   const auto is_known = hn::And(hn::Gt(least, hn::Set(kD, p.near)), hn::Lt(error, hn::Set(kD, kMostError)));
   const Lanes nearness = is_perspective ? hn::Div(one, least) : hn::Neg(least);
   hn::StoreU(hn::IfThenElse(is_known, larger_than(nearness, 0x1p-21F), infinity), kD, &boxes.most[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes in the coarse picture, several at once: where they may reach, and how near.
+// Several boxes at once in the coarse picture: where they may reach, and how near.
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@ namespace occlude::culler {
 class BoxPicture {
  public:
   BoxPicture() = default;
-  /// `margin`: so many pixels around each box belong to it; infinity where nothing may be hidden.
+  /// `margin` is the number of pixels around each box that belong to it; infinity if nothing may be hidden.
   BoxPicture(const BeamPicture& picture, double margin);
 
   glm::dvec3 eye{};
   bool is_perspective = true;
   std::array<float, 3> right{}, up{}, forward{};
-  float middle_x = 0, middle_y = 0, scale_x = 0, scale_y = 0;  ///< of places, as in BeamPicture
+  float middle_x = 0, middle_y = 0, scale_x = 0, scale_y = 0;  ///< as in BeamPicture
   float width = 0, height = 0;
-  float near = 0;   ///< no less than the picture's
-  float moved = 0;  ///< no coordinate that is exact as seen is out by more, by a renderer
+  float near = 0;   ///< not less than the picture's
+  float moved = 0;  ///< not less than the picture's error() and rounding() together
   float wider = 0;  ///< the margin
 };
 
-/// Eight boxes at most, and what is known of them in a picture. A value for each.
+/// At most eight boxes, and what is known of them in a picture. Each array has a value for each box.
 struct SeenBoxes {
   static constexpr std::size_t kMost = 8;
   using Floats = std::array<float, kMost>;
@@ -42,17 +42,18 @@ struct SeenBoxes {
     }
     ++size;
   }
-  /// Finds what follows.
+  /// Computes the members below that follow `low` and `high`.
   void see(const BoxPicture& picture);
 
   std::size_t size = 0;
   alignas(32) std::array<Floats, 3> low{}, high{};  ///< relative to the eye, rounded to nearest
 
-  Floats low_x, low_y, high_x, high_y;  ///< places between which all of it lies, as what it is out by
-  Integers x0, y0, x1, y1;              ///< pixels that it touches, with what is around it: as BeamPicture::pixels()
-  /// Nothing of it is nearer. Infinity where that is not known, nor where it is: before the near plane, for one.
+  Floats low_x, low_y, high_x, high_y;  ///< the positions between which the whole box lies, with its error
+  Integers x0, y0, x1, y1;              ///< the pixels that it touches, with the margin, as BeamPicture::pixels()
+  /// No point of the box is nearer. Infinity if that or the position of the box is unknown, for example of one that
+  /// reaches before the near plane.
   Floats most;
-  Floats distance;  ///< front to back: a heuristic
+  Floats distance;  ///< orders boxes from front to back; a heuristic
 };
 
 }  // namespace occlude::culler

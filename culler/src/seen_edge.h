@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An edge in the coarse picture, as wide as its ends are out.
+// An edge in the coarse picture, widened by the errors of its ends.
 #pragma once
 
 #include <algorithm>
@@ -29,16 +29,16 @@ class SeenEdge {
         error_(std::max(p.error, q.error)),
         rise_(high_.y - low_.y),
         slope_((high_.x - low_.x) / rise_),  // not used without a rise
-        // A place on the edge rounds ten times more.
+        // Computing a position on the edge rounds ten more times.
         wide_(error_ + 0x1p-49 * (std::fabs(low_.x) + std::fabs(high_.x))),
         whole_{std::min(low_.x, high_.x) - wide_, std::max(low_.x, high_.x) + wide_} {}
 
   [[nodiscard]] double error() const { return error_; }
-  /// By which a place on it is out across.
+  /// Bounds the horizontal error of a position on the edge.
   [[nodiscard]] double wide() const { return wide_; }
 
-  /// From where to where it reaches across between two heights, or as near them as its ends are out. None where it does not
-  /// come near them.
+  /// The horizontal range of the edge between two heights, or as near to them as the errors of its ends. Empty if the edge
+  /// does not come that near.
   [[nodiscard]] Range between(double low, double high) const {
     const double from = low - error_ - low_.y, to = high + error_ - low_.y;
     if (to < 0 || from > rise_) return {};
@@ -47,8 +47,8 @@ class SeenEdge {
     return {std::min(first, last) - wide_, std::max(first, last) + wide_};
   }
 
-  /// The part of it, from its low to its high end, beyond which nothing comes as near the window as its ends are out; none
-  /// where nothing does. It ends a few pixels from the window at most.
+  /// A piece of the edge, from its low to its high end. No other piece comes as near to the window as the errors of the
+  /// ends. None if the whole edge does not come that near. The piece ends at most a few pixels from the window.
   [[nodiscard]] std::optional<PlaceRectangle> within(const PlaceRectangle& window) const {
     if (!(wide_ < kMostWide)) return PlaceRectangle{window.low, {window.low.x, window.high.y}};
     const double from = std::max(window.low.y - error_ - low_.y, 0.0), to = std::min(window.high.y + error_ - low_.y, rise_);
@@ -68,9 +68,9 @@ class SeenEdge {
   }
 
  private:
-  /// Farther from the picture a part of an edge need not be cut off. More than rounding has it out by.
+  /// A piece of an edge may reach this many pixels beyond the window. That is more than its rounding errors.
   static constexpr double kBeyond = 2;
-  /// What is out by more pixels may be anywhere.
+  /// An edge with a larger error, in pixels, may be anywhere.
   static constexpr double kMostWide = 0x1p20;
 
   Place low_{}, high_{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How near the plane of a triangle is, at least, along the rays of a coarse picture.
+// A lower bound of the nearness of a triangle's plane along the rays of a coarse picture.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace occlude::culler {
 
-/// The plane n . x = h of a triangle, and by how much it may be out.
+/// The plane n . x = h of a triangle, and bounds of its errors.
 class SeenPlane {
  public:
-  /// Corners as the picture sees them. `reach`: no ray of the picture has a larger |x| + |y| in (x, y, 1), nor, of parallel
-  /// ones, starts farther from the eye in the sum of the axes.
+  /// Takes the corners as the picture sees them. `reach` bounds |x| + |y| of the rays (x, y, 1) of the picture. With
+  /// parallel rays, it bounds how far from the eye they start, in the sum of the axes.
   SeenPlane(const BeamPicture& picture, double reach, const Seen& a, const Seen& b, const Seen& c) {
     const double error = picture.error(), rounding = picture.rounding();
     const glm::dvec3 p{b.right - a.right, b.up - a.up, b.forward - a.forward};
@@ -24,14 +24,15 @@ class SeenPlane {
     for (int axis = 0; axis < 3; ++axis) length = std::max({length, std::fabs(p[axis]), std::fabs(q[axis])});
     glm::dvec3 n = glm::cross(p, q);
     double h = n.x * a.right + n.y * a.up + n.z * a.forward;
-    // Edges are out by 2 e and a rounding, u = 2^-53; a component of the normal by four products of that with an edge, and
-    // three roundings of two products of edges: 8 e l + 10 u l^2. Twice that makes room for the roundings of what follows.
+    // Edges have an error of 2 e and a rounding, u = 2^-53. A component of the normal has four products of that error with
+    // an edge, and three roundings of two products of edges: 8 e l + 10 u l^2. Twice that leaves room for the roundings of
+    // what follows.
     const double normal_error = 16 * error * (length + error) + 0x1p-48 * length * length;
     const double far = std::fabs(a.right) + std::fabs(a.up) + std::fabs(a.forward) + 3 * error;
-    // A point x of the triangle that is moved by d lies at n . x = h + n . d.
+    // If a point x of the triangle is moved by d, then n . x = h + n . d.
     const double height_error = 2 * normal_error * far + 8 * length * length * error +
                                 rounding * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z) + 3 * normal_error);
-    // What the nearness is divided by is to be above 0: turned over, if need be.
+    // The nearness is divided by this number, which must be positive. If it is negative, the plane is turned over.
     const double divisor = picture.is_perspective() ? h : n.z;
     const double divisor_error = picture.is_perspective() ? height_error : normal_error;
     is_known_ = std::fabs(divisor) > 4 * divisor_error;
@@ -43,10 +44,10 @@ class SeenPlane {
     x_ = n.x;
     y_ = n.y;
     if (picture.is_perspective()) {
-      // The nearness 1 / f along (x, y, 1) is n . (x, y, 1) / h.
+      // Along (x, y, 1) the nearness 1 / f is n . (x, y, 1) / h.
       constant_ = n.z - normal_error * (reach + 1);
     } else {
-      // How far along is f = (h - n . (x, y, 0)) / n_z, the nearness -f.
+      // The distance along a ray is f = (h - n . (x, y, 0)) / n_z, and the nearness is -f.
       constant_ =
           -h - height_error - normal_error * reach - kRounded * (std::fabs(h) + (std::fabs(n.x) + std::fabs(n.y)) * reach);
     }
@@ -54,12 +55,12 @@ class SeenPlane {
     less_ = (1 + kRounded) / (std::fabs(divisor) - divisor_error);
   }
 
-  /// Nothing is known of the plane of a sliver, nor of one seen nearly edge-on.
+  /// False for the plane of a sliver and for one that is seen nearly edge-on: their errors are too large.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
-  /// A part of the nearness that is the same for all rays between two heights.
+  /// The terms of the nearness that are the same for all rays between two heights.
   [[nodiscard]] double of_rows(double low_y, double high_y) const { return constant_ + y_ * (y_ > 0 ? low_y : high_y); }
-  /// No ray of the rectangle meets the plane less near. REQUIRES: is_known().
+  /// A lower bound of the nearness at which rays of the rectangle meet the plane. REQUIRES: is_known().
   [[nodiscard]] double least_nearness(double of_rows, double low_x, double high_x) const {
     const double value = of_rows + x_ * (x_ > 0 ? low_x : high_x);
     return value * (value > 0 ? more_ : less_);

@@ -16,7 +16,7 @@ struct Asked {
   kernel::Test test = kernel::Test::conservative;
 };
 
-/// Of one shadow or of two together, which are always asked exactly; the near plane is open.
+/// Asks about one shadow, or about two together, for which the answer is always exact. The near plane is open.
 template <class AnyBox>
 [[nodiscard]] kernel::Decision decide_open(const kernel::ShadowFrustum& shadow, const AnyBox& box, const Asked& asked) {
   return kernel::decide(shadow, box, asked.arithmetic, asked.test, kernel::NearBoundary::open);
@@ -26,13 +26,13 @@ template <class AnyBox>
   return kernel::overlap_certified(shadows, box, kernel::NearBoundary::open);
 }
 
-/// The rule. A box may be culled by a shadow, and `inside` is the answer, if and only if
-///  - all of it is inside of the shadow,
-///  - strictly beyond the near plane: what is coplanar with an occluder is drawn,
-///  - it is so with the margin as well, for renderers that round, and
-///  - holds_own_piece() says that nothing is in it of what the occluder is drawn as: no occluder hides itself, and the faces
-///    of a shell that the eye does not see are drawn with the others.
-/// Where one of the last two fails, what is below may still be culled: `partial`.
+/// The rule. A box may be culled by a shadow, and the answer is `inside`, if and only if
+///  - the whole box is inside the shadow,
+///  - it is strictly beyond the near plane, because what is coplanar with an occluder is drawn,
+///  - both hold with the margin as well, for renderers that round, and
+///  - holds_own_piece() says that no part of the occluder is in the box. An occluder never hides itself, and the faces of a
+///   shell that are turned away from the eye are drawn with the others.
+/// If only one of the last two fails, the answer is `partial`, because what is below may still be culled.
 template <class Shadow, class AnyBox, class HoldsOwnPiece>
 [[nodiscard]] kernel::Decision decide_cull(const Shadow& shadow, const AnyBox& box, const Asked& asked,
                                            const ShadowMargin& margin, const HoldsOwnPiece& holds_own_piece) {
@@ -43,7 +43,7 @@ template <class Shadow, class AnyBox, class HoldsOwnPiece>
   return found;
 }
 
-/// The same of what is no part of any occluder.
+/// The same for a box that holds no part of any occluder.
 template <class Shadow, class AnyBox>
 [[nodiscard]] kernel::Decision decide_cull(const Shadow& shadow, const AnyBox& box, const Asked& asked,
                                            const ShadowMargin& margin) {

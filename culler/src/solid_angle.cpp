@@ -7,7 +7,7 @@
 namespace occlude::culler {
 namespace {
 
-/// Of a loop of vertices, the sum over its fan.
+/// The solid angle of a loop of vertices: the sum over its fan.
 double solid_angle_of(const PolygonSoup& soup, std::span<const std::uint32_t> loop, const glm::dvec3& eye) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {

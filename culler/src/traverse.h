@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The traversal of section 5: one descent of the hierarchy culls by the view frustum, culls by the shadow frusta and draws.
 //
-// It knows no frusta and no boxes: `tests` classifies a node against half-space or shadow i, or against two shadows
-// together. A half-space that a node is inside of, and a shadow that it is outside of, are dropped below it; any number of
+// It knows neither frusta nor boxes: `tests` classifies a node against half-space or shadow i, or against two shadows
+// together. A half-space that holds a node, and a shadow that does not meet it, are dropped below the node. Any number of
 // either can be active.
 #pragma once
 
@@ -18,20 +18,20 @@
 
 namespace occlude::culler {
 
-/// Work that the tests of pairs may take in a frame, for each of its occluders and in all: beyond, pairs are not asked. The
-/// exact stage takes up to a microsecond for each plane of the one shadow and plane of the other, so that is 16 ms and a
-/// second. The models tried take at most half of it: 8,300 for each of eight occluders, 8,000 for each of 64.
+/// The work that the tests of pairs may take in a frame, for each of its occluders and in all. Beyond it, pairs are not
+/// tested. The exact stage takes up to a microsecond for each plane of the one shadow and plane of the other, so this is 16
+/// ms and a second. The models tried take at most half of it: 8,300 for each of eight occluders, 8,000 for each of 64.
 inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairWork = std::size_t{1} << 20U;
 
-/// Probes are not followed into subtrees of fewer polygons: what they hide there is little.
+/// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
 inline constexpr std::uint32_t kProbed = 64;
 
 template <class Tests>
 class Traversal {
  public:
-  /// `tests` has view(plane, node), shadow(occluder, node) and pair(first, second, node), each giving a kernel::Relation,
-  /// and pair_work(first, second), the pairs of planes that a test of both may ask. What lies before the root in
-  /// `result.drawn` and on the stack stays.
+  /// `tests` has view(plane, node), shadow(occluder, node), pair(first, second, node) and probe(probe, node), which return a
+  /// kernel::Relation, and pair_work(first, second), the pairs of planes that a test of both may ask. What is in
+  /// `result.drawn` before run() stays. The stacks are cleared.
   Traversal(std::span<const HierarchyNode> nodes, Tests& tests, std::span<Occluder> probes, CullResult& result,
             std::vector<std::uint32_t>& stack, std::vector<std::uint32_t>& holding)
       : nodes_(nodes), tests_(tests), probes_(probes), result_(result), active_(stack), holding_(holding) {}
@@ -97,7 +97,7 @@ class Traversal {
     return is_culled_by_pair(index, node, std::span(active_).subspan(begin + still_viewed_));
   }
 
-  /// Tests the node against the pairs of the shadows that it is across, which ascend.
+  /// Tests the node against the pairs of the shadows that it straddles. `across` is in ascending order.
   bool is_culled_by_pair(std::uint32_t index, const HierarchyNode& node, std::span<const std::uint32_t> across) {
     if (across.size() < 2) return false;
     for (const auto& [first, second] : result_.pairs) {
@@ -111,7 +111,7 @@ class Traversal {
     return false;
   }
 
-  /// Takes the work of a test of two shadows from what is left.
+  /// Takes the work of a test of two shadows from what is left. Returns false, and takes nothing, if that is too little.
   bool may_ask(std::uint32_t first, std::uint32_t second) {
     const std::size_t work = tests_.pair_work(first, second);
     if (work > pair_work_left_) return false;
@@ -119,8 +119,8 @@ class Traversal {
     return true;
   }
 
-  /// Asks the probes that are active above the node: those that hold it are told what is drawn below, those that it is
-  /// across stay active.
+  /// Tests the probes that are active above the node. Those that hold it are told what is drawn below. Those that it
+  /// straddles stay active.
   void probe(std::uint32_t index, const Active& above) {
     using kernel::Relation;
     for (std::size_t i = above.end; i < above.probes_end; ++i) {

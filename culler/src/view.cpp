@@ -23,9 +23,9 @@ namespace {
 
 using kernel::Relation;
 
-/// The half-spaces have a margin for what reaches as far as the model. A box that reaches farther has them moved outwards by
-/// its own, which is enough for what the sum loses: their offset has room for more roundings than it took. Normals are no
-/// longer than 1.
+/// The half-spaces have a margin for what reaches as far as the model. For a box that reaches farther they are moved
+/// outwards by the margin of that box. This also covers the rounding of the sum, because the offset has room for more
+/// roundings than it took. Normals are no longer than 1.
 template <class AnyBox>
 bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
   const double own_reach = depth(outer_box(box), memory.view.camera.eye);
@@ -49,7 +49,7 @@ bool is_in_shadow(const CullResult& frame, const AnyBox& box) {
   return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(frame.pairs, hide_together);
 }
 
-/// The cover knows by how much it is out of what lies within its depth.
+/// The error bounds of the cover hold within its depth.
 bool hides_any(const CoverBuffer& cover, const kernel::Aabb& box) {
   return depth(box, cover.picture().eye()) <= cover.picture().depth() && cover.hides(box);
 }
@@ -107,7 +107,7 @@ void View::Memory::begin_frame(std::size_t nodes) {
   result.occluders.clear();
   result.pairs.clear();
   result.stats = {};
-  // Subtrees that are drawn or culled have no leaf in common, and between two ranges that are drawn something is culled.
+  // Drawn and culled subtrees have no leaf in common, and between two drawn ranges something is culled.
   const std::size_t leaves = (nodes + 1) / 2;
   result.drawn.reserve((leaves + 1) / 2);
   result.culled.reserve(leaves);

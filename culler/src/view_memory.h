@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is kept of a view from frame to frame, and memory that its frames use again.
+// What is kept of a view from frame to frame, and memory that its frames reuse.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ struct SeenLeaf {
   CoverBuffer::Footprint footprint;
 };
 
-/// What came of trying to take an occluder.
+/// The result of trying to take an occluder.
 enum class Trial : std::uint8_t { none, taken, refused };
 
 struct View::Memory {
   CullResult result;
-  FrameView view;  ///< of the frame, for all that its half-spaces are about
+  FrameView view;  ///< of the last frame
   OccluderHistory history;
   CandidateOrder order;
   FollowedSilhouettes silhouettes;
@@ -36,23 +36,24 @@ struct View::Memory {
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
   std::vector<std::uint32_t> tried;  ///< occluders that the frame has tried to take
-  std::vector<Trial> trials;         ///< of each occluder, what came of it
+  std::vector<Trial> trials;         ///< for each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
-  std::vector<std::uint32_t> holding;  ///< the traversal's stacks
+  std::vector<std::uint32_t> holding;  ///< the stacks of the traversal, with `active`
   std::vector<std::uint32_t> active;
 
-  CoverBuffer cover;                          ///< what the last frame closed, if it was culled so
+  CoverBuffer cover;                          ///< what the last frame closed, if it was culled by cover
   CoverGroup group;                           ///< what is being drawn into it
-  std::vector<std::uint32_t> polygon_frames;  ///< of each polygon, the last frame that drew it there
+  std::vector<std::uint32_t> polygon_frames;  ///< for each polygon, the last frame that drew it into `cover`
   std::uint32_t frame = 0;
   std::vector<std::uint32_t> taken;  ///< leaves whose polygons are drawn next
-  std::vector<SeenLeaf> seen;        ///< what a frame by cover has not culled so far
+  std::vector<SeenLeaf> seen;        ///< leaves that a frame by cover has not culled so far
 
-  /// Makes planes of the result's view.
+  /// Fills `planes` with the view of the result.
   void take_planes();
-  /// Empties the result for the next frame; its frusta become spare. Makes room for all that a frame may draw or cull of a
-  /// tree of so many nodes, so that no frame after the first has to: what is never written to takes addresses alone.
+  /// Empties the result for the next frame and keeps its frusta as spare ones. Reserves memory for all that a frame may draw
+  /// or cull of a tree of this many nodes, so that no frame after the first allocates. Memory that is never written to takes
+  /// only addresses.
   void begin_frame(std::size_t nodes);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// occlude fuzz: the kernel and the culler against the exact oracle, case by case.
+// occlude fuzz: compares the kernel and the culler with the exact oracle, case by case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,9 +29,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// By default some ten seconds' worth; at most what every reader of JSON counts exactly, below 2^53.
+/// The default takes some ten seconds. The most is below 2^53, so every reader of JSON counts exactly.
 constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U;
-/// More machines than anybody has.
+/// More machines than anyone has.
 constexpr std::uint64_t kMostShards = 1U << 20U;
 
 struct Arguments {
@@ -51,7 +51,7 @@ std::vector<fuzz::Experiment> chosen(const std::vector<std::string>& families) {
   return result;
 }
 
-/// "i/n" as shard i of n.
+/// Reads "i/n" as shard i of n.
 void read_shard(const std::string& text, fuzz::Campaign& campaign) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) refuse("--shard", "expected i/n, not " + text);
@@ -74,7 +74,7 @@ fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
   return campaign;
 }
 
-/// Says when to stop: when the time is over, a finding is enough, or the user has seen enough.
+/// Says when to stop: when the time is over, when one finding is enough, or when the user interrupts.
 class Watch {
  public:
   Watch(const Arguments& a, std::uint64_t groups)
@@ -82,7 +82,7 @@ class Watch {
         stop_at_first_(a.stop_at_first),
         progress_(a.seconds > 0 ? "seconds" : "groups", a.seconds > 0 ? static_cast<std::size_t>(a.seconds) : groups) {}
 
-  /// Called from any thread; that of the command also shows the progress.
+  /// May be called from any thread. On the thread of the command it also shows the progress.
   bool go_on(std::uint64_t groups, std::uint64_t findings) {
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     if (std::this_thread::get_id() == thread_) {
@@ -112,7 +112,7 @@ class Watch {
   std::atomic<bool> interrupted_ = false;
 };
 
-/// The finding as small as it can be while it stays what it is.
+/// Makes the finding smaller while it keeps its kind.
 void minimise(fuzz::Finding& finding) {
   const auto again = [&](const fuzz::Case& c) { return fuzz::find_again(c, finding.kind); };
   if (!finding.question || !again(*finding.question)) return;
@@ -150,10 +150,10 @@ FuzzResults fuzz_families(const Arguments& a) {
   return results;
 }
 
-/// The kind of finding in which only the user's file need be wrong.
+/// The kind of finding in which the user's file may be wrong and not the program.
 constexpr const char* kExpect = "expect";
 
-/// What is wrong with a line of a case file, as one case and against what it expects.
+/// Judges the case on a line of a case file, and compares it with the answer that the line expects.
 fuzz::Report judge_line(const cases::CaseLine& line, const std::string& name, std::size_t number) {
   fuzz::Report report;
   fuzz::judge_overlap(line.question, {&line.question.box, 1}, name, number, report);
@@ -166,7 +166,7 @@ fuzz::Report judge_line(const cases::CaseLine& line, const std::string& name, st
   return report;
 }
 
-/// One row a case file, each line put as it stands.
+/// Makes one row for each case file. Each line is asked as it is.
 FuzzResults fuzz_files(const std::vector<std::string>& files) {
   FuzzResults results{std::nullopt, 0, 1, {0}, false, {}};
   try {
@@ -189,7 +189,7 @@ FuzzResults results_of(const Arguments& a) {
   return a.files.empty() ? fuzz_families(a) : fuzz_files(a.files);
 }
 
-/// The case lines of the findings, in a file of their own; where that cannot be, they are said at least.
+/// Writes the case lines of the findings to a file. If that fails, it prints them, so that they are not lost.
 void store(const FuzzResults& results, const std::string& file) {
   if (file.empty()) return;
   try {
@@ -208,7 +208,8 @@ bool has_defects(const FuzzResults& results) {
   });
 }
 
-/// Makes the findings small and stores them again: that takes a while, and the user may not wait.
+/// Makes the findings smaller and stores them again. They were stored before, because this takes time and the user may
+/// interrupt it.
 void minimise_and_report(FuzzResults& results, const std::string& file) {
   try {
     minimise_findings(results);
@@ -222,12 +223,12 @@ void minimise_and_report(FuzzResults& results, const std::string& file) {
   if (has_defects(results)) render::say("A wrong answer of ours is a defect: please report its line.\n");
 }
 
-/// The lines of case files are in a file already.
+/// The lines of case files are in a file already, so by default they are not stored again.
 std::string findings_file(const Arguments& a) { return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : ""); }
 
 void fuzz_command(const Arguments& a, int& exit_code) {
   const std::string file = findings_file(a);
-  // Opened before the work: what cannot be written is known at once.
+  // Files are opened before the work, so that one that cannot be written is reported at once.
   std::optional<render::OutputFile> findings, out;
   if (!file.empty()) findings.emplace(file);
   if (!a.out.empty()) out.emplace(a.out);
@@ -257,7 +258,7 @@ void fuzz_command(const Arguments& a, int& exit_code) {
   }
 }
 
-/// From the least that shows anything to a season.
+/// From the shortest time that shows anything to about four months.
 std::string check_seconds(const std::string& text) {
   const std::optional<double> seconds = parse_number(text);
   return seconds && *seconds >= 0.001 && *seconds <= 1e7 ? "" : text + " is not from 0.001 to 1e7";

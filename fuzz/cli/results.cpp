@@ -64,7 +64,7 @@ std::uint64_t count(const nlohmann::json& object, const char* name) {
   return value.get<std::uint64_t>();
 }
 
-/// A table will show it.
+/// A string made printable, because a table will show it.
 std::string word(const nlohmann::json& object, const char* name) {
   const nlohmann::json& value = cases::member(object, name);
   if (!value.is_string()) throw cases::LineError(fmt::format("\"{}\": expected a string", name));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run of the fuzzer gives: as a table, as JSON, and the results of several shards as those of one run.
+// The results of a run of the fuzzer, as a table and as JSON, and the merged results of several shards.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,27 @@ struct FuzzResults {
     std::string name;
     fuzz::Report report;
   };
-  std::optional<std::uint64_t> seed;  ///< none for the lines of case files
-  /// Of the whole run; 0 when it was to end by the time, by a finding, or with the lines.
+  std::optional<std::uint64_t> seed;  ///< empty for the lines of case files
+  /// Rounds of the whole run. 0 when the run was to end by time, at the first finding, or with the lines of files.
   std::uint64_t rounds = 0;
   std::uint64_t shards = 1;
-  std::vector<std::uint64_t> parts;  ///< the shards that are in it
-  bool interrupted = false;          ///< by the user: there would have been more
+  std::vector<std::uint64_t> parts;  ///< the shards that these results contain
+  bool interrupted = false;          ///< by the user, before the run was complete
   std::vector<Row> rows;
 };
 
-/// All rows together, without their findings.
+/// The sum of all rows, without their findings.
 [[nodiscard]] fuzz::Report total(const FuzzResults& results);
 
-/// Every finding that a case file can hold, a line each.
+/// Every finding that a case file can hold, each on a line.
 [[nodiscard]] std::string case_lines(const FuzzResults& results);
 
 [[nodiscard]] std::string table(const FuzzResults& results);
 
 [[nodiscard]] std::string to_json(const FuzzResults& results);
 
-/// The sum of shards of one run. Throws InputError, naming the file and what is wrong with it, for what is no result of this
-/// command, of another run or given before.
+/// The sum of the shards of one run. Throws InputError, with the file and its fault, for a file that is not a result of this
+/// command, that is from another run, or whose shard was given before.
 [[nodiscard]] FuzzResults merge(const std::vector<std::string>& files);
 
 }  // namespace occlude::cli

@@ -11,7 +11,7 @@ namespace {
 
 using fuzz::Tally;
 
-/// A share in per cent; nothing where nobody was asked.
+/// A share in per cent. Empty when nothing was asked.
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "";
   const double share = 100 * static_cast<double>(part) / static_cast<double>(whole);
@@ -19,7 +19,7 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
   return share < 0.005 ? "<.01" : fmt::format("{:.{}f}", share, share < 10 ? 2 : 1);
 }
 
-/// Thousands of cases a second and core.
+/// Thousands of cases a second on one core.
 std::string speed(const fuzz::Report& report) {
   if (report.core_seconds <= 0) return "";
   return fmt::format("{:.0f}", 1e-3 * static_cast<double>(report.tally.cases) / report.core_seconds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's and the oracle's words for the same three answers.
+// Names for the three answers, for the kernel and for the oracle.
 #pragma once
 
 #include <string>

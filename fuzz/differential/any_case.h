@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case of any family, for experiments that are not about one.
+// Cases of any family, for experiments that are not about one family.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace occlude::fuzz {
   return make_case(family, random.bits() >> 16U);
 }
 
-/// What `draw` gives, of what may not be legal, when it first gives something. Nearly all that is drawn is legal; throws
+/// Calls `draw` until it returns a legal value, and returns that. Nearly all that is drawn is legal. Throws
 /// std::runtime_error when a thousand in a row are not.
 template <class Draw>
 [[nodiscard]] auto first_legal(const Draw& draw) {
@@ -28,7 +28,7 @@ template <class Draw>
   throw std::runtime_error("the kernel refuses a thousand in a row");
 }
 
-/// One whose occluder and box the kernel takes.
+/// A case whose occluder and box the kernel accepts.
 [[nodiscard]] inline Case any_legal_case(Random& random) {
   return first_legal([&]() -> std::optional<Case> {
     Case c = any_case(random);
@@ -37,7 +37,7 @@ template <class Draw>
   });
 }
 
-/// A neighbour of the box.
+/// A neighbour of the box that the kernel accepts.
 [[nodiscard]] inline Box legal_neighbour(Random& random, const Box& box) {
   return first_legal([&]() -> std::optional<Box> {
     Box moved = neighbour(box, random.bits());

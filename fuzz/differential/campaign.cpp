@@ -10,14 +10,14 @@
 namespace occlude::fuzz {
 namespace {
 
-/// Of this thread.
+/// Processor time of this thread.
 double core_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Whatever an experiment throws is a finding.
+/// An exception from an experiment is a finding.
 void run_one(const Experiment& experiment, std::uint64_t seed, Report& report) {
   try {
     experiment.run(seed, report);
@@ -55,7 +55,7 @@ std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> ex
     try {
       for (unsigned t = 1; t < campaign.jobs; ++t) others.emplace_back(work, std::ref(reports[t]));
     } catch (const std::system_error&) {
-      // The system gives no more threads: fewer do it as well.
+      // The system has no more threads. Fewer threads give the same result.
     }
     work(reports[0]);
   }

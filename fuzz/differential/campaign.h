@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Many groups of cases of many experiments, on many threads or machines: what comes out does not depend on how they are
-// dealt.
+// Runs many groups of cases of many experiments, on many threads or machines. The results do not depend on how the groups
+// are dealt.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace occlude::fuzz {
 
-/// Round r makes the group of seed `seed` + r of every experiment. A shard takes every `shards`-th round.
+/// Round r makes the group with seed `seed` + r of every experiment. A shard takes every `shards`-th round.
 struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t rounds = 0;
@@ -20,12 +20,12 @@ struct Campaign {
   unsigned jobs = 1;
 };
 
-/// The rounds that are the shard's own.
+/// The number of rounds that the shard takes.
 [[nodiscard]] std::uint64_t rounds_of_shard(const Campaign& campaign);
 
-/// One report an experiment, in their order. `go_on` is asked before every group by any of the threads, with the number of
-/// findings so far; once it says no, groups under way are finished and no others begun. What an
-/// experiment throws is a finding. REQUIRES: shard < shards.
+/// Returns one report for each experiment, in their order. Before every group, the thread that is about to run it calls
+/// `go_on` with the numbers of groups and findings so far. After that returns false, groups under way are finished and no
+/// others are begun. An exception from an experiment is a finding. REQUIRES: shard < shards.
 [[nodiscard]] std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> experiments,
                                       const std::function<bool(std::uint64_t groups, std::uint64_t findings)>& go_on);
 

@@ -32,7 +32,7 @@ struct Question {
   Box box;
 };
 
-/// The oracle takes long for more.
+/// The oracle would take long for more triangles.
 constexpr std::size_t kMostTriangles = 8;
 
 std::size_t triangles_of(const std::vector<Polygon>& polygons) {
@@ -45,8 +45,8 @@ Vec3 between(const Vec3& a, const Vec3& b, double share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
 }
 
-/// Adds the polygon in two pieces, with a point of an edge between them: where it is rounded, or the other side of the edge
-/// has it not, they leave a gap of some ulp or overlap by as much.
+/// Adds the polygon in two pieces that meet at a point of an edge. If the point is rounded, or if another polygon has that
+/// edge without the point, the pieces leave a gap of some ulps or overlap by as much.
 void add_halves(Random& random, const Polygon& whole, std::vector<Polygon>& pieces) {
   const std::size_t count = whole.size(), across = random.index(count);
   const auto corner = [&](std::size_t i) { return whole[(across + i) % count]; };
@@ -67,22 +67,22 @@ void spoil(Random& random, std::vector<Polygon>& pieces) {
     case 0:
       nudge(random, one);
       break;
-    case 1:  // twice
+    case 1:  // the same piece twice
       pieces.push_back(Polygon(one));
       break;
     case 2:  // a hole
       one = {one[0], one[1], one[0]};
       break;
-    case 3:  // an edge three times, and a flap
+    case 3:  // an edge that three polygons have, and a flap
       pieces.push_back({one[0], one[1], between(one[0], pieces[0][0], random.real(-1, 1))});
       break;
-    default:  // the other way round
+    default:  // turned over
       one = Polygon(one.rbegin(), one.rend());
       break;
   }
 }
 
-/// An occluder of any family in pieces, and a box that it touches.
+/// An occluder of any family in pieces, and the box of its case.
 std::optional<Question> pieces_of_a_polygon(Random& random) {
   Case whole = any_case(random);
   auto* const polygon = std::get_if<Polygon>(&whole.occluder);
@@ -117,7 +117,7 @@ Box lattice_box(Random& random, int low_x, int reach) {
   return box;
 }
 
-/// A handful of polygons on a small lattice, some of them neighbours, some edge-on, about the eye or before it.
+/// A few polygons on a small lattice. Some share edges, some are edge-on, and some are around the eye or behind it.
 std::optional<Question> lattice_polygons(Random& random) {
   const int reach = random.integer(1, 4), low_x = random.chance(0.3) ? -1 : 1;
   Question question;
@@ -159,8 +159,8 @@ std::optional<oracle::HalfSpaceCoefficients> coefficients(const std::optional<ke
   return oracle::HalfSpaceCoefficients{drawn->normal.x, drawn->normal.y, drawn->normal.z, drawn->offset};
 }
 
-/// Whether the half-space that is drawn ends in a triangle of the polygons: for the kernel that triangle hides, for exact
-/// visibility it does not. Such are made on a lattice of small integers, where doubles are exact.
+/// Whether the plane of the drawn half-space contains a triangle of the polygons. The kernel counts that triangle as hiding,
+/// and exact visibility does not. Such triangles come from a lattice of small integers, where doubles are exact.
 bool ends_in_a_triangle(const Question& question) {
   if (!question.drawn) return false;
   const auto is_on_plane = [&](const Vec3& v) {
@@ -175,8 +175,8 @@ bool ends_in_a_triangle(const Question& question) {
   });
 }
 
-/// Exact visibility, which knows no shadows, of what is said to be hidden: of the faces of the box nothing may show between
-/// the polygons.
+/// Checks a hidden box by exact visibility, which has no shadows: between the polygons nothing may show of the faces of the
+/// box.
 bool shows(const Question& question, const kernel::Aabb& box) {
   std::vector<oracle::Triangle> triangles;
   const auto add_fan = [&](const oracle::Loop& loop) {

@@ -7,8 +7,8 @@
 
 namespace occlude::fuzz {
 
-/// Boxes against the joined shadow of several polygons (kernel/cover.h): polygons in pieces that fit, or nearly, and any on
-/// a lattice.
+/// Compares boxes with the joined shadow of several polygons (kernel/cover.h): pieces of a polygon that fit exactly or
+/// nearly, and any polygons on a lattice.
 void run_covers(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

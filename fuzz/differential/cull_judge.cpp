@@ -27,7 +27,7 @@ using glm::dvec3;
 
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Apart from the tree's own boxes.
+/// The bounding box of the soup, computed without the boxes of the tree.
 oracle::Aabb box_of(const culler::PolygonSoup& soup) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   oracle::Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
@@ -56,7 +56,7 @@ class CullJudge {
         is_drawn_(hierarchy_.soup().size()),
         model_(box_of(hierarchy_.soup())) {}
 
-  /// First of all the ranges are marked: the other checks take them to be sound.
+  /// Must come first. It marks what is drawn, and the other checks assume that the ranges are sound.
   std::string fault_of_ranges() {
     std::vector<char> is_known(is_drawn_.size());
     const auto mark = [&](std::size_t first, std::size_t count, bool drawn) {
@@ -94,7 +94,7 @@ class CullJudge {
     return right ? "" : "the counts are wrong";
   }
 
-  /// Against the same frame without occluders.
+  /// Compares with the same frame without occluders.
   std::string fault_against(const CullResult& without) const {
     std::size_t drawn = 0;
     for (const auto [first, count] : without.drawn) {
@@ -120,9 +120,9 @@ class CullJudge {
   }
 
  private:
-  /// Every polygon culled by cover is in one of the boxes that the culler names polygons for, and these hide it.
+  /// Checks that every polygon culled by cover is in a box for which the culler names polygons, and that those hide the box.
   std::string fault_of_covers() {
-    constexpr std::size_t kMost = 64;  // so that some are proved in parts
+    constexpr std::size_t kMost = 64;  // so small that some subtrees are proved in parts
     std::vector<culler::CoverWitness> witnesses;
     culler_.append_covers(result_, camera_, options_, kMost, witnesses);
     std::vector<char> is_proved(is_drawn_.size());
@@ -204,8 +204,8 @@ class CullJudge {
     return result;
   }
 
-  /// The faces of a shell are its parts, and the oracle finds out whether they enclose a solid. Of a piece the triangles
-  /// that the renderer makes of its run.
+  /// Whether the occluder hides what its parts hide. The faces of a shell are its parts, and the oracle checks that they
+  /// enclose a solid. The parts of a piece are the triangles of its run, as the renderer makes them.
   bool is_drawn_as_its_parts(std::uint32_t occluder) const {
     if (occluders_.is_shell(occluder)) return true;
     const auto piece = occluders_.regions().piece(occluder);
@@ -245,8 +245,8 @@ class CullJudge {
   const Camera& camera_;
   const CullOptions& options_;
   const CullResult& result_;
-  std::vector<std::optional<oracle::Shadow>> shadows_;  ///< of the occluders, made when first needed
-  std::vector<char> is_drawn_;                          ///< by polygon
+  std::vector<std::optional<oracle::Shadow>> shadows_;  ///< of the occluders, each made when it is first needed
+  std::vector<char> is_drawn_;                          ///< for each polygon
   oracle::Aabb model_;
 };
 
@@ -261,7 +261,7 @@ std::string fault_of(const culler::Culler& culler, const Camera& camera, const C
   no_occluders.method = culler::Method::frusta;
   no_occluders.occluders = 0;
   if (std::string fault = judge.fault_against(culler.cull(camera, no_occluders)); !fault.empty()) return fault;
-  // `plain` promises nothing more.
+  // `plain` does not promise more than this.
   return options.arithmetic == kernel::Arithmetic::certified ? judge.fault_of_proofs() : "";
 }
 

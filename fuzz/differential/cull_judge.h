@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What culling promises, held against what a frame culled.
+// Checks what a frame culled against what culling promises.
 #pragma once
 
 #include <string>
@@ -8,12 +8,14 @@
 
 namespace occlude::fuzz {
 
-/// What is wrong with `result`, which culler.cull(camera, options) gave; empty when nothing is. Whatever the options: every
-/// polygon is drawn, or in a culled subtree, exactly once; without occluders nothing less is drawn; the counts are right. Of
-/// certified arithmetic also: every subtree culled by view is exactly beyond its half-space, which cuts nothing off that the
-/// camera shows, and every one culled by shadow is exactly in the shadow of its occluder, or of its two together, and
-/// strictly beyond the near plane, an occluder being polygons outside of it that hide what it does and that the camera's
-/// near plane does not clip. Of one culled by cover the polygons that the culler names hide it, by the oracle.
+/// What is wrong with `result`, which culler.cull(camera, options) returned. Empty when nothing is. With any options these
+/// must hold: every polygon is drawn, or in a culled subtree, exactly once; without occluders nothing less is drawn; the
+/// counts are right. With certified arithmetic these must also hold:
+/// - A subtree culled by view is exactly beyond its half-space, which does not cut off anything that the camera shows.
+/// - A subtree culled by shadow is exactly in the shadow of its occluder, or of its two occluders together, and strictly
+///   beyond the near plane. An occluder consists of polygons outside of the subtree that hide what it hides and that the
+///   camera's near plane does not clip.
+/// - A subtree culled by cover is hidden by the polygons that the culler names, by the oracle.
 [[nodiscard]] std::string fault_of(const culler::Culler& culler, const culler::Camera& camera,
                                    const culler::CullOptions& options, const culler::CullResult& result);
 

@@ -29,7 +29,7 @@ using culler::CullResult;
 using culler::PolygonSoup;
 using glm::dvec3;
 
-/// The camera some steps later, or another one.
+/// The camera a few steps later, or another camera.
 Camera moved(Random& random, const PolygonSoup& soup, const Camera& before) {
   if (random.chance(0.2)) return some_camera(random, soup);
   Camera camera = before;
@@ -72,7 +72,7 @@ culler::BuildConfig some_config(Random& random) {
   return config;
 }
 
-/// Every half-space, every shadow and every pair of shadows of a frame, asked about one box.
+/// Asks every half-space, every shadow and every pair of shadows of a frame about one box.
 class BruteForce {
  public:
   BruteForce(const CullOptions& options, const CullResult& frame, const PictureMargin& margin)
@@ -86,7 +86,7 @@ class BruteForce {
     });
   }
 
-  /// Occluders that must not hide the box are left out.
+  /// Leaves out the occluders that must not hide the box.
   template <class AnyBox, class MayHide>
   [[nodiscard]] bool is_hidden(const AnyBox& box, const MayHide& may_hide) const {
     const auto hides = [&](const culler::Occluder& occluder) {
@@ -110,7 +110,7 @@ class BruteForce {
   const PictureMargin& margin_;
 };
 
-/// What a traversal draws that asks all of that at every node.
+/// A traversal that asks all of that at every node, and the polygons that it draws.
 class Twin {
  public:
   Twin(const Culler& culler, const BruteForce& ask)
@@ -121,7 +121,7 @@ class Twin {
   [[nodiscard]] const std::vector<bool>& drawn() const { return drawn_; }
 
  private:
-  /// No node is culled by what is drawn as a polygon of it.
+  /// Whether the node has a part of the occluder. Such an occluder does not cull the node.
   bool holds_part(const culler::HierarchyNode& node, const culler::Occluder& occluder) const {
     return std::ranges::any_of(occluders_.parts(occluder.index),
                                [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
@@ -150,11 +150,11 @@ std::vector<bool> drawn_of(const Culler& culler, const CullResult& result) {
   return culler::polygons_of(result.drawn, culler.hierarchy().soup().size());
 }
 
-/// Whether the shadow is the one that the occluder casts from here, whatever was seen of it in the frames before.
+/// Whether the shadow is what the occluder casts from this viewpoint, whatever was seen of it in the frames before.
 bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOptions& options,
                       const culler::Occluder& occluder) {
   const dvec3 at = camera.projection == culler::Projection::perspective ? camera.eye : camera.axes().forward;
-  const kernel::Vec3 value{at.x, at.y, at.z};  // apart from the culler's own
+  const kernel::Vec3 value{at.x, at.y, at.z};  // derived without the culler's own viewpoint
   const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
                                                                               : kernel::Viewpoint::direction(value);
   const kernel::ShadowFrustumResult fresh = culler.occluders().shadow(occluder.index, viewpoint, options.near);
@@ -163,14 +163,15 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
          std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());
 }
 
-/// How far from the eye the model reaches.
+/// The distance from the eye to the farthest vertex.
 double farthest_vertex(const PolygonSoup& soup, const dvec3& eye) {
   double result = 0;
   for (const dvec3& v : soup.vertices) result = std::max(result, glm::distance(v, eye));
   return result;
 }
 
-/// Whether what the frame's view says of the boxes of the tree is no more than `most` says, and no less than `least`.
+/// Checks the answers of the frame's view about the boxes of the tree. What it hides `most` must hide. What it shows `least`
+/// must not hide.
 std::string fault_of_queries(const Culler& culler, const culler::View& view, const BruteForce& most,
                              const BruteForce& least) {
   const auto all_hide = [](const culler::Occluder&) { return true; };
@@ -201,7 +202,7 @@ std::string fault_of_frame(const Culler& culler, const Camera& camera, const Cul
   const std::vector<bool> drawn = drawn_of(culler, result);
   const std::vector<bool> must = Twin(culler, most).drawn();
   const std::vector<bool> may = options.margin == 0 ? must : Twin(culler, least).drawn();
-  // An oriented box sticks out of the one above it, into shadows that were dropped there and that may hide a corner of it.
+  // An oriented box may stick out of the box of its parent, into shadows that were dropped at the parent. These may hide it.
   const bool may_draw_more = options.unions && culler.hierarchy().oriented() != 0;
   for (std::size_t p = 0; p < drawn.size(); ++p) {
     if (must[p] && !drawn[p]) return "a traversal without active sets culls less";

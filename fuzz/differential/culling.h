@@ -7,10 +7,10 @@
 
 namespace occlude::fuzz {
 
-/// Frames of the culler over small scenes: walls, boxes and folded loops on a lattice, soups, eyes in odd places that move
-/// or jump, every option. A case is a polygon of a frame: `inside` culled by shadow, `partial` drawn, `outside` culled by
-/// the view; decided by the exact stage where the frame needed it. Held against the promises of culling (cull_judge.h) and a
-/// traversal that keeps no active sets.
+/// Compares frames of the culler with the promises of culling (cull_judge.h) and with a traversal that has no active sets.
+/// The scenes are small: walls, boxes and folded loops on a lattice, and soups. The eye is in odd places and moves or jumps.
+/// Options are random. A case is a polygon of a frame: `inside` means culled by shadow, `partial` drawn, `outside` culled by
+/// view. It counts as decided by the exact stage when the frame needed that stage.
 void run_culling(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

@@ -11,7 +11,7 @@ namespace {
 
 using Loop = std::vector<std::uint32_t>;
 
-/// The neighbours of the vertex in the order of the faces round it; empty unless they close.
+/// The neighbours of the vertex in the order of the faces around it. Empty unless these faces close.
 Loop ring_about(const std::vector<Loop>& faces, std::uint32_t vertex) {
   std::map<std::uint32_t, Loop> next;
   for (const Loop& face : faces) {
@@ -33,7 +33,7 @@ Loop ring_about(const std::vector<Loop>& faces, std::uint32_t vertex) {
   return ring.size() == next.size() ? ring : Loop();
 }
 
-/// The polytope without the vertex, and with a hole.
+/// The polytope without the vertex, with a hole.
 kernel::Polytope without(const kernel::Polytope& polytope, std::uint32_t vertex) {
   kernel::Polytope left{polytope.vertices, {}};
   for (Loop face : polytope.faces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A polytope with a vertex less.
+// Removes a vertex from a polytope.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,10 @@
 
 namespace occlude::fuzz {
 
-/// What may be left of a convex polytope when a vertex is cut off: the faces round it lose it, and the hole is covered by
-/// one polygon or by a fan of triangles from one of its corners, whichever is convex. None where the faces round it do not
-/// close, as where a corner lies on a neighbour's edge. REQUIRES: there is such a vertex.
+/// The candidates for what is left of a convex polytope when a vertex is cut off. The faces around the vertex lose it. The
+/// hole is covered by one polygon, or by a fan of triangles from one of its corners. The caller finds out which of these is
+/// convex. Empty when the faces around the vertex do not close, for example when it is on an edge of a neighbour. REQUIRES:
+/// the vertex exists.
 [[nodiscard]] std::vector<kernel::Polytope> cut_vertex(const kernel::Polytope& polytope, std::uint32_t vertex);
 
 }  // namespace occlude::fuzz

@@ -31,12 +31,12 @@ using glm::dvec3;
 using Json = nlohmann::json;
 using Plane = std::array<double, 4>;
 
-/// Lines about one scene: what shows of it is dear to find out.
+/// The number of lines about one scene. What the scene shows is expensive to find out.
 constexpr std::size_t kLines = 4 * kGroup;
 
 constexpr std::size_t kFrames = 2;
 
-/// As the reader takes it: JSON has no numbers for what is not finite.
+/// JSON has no numbers for what is not finite, so the reader takes these strings.
 Json json(double x) {
   if (std::isfinite(x)) return x;
   return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
@@ -46,7 +46,7 @@ Json json(const dvec3& v) { return {json(v.x), json(v.y), json(v.z)}; }
 
 dvec3 to_glm(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// Of all sizes that a camera may have.
+/// A camera of any size that is legal.
 Camera forged_camera(Random& random, const PolygonSoup& soup) {
   return first_legal([&]() -> std::optional<Camera> {
     Camera camera = some_camera(random, soup);
@@ -59,7 +59,7 @@ Camera forged_camera(Random& random, const PolygonSoup& soup) {
   });
 }
 
-/// A number that was `x`, or what a forger makes of it.
+/// What a forger makes of the number `x`.
 double bent(Random& random, double x) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   switch (random.integer(0, 7)) {
@@ -100,7 +100,7 @@ class Forger {
   struct Outcome {
     std::string line;
     bool is_taken = false, is_honest = false;
-    std::optional<std::size_t> shows;  ///< a triangle that it says is culled, of a line that is taken
+    std::optional<std::size_t> shows;  ///< of an accepted line, a visible triangle that it culls
   };
 
   Outcome forge() {
@@ -162,7 +162,7 @@ class Forger {
     return line;
   }
 
-  /// Some polygons of the model, or nearly all.
+  /// Lists some polygons of the model, or nearly all.
   void add_cover(Json& line) {
     line["by"] = "cover";
     line["margin"] = 0.0;
@@ -174,7 +174,7 @@ class Forger {
     if (lies(0.05)) line["polygons"].push_back(random_.index(2 * input_.size()));
   }
 
-  /// All but what culls.
+  /// A line about these polygons, without what culls them.
   Json line_about(const culler::PolygonRange& run) {
     Json line{{"frame", lies(0.05) ? random_.index(kFrames + 1) : frame_}, {"margin", 0.0}};
     const std::size_t first = culler_.hierarchy().first_triangle(run.first);
@@ -187,7 +187,7 @@ class Forger {
     return line;
   }
 
-  /// A polygon, a subtree, or any others.
+  /// A polygon, a subtree, or any run of polygons.
   culler::PolygonRange some_run() {
     const auto p = static_cast<std::uint32_t>(random_.index(soup().size()));
     if (random_.chance(0.5)) return {p, 1};
@@ -242,7 +242,7 @@ class Forger {
     line["plane"] = {json(plane[0]), json(plane[1]), json(plane[2]), json(plane[3])};
   }
 
-  /// As the culler has it.
+  /// A plane of the view as the culler computes it.
   Plane plane_of_the_view() {
     std::vector<culler::HalfSpace> planes;
     culler::append_view_frustum(cameras_[frame_], 4 * kReach, planes);
@@ -259,7 +259,7 @@ class Forger {
     return random_.chance(0.5) ? normal : lattice_point(random_, 3);
   }
 
-  /// With all of the box beyond it, but hardly.
+  /// A plane with the box just beyond it.
   Plane plane_before_the_box() {
     const dvec3 normal = some_normal();
     dvec3 nearest;
@@ -269,7 +269,8 @@ class Forger {
     return plane;
   }
 
-  /// Through a side of the picture at two depths, the deeper one cut short, as by a hull of points that misses a part.
+  /// A plane through a side of the picture at two depths. The deeper point is cut short, as by a hull of points that misses
+  /// a part.
   Plane plane_through_the_view() {
     const Camera& camera = cameras_[frame_];
     const auto [right, up, forward] = camera.axes();
@@ -300,7 +301,7 @@ class Forger {
     return {{"normal", json(some_normal())}, {"point", json(random_.chance(0.5) ? point : last_corner_)}};
   }
 
-  /// Of the culler's, a polygon of the model, or something like it.
+  /// An occluder of the culler, a polygon of the model, or something like it.
   Json some_occluder() {
     const auto& occluders = culler_.occluders();
     if (occluders.size() != 0 && random_.chance(0.6)) {
@@ -357,7 +358,7 @@ class Forger {
   std::vector<culler::CullResult> culled_;
   proof::Prover prover_;
 
-  // Of the line at hand.
+  // State of the current line.
   bool is_lying_ = false;
   std::size_t frame_ = 0;
   kernel::Aabb box_;

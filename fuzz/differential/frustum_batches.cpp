@@ -19,7 +19,7 @@ namespace {
 using kernel::NearBoundary;
 using kernel::Relation;
 
-/// Cases with a shadow.
+/// Cases that have a shadow.
 std::vector<Case> cases_of(Random& random) {
   std::vector<Case> cases;
   while (cases.size() < kGroup) {
@@ -28,7 +28,7 @@ std::vector<Case> cases_of(Random& random) {
   return cases;
 }
 
-/// The first box that can be in a batch: touching the shadow of its own case and lying anyhow to the others.
+/// The first box that a batch accepts. It touches the shadow of its own case, and its relation to the others is arbitrary.
 kernel::Aabb box_of(const std::vector<Case>& cases) {
   for (const Case& c : cases) {
     if (const auto* const box = std::get_if<kernel::Aabb>(&c.box)) return *box;
@@ -36,7 +36,7 @@ kernel::Aabb box_of(const std::vector<Case>& cases) {
   return {};
 }
 
-/// The answers of all frusta at once about the box.
+/// The answers of all frusta about the box, from one call.
 struct Answers {
   Answers(const kernel::FrustumBatch& batch, const kernel::Aabb& box, NearBoundary near) {
     kernel::overlap_certified(batch, box, near, overlap);
@@ -46,7 +46,7 @@ struct Answers {
   std::vector<Relation> overlap = std::vector<Relation>(kGroup), conservative = overlap;
 };
 
-/// What is wrong with the answers of frustum i; empty when nothing is.
+/// What is wrong with the answers about frustum i. Empty when nothing is.
 std::string fault_of(const Answers& answers, std::size_t i, Relation truth) {
   const bool is_undecided = truth == Relation::outside && answers.conservative[i] == Relation::partial;
   if (answers.overlap[i] == truth && (answers.conservative[i] == truth || is_undecided)) return "";

@@ -7,7 +7,7 @@
 
 namespace occlude::fuzz {
 
-/// A box against the shadows of many cases at once (kernel/batch.h).
+/// Compares a box with the shadows of many cases at once (kernel/batch.h).
 void run_frustum_batch(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

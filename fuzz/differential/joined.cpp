@@ -22,8 +22,8 @@ using culler::Camera;
 using culler::Culler;
 using glm::dvec3;
 
-/// A wall of panels across the line of sight, folded or flat, now and then with one left out or one corner moved by very
-/// little. Large ones are drawn in several groups that share edges.
+/// Adds a wall of panels across the line of sight, folded or flat. Sometimes a panel is missing or a corner is moved by very
+/// little. A large wall is drawn in several groups that share edges.
 void add_panels(Random& random, culler::PolygonSoup& soup, const Camera& camera) {
   const auto [right, up, forward] = camera.axes();
   const bool is_large = random.chance(0.05);
@@ -70,7 +70,7 @@ Camera some_good_camera(Random& random, const culler::PolygonSoup& soup) {
   });
 }
 
-/// Looks along an axis, so that what is flat across the line of sight has flat boxes.
+/// Makes the camera look along an axis, so that what is flat across the line of sight has flat boxes.
 void turn_to_axis(Random& random, Camera& camera) {
   const int axis = random.integer(0, 2);
   dvec3 forward{}, up{};
@@ -87,11 +87,11 @@ void run_joined(std::uint64_t seed, Report& report) {
   culler::PolygonSoup soup = some_soup(random);
   Camera camera = some_good_camera(random, soup);
   if (random.chance(0.2)) turn_to_axis(random, camera);
-  if (!culler::fault(camera).empty()) return;  // an eye so far away that it is its own target
+  if (!culler::fault(camera).empty()) return;  // the eye is so far away that it rounds to its own target
   for (int walls = random.integer(1, 3); walls > 0; --walls) add_panels(random, soup, camera);
   culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
-  config.lists.regions = 1;  // covers need no regions, and making many takes longer than all else here
+  config.lists.regions = 1;  // covers need no regions, and to make many would take longer than the rest
   const Culler culler(soup, config);
   const culler::CullOptions options = some_options(random);
   for (int frame = 0; frame < 3; ++frame) {

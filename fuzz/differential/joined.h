@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames by cover against the oracle.
+// Compares frames by cover with the oracle.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace occlude::fuzz {
 
-/// One small scene from a few viewpoints: every polygon is drawn or culled once, every cull by cover is proved.
+/// Checks a small scene from a few viewpoints: every polygon is drawn or culled once, and every cull by cover is proved.
 void run_joined(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

@@ -17,7 +17,7 @@ namespace {
 using kernel::Vec3;
 using Shows = std::function<bool(const Case&)>;
 
-/// Everything that moves with the scene.
+/// The points, which move with the scene.
 std::vector<Vec3*> points_of(Case& c) {
   std::vector<Vec3*> points;
   if (c.viewpoint.is_eye()) points.push_back(&c.viewpoint.value);
@@ -30,7 +30,7 @@ std::vector<Vec3*> points_of(Case& c) {
   return points;
 }
 
-/// Points, directions and half edges.
+/// All points, directions and half edges.
 std::vector<Vec3*> vectors_of(Case& c) {
   std::vector<Vec3*> vectors = points_of(c);
   if (!c.viewpoint.is_eye()) vectors.push_back(&c.viewpoint.value);
@@ -40,7 +40,7 @@ std::vector<Vec3*> vectors_of(Case& c) {
   return vectors;
 }
 
-/// Bits of the mantissa that are used.
+/// The number of bits of the mantissa up to the last one that is set.
 int length(double x) {
   if (x == 0) return 0;
   if (!std::isfinite(x)) return std::numeric_limits<double>::digits + 1;  // longer than any number
@@ -52,13 +52,13 @@ int length(double x) {
   return used;
 }
 
-/// x with `bits` bits of mantissa, towards zero.
+/// x with `bits` bits of mantissa, rounded towards zero.
 double shortened(double x, int bits) {
   int exponent = 0;
   return std::ldexp(std::trunc(std::ldexp(std::frexp(x, &exponent), bits)), exponent - bits);
 }
 
-/// What may stand for x, the best first.
+/// Values that may replace x, the best first.
 std::vector<double> simpler(double x) {
   if (!std::isfinite(x)) return {0, 1};
   std::vector<double> choices{0, std::copysign(1.0, x), std::trunc(x), std::round(x)};
@@ -81,7 +81,8 @@ class Minimiser {
   }
 
  private:
-  /// Enough for some hundred coordinates; about a second where the second oracle is wrong, the slowest to ask.
+  /// This is enough for some hundred coordinates. If the second oracle is wrong, it takes about a second, because that is
+  /// the slowest to ask.
   static constexpr int kMostTries = 10'000;
 
   bool step() {
@@ -120,7 +121,7 @@ class Minimiser {
     return false;
   }
 
-  /// Where that loses no bit of any coordinate. A scene that has a point at the origin stays.
+  /// Moves a point to the origin where no coordinate loses a bit. A scene that already has a point at the origin stays.
   bool move_to_origin() {
     for (const Vec3* const p : points_of(best_)) {
       if (*p == Vec3{}) return false;

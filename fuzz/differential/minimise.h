@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same trouble with less: fewer vertices, shorter numbers.
+// Makes a finding smaller: fewer vertices, shorter numbers.
 #pragma once
 
 #include <functional>
@@ -8,9 +8,9 @@
 
 namespace occlude::fuzz {
 
-/// A case for which `shows` holds, smaller by steps as long as one succeeds or a number of tries is used up: a vertex left
-/// out, or cut off a polytope; the scene moved so that the viewpoint or another point is the origin; a coordinate made zero,
-/// rounded to a whole number or to fewer bits. REQUIRES: shows(question).
+/// A smaller case for which `shows` is true. It is found by steps, until no step succeeds or a number of tries is used up. A
+/// step leaves out a vertex, or cuts it off a polytope; moves the scene so that the viewpoint or another point becomes the
+/// origin; makes a coordinate zero; or rounds it to an integer or to fewer bits. REQUIRES: shows(question).
 [[nodiscard]] Case minimise(Case question, const std::function<bool(const Case&)>& shows);
 
 }  // namespace occlude::fuzz

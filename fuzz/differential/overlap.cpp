@@ -31,7 +31,7 @@ oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustumResult& made)
   return {to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made)};
 }
 
-/// One shadow, and what becomes of the boxes put to it.
+/// One shadow, and the judgement of the boxes that are asked about it.
 class Judgement {
  public:
   Judgement(const Case& question, const std::string& family, std::uint64_t seed, Report& report)
@@ -48,7 +48,7 @@ class Judgement {
     judge_answers(box, twice);
   }
 
-  /// The axis-aligned boxes once more, all at once.
+  /// Asks the axis-aligned boxes again, all at once.
   void judge_batches() {
     if (boxes_.empty()) return;
     judge_batch(NearBoundary::closed);
@@ -56,7 +56,7 @@ class Judgement {
   }
 
  private:
-  /// `conservative` says inside when, and only when, that is so, and outside only then.
+  /// Whether `conservative` says inside exactly when that is true, and outside only when that is true.
   static bool is_sound(Relation conservative, Relation truth) {
     return conservative == truth || (conservative == Relation::partial && truth == Relation::outside);
   }
@@ -87,8 +87,8 @@ class Judgement {
     }
   }
 
-  /// A support plane is for polygons that are not coplanar, which the oracle refuses with near `surface`. Anywhere else it
-  /// would be believed, however far behind it lies.
+  /// Only polygons that are not coplanar have a support plane, and the oracle refuses these with near `surface`. Elsewhere a
+  /// support plane would be believed even if it were far behind the occluder.
   bool has_needless_support_plane() const {
     if (!made_.frustum->support_plane()) return false;
     const oracle::Shadow flat(to_oracle(question_.viewpoint), to_oracle(question_.occluder), to_oracle(Near::surface));
@@ -108,8 +108,8 @@ class Judgement {
     if (!is_sound(planes, truth)) add_finding(box, "conservative", planes, truth);
   }
 
-  /// What is inside is so with an open near plane when it is strictly beyond. What is not shares as much with the shadow as
-  /// before.
+  /// With an open near plane, a box that is inside stays inside when it is strictly beyond that plane. Else it is partial.
+  /// The other relations stay the same.
   Relation truth_if_open(const Box& box, Relation truth) {
     const bool touches = truth == Relation::inside && !shadow_.refute_cull(to_oracle(box)).empty();
     return touches ? Relation::partial : truth;
@@ -173,15 +173,15 @@ class Judgement {
   Report& report_;
   kernel::ShadowFrustumResult made_;
   oracle::Shadow shadow_;
-  bool is_wrong_ = false;  ///< the case in hand
+  bool is_wrong_ = false;  ///< the current case has a wrong answer
 
-  /// What is known of an axis-aligned box.
+  /// The facts about an axis-aligned box.
   struct Asked {
-    Relation closed, open;  ///< the truth
-    bool is_wrong;          ///< of any answer so far
+    Relation closed, open;  ///< the right answers
+    bool is_wrong;          ///< some answer so far was wrong
   };
   std::vector<kernel::Aabb> boxes_;
-  std::vector<Asked> asked_;  ///< of each of them
+  std::vector<Asked> asked_;  ///< for each of the boxes
 };
 
 }  // namespace

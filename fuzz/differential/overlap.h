@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's main question, asked of everyone who can answer it.
+// Asks the kernel's main question of everyone who can answer it.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,20 @@
 
 namespace occlude::fuzz {
 
-/// Puts `boxes` to the shadow of the question's occluder (the box of `question` does not count): certified and conservative,
-/// one by one and in batches, near plane closed and open, plain and the rivals, against the oracle; some boxes against the
-/// second oracle too. `family` and `seed` name the findings.
+/// Compares the answers about `boxes` and the shadow of the question's occluder with the oracle: certified and conservative,
+/// one by one and in batches, with near planes closed and open, plain and the rivals. Some boxes are asked of the second
+/// oracle too. The box of `question` is not used. `family` and `seed` name the findings.
 void judge_overlap(const Case& question, std::span<const Box> boxes, const std::string& family, std::uint64_t seed,
                    Report& report);
 
-/// A case of the family and its neighbours.
+/// Judges a case of the family and its neighbours.
 void run_overlap(Family family, std::uint64_t seed, Report& report);
 
-/// What the oracle says of one case: "inside", "partial", "outside"; empty when it refuses.
+/// The oracle's answer to one case: "inside", "partial", "outside". Empty when it refuses.
 [[nodiscard]] std::string judged_answer(const Case& question);
 
-/// The finding of this kind that the case gives by itself, if it does: what a smaller case must show too to stand for it.
+/// The finding of this kind that the case gives alone, if it gives one. A smaller case must give the same kind to replace
+/// it.
 [[nodiscard]] std::optional<Finding> find_again(const Case& question, const std::string& kind);
 
 }  // namespace occlude::fuzz

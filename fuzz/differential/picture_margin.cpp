@@ -16,15 +16,15 @@ namespace {
 using Real = long double;
 using Vector = glm::vec<3, Real>;
 
-/// The share of a model's depth by which positions in single precision are out, as shadow_margin.h has it.
+/// The share of a model's depth by which positions in single precision may be wrong, as in shadow_margin.h.
 constexpr Real kSinglePrecision = 0x1p-21L;
 
-/// The culler takes for the depth of a model the sum of what its box reaches along the axes: a corner of the box is at most
-/// the square root of 3 times as far as the farthest vertex, and the sum at most that many times as much.
+/// The culler takes as the depth of a model the sum of the reaches of its box along the axes. A corner of the box is at most
+/// sqrt(3) times as far away as the farthest vertex, and the sum is at most sqrt(3) times the distance of that corner.
 constexpr Real kMostDepth = 3;
 
-/// Distances in the doubles of the culler, from planes in doubles, are out by far less than this share of the model's depth;
-/// it is itself far less than what single precision is out by.
+/// The culler's distances are in doubles, from planes in doubles. They are wrong by far less than this share of the model's
+/// depth, which itself is far less than the error of single precision.
 constexpr Real kDoubtful = 0x1p-24L;
 
 Vector vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -52,7 +52,7 @@ std::vector<Vector> corners_of(const culler::Box& box) {
 }
 
 struct Plane {
-  Vector normal;  ///< of length 1, to the inner side
+  Vector normal;  ///< of length 1, towards the inner side
   Vector point;
 };
 
@@ -117,7 +117,8 @@ bool PictureMargin::keeps(const kernel::ShadowFrustum& shadow, const culler::Box
 bool PictureMargin::keeps(const kernel::ShadowUnion& shadows, const culler::Box& box) const {
   if (is_none_) return true;
   if (doubt_ == Doubt::draws) return false;
-  // The least that is asked: corners moved in some directions, short of where the culler asks, are in one of the shadows.
+  // The least that a sound culler may ask: corners moved in some directions, slightly less far than the culler moves them,
+  // are in one of the shadows.
   constexpr int kDirections = 8;
   constexpr Real kSafely = 1 - 0x1p-20L;
   for (const Vector& corner : corners_of(box)) {

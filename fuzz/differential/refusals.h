@@ -7,7 +7,7 @@
 
 namespace occlude::fuzz {
 
-/// Cases of any family with something wrong about them: who refuses, and who answers what.
+/// Damaged cases of any family: which side refuses, and which answers.
 void run_refusals(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

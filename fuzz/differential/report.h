@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run of cases found: counts, and the cases on which somebody who claims to be right is wrong.
+// The results of a run: counts, and the cases in which something that claims to be right is wrong.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace occlude::fuzz {
 
-/// Wrong answers of an arithmetic that makes no promise. A wrong cull says `inside` of what is not: something visible
-/// disappears. Any other wrong answer at worst draws what is hidden.
+/// Wrong answers of an arithmetic that promises nothing. A wrong cull says `inside` where that is false: something visible
+/// would disappear. Any other wrong answer at worst draws what is hidden.
 struct WrongAnswers {
   std::uint64_t culls = 0, draws = 0;
 
@@ -32,13 +32,13 @@ struct WrongAnswers {
 struct Tally {
   std::uint64_t cases = 0;
   std::uint64_t refused = 0;                 ///< by the kernel and by the oracle
-  std::array<std::uint64_t, 3> relations{};  ///< as in kernel::Relation; of answered cases
-  std::array<std::uint64_t, 2> stages{};     ///< as in kernel::Stage
-  std::uint64_t judged_twice = 0;            ///< by the second oracle as well
-  std::uint64_t disagreements = 0;           ///< cases with one finding or more
-  std::uint64_t planes_asked = 0;            ///< boxes outside that `conservative` was asked of
-  std::uint64_t undecided = 0;               ///< `conservative` says partial of a box that is outside
-  std::uint64_t others_asked = 0;            ///< cases that plain and the rivals were asked
+  std::array<std::uint64_t, 3> relations{};  ///< the answered cases, by kernel::Relation
+  std::array<std::uint64_t, 2> stages{};     ///< by kernel::Stage
+  std::uint64_t judged_twice = 0;            ///< also by the second oracle
+  std::uint64_t disagreements = 0;           ///< cases with at least one finding
+  std::uint64_t planes_asked = 0;            ///< boxes outside about which `conservative` was asked
+  std::uint64_t undecided = 0;               ///< boxes outside for which `conservative` says partial
+  std::uint64_t others_asked = 0;            ///< cases about which plain and the rivals were asked
   WrongAnswers plain, float32, fused;
 
   void count(kernel::Relation truth, kernel::Stage stage) {
@@ -53,9 +53,9 @@ struct Tally {
 struct Finding {
   std::string family;
   std::uint64_t seed = 0;
-  std::string kind;              ///< who was wrong about what: a smaller case must show the same
+  std::string kind;              ///< who was wrong about what; a smaller case must show the same
   std::string what;              ///< one line: who said what
-  std::optional<Case> question;  ///< where it is one that a case file can hold
+  std::optional<Case> question;  ///< when a case file can hold it
   std::string expect;            ///< the oracle's answer to it
 };
 
@@ -65,10 +65,10 @@ struct Report {
   std::vector<Finding> findings;
 };
 
-/// Findings kept of many reports: those of the lowest seeds.
+/// The number of findings that are kept of many reports: those with the lowest seeds.
 inline constexpr std::size_t kKeptFindings = 3;
 
-/// Adds `part` to `whole`, in whatever order parts come.
+/// Adds `part` to `whole`. The sum does not depend on the order of the parts.
 void add(Report& whole, Report&& part);
 
 }  // namespace occlude::fuzz

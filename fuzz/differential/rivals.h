@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arithmetics in which others run such a test, to be run through the kernel's `plain` test (kernel/src/arithmetic.h).
+// Arithmetics that others use for such a test. They run through the kernel's `plain` test (kernel/src/arithmetic.h).
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace occlude::fuzz {
 
-/// A double rounded to the 24 bits of a float after every operation. Its exponents are those of doubles: what is counted is
-/// lost precision, not overflow.
+/// A double that is rounded to the 24 bits of a float after every operation. It keeps the exponents of doubles, because lost
+/// precision is counted and not overflow.
 struct Float32 {
   double value = 0;
 
@@ -25,13 +25,13 @@ struct Float32 {
   friend Float32 operator*(Float32 a, Float32 b) { return rounded(a.value * b.value); }
 };
 
-/// Doubles whose products are fused with the sum around them, as compilers contract them where a processor can.
+/// Doubles whose products are fused with the sums around them, as compilers do for processors that can.
 struct Fused {
   double value = 0;
 
   struct Product {
     double a, b;
-    operator Fused() const { return {a * b}; }  // NOLINT: a product that nothing is added to
+    operator Fused() const { return {a * b}; }  // NOLINT: a product to which nothing is added
   };
 
   Fused operator-() const { return {-value}; }
@@ -44,7 +44,7 @@ struct Fused {
   friend Fused operator-(Product p, Product q) { return {std::fma(p.a, p.b, -(q.a * q.b))}; }
 };
 
-/// The relation of the box to the frustum by the paper's test in that arithmetic.
+/// The relation of the box to the frustum by the paper's test in each arithmetic.
 [[nodiscard]] kernel::Relation overlap_float32(const kernel::ShadowFrustum& frustum, const Box& box);
 [[nodiscard]] kernel::Relation overlap_fused(const kernel::ShadowFrustum& frustum, const Box& box);
 

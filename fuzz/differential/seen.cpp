@@ -25,7 +25,7 @@ using kernel::Polytope;
 using kernel::Vec3;
 using kernel::ViewCone;
 
-/// Corner i is high on axis k where bit k of i is set.
+/// Corner i is at the high end of axis k when bit k of i is set.
 std::vector<Vec3> corners_of(const Aabb& box) {
   std::vector<Vec3> corners;
   for (unsigned i = 0; i < 8; ++i) {
@@ -52,7 +52,7 @@ Polygon face_of(Random& random, const Aabb& box) {
   return face;
 }
 
-/// Three of its vertices.
+/// A triangle of three of its vertices.
 Polygon part_of(Random& random, const Occluder& occluder) {
   const std::vector<Vec3>& vertices = vertices_of(occluder);
   Polygon part;
@@ -85,7 +85,8 @@ std::optional<ViewCone> cone_of(const kernel::Viewpoint& viewpoint, const Occlud
   return made.polytope ? ViewCone::make(viewpoint, *made.polytope).cone : std::nullopt;
 }
 
-/// Whether the silhouette's corners are the oracle's. Of a polygon that is not coplanar two may be seen as one.
+/// Compares the corners of the silhouette with the oracle's. Two vertices of a polygon that is not coplanar may be seen as
+/// one.
 std::string silhouette_fault(const Case& c, const ViewCone& cone) {
   const oracle::Outline outline = oracle::outline(to_oracle(c.viewpoint), to_oracle(c.occluder));
   if (!outline.refusal.empty()) return "the oracle refuses: " + outline.refusal;
@@ -97,7 +98,7 @@ std::string silhouette_fault(const Case& c, const ViewCone& cone) {
   return flat.refusal().empty() ? "a corner is missing" : "";
 }
 
-/// Draws so many that one is not legal, or the kernel refuses what it should not.
+/// A group is full long before this, unless the kernel refuses what it should not.
 constexpr std::uint64_t kMostTries = 100 * kGroup;
 
 }  // namespace

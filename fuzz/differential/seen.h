@@ -7,11 +7,12 @@
 
 namespace occlude::fuzz {
 
-/// What a viewpoint sees of two convex objects, by the general test (kernel/view_cone.h): occluders of any case, parts of
-/// them, the sides of boxes. Silhouettes and farthest vertices on the way.
+/// Compares what a viewpoint sees of two convex objects by the general test (kernel/view_cone.h). The objects are occluders
+/// of any case, parts of them and faces of boxes. Silhouettes and farthest vertices are compared as well.
 void run_cones(std::uint64_t seed, Report& report);
 
-/// Convex polytopes in the place of boxes (kernel/polytope_overlap.h): boxes and their corners, and occluders themselves.
+/// The same for convex polytopes instead of boxes (kernel/polytope_overlap.h): boxes, tetrahedra of their corners, and
+/// occluders.
 void run_occludees(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

@@ -22,14 +22,15 @@ void add_loop(PolygonSoup& soup, const std::vector<dvec3>& loop) {
   soup.add_polygon(indices);
 }
 
-/// A loop of four in one piece, or the two triangles that it is drawn as.
+/// A loop of four vertices as one polygon, or as the two triangles of its fan.
 void add_quadrilateral(PolygonSoup& soup, const std::array<dvec3, 4>& loop, bool is_whole) {
   if (is_whole) return add_loop(soup, {loop.begin(), loop.end()});
   add_loop(soup, {loop[0], loop[1], loop[2]});
   add_loop(soup, {loop[0], loop[2], loop[3]});
 }
 
-/// A rectangle along two axes, its sides up to `size`; or its two halves, flat or bent so little that they pass for it.
+/// A rectangle along two axes with sides up to `size`. It may be two triangles, flat or bent so little that they pass for
+/// flat.
 void add_wall(Random& random, PolygonSoup& soup, int reach, int size) {
   const int axis = random.integer(0, 2);
   dvec3 along{}, across{};
@@ -42,8 +43,8 @@ void add_wall(Random& random, PolygonSoup& soup, int reach, int size) {
   add_quadrilateral(soup, {corner, corner + along, opposite, last}, is_whole);
 }
 
-/// A closed box, upright or skew, its sides up to `size`, of 6 faces or 12, on its own or with a wall that goes on from an
-/// edge; or some of its faces, which meet in edges.
+/// A closed box, upright or skew, with edges up to `size` and 6 or 12 faces, or only some of its faces, which meet in edges.
+/// A wall may continue from one of its edges.
 void add_block(Random& random, PolygonSoup& soup, int reach, int size) {
   const auto side = [&] { return static_cast<double>(random.integer(1, size)); };
   const dvec3 x{side(), 0, 0}, y{0, side(), 0};
@@ -57,7 +58,7 @@ void add_block(Random& random, PolygonSoup& soup, int reach, int size) {
     if (random.chance(kept)) add_quadrilateral(soup, {high, high - a, high - a - b, high - b}, is_whole);
   }
   if (random.chance(0.5)) return;
-  // With a vertex more in the edge: what three polygons share is of no closed box.
+  // The wall has an extra vertex on the edge, because an edge that three polygons share does not belong to a closed box.
   const dvec3 away = lattice_point(random, size);
   add_loop(soup, {high, high - 0.5 * z, high - z, high - z + away, high + away});
 }
@@ -66,7 +67,8 @@ void add_triangle(Random& random, PolygonSoup& soup, int reach) {
   add_loop(soup, {lattice_point(random, reach), lattice_point(random, reach), lattice_point(random, reach)});
 }
 
-/// Parallel to a polygon, half as large and before its middle, or behind it, or in its plane: a hair away along an axis.
+/// A quadrilateral parallel to a polygon and half as large, on its middle. It is moved by at most 2^-17 along an axis, so it
+/// lies in front of the polygon, behind it or in its plane.
 void add_poster(Random& random, PolygonSoup& soup) {
   const auto loop = soup.loop(random.index(soup.size()));
   const dvec3 a = soup.vertices[loop[0]], b = soup.vertices[loop[1]], c = soup.vertices[loop[2]];
@@ -76,7 +78,7 @@ void add_poster(Random& random, PolygonSoup& soup) {
   add_quadrilateral(soup, {corner, corner + along, corner + along + across, corner + across}, random.chance(0.5));
 }
 
-/// A loop in a plane along two axes that turns as it likes: its fan folds over.
+/// A loop with random corners in a plane along two axes. Its fan may fold over.
 void add_folded(Random& random, PolygonSoup& soup, int reach, int size) {
   const int axis = random.integer(0, 2);
   const dvec3 middle = lattice_point(random, reach);
@@ -89,14 +91,14 @@ void add_folded(Random& random, PolygonSoup& soup, int reach, int size) {
   add_loop(soup, loop);
 }
 
-/// The largest power of two that is not above x.
+/// The largest power of two that is at most x.
 double power_below(double x) {
   int exponent = 0;
   std::frexp(x, &exponent);
   return std::ldexp(1.0, exponent - 1);
 }
 
-/// The occluder of some case, moved near: any number of sides, slivers, folded ones.
+/// The occluder of any case, scaled to the scene. It may have any number of sides, be a sliver or be folded.
 void add_occluder_of_case(Random& random, PolygonSoup& soup, int reach) {
   const Case c = any_case(random);
   const auto* const polygon = std::get_if<Polygon>(&c.occluder);
@@ -133,7 +135,7 @@ PolygonSoup some_soup(Random& random) {
   for (int others = random.integer(0, 4); others > 0; --others) {
     (random.chance(0.5) ? add_triangle : add_occluder_of_case)(random, soup, kReach);
   }
-  if (random.chance(0.2)) {  // far from the origin, rounded
+  if (random.chance(0.2)) {  // far from the origin, where coordinates round
     const dvec3 away = 1e6 * lattice_point(random, 9) + dvec3{0.1, 0.2, 0.3};
     for (dvec3& v : soup.vertices) v += away;
   }

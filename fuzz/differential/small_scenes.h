@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of some dozens of polygons on a lattice, and cameras in odd places of them.
+// Scenes of some dozens of polygons on a lattice, and cameras in odd places.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,16 +10,16 @@
 
 namespace occlude::fuzz {
 
-/// How far a scene's large things reach from the origin, on each axis.
+/// The large things of a scene reach this far from the origin on each axis.
 inline constexpr int kReach = 8;
 
-/// Whole numbers up to `reach`.
+/// A point of integers from -`reach` to `reach`.
 [[nodiscard]] glm::dvec3 lattice_point(Random& random, int reach);
 
-/// Some walls and boxes that hide, small things that can be hidden, and a few polygons of any kind.
+/// Some walls and boxes that hide, small things that they may hide, and a few polygons of any kind.
 [[nodiscard]] culler::PolygonSoup some_soup(Random& random);
 
-/// Near a vertex, mostly of the first wall; it may have a fault().
+/// A camera near a vertex, mostly near one of the first wall. It may have a fault().
 [[nodiscard]] culler::Camera some_camera(Random& random, const culler::PolygonSoup& soup);
 
 }  // namespace occlude::fuzz

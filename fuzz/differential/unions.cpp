@@ -23,7 +23,8 @@ namespace {
 
 using kernel::Vec3;
 
-/// A polygon cut along a line through two corners, or of a triangle a corner and the middle of the side across.
+/// Cuts a polygon along a line through two corners, or a triangle along the line from a corner to the middle of the opposite
+/// side.
 std::array<Polygon, 2> cut(Random& random, Polygon polygon) {
   if (polygon.size() == 3) {
     const Vec3 &a = polygon[0], &b = polygon[1];
@@ -37,7 +38,7 @@ std::array<Polygon, 2> cut(Random& random, Polygon polygon) {
   return {std::move(first), std::move(second)};
 }
 
-/// A parallelogram that goes on from an edge of a face, in its plane.
+/// A parallelogram in the plane of a face that continues the face beyond one of its edges.
 Polygon wall_beside(Random& random, const kernel::Polytope& solid) {
   const auto& face = solid.faces[random.index(solid.faces.size())];
   const std::size_t i = random.index(face.size());
@@ -47,7 +48,7 @@ Polygon wall_beside(Random& random, const kernel::Polytope& solid) {
   return {a, b, {b.x + away.x, b.y + away.y, b.z + away.z}, {a.x + away.x, a.y + away.y, a.z + away.z}};
 }
 
-/// The two occluders of a question: each a case of its own, of one viewpoint and near side.
+/// The two occluders of a question, each as a case. They have the same viewpoint and kind of near plane.
 std::array<Case, 2> halves_of(Random& random, const Case& whole) {
   std::array<Case, 2> halves{whole, whole};
   const auto* const polygon = std::get_if<Polygon>(&whole.occluder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One answer of the kernel's against one of the oracle's, for questions that a case file cannot hold.
+// Compares one answer of the kernel with one of the oracle, for questions that a case file cannot hold.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,18 @@
 
 namespace occlude::fuzz {
 
-/// Whether a case is for the second oracle too, which is slow: one in a hundred.
+/// Whether a case is asked of the second oracle too. That is slow, so it is one case in a hundred.
 [[nodiscard]] inline bool is_judged_twice(std::uint64_t number) { return Random(number).bits() % 100 == 0; }
 
-/// A finding about a question that a case file cannot hold; the family and the seed make it again.
+/// Adds a finding about a question that a case file cannot hold. The family and the seed make it again.
 inline void add_finding(Report& report, std::string_view family, std::uint64_t seed, std::string_view kind,
                         const std::string& what) {
   ++report.tally.disagreements;
   report.findings.push_back({std::string(family), seed, std::string(kind), what, std::nullopt, ""});
 }
 
-/// Counts the case; a difference is a finding. `what` is the question in a few words. No stage where the answer has none.
+/// Counts the case. A difference is a finding. `what` is the question in a few words. `stage` is empty when the answer has
+/// none.
 inline void judge(Report& report, std::string_view family, std::uint64_t seed, const std::string& what,
                   kernel::Relation certified, std::optional<kernel::Stage> stage, const oracle::Answer& truth) {
   ++report.tally.cases;

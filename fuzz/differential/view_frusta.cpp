@@ -22,7 +22,7 @@ using kernel::HalfSpace;
 using kernel::Vec3;
 using HalfSpaces = std::vector<HalfSpace>;
 
-/// The test is cubic in their number.
+/// The time of the test grows with the cube of their number.
 constexpr std::size_t kMostPlanes = 12;
 
 double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -31,7 +31,7 @@ bool is_legal(const HalfSpace& h) {
   return kernel::check(h.normal) == kernel::Refusal::none && kernel::check(h.offset) == kernel::Refusal::none;
 }
 
-/// The frustum's planes as the filter has them, rounded or not.
+/// The planes of the frustum as the filter has them. They may be rounded.
 HalfSpaces planes_of(const kernel::ShadowFrustum& frustum) {
   HalfSpaces planes;
   for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
@@ -41,7 +41,7 @@ HalfSpaces planes_of(const kernel::ShadowFrustum& frustum) {
   return planes;
 }
 
-/// Parallel to the first plane and behind a point of the box, or just through it.
+/// A half-space that faces the first plane, with a point of the box on its plane or inside.
 HalfSpace far_plane(Random& random, const HalfSpace& near, const Box& box) {
   const auto* const aabb = std::get_if<kernel::Aabb>(&box);
   const Vec3 point = aabb ? aabb->max : std::get<kernel::Obb>(box).center;
@@ -54,14 +54,14 @@ struct View {
   Box box;
 };
 
-/// Half-spaces with a common point: those of a shadow, and far from the eye another.
+/// Half-spaces with a common point: those of a shadow, and perhaps a far plane.
 std::optional<View> some_view(Random& random) {
   const Case c = any_legal_case(random);
   HalfSpaces view = planes_of(*make_frustum(c).frustum);
   if (random.chance(0.5)) {
     const HalfSpace& near = view.front();
     const HalfSpace far = far_plane(random, near, c.box);
-    // Between the two there is room: the shadow goes on beyond its near plane for ever.
+    // There is room between the two planes, and the shadow has points there because it has no far end.
     if (far.offset + near.offset > 1e-3 * std::abs(near.offset)) view.push_back(far);
   }
   if (view.size() > kMostPlanes || !std::ranges::all_of(view, is_legal)) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line of a case file: refused with a message, or read back from what is written.
+// Reads a line of a case file. It must be refused with a message, or read back as it is written.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     harness::read({reinterpret_cast<const char*>(data), size});
   } catch (const cases::LineError&) {
-    // The one way to refuse a line.
+    // This is the only way to refuse a line.
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may be an occluder: free and often illegal shapes, refused by everyone or by nobody, however they are written down.
+// Makes occluders of any shape, often illegal. Each is refused by everyone or by no one, however it is written.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -27,7 +27,7 @@ std::string text(Refusal refusal) {
   finding(what + ": " + cases::write_case("construction", question, ""));
 }
 
-/// Both near sides are refused alike, and so is the cone of rays.
+/// Both near sides must be refused for the same reason, and so must the cone of rays.
 void check_refusal(const Case& question, Refusal refusal) {
   Case other = question;
   other.near = question.near == fuzz::Near::surface ? fuzz::Near::farthest : fuzz::Near::surface;
@@ -44,8 +44,8 @@ void check_refusal(const Case& question, Refusal refusal) {
   if (cone_refusal != refusal) fail("the frustum " + text(refusal) + ", the cone " + text(cone_refusal), question);
 }
 
-/// A loop or its faces turned, shifted and stuttering: neither the refusal nor, where the near side does not hang on the
-/// order of the input, an answer may change.
+/// The same question with the loop or its faces reversed, rotated or with a vertex repeated. This must not change the
+/// refusal. It must not change an answer either, unless the near side depends on the order of the input.
 std::vector<Case> rewritten(const Case& question) {
   std::vector<Case> result;
   if (const auto* const loop = std::get_if<Polygon>(&question.occluder); loop != nullptr && !loop->empty()) {
@@ -68,7 +68,7 @@ void check_rewritten(const Case& question, const kernel::ShadowFrustumResult& ma
   const bool same_shadow = question.near == fuzz::Near::surface && made.frustum && !made.frustum->support_plane();
   for (const Case& other : rewritten(question)) {
     const auto theirs = make_frustum(other);
-    // Of several reasons another may come first.
+    // When there are several reasons to refuse, another may come first.
     if (theirs.frustum.has_value() != made.frustum.has_value()) {
       fail("written otherwise the occluder " + text(theirs.refusal) + ", as here it " + text(made.refusal), question);
     }
@@ -91,7 +91,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   harness::Decoder decoder({data, size});
   const fuzz::Case question = decoder.question();
   const auto made = make_frustum(question);
-  // With the near side as the kernel took it the oracle proves that it is sound, too.
+  // The oracle gets the near side that the kernel used, so it also proves that this is sound.
   const oracle::Shadow shadow(fuzz::to_oracle(question.viewpoint), fuzz::to_oracle(question.occluder),
                               fuzz::to_oracle(question.near, made));
   if (shadow.refusal().empty() != made.frustum.has_value()) {

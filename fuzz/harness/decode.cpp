@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A point of the plane in whole numbers.
+/// A point of the plane with integer coordinates.
 struct Place {
   int a, b;
   friend auto operator<=>(const Place&, const Place&) = default;
@@ -33,7 +33,7 @@ struct Place {
 
 int turn(const Place& o, const Place& p, const Place& q) { return (p.a - o.a) * (q.b - o.b) - (p.b - o.b) * (q.a - o.a); }
 
-/// The corners of the hull, by Andrew's monotone chain; all the points where they are in line.
+/// The corners of the hull, by Andrew's monotone chain. All the points when they are collinear.
 std::vector<Place> corners_of_hull(std::vector<Place> places) {
   std::ranges::sort(places);
   std::vector<Place> hull;
@@ -53,7 +53,7 @@ std::vector<Place> corners_of_hull(std::vector<Place> places) {
 
 Decoder::Decoder(std::span<const std::uint8_t> bytes) : bytes_(bytes) {
   const int scale = static_cast<std::int8_t>(byte());
-  // From 2^-90 to 2^90: the grids below stay in the legal range, or leave it by little.
+  // From 2^-90 to 2^90. The grids below then stay in the legal range or barely leave it.
   unit_ = std::abs(scale) <= 30 ? 1 : std::ldexp(1, std::clamp(scale, -90, 90));
 }
 
@@ -98,7 +98,7 @@ double Decoder::number() {
 
 const Vec3& Decoder::used_point() { return points_[below(points_.size())]; }
 
-/// A vector of small whole numbers.
+/// A vector of small integers, in units of the scene.
 Vec3 Decoder::step() {
   const auto small = [&] { return unit_ * std::fmod(static_cast<std::int8_t>(byte()), 5); };
   const double x = small(), y = small();
@@ -138,7 +138,7 @@ Vec3 Decoder::point() {
   return result;
 }
 
-/// Some of the points; a byte is to reach all that are kept.
+/// Keeps some of the points. There are at most 256, so one byte reaches all that are kept.
 void Decoder::use(const std::vector<Vec3>& points) {
   for (std::size_t i = 0; i < std::min<std::size_t>(points.size(), 16) && points_.size() < 256; ++i) {
     points_.push_back(points[i]);
@@ -176,7 +176,7 @@ Polygon Decoder::free_polygon() {
   return polygon;
 }
 
-/// Other ways to write the same loop down; most are as legal.
+/// Writes the same loop in another way. Most ways are as legal as before.
 void Decoder::rewrite(Polygon& polygon) {
   const std::uint8_t how = byte();
   if (polygon.empty() || how < 0x80) return;

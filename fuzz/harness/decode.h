@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Bytes turned into geometry, so that what a fuzzer changes in them is a coordinate, a vertex or a kind. Every sequence of
-// bytes is some scene; behind its end it goes on as zeros.
+// Turns bytes into geometry, so that a fuzzer that changes a byte changes a coordinate, a vertex or a kind. Every sequence
+// of bytes is a scene. After its end it continues with zeros.
 //
-// Random doubles would never touch one another. So numbers come from small grids, or from numbers already used, and points
-// from points already used: on the line through two of them, next to one, in its plane parallel to an axis.
+// Random doubles would never touch one another. So numbers come from small grids or from numbers used before. Points come
+// from points used before, lie on the line through two of them or next to one, or combine their coordinates.
 #pragma once
 
 #include <cstddef>
@@ -17,26 +17,26 @@ namespace occlude::harness {
 
 class Decoder {
  public:
-  /// The first byte is the unit of the scene, mostly 1, else a power of two.
+  /// The first byte gives the unit of the scene, mostly 1, else a power of two.
   explicit Decoder(std::span<const std::uint8_t> bytes);
 
   [[nodiscard]] std::uint8_t byte();
-  /// In [0, count), for counts up to 256.
+  /// An index in [0, count). REQUIRES: count is at most 256.
   [[nodiscard]] std::size_t below(std::size_t count) { return byte() % count; }
   [[nodiscard]] bool flag() { return (byte() & 1U) != 0; }
 
-  /// One double in some hundred is any at all: not finite, out of range.
+  /// A number. One in some hundred is any double: not finite, or out of range.
   [[nodiscard]] double number();
   [[nodiscard]] kernel::Vec3 point();
 
   [[nodiscard]] kernel::Viewpoint viewpoint();
-  /// Convex in a plane, convex from the viewpoint and folded, or no polygon at all.
+  /// A loop that is convex in a plane, convex from the viewpoint and folded, or no polygon at all.
   [[nodiscard]] fuzz::Polygon polygon(const kernel::Viewpoint& viewpoint);
-  /// A box, prism, pyramid or hull, its faces written in any way, now and then broken; or faces at random.
+  /// A box, prism, pyramid or hull with faces written in any way and sometimes broken, or random faces.
   [[nodiscard]] kernel::Polytope polytope(const kernel::Viewpoint& viewpoint);
   [[nodiscard]] fuzz::Box box();
 
-  /// A case but for its box.
+  /// A case without its box.
   [[nodiscard]] fuzz::Case question();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a harness says that something is wrong: one line, and the end of the process, which is what fuzzers look for.
+// Reports that something is wrong: one line, and the end of the process, which is what fuzzers look for.
 #pragma once
 
 #include <cstdio>

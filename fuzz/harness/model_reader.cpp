@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Model files: the first byte picks the format, the rest is the file.
+// Reads model files: the first byte chooses the format, the rest is the file.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     harness::read(file);
   } catch (const render::InputError&) {
-    // The one way to refuse a file.
+    // This is the only way to refuse a file.
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's main question: one shadow, some boxes, everyone's answers.
+// Asks the kernel's main question of everyone: one shadow, some boxes.
 #include "differential/overlap.h"
 
 #include <span>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Camera paths: refused with a message, or good in every frame and read back from what is written.
+// Reads a camera path. It must be refused with a message, or have a legal camera in every frame and read back as it is
+// written.
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
@@ -46,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     harness::read(file);
   } catch (const render::InputError&) {
-    // The one way to refuse a file.
+    // This is the only way to refuse a file.
   }
   return 0;
 }

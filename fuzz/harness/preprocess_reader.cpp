@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Preprocess files: refused with a message, or a culler that breaks no promise whatever the file says.
+// Reads a preprocess file. It must be refused with a message, or give a culler that breaks no promise.
 #include <zlib.h>
 
 #include <array>
@@ -22,7 +22,7 @@
 namespace occlude::harness {
 namespace {
 
-/// Three walls, one behind the other, and a box behind them.
+/// Five walls, one behind the other, and two more between the last two.
 culler::PolygonSoup some_soup() {
   culler::PolygonSoup soup;
   const auto quad = [&](const std::array<glm::dvec3, 4>& corners) {
@@ -48,9 +48,9 @@ std::vector<std::uint8_t> sound_file(const culler::PolygonSoup& soup) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The sound file with what the input says changed: after a first byte that tells whether the checksum is put right and how
-/// many bytes the end loses, an offset of two bytes and a value, again and again. Bytes that are no such file would never
-/// come past the reader's first lines.
+/// The sound file with changes. The lowest bit of the first input byte says whether the checksum is left wrong, the other
+/// bits say how many bytes the end loses. Then follow changes, each an offset of two bytes and a value. Bytes that are not
+/// made from a sound file would hardly ever get past the first checks of the reader.
 std::vector<std::uint8_t> edited(std::vector<std::uint8_t> bytes, std::span<const std::uint8_t> input) {
   if (input.empty()) return bytes;
   const std::uint8_t flags = input[0];
@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     harness::judge(render::make_culler(soup, options));
   } catch (const render::InputError&) {
-    // The one way to refuse a file.
+    // This is the only way to refuse a file.
   }
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts files to a harness without any fuzzer: every file named and all those in the folders named.
+// Runs a harness without a fuzzer, on every file named and on all files in the folders named.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ bool replay(const fs::path& file) {
     return false;
   }
   const std::vector<char> bytes(std::istreambuf_iterator<char>(in), {});
-  // Named before it runs: whatever it does, the last name printed is the culprit's.
+  // The name is printed before the run, so after a crash the last name is that of the file that caused it.
   std::printf("%s\n", file.c_str());
   std::fflush(stdout);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

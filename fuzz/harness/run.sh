@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds the harnesses and runs each on its corpus. Usage: bash fuzz/harness/run.sh [SECONDS] [HARNESS...]
-# A line each: what it ran, how fast, how much it covers, what it found. Exit code 1 when one found something; the inputs
-# that did it, and the whole log, are left in build/fuzzers/fuzz/found/HARNESS.
+# Prints a line for each: what it ran, how fast, how much it covers, what it found. The exit code is 1 when one found
+# something. The inputs that caused it and the whole log are in build/fuzzers/fuzz/found/HARNESS.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
@@ -15,9 +15,9 @@ cmake --build --preset fuzzers --target harnesses >/dev/null
 status=0
 for name in "$@"; do
   found=build/fuzzers/fuzz/found/$name
-  # New inputs go to the first folder; the corpus itself is read only.
+  # New inputs go to the first folder. The corpus itself is only read.
   mkdir -p "$found" "build/fuzzers/fuzz/corpus/$name"
-  # The import library's process may take a minute before it is ended.
+  # The process of the import library may take a minute before it is ended.
   timeout=10
   [ "$name" != model_reader ] || timeout=90
   rc=0

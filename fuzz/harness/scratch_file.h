@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes as a file with a name, for readers that take nothing else.
+// Bytes as a named file, for readers that only take files.
 #pragma once
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 namespace occlude::harness {
 
-/// In the folder for temporary files, removed with the object; one process uses the same name again and again.
+/// The file is in the folder for temporary files and is removed with the object. A process always uses the same name.
 class ScratchFile {
  public:
   ScratchFile(std::span<const std::uint8_t> bytes, const std::string& extension)

@@ -13,10 +13,10 @@ using culler::Camera;
 using culler::PolygonSoup;
 using glm::dvec3;
 
-// Of the size of the numbers involved: far above what a few roundings make, 2^-50.
+// The share of the numbers involved that counts as rounding. A few roundings make 2^-50, which is far less.
 constexpr double kMargin = 1e-9;
 
-/// Whether the point is before the near plane or beside the picture, or may be.
+/// Whether the point is, or may be, outside of the near plane, the far plane or the sides of the picture.
 bool may_be_out_of_picture(const dvec3& point, const Camera& camera) {
   const auto [right, up, forward] = camera.axes();
   const dvec3 way = point - camera.eye;
@@ -31,8 +31,8 @@ bool may_be_out_of_picture(const dvec3& point, const Camera& camera) {
 
 double volume(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::dot(glm::cross(a, b), c); }
 
-/// Whether the triangle meets the segment, or comes near it: the segment passes the triangle's plane and sees no edge of it
-/// surely on the other side.
+/// Whether the triangle meets the segment or comes near it. It may not when the segment certainly stays on one side of its
+/// plane, or when the line of the segment certainly passes outside of an edge.
 bool may_meet(const dvec3& from, const dvec3& to, const dvec3& a, const dvec3& b, const dvec3& c) {
   const dvec3 p = a - from, q = b - from, r = c - from, way = to - from;
   const double size = glm::length(way) + glm::length(p) + glm::length(q) + glm::length(r);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a camera surely sees, found without any shadow: by looking along single rays.
+// Finds what a camera certainly sees, without any shadow, by looking along single rays.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace occlude::harness {
 
-/// Whether some middle of a fan triangle of the polygon is in the picture and no other polygon is before it, both by far
-/// more than rounding can err. `false` says nothing.
+/// Whether the middle of some fan triangle of the polygon is in the picture and no other polygon is in front of it, both by
+/// far more than the rounding error. `false` means that nothing is known.
 [[nodiscard]] bool is_surely_visible(const culler::PolygonSoup& soup, std::size_t polygon, const culler::Camera& camera);
 
 }  // namespace occlude::harness

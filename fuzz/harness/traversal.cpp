@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The culler: a small soup, a camera, options, and every promise of a culled frame.
+// Checks every promise of a culled frame on a small soup, with a camera and options.
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -28,13 +28,13 @@ PolygonSoup soup_of(Decoder& decoder, const Camera& camera) {
     const std::uint32_t first = static_cast<std::uint32_t>(soup.vertices.size());
     std::vector<std::uint32_t> loop;
     for (const kernel::Vec3& v : decoder.polygon(eye)) loop.push_back(soup.add_vertex(vector(v)));
-    if (loop.size() < 3) loop.assign(3, first == 0 ? soup.add_vertex({}) : first - 1);  // a soup has no less
+    if (loop.size() < 3) loop.assign(3, first == 0 ? soup.add_vertex({}) : first - 1);  // a soup has no polygon with fewer
     soup.add_polygon(loop);
   }
   return soup;
 }
 
-/// The faces of a solid, as far as there are such.
+/// Adds the faces of a solid that name existing vertices.
 void add_solid(Decoder& decoder, const Camera& camera, PolygonSoup& soup) {
   const auto eye = kernel::Viewpoint::eye({camera.eye.x, camera.eye.y, camera.eye.z});
   const kernel::Polytope solid = decoder.polytope(eye);
@@ -108,7 +108,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   culler::BuildConfig config = harness::config_of(decoder);
   culler::CullOptions options = harness::options_of(decoder);
   culler::PolygonSoup soup = harness::soup_of(decoder, camera);
-  // Last, each after what came before it, so that what was kept before there were such is still the same scene.
+  // These come last, each after the older ones, so that stored inputs still mean the same scenes.
   if (decoder.flag()) config.hierarchy.bounds = culler::Bounds::obb;
   if (decoder.flag()) options.unions = true;
   if (decoder.flag()) config.occluders.shells = false;
@@ -117,7 +117,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const culler::Culler culler(soup, config);
     if (const std::string fault = harness::fault_of_frame(culler, camera, options); !fault.empty()) harness::finding(fault);
   } catch (const std::invalid_argument&) {
-    // Refused: the soup is empty, a coordinate illegal, the camera at fault.
+    // The culler refuses: the soup is empty, a coordinate is illegal, or the camera has a fault.
   }
   return 0;
 }

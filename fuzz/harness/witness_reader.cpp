@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line of a witness file, of a small model: refused with a message, proved or disproved.
+// Reads a line of a witness file of a small model. It must be refused with a message, proved or disproved.
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -12,7 +12,7 @@
 namespace occlude::harness {
 namespace {
 
-/// A wall in one piece and one in two, and behind them a row of triangles.
+/// A wall of one polygon and a wall of two, and behind them a row of triangles.
 culler::PolygonSoup small_model() {
   culler::PolygonSoup soup;
   const auto add = [&](std::initializer_list<glm::dvec3> polygon) {
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     static_cast<void>(harness::prover().prove({reinterpret_cast<const char*>(data), size}));
   } catch (const cases::LineError&) {
-    // The one way to refuse a line.
+    // This is the only way to refuse a line.
   }
   return 0;
 }

@@ -13,7 +13,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// How a family is made: a scene, a box put to it, a finish.
+/// How a family is made: a scene, a way to place a box in it, and a finish.
 struct Recipe {
   Family family;
   std::string_view name;
@@ -177,7 +177,7 @@ constexpr auto kFamilies = [] {
   return families;
 }();
 
-/// Recipes stand in the order of the enumeration.
+/// The recipes are in the order of the enumeration.
 constexpr const Recipe& recipe_of(Family family) { return kRecipes[static_cast<std::size_t>(family)]; }
 
 static_assert([] {
@@ -200,7 +200,7 @@ std::string_view name(Family family) { return recipe_of(family).name; }
 
 Case make_case(Family family, std::uint64_t seed) {
   const Recipe& recipe = recipe_of(family);
-  // Families do not share their scenes for the same seed.
+  // Families have different scenes for the same seed.
   Random random(seed ^ (static_cast<std::uint64_t>(family) << 56));
   Scene scene = recipe.make_scene(random);
   Box box = recipe.place(random, scene, recipe.placement);

@@ -9,7 +9,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// A weight a vertex of the scene; the contact lies in the direction of their weighted mean.
+/// A weight for each vertex of the scene. The contact lies in the direction of the weighted mean.
 using Weights = std::vector<double>;
 
 bool is_on_near_plane(Random& random, Feature feature) {
@@ -17,7 +17,8 @@ bool is_on_near_plane(Random& random, Feature feature) {
          feature == Feature::vertex || (feature == Feature::face && random.chance(0.15));
 }
 
-/// The loop whose vertices are weighted: on the surface of a polytope, one of its front faces.
+/// The loop whose vertices get weights: the silhouette, or one of the front faces for a contact on the surface of a
+/// polytope.
 const Loop& choose_loop(Random& random, const Scene& scene, const Outline& outline, Feature feature) {
   const bool is_of_surface =
       feature == Feature::near || feature == Feature::near_edge || feature == Feature::corner || feature == Feature::vertex;
@@ -46,7 +47,8 @@ Vec3 weighted_sum(const std::vector<Vec3>& vertices, const Weights& weights) {
   return sum;
 }
 
-/// Whether the plane holds all weighted vertices: by its making those for which `is_own`, else up to no rounding at all.
+/// Whether all weighted vertices are on the plane. Those for which `is_own` holds are on it by construction. For the others
+/// the computed height must be exactly zero.
 template <class IsOwn>
 bool holds_weighted(const SketchPlane& plane, const Scene& scene, const Weights& weights, const IsOwn& is_own) {
   if (plane.normal == Vec3{}) return false;
@@ -56,7 +58,8 @@ bool holds_weighted(const SketchPlane& plane, const Scene& scene, const Weights&
   return true;
 }
 
-/// Normals of the planes on which the contact lies: of the sides that hold every weighted vertex, perhaps of near planes.
+/// Normals of the planes on which the contact lies: sides that contain every weighted vertex, and near planes if it is on
+/// one.
 std::vector<Vec3> normals_at(const Scene& scene, const Outline& outline, const Weights& weights, bool on_near_plane) {
   const std::vector<SketchPlane> planes = sketch(scene, outline);
   const Loop& silhouette = outline.silhouette;
@@ -78,7 +81,7 @@ std::vector<Vec3> normals_at(const Scene& scene, const Outline& outline, const W
   return normals;
 }
 
-/// The ratio of two integers in lowest terms, so that scaling by them stays small.
+/// Reduces the ratio of two integers to lowest terms, so that scaling by them keeps numbers small.
 void reduce(double& a, double& b) {
   const auto divisor = static_cast<double>(std::gcd(static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)));
   if (divisor > 1) {
@@ -87,7 +90,7 @@ void reduce(double& a, double& b) {
   }
 }
 
-/// Where the near plane cuts a ray: at the eye + numerator / denominator * ray, both integers on a lattice.
+/// The near plane cuts a ray at eye + numerator / denominator * ray. On a lattice both are integers.
 struct Reach {
   double numerator, denominator;
 };
@@ -114,14 +117,15 @@ void put_all_weight_on(std::size_t vertex, Weights& weights) {
   weights[vertex] = 1;
 }
 
-/// The near plane may be behind a ray of a very wide frustum: then the farthest vertex's own ray is taken.
+/// In a very wide frustum the near plane may be behind the eye on some rays. Then the ray of the farthest vertex is used.
 void avoid_rays_behind(const Scene& scene, std::size_t farthest, Weights& weights) {
   if (!scene.viewpoint.is_eye()) return;
   const Reach reach = reach_of_near_plane(scene, farthest, weighted_ray(scene, weights), total_of(weights));
   if (reach.denominator <= 0) put_all_weight_on(farthest, weights);
 }
 
-/// The contact point seen from an eye. On a lattice the vertices are scaled about the eye so that the point is an integer.
+/// The contact point for an eye. On a lattice the vertices are scaled about the eye so that the point has integer
+/// coordinates.
 Vec3 contact_from_eye(Random& random, Scene& scene, std::size_t farthest, const Weights& weights, bool on_near_plane,
                       bool is_lattice) {
   const Vec3 eye = scene.viewpoint.value, ray = weighted_ray(scene, weights);
@@ -141,7 +145,7 @@ Vec3 contact_along_direction(Random& random, Scene& scene, std::size_t farthest,
   const Vec3 direction = scene.viewpoint.value;
   const double total = total_of(weights);
   const Vec3 sum = weighted_sum(scene.vertices, weights);
-  double scale = total, way = 0;  // scale * (mean + ...): the point is (sum * scale / total + way * direction) / scale
+  double scale = total, way = 0;  // the point is (sum * scale / total + way * direction) / scale
   if (scene.near == Near::farthest) {
     scale = total * dot(direction, direction);
     way = dot(total * scene.vertices[farthest] - sum, direction);

@@ -22,7 +22,7 @@ bool has_area(const Polytope& polytope, const Loop& loop) {
   return area != Vec3{};
 }
 
-/// Cuts a face from its first corner to corner `k`, unless a part would be flat.
+/// Cuts a face from its first corner to corner `k`, unless one of the parts would have no area.
 void cut(Polytope& polytope, std::size_t face, std::size_t k) {
   const Loop& whole = polytope.faces[face];
   const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(k);
@@ -39,7 +39,7 @@ void rotate(Random& random, Loop& loop) {
 
 void cut_faces(Random& random, Polytope& polytope) {
   const double share = random.chance(0.5) ? 0 : random.real(0, 1);
-  for (std::size_t face = 0; face < polytope.faces.size(); ++face) {  // parts are cut again
+  for (std::size_t face = 0; face < polytope.faces.size(); ++face) {  // parts may be cut again
     Loop& loop = polytope.faces[face];
     if (loop.size() < 4 || !random.chance(share)) continue;
     rotate(random, loop);
@@ -47,7 +47,7 @@ void cut_faces(Random& random, Polytope& polytope) {
   }
 }
 
-/// Inserts the vertex wherever a face goes from `from` to `to`.
+/// Inserts the vertex on the edge from `from` to `to`, in the face that has it.
 void insert_on_edge(Polytope& polytope, std::uint32_t from, std::uint32_t to, std::uint32_t vertex) {
   for (Loop& loop : polytope.faces) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -58,7 +58,7 @@ void insert_on_edge(Polytope& polytope, std::uint32_t from, std::uint32_t to, st
   }
 }
 
-/// Puts a vertex on the middle of an edge: in one face, in both, or with a cut of the one face from there.
+/// Puts a vertex on the middle of an edge, in one face or in both. The one face may also be cut from there.
 void split_edge(Random& random, Polytope& polytope) {
   const std::size_t face = random.index(polytope.faces.size());
   Loop& loop = polytope.faces[face];
@@ -70,7 +70,7 @@ void split_edge(Random& random, Polytope& polytope) {
   if (random.chance(0.5)) cut(polytope, face, 2 + random.index(polytope.faces[face].size() - 3));
 }
 
-/// Repeats a corner of a face, by the same index or by a copy of the vertex, or exchanges it for the copy.
+/// Repeats a corner of a face, by the same index or by a copy of the vertex, or replaces it with the copy.
 void repeat_vertex(Random& random, Polytope& polytope) {
   Loop& loop = polytope.faces[random.index(polytope.faces.size())];
   const std::size_t at = random.index(loop.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same polytope written down in another, legal way.
+// Writes the same polytope in another legal way.
 #pragma once
 
 #include "occlude/fuzz/random.h"
@@ -7,11 +7,11 @@
 
 namespace occlude::fuzz {
 
-/// Faces in any sense and from any corner, vertices in any order.
+/// Turns faces inwards or outwards, starts them at any corner and lists the vertices in any order.
 void shuffle(Random& random, kernel::Polytope& polytope);
 
-/// Faces cut into coplanar parts, corners on edges of the neighbour, collinear and repeated vertices. Midpoints are taken
-/// three times at most: exact when all coordinates are multiples of eight.
+/// Cuts faces into coplanar parts, puts corners on edges of neighbours, and adds collinear and repeated vertices. At most
+/// three midpoints are taken, perhaps of other midpoints, so this is exact when all coordinates are multiples of eight.
 void subdivide(Random& random, kernel::Polytope& polytope);
 
 }  // namespace occlude::fuzz

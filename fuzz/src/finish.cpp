@@ -12,7 +12,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// Applies `change` to every coordinate of the case, a direction of view and half edges excepted.
+/// Applies `change` to every point of the case. A direction of view and half edges are not points.
 template <class Change>
 void for_each_point(Case& made, const Change& change) {
   for (Vec3& vertex : vertices_of(made.occluder)) change(vertex);
@@ -36,7 +36,8 @@ void scale(Case& made, double factor) {
   for_each_half_edge(made, change);
 }
 
-/// Whether the vertices may move by themselves: a triangle's, a silhouette's alone, those of faces that are all triangles.
+/// Whether vertices may move one by one: those of a triangle, those of a polygon whose silhouette alone matters, those of a
+/// polytope whose faces are all triangles.
 bool may_bend(const Case& made) {
   if (const auto* const polygon = std::get_if<std::vector<Vec3>>(&made.occluder)) {
     return polygon->size() == 3 || made.near == Near::farthest;

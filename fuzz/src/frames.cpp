@@ -11,7 +11,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// An integer vector in lowest terms.
+/// The integer vector in lowest terms.
 Vec3 reduced(const Vec3& v) {
   const auto whole = [](double x) { return static_cast<std::int64_t>(x); };
   const std::int64_t divisor = std::gcd(std::gcd(whole(v.x), whole(v.y)), whole(v.z));
@@ -20,7 +20,7 @@ Vec3 reduced(const Vec3& v) {
   return {v.x / d, v.y / d, v.z / d};
 }
 
-/// The columns of the rotation by the quaternion w + v, times its square: whole for a whole quaternion.
+/// The columns of the rotation by the quaternion w + v, times its squared norm. For an integer quaternion they are integers.
 Frame quaternion_frame(double w, const Vec3& v) {
   const double ww = w * w, xx = v.x * v.x, yy = v.y * v.y, zz = v.z * v.z;
   return {{{ww + xx - yy - zz, 2 * (v.x * v.y + w * v.z), 2 * (v.x * v.z - w * v.y)},
@@ -60,7 +60,7 @@ Frame dependent_frame(Random& random) {
   }
 }
 
-/// A ray, an edge of the silhouette or an edge of the near plane of `farthest`, in lowest terms.
+/// The direction of a ray, of an edge of the silhouette or of an edge of the near plane `farthest`, in lowest terms.
 Vec3 frustum_edge(Random& random, const Scene& scene, const Loop& silhouette, std::size_t side, const Vec3& farthest) {
   const Vec3& a = scene.vertices[silhouette[side]];
   const Vec3& b = scene.vertices[silhouette[(side + 1) % silhouette.size()]];

@@ -6,7 +6,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// Counter-clockwise from the positive a axis.
+/// Angles are counter-clockwise from the positive a axis.
 bool has_lower_angle(const Step& p, const Step& q) {
   const auto half = [](const Step& s) { return s.b < 0 || (s.b == 0 && s.a < 0); };
   return half(p) != half(q) ? half(q) : cross(p, q) > 0;
@@ -14,7 +14,7 @@ bool has_lower_angle(const Step& p, const Step& q) {
 
 bool have_one_direction(const Step& p, const Step& q) { return cross(p, q) == 0 && p.a * q.a + p.b * q.b > 0; }
 
-/// `count - 1` random steps of different directions, and the one that leads back.
+/// `count - 1` random steps of different directions, and the step that closes the loop.
 std::vector<Step> closed_steps(Random& random, int count, int reach) {
   std::vector<Step> steps;
   Step closing;
@@ -29,7 +29,7 @@ std::vector<Step> closed_steps(Random& random, int count, int reach) {
   return steps;
 }
 
-/// Two vectors that span a plane; often axes, so that side planes fall on axis planes too.
+/// Two vectors that span a plane. They are often axes, so that side planes are often parallel to axes too.
 std::array<Vec3, 2> lattice_basis(Random& random) {
   while (true) {
     const int reach = random.integer(1, 2);

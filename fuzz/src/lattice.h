@@ -11,9 +11,9 @@
 
 namespace occlude::fuzz {
 
-/// Every coordinate an integer in [-reach, reach].
+/// A vector of integers in [-reach, reach].
 [[nodiscard]] Vec3 lattice_vector(Random& random, int reach);
-/// Every coordinate in [-reach, reach).
+/// A vector of numbers in [-reach, reach).
 [[nodiscard]] Vec3 random_vector(Random& random, double reach);
 
 /// An edge of a polygon in the plane.
@@ -25,12 +25,12 @@ struct Step {
   return std::int64_t{p.a} * q.b - std::int64_t{p.b} * q.a;
 }
 
-/// The edges, sorted by angle, of a convex polygon of about `count` sides.
+/// The edges of a convex polygon of about `count` sides, sorted by angle.
 [[nodiscard]] std::vector<Step> lattice_edges(Random& random, int count, int reach);
-/// The same with three to six small ones.
+/// The same with about three to six short edges.
 [[nodiscard]] std::vector<Step> few_edges(Random& random);
 
-/// The polygon of the steps in a random lattice plane.
+/// The polygon with these edges in a random lattice plane.
 [[nodiscard]] std::vector<Vec3> embed(Random& random, const std::vector<Step>& steps);
 
 /// A normal of the plane of a coplanar polygon.

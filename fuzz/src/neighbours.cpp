@@ -13,7 +13,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// The largest power of two that all the numbers are multiples of; 0 when all are zero.
+/// The largest power of two of which all the numbers are multiples. 0 when all are zero.
 double common_unit(std::initializer_list<Vec3> vectors) {
   double unit = 0;
   for (const Vec3& v : vectors) {
@@ -75,15 +75,15 @@ void change(Random& random, kernel::Obb& box, double unit) {
     case 2:
       half_edge[random.integer(0, 2)] += side * unit;
       break;
-    case 3:  // collapsed to a face
+    case 3:  // collapse to a face
       box.center = box.center + side * half_edge;
       half_edge = {};
       break;
-    case 4:  // one half of it
+    case 4:  // keep one half
       half_edge = 0.5 * half_edge;
       box.center = box.center + side * half_edge;
       break;
-    case 5:  // twice as long, one face kept
+    case 5:  // double the length and keep one face
       box.center = box.center + side * half_edge;
       half_edge = 2.0 * half_edge;
       break;

@@ -12,7 +12,7 @@ namespace {
 
 enum class Intent { inside, poking, touching, apart };
 
-/// How far a box goes from its contact point, down and up each of its axes.
+/// How far a box reaches from its contact point, down and up along each of its axes.
 struct Extents {
   std::array<double, 3> down{}, up{};
 };
@@ -24,10 +24,10 @@ Intent random_intent(Random& random) {
 
 double reach_of(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// An extent of 0.1 to 1, whatever the length of the axis.
+/// A factor for the axis that makes its largest coordinate 0.1 to 1.
 double random_extent(Random& random, const Vec3& axis) { return random.real(0.1, 1) / reach_of(axis); }
 
-/// Extents in which no point goes to the negative side of any of the normals.
+/// Extents for which no point of the box is on the negative side of any normal.
 Extents random_extents(Random& random, const Frame& frame, const std::vector<Vec3>& normals) {
   Extents extents;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -40,7 +40,8 @@ Extents random_extents(Random& random, const Frame& frame, const std::vector<Vec
   return extents;
 }
 
-/// The factor at which extents about `point` first leave one of the planes that the point is not on; infinite if never.
+/// The largest factor for extents about `point` that stays within the planes that the point is not on. Infinite when there
+/// is no limit.
 double room_for(const std::vector<SketchPlane>& planes, const Vec3& point, const Frame& frame, const Extents& extents) {
   double room = std::numeric_limits<double>::infinity();
   for (const SketchPlane& plane : planes) {
@@ -55,16 +56,18 @@ double room_for(const std::vector<SketchPlane>& planes, const Vec3& point, const
   return room;
 }
 
-/// The plane through an edge of the frustum, where the planes of normals n and m meet, and a line along `axis`, if that line
-/// leaves the frustum both ways: its normal, a positive mixture of n and m.
+/// The planes with the normals n and m meet in an edge of the frustum. Returns the normal of the plane that contains that
+/// edge and the direction `axis`, as a positive combination of n and m. Empty unless a line along `axis` through the edge
+/// leaves the frustum both ways.
 std::optional<Vec3> normal_across(const Vec3& n, const Vec3& m, const Vec3& axis) {
   const double along_n = dot(n, axis), along_m = dot(m, axis);
   if (along_n * along_m >= 0) return std::nullopt;
   return std::abs(along_m) * n + std::abs(along_n) * m;
 }
 
-/// A plane through the contact with the frustum on its positive side: a positive mixture of the planes there. Where it can
-/// be, one that is parallel to an axis of the box, so that an edge of the box can lie across an edge of the frustum.
+/// The normal of a plane through the contact with the frustum on its positive side, a positive combination of the normals
+/// there. If the chosen normals allow it, the plane is parallel to an axis of the box, so that an edge of the box can lie
+/// across an edge of the frustum.
 Vec3 supporting_normal(Random& random, const std::vector<Vec3>& normals, const Frame& frame) {
   const Vec3 &n = normals[random.index(normals.size())], &m = normals[random.index(normals.size())];
   if (const auto across = normal_across(n, m, frame[random.index(3)])) return *across;
@@ -87,7 +90,7 @@ double size_of(const Scene& scene, const Vec3& point) {
   return std::max(reach_of(point - (scene.viewpoint.is_eye() ? scene.viewpoint.value : scene.vertices[0])), 1.0);
 }
 
-/// min and max = the extents, times `factor`, about the point; whole numbers on a lattice.
+/// The box that reaches the extents, times `factor`, from the point. On a lattice its bounds are integers.
 kernel::Aabb make_aabb(const Vec3& point, const Extents& extents, double factor, bool is_lattice) {
   kernel::Aabb box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -99,7 +102,7 @@ kernel::Aabb make_aabb(const Vec3& point, const Extents& extents, double factor,
   return box;
 }
 
-/// The same along the axes of the frame. On a lattice the halves of the extents are whole, and so are centre and half edges.
+/// The same along the axes of the frame. On a lattice half of each extent is an integer, so centre and half edges are too.
 kernel::Obb make_obb(const Vec3& point, const Frame& frame, const Extents& extents, double factor, bool is_lattice) {
   kernel::Obb box{point, {}};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -128,7 +131,8 @@ void shift(Box& box, int axis, double step) {
   }
 }
 
-/// Moves the box off the positive side of `normal`: by one unit on a lattice, by a small part of `size` else.
+/// Moves the box away from the positive side of `normal`. The step is one unit on a lattice. Otherwise it is at most `size`,
+/// or at most 1e-5 of `size`.
 void push_out(Random& random, Box& box, const Vec3& normal, double size, bool is_lattice) {
   const int axis = main_axis(normal);
   const double part = random.chance(0.5) ? random.real(0, 1) : 1e-5 * random.real(0, 1);
@@ -139,7 +143,8 @@ Frame frame_of(Random& random, const Placement& placement, const Scene& scene, c
   return placement.frame ? make_frame(random, *placement.frame, scene, outline) : kUnitFrame;
 }
 
-/// A contact with room about it for boxes of many whole sizes; oriented ones come in coarser steps and need more.
+/// A contact. On a lattice the scene is scaled up to make room for boxes of many integer sizes. Oriented boxes come in
+/// coarser steps and need more room.
 Contact make_roomy_contact(Random& random, Scene& scene, const Outline& outline, Feature feature,
                            const Placement& placement) {
   Contact contact = make_contact(random, scene, outline, feature, placement.is_lattice);
@@ -151,7 +156,7 @@ Contact make_roomy_contact(Random& random, Scene& scene, const Outline& outline,
   return contact;
 }
 
-/// A supporting plane on which an edge of the box, along the axis, crosses an edge of the frustum.
+/// A supporting plane in which an edge of the box, along `axis`, crosses an edge of the frustum.
 struct Crossing {
   Vec3 normal;
   std::size_t axis;
@@ -167,7 +172,7 @@ std::optional<Crossing> find_crossing(Random& random, const std::vector<Vec3>& n
   return std::nullopt;
 }
 
-/// Extents on the negative side of the crossing's plane, both ways along its axis.
+/// Extents on the negative side of the crossing's plane, and both ways along its axis.
 Extents extents_across(Random& random, const Frame& frame, const Crossing& crossing) {
   Extents extents;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -224,7 +229,7 @@ Box place_box_for_other_near(Random& random, Scene& scene, const Placement& plac
 Box place_box_across(Random& random, Scene& scene, const Placement& placement) {
   const Outline outline = outline_of(scene);
   const Scene unscaled = scene;
-  constexpr int kTries = 8;  // at other edges, when no axis of the box crosses this one
+  constexpr int kTries = 8;  // other edges are tried when no axis of the box crosses this one
   for (int i = 0; i < kTries; ++i) {
     scene = unscaled;
     const Frame frame = frame_of(random, placement, scene, outline);

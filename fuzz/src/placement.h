@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes put where the answer is hard: on a chosen feature of the frustum, from a chosen side.
+// Places boxes where the answer is hard: at a chosen feature of the frustum, on a chosen side of it.
 #pragma once
 
 #include <optional>
@@ -13,27 +13,29 @@ namespace occlude::fuzz {
 
 struct Placement {
   Feature feature = Feature::any;
-  bool is_lattice = true;          ///< exact: everything stays an integer and the scene is scaled up to make room
-  int flat_axes = 0;               ///< the box has no extent along so many of its axes
-  std::optional<FrameKind> frame;  ///< of an oriented box; none: axis-aligned
+  bool is_lattice = true;          ///< exact: all numbers stay integers, and the scene is scaled up to make room
+  int flat_axes = 0;               ///< the number of axes along which the box has no extent
+  std::optional<FrameKind> frame;  ///< for an oriented box; empty for an axis-aligned one
 };
 
-/// Puts a box. A quarter or so each: in the frustum and touching the feature from within; the same, poking out a little;
-/// touching from without; the same, short of touching. The viewpoint and the occluder are scaled on the lattice.
+/// Places a box. 40 % are in the frustum and touch the feature from within. 10 % are the same but stick out a little. 15 %
+/// touch the feature from outside. 35 % are the same but slightly apart. On a lattice the viewpoint and the occluder are
+/// scaled.
 [[nodiscard]] Box place_box(Random& random, Scene& scene, const Placement& placement);
 
-/// Puts a box aimed at the other kind of near plane: between occluder and near plane, or at rays that are behind it.
+/// Places a box as place_box() does, but aims 40 % of the boxes at the other kind of near plane. Such boxes are between the
+/// two near planes, or at rays that do not meet the near plane of the scene.
 [[nodiscard]] Box place_box_for_other_near(Random& random, Scene& scene, const Placement& placement);
 
-/// Puts an edge of a box across an edge of the frustum, in a plane that has the box on one side and the frustum on the
-/// other: touching in one point, a little apart, so that no plane of the frustum or of the box need separate them, or
-/// overlapping.
+/// Places an edge of the box across an edge of the frustum. Both edges are in a plane with the box on one side and the
+/// frustum on the other. The two touch in one point, overlap, or are slightly apart. When they are apart, perhaps no plane
+/// of the frustum or of the box separates them.
 [[nodiscard]] Box place_box_across(Random& random, Scene& scene, const Placement& placement);
 
-/// Puts a corner of an axis-aligned box to a vertex, and perhaps others of its coordinates too to vertices'.
+/// Places an axis-aligned box as place_box() does. Half of the boxes then take another coordinate from a vertex.
 [[nodiscard]] Box place_box_at_vertices(Random& random, Scene& scene, const Placement& placement);
 
-/// Puts a box about the eye that reaches the near plane or not quite.
+/// Places a box around the eye. It may reach the near plane or not.
 [[nodiscard]] Box place_box_about_eye(Random& random, Scene& scene, const Placement& placement);
 
 }  // namespace occlude::fuzz

@@ -31,7 +31,7 @@ Scene seen_from_outside(Scene scene, const RandomViewpoint& random_viewpoint) {
   return scene;
 }
 
-/// A lattice eye beside a vertex, or a direction.
+/// Sees the scene from a lattice eye beside a vertex, or along a direction.
 Scene seen_at_random(Random& random, Scene scene, Seen seen) {
   return seen_from_outside(std::move(scene), [&](const Scene& s) {
     const Vec3 offset = lattice_vector(random, random.chance(0.5) ? 3 : 9);
@@ -40,7 +40,7 @@ Scene seen_at_random(Random& random, Scene scene, Seen seen) {
   });
 }
 
-/// From the plane of a face, or from the line of one of its edges.
+/// Sees the scene from the plane of a face, or from the line of one of its edges.
 Scene seen_edge_on(Random& random, Scene scene, Seen seen) {
   return seen_from_outside(std::move(scene), [&](const Scene& s) {
     const Loop& face = s.faces[random.index(s.faces.size())];
@@ -53,7 +53,7 @@ Scene seen_edge_on(Random& random, Scene scene, Seen seen) {
   });
 }
 
-/// The direction of a vector along an axis.
+/// The unit vector in the direction of a vector along an axis.
 Vec3 unit_along_axis(const Vec3& v) {
   const auto sign = [](double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; };
   return {sign(v.x), sign(v.y), sign(v.z)};
@@ -113,7 +113,7 @@ Scene simplicial_lattice_scene(Random& random) { return simplicial_scene(random,
 Scene orthographic_simplicial_lattice_scene(Random& random) { return simplicial_scene(random, Seen::along_direction); }
 
 Scene equal_farthest_polytope_scene(Random& random) {
-  const Scene polygon = equal_farthest_scene(random);  // at right angles to an axis through the eye
+  const Scene polygon = equal_farthest_scene(random);  // perpendicular to an axis through the eye
   const std::vector<Vec3>& base = polygon.vertices;
   const Vec3 normal = plane_normal(base);
   const double height = dot(normal, base[0] - polygon.viewpoint.value);
@@ -128,7 +128,7 @@ Scene wide_polytope_scene(Random& random) {
   Scene scene = wide_scene(random);
   Vec3 way = way_off(random, scene.vertices, 9);
   const Vec3 normal = plane_normal(scene.vertices);
-  // Away from the eye, so that what was the polygon is a front face.
+  // It leads away from the eye, so that the polygon becomes a front face.
   if (dot(normal, way) * dot(normal, scene.vertices[0] - scene.viewpoint.value) < 0) way = -1.0 * way;
   Solid solid = prism(scene.vertices, way);
   return {scene.viewpoint, std::move(solid.vertices), std::move(solid.faces), scene.near};

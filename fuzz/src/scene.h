@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A question without its box yet.
+// A question that has no box yet.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ using Loop = std::vector<std::uint32_t>;
 
 struct Scene {
   kernel::Viewpoint viewpoint;
-  std::vector<Vec3> vertices;  ///< a polygon's in order
-  std::vector<Loop> faces;     ///< a polytope's, counter-clockwise seen from outside; a polygon has none
+  std::vector<Vec3> vertices;  ///< of a polygon in order
+  std::vector<Loop> faces;     ///< of a polytope, counter-clockwise seen from outside; a polygon has none
   Near near = Near::farthest;
 
   [[nodiscard]] bool is_polygon() const { return faces.empty(); }

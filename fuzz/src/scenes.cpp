@@ -10,11 +10,11 @@
 namespace occlude::fuzz {
 namespace {
 
-/// A lattice eye off the polygon's plane, or a direction across it.
+/// A lattice eye off the polygon's plane, or a direction that is not parallel to the plane.
 kernel::Viewpoint lattice_viewpoint(Random& random, const std::vector<Vec3>& polygon, bool is_eye) {
   const Vec3 normal = plane_normal(polygon);
   while (true) {
-    // Beside a vertex: near enough for wide frusta, and often on a common axis plane with it.
+    // A point beside a vertex is near enough for wide frusta, and often on a common axis plane with the vertex.
     const Vec3& vertex = polygon[random.index(polygon.size())];
     const Vec3 offset = lattice_vector(random, random.chance(0.5) ? 3 : 9);
     if (dot(normal, offset) == 0) continue;
@@ -41,7 +41,8 @@ Scene exchange_axes(Random& random, Scene scene) {
   return scene;
 }
 
-/// A point of the unit circle at about `turn` of a whole turn, by a rational parametrisation: no libm, the same everywhere.
+/// A point of the unit circle at about the fraction `turn` of a turn. The parametrisation is rational. It does not need
+/// libm, so it gives the same on every machine.
 std::array<double, 2> on_circle(double turn) {
   const double quarter = std::floor(turn * 4), t = turn * 4 - quarter;
   const double c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
@@ -59,7 +60,7 @@ std::array<double, 2> on_circle(double turn) {
 
 Vec3 unit(const Vec3& v) { return (1 / std::sqrt(dot(v, v))) * v; }
 
-/// A convex polygon about `centre`, its vertices on an ellipse in a random plane and off it by up to `fold`.
+/// A convex polygon about `centre`. Its vertices are on an ellipse in a random plane, moved off that plane by up to `fold`.
 std::vector<Vec3> ellipse_polygon(Random& random, int sides, const Vec3& centre, double fold) {
   const Vec3 e = random_vector(random, 5), f = random_vector(random, 5), up = cross(e, f);
   const double scale = fold / std::sqrt(dot(up, up));
@@ -71,7 +72,8 @@ std::vector<Vec3> ellipse_polygon(Random& random, int sides, const Vec3& centre,
   return polygon;
 }
 
-/// The rectangle at right angles to the axis, with the corners `start` and `end` seen along it, or three of its corners.
+/// The rectangle perpendicular to the axis whose opposite corners, seen along the axis, are `start` and `end`, or three of
+/// its corners.
 std::vector<Vec3> axis_rectangle(Random& random, int axis, const Vec3& start, const Vec3& end) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::vector<Vec3> corners(4, start);
@@ -86,7 +88,7 @@ Vec3 lattice_sizes(Random& random) {
   return {x, y, z};
 }
 
-/// Along the axis, and not, or less often, along the others.
+/// An offset along the axis. The offsets along the other axes are mostly zero.
 Vec3 offset_along_axes(Random& random, int axis) {
   Vec3 offset;
   const int along = random.integer(1, 9);
@@ -133,7 +135,8 @@ Scene cospherical_scene(Random& random) {
 }
 
 Scene edge_at_eye_scene(Random& random) {
-  // (p - e) x (2 p - e) = p x e, and e is almost parallel to p: all that is left of products of 2^80 is below 2^-20.
+  // (p - e) x (2 p - e) = p x e, and e is almost parallel to p. The products are about 2^80, and what is left of them is
+  // below 2^-20.
   const Vec3 p = random_vector(random, 0x1p40);
   const Vec3 e = 0x1p-60 * p + random_vector(random, std::ldexp(1, -random.integer(60, 68)));
   Scene scene;
@@ -144,8 +147,9 @@ Scene edge_at_eye_scene(Random& random) {
 }
 
 Scene level_with_eye_scene(Random& random) {
-  // Multiples of the unit, below 2 about the origin and below 2^5 elsewhere: sums of a few are exact, and so are products of
-  // slopes, sixteenths, with coarser multiples.
+  // All numbers are multiples of the unit, below 2 about the origin and below 2^5 elsewhere, so sums of a few of them are
+  // exact. Slopes are sixteenths, and what they multiply are multiples of at least 16 units, so these products are exact
+  // too.
   const bool at_origin = random.chance(0.5);
   const double unit = at_origin ? 0x1p-52 : 0x1p-48;
   const auto multiple = [&](double step, double low, double high) {
@@ -153,7 +157,7 @@ Scene level_with_eye_scene(Random& random) {
   };
   const auto slope = [&] { return random.integer(-8, 8) / 16.0; };
   const double along = slope(), a = slope(), b = slope();
-  // The narrower what is seen of it, the more of the mean normal is rounding.
+  // The narrower the polygon looks, the larger is the share of rounding in its mean normal.
   const double width = std::ldexp(0.5, -random.integer(0, 20));
   const Vec3 eye = at_origin ? Vec3{} : lattice_vector(random, 9);
   std::array<Vec3, 4> spread;
@@ -162,7 +166,7 @@ Scene level_with_eye_scene(Random& random) {
     v = {x, y, a * x + b * y};
   }
   std::ranges::sort(spread, {}, [](const Vec3& v) { return v.y / v.x; });
-  // Of the two vertices seen between the others one is on either side of the plane: the loop is convex.
+  // Two vertices are seen between the others. They are moved to opposite sides of the plane, so the loop is convex.
   spread[1].z -= unit * random.integer(1, 4);
   spread[2].z += unit * random.integer(1, 4);
   Scene scene;
@@ -241,7 +245,7 @@ Scene wide_scene(Random& random) {
   for (Vec3& vertex : scene.vertices) vertex = 16.0 * vertex;
   const std::size_t count = scene.vertices.size(), i = random.index(count);
   const Vec3 &a = scene.vertices[i], &b = scene.vertices[(i + 1) % count], &c = scene.vertices[(i + 1 + count / 2) % count];
-  // Whole: the differences are multiples of 16.
+  // The foot has integer coordinates, because the differences are multiples of 16.
   const double to_b = random.integer(0, 12) / 16.0, to_c = random.integer(1, 12) / 16.0;
   const Vec3 foot = a + to_b * (b - a) + to_c * (c - a), normal = plane_normal(scene.vertices);
   Vec3 offset;

@@ -25,7 +25,7 @@ Vec3 vector_area(const Scene& scene, const Loop& loop) {
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The loop of the edges that the faces do not share.
+/// The loop of the edges that only one of the faces has.
 Loop boundary(const std::vector<Loop>& faces, std::size_t vertex_count) {
   std::vector<DirectedEdge> edges;
   for (const Loop& face : faces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shadow frustum in plain doubles, good for aiming only: whether a case is what it was meant to be, the oracle says.
+// The shadow frustum in plain doubles. It is only good for aiming: the oracle says what a case really is.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace occlude::fuzz {
 
-/// normal . (x - point) >= 0, the normal pointing into the frustum.
+/// The half-space normal . (x - point) >= 0. The normal points into the frustum.
 struct SketchPlane {
   Vec3 normal, point;
 
   [[nodiscard]] double height(const Vec3& x) const { return dot(normal, x - point); }
 };
 
-/// What the viewpoint sees of the occluder; a polygon is its own silhouette and its only front face.
+/// The occluder as the viewpoint sees it. A polygon is its own silhouette and its only front face.
 struct Outline {
   Loop silhouette;
   std::vector<Loop> front;  ///< faces turned to the viewpoint
@@ -24,17 +24,17 @@ struct Outline {
 /// The direction in which a point is seen.
 [[nodiscard]] Vec3 sight(const Scene& scene, const Vec3& point);
 
-/// Whether a face of a polytope is turned to the viewpoint; one seen edge-on is not.
+/// Whether a face of a polytope is turned to the viewpoint. A face seen edge-on is not.
 [[nodiscard]] bool is_front(const Scene& scene, const Loop& face);
 
 /// REQUIRES: a polygon, or a polytope with a front face.
 [[nodiscard]] Outline outline_of(const Scene& scene);
 
-/// Of the silhouette's vertices; the lowest index on a tie.
+/// The farthest vertex of the silhouette; on a tie the lowest index.
 [[nodiscard]] std::size_t farthest_vertex(const Scene& scene, const Outline& outline);
 
-/// One plane an edge of the silhouette, in order, and then the near planes: one for `farthest`, for `surface` one a front
-/// face. An edge seen as a point has the normal zero.
+/// A side plane for each edge of the silhouette, in order, and then the near planes: one for `farthest`, one for each front
+/// face for `surface`. An edge that is seen as a point has a normal of zero.
 [[nodiscard]] std::vector<SketchPlane> sketch(const Scene& scene, const Outline& outline);
 
 }  // namespace occlude::fuzz

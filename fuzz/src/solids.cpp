@@ -18,7 +18,8 @@ Vec3 mean(const std::vector<Vec3>& points) {
   return (1.0 / static_cast<double>(points.size())) * sum;
 }
 
-/// Turns every face counter-clockwise seen from outside; the first three corners of a face may be in line.
+/// Turns every face counter-clockwise seen from outside. The first three corners of a face may be collinear, so the normal
+/// is summed over the fan.
 Solid turned_outwards(Solid solid) {
   const Vec3 within = mean(solid.vertices);
   for (Loop& face : solid.faces) {
@@ -40,7 +41,7 @@ Loop counting_from(std::uint32_t first, std::uint32_t count) {
 
 std::uint32_t size32(const std::vector<Vec3>& points) { return static_cast<std::uint32_t>(points.size()); }
 
-/// Between two polygons, vertex to vertex.
+/// The solid between two polygons, vertex to vertex.
 Solid between(const std::vector<Vec3>& bottom, const std::vector<Vec3>& top) {
   const std::uint32_t n = size32(bottom);
   Solid solid{bottom, {counting_from(0, n), counting_from(n, n)}};
@@ -63,16 +64,16 @@ std::vector<Vec3> scaled(double factor, std::vector<Vec3> points) {
   return points;
 }
 
-/// Four times a point of the polygon's interior.
+/// Four times a point in the interior of the polygon.
 Vec3 interior_point(const std::vector<Vec3>& base) {
-  // Of a triangle that is not flat.
+  // The point is in the interior of a triangle that has an area.
   for (std::size_t i = 2; i < base.size(); ++i) {
     if (cross(base[1] - base[0], base[i] - base[0]) != Vec3{}) return base[0] + 2.0 * base[1] + base[i];
   }
   return 4.0 * base[0];
 }
 
-/// A prism, a whole or truncated pyramid or a bipyramid.
+/// A prism, a pyramid, a truncated pyramid or a bipyramid.
 Solid solid_over(Random& random, const std::vector<Vec3>& base) {
   const Vec3 way = way_off(random, base, 5);
   switch (random.integer(0, 3)) {
@@ -98,13 +99,13 @@ std::vector<Vec3> lattice_points(Random& random, int count) {
   return points;
 }
 
-/// A plane through three of the points that has all of them on one side.
+/// A plane through three of the points with all points on one side.
 struct Support {
   Vec3 normal;                 ///< outwards
-  std::uint32_t on_plane = 0;  ///< bit r set when point r lies on it
+  std::uint32_t on_plane = 0;  ///< bit r is set when point r lies on the plane
 };
 
-/// The supporting plane through points i, j and k, if it is one.
+/// The plane through points i, j and k, if it is a supporting plane.
 std::optional<Support> support_through(const std::vector<Vec3>& points, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
   Support support{cross(points[j] - points[i], points[k] - points[i])};
   if (support.normal == Vec3{}) return std::nullopt;
@@ -121,7 +122,8 @@ std::optional<Support> support_through(const std::vector<Vec3>& points, std::uin
   return support;
 }
 
-/// The corners of the hull of the points on a supporting plane, by gift wrapping counter-clockwise seen from outside.
+/// The corners of the hull of the points on a supporting plane. Gift wrapping finds them counter-clockwise seen from
+/// outside.
 Loop wrap(const std::vector<Vec3>& points, const Support& support) {
   Loop on_plane;
   for (std::uint32_t r = 0; r < points.size(); ++r) {
@@ -148,7 +150,7 @@ Loop wrap(const std::vector<Vec3>& points, const Support& support) {
   return loop;
 }
 
-/// Leaves out the vertices that no face has.
+/// Drops the vertices that no face uses.
 Solid without_unused(const Solid& solid) {
   constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> index(solid.vertices.size(), kUnused);

@@ -24,7 +24,7 @@ Vec3& some_vector_of_box(Random& random, Box& box) {
   return random.chance(0.5) ? obb.center : obb.half_edges[random.index(3)];
 }
 
-/// A number at or beyond the border of the legal range, or none at all.
+/// Sets a number to one at or beyond the border of the legal range, or to one that is not finite.
 void spoil_number(Random& random, Case& c) {
   constexpr std::array kNumbers{0x1p-100,
                                 0x1p100,
@@ -46,13 +46,13 @@ void swap_bounds(Random& random, Case& c) {
   }
 }
 
-/// To a vertex, the middle of two, or within three.
+/// Moves the eye to a vertex, to the midpoint of two vertices, or to a point between three.
 void move_eye_to_occluder(Random& random, Case& c) {
   const Vec3 a = some_vertex(random, c), b = some_vertex(random, c), d = some_vertex(random, c);
   c.viewpoint.value = random.chance(0.3) ? a : random.chance(0.5) ? 0.5 * (a + b) : 0.5 * (a + 0.5 * (b + d));
 }
 
-/// Along two edges of the occluder: into the plane of a polygon, and of a face perhaps.
+/// Moves the viewpoint into the plane of three vertices: the plane of a polygon, or perhaps of a face.
 void move_eye_into_plane(Random& random, Case& c) {
   const Vec3 a = some_vertex(random, c), b = some_vertex(random, c), d = some_vertex(random, c);
   const double across = random.integer(-3, 3), along = random.integer(-3, 3);
@@ -78,18 +78,18 @@ void spoil_loop(Random& random, Polygon& loop) {
       loop.insert(loop.end(), once.begin(), once.end());
       break;
     }
-    case 2:  // a spike
+    case 2:  // add a spike
       loop.insert(at, 2.0 * loop[i] - loop[(i + 1) % loop.size()]);
       break;
     case 3:
       loop.resize(random.index(loop.size()));
       break;
-    default:  // back and forth
+    default:  // go back and forth
       loop.insert(at, loop[(i + loop.size() - 1) % loop.size()]);
   }
 }
 
-/// Lets two vertices change places in the list.
+/// Exchanges two vertices in the list. The polytope stays the same.
 void exchange(kernel::Polytope& polytope, std::uint32_t a, std::uint32_t b) {
   std::swap(polytope.vertices[a], polytope.vertices[b]);
   for (std::vector<std::uint32_t>& face : polytope.faces) {
@@ -97,7 +97,8 @@ void exchange(kernel::Polytope& polytope, std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// Cuts a triangle off the face whose third corner lies within: what is left is plane, closes the solid, and is not convex.
+/// Replaces the edge from the last corner to the first by two edges over a point inside the face, and fills the gap with a
+/// triangle. The faces are still plane and the solid is still closed, but the face is not convex.
 void dent_face(Random& random, kernel::Polytope& polytope, std::size_t i) {
   std::vector<std::uint32_t>& face = polytope.faces[i];
   const std::uint32_t last = face.back(), first = face[0], inner = static_cast<std::uint32_t>(polytope.vertices.size());
@@ -105,11 +106,12 @@ void dent_face(Random& random, kernel::Polytope& polytope, std::size_t i) {
                               (polytope.vertices[last] + polytope.vertices[first] + 2.0 * polytope.vertices[face[1]]));
   face.push_back(inner);
   polytope.faces.push_back({last, first, inner});
-  // An edge is asked from the vertex that is listed first: the new one is to be that of some and not of others.
+  // An edge is tested from the vertex that is listed first. At a random place in the list, the new vertex is the first of
+  // some edges and not of others.
   exchange(polytope, inner, static_cast<std::uint32_t>(random.index(polytope.vertices.size())));
 }
 
-/// Lays a triangle twice on the face: every edge still has its two faces.
+/// Puts the same triangle on the face twice. Every edge still has two faces.
 void patch_face_twice(kernel::Polytope& polytope, std::size_t i) {
   const std::vector<std::uint32_t>& face = polytope.faces[i];
   const Vec3 a = polytope.vertices[face.back()], b = polytope.vertices[face[0]], c = polytope.vertices[face[1]];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case put to the kernel, whatever the kinds of its occluder and its box.
+// Puts a case to the kernel, for any kind of occluder and box.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case of the kernel's question, whatever the kinds of its occluder and its box.
+// A case of the kernel's question, with any kind of occluder and box.
 #pragma once
 
 #include <variant>
@@ -17,7 +17,7 @@ using Polygon = std::vector<kernel::Vec3>;
 using Occluder = std::variant<Polygon, kernel::Polytope>;
 using Box = std::variant<kernel::Aabb, kernel::Obb>;
 
-/// One question: how does `box` lie to the shadow frustum of `occluder` seen from `viewpoint`?
+/// One question: what is the relation of `box` to the shadow frustum of `occluder` seen from `viewpoint`?
 struct Case {
   kernel::Viewpoint viewpoint;
   Occluder occluder;

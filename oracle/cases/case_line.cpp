@@ -31,7 +31,7 @@ std::optional<std::string> expect_of(const nlohmann::json& object) {
   return expect.get<std::string>();
 }
 
-/// JSON has no NaN and no infinity: strings, as json_input.h reads them.
+/// JSON has no NaN and no infinity. They become strings, as json_input.h reads them.
 Json json(double x) {
   if (std::isfinite(x)) return x;
   return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";

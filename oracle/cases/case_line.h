@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Case files: JSON Lines, one question each.
+// Case files: JSON Lines with one question each.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 
 namespace occlude::cases {
 
-/// A question, and the answer that its line says is right, if it says.
+/// A question, and the right answer if the line has one.
 struct CaseLine {
   Case question;
   std::optional<std::string> expect;
 };
 
-/// The member "id", null where there is none. Throws LineError, as the next.
+/// The member "id", or null when there is none. Like the functions below it throws LineError.
 [[nodiscard]] nlohmann::ordered_json case_id(const nlohmann::json& object);
 
 [[nodiscard]] CaseLine read_case(const nlohmann::json& object);
@@ -37,13 +37,13 @@ struct CoverLine {
 
 [[nodiscard]] CoverLine read_cover(const nlohmann::json& object);
 
-/// Calls `take` with the object on every line that is not blank, in order; "-" is standard input. Throws InputError, naming
-/// file and line, for what cannot be read and for the LineErrors of `take`, and Interrupted. Who prints while it works asks
-/// for `silence`: no progress between the lines.
+/// Calls `take` with the number and the object of every line that is not blank, in order. "-" is standard input. Throws
+/// InputError, with file and line, for what cannot be read and for the LineErrors of `take`. Throws Interrupted. With
+/// `silence` no progress is shown, for callers that print while they work.
 void for_each_case(const std::string& file, bool silence,
                    const std::function<void(std::size_t number, const nlohmann::json&)>& take);
 
-/// The line that reads back as the same case, without a line break; an empty `expect` is left out.
+/// The line that reads back as the same case, without a line break. An empty `expect` is left out.
 [[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
 
 }  // namespace occlude::cases

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading of checked values from JSON lines: numbers that are numbers, triples that have three.
+// Reads and checks values of JSON lines.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,18 +12,18 @@
 
 namespace occlude::cases {
 
-/// A line that is not what it should be; the message names the member at fault.
+/// A line that cannot be read. The message names the member at fault.
 struct LineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The object on a line, as render::parse_json reads it: NaN, Infinity and numbers beyond the doubles are what they are, so
-/// that the case is refused for them and not the line.
+/// The object on a line, read by render::parse_json. NaN, Infinity and numbers beyond the range of doubles are accepted as
+/// such, so that the case is refused for them and not the line.
 [[nodiscard]] nlohmann::json parse_object(std::string_view line);
 
 [[nodiscard]] const nlohmann::json& member(const nlohmann::json& object, const char* name);
 
-/// A number; the strings "nan", "inf" and "-inf" stand for those that JSON has no numbers for.
+/// A number. The strings "nan", "inf" and "-inf" stand for the numbers that JSON cannot write.
 [[nodiscard]] double number(const nlohmann::json& value, const char* name);
 
 [[nodiscard]] kernel::Vec3 vec3(const nlohmann::json& value, const char* name);
@@ -36,15 +36,15 @@ struct LineError : std::runtime_error {
 /// The member "box": "min" and "max", or "center" and "half_edges".
 [[nodiscard]] Box box(const nlohmann::json& object);
 
-/// Vertices of a polytope and of all its faces together. The oracle holds the plane through each two vertices against each
-/// vertex: so many take it seconds. (A polygon takes it time in proportion.)
+/// Most vertices of a polytope and of all its faces together. The oracle tests the plane through every two vertices against
+/// every vertex, which takes seconds at this limit. (The time for a polygon is proportional to its vertices.)
 inline constexpr std::size_t kMostCorners = 4096;
 
-/// An occluder: "polygon", or "vertices" and "faces". An index too large for any vertex stays too large. LineError for a
-/// polytope with more than kMostCorners.
+/// An occluder: "polygon", or "vertices" and "faces". An index beyond 32 bits becomes the largest 32-bit one, so it stays
+/// too large. Throws LineError for a polytope with more than kMostCorners.
 [[nodiscard]] Occluder occluder(const nlohmann::json& value);
 
-/// The polygons of an occluder "cover". LineError for more vertices than render::kMostCoverVertices.
+/// The polygons of an occluder "cover". Throws LineError for more than render::kMostCoverVertices vertices.
 [[nodiscard]] std::vector<Polygon> cover(const nlohmann::json& value);
 
 }  // namespace occlude::cases

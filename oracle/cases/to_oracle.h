@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle shares no types with the kernel: the translation.
+// Translates the kernel's types into the oracle's. The two share none.
 #pragma once
 
 #include <vector>
@@ -47,8 +47,8 @@ namespace occlude::cases {
   return {near == Near::farthest ? Kind::farthest : Kind::surface, {}, {}};
 }
 
-/// The near side as the kernel took it: of a polygon that is not coplanar the support plane that it chose. Of what it
-/// refuses the one that is never a reason to.
+/// The near side that the kernel used. For a polygon that is not coplanar this is the support plane that the kernel chose.
+/// For a refused frustum it is `farthest`, which is never a reason to refuse.
 [[nodiscard]] inline oracle::Near to_oracle(Near near, const kernel::ShadowFrustumResult& made) {
   if (!made.frustum) return to_oracle(Near::farthest);
   if (!made.frustum->support_plane()) return to_oracle(near);

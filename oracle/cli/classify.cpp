@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// occlude classify: cases in, the kernel's and the oracle's answers out, one line each.
+// occlude classify: reads cases and writes the answers of the kernel and of the oracle, one line each.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -40,14 +40,14 @@ oracle::Answer judge(const Case& c, const kernel::ShadowFrustumResult& made) {
   return oracle::relation(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(c.near, made), to_oracle(c.box));
 }
 
-/// The kernel refuses: so must the oracle, and nobody may expect an answer.
+/// The answer when the kernel refuses. Returns whether the oracle refuses too and the line expects no answer.
 bool refuse(const oracle::Answer& exact, const std::optional<std::string>& expect, kernel::Refusal refusal, Json& answer) {
   answer["error"] = kernel::to_string(refusal);
   if (exact.refusal.empty()) answer["oracle"] = text(exact);
   return !exact.refusal.empty() && !expect;
 }
 
-/// Fills `answer`; returns whether everything that ought to agree does.
+/// Fills `answer`. Returns whether everything agrees that should.
 bool classify(const cases::CaseLine& line, Json& answer) {
   const Case& c = line.question;
   const auto refused = [&](kernel::Refusal refusal) { return refuse(judge(c, {}), line.expect, refusal, answer); };
@@ -66,7 +66,7 @@ bool classify(const cases::CaseLine& line, Json& answer) {
   return answer["certified"] == judged && is_sound && (!line.expect || *line.expect == judged);
 }
 
-/// The same of a question about a joined shadow, which has no arithmetic and no test but the exact one.
+/// The same for a joined shadow. It has only certified arithmetic and only the exact test.
 bool classify(const cases::CoverLine& line, Json& answer) {
   const oracle::Answer truth =
       oracle::relation_to_cover(to_oracle(line.viewpoint), to_oracle(line.polygons), to_oracle(line.box));

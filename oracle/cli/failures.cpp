@@ -13,7 +13,7 @@
 namespace occlude::cli {
 namespace {
 
-constexpr std::size_t kPictures = 16;  // the first few tell what is wrong
+constexpr std::size_t kPictures = 16;  // the first few are enough to see what is wrong
 
 std::string picture_name(std::size_t frame) { return fmt::format("failure_{:06}.png", frame); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is culled and shows: each with frame, polygon, witness and picture.
+// Reports what is culled and visible, with frame, polygon, witness and picture.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,14 @@
 
 namespace occlude::cli {
 
-/// The witness with this number of the frame: its text, or where it stands.
+/// The text of a frame's witness with this number, or its place in a file.
 using WitnessText = std::function<std::string(std::size_t frame, std::size_t number)>;
 
-/// One line, about one of them.
+/// One line about a false cull.
 [[nodiscard]] std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness);
 
-/// failures.jsonl, a line for each that a check names, and of the first frames that have one a picture of the whole model
-/// from there with such polygons in red.
+/// Writes failures.jsonl, with a line for each false cull that a check names. For each of the first frames that have one, it
+/// also writes a picture of the whole model with these polygons in red.
 class FailureFiles {
  public:
   /// Throws InputError for a folder that cannot be written to.

@@ -9,10 +9,10 @@
 namespace occlude::cli {
 namespace {
 
-constexpr int kLargest = 8192;  // side of a picture, as everywhere in the command
+constexpr int kLargest = 8192;  // longest side of a picture, as in all commands
 
-/// Centres of the cells of a 4 by 4 grid over a pixel: none is half a pixel away, where a pixel at the border would see
-/// beyond the picture.
+/// The centres of the cells of a 4 by 4 grid over a pixel. No offset reaches half a pixel, so a pixel at the border does not
+/// see beyond the picture.
 glm::dvec2 offset_of(std::size_t turn) {
   const std::size_t cell = turn % ItemBuffers::kOffsets;
   return {(static_cast<double>(cell % 4) - 1.5) / 4, (static_cast<double>(cell / 4) - 1.5) / 4};
@@ -20,7 +20,7 @@ glm::dvec2 offset_of(std::size_t turn) {
 
 }  // namespace
 
-/// Every size has its turn with every offset: the sizes move on by one when the offsets have come round.
+/// Every size gets every offset: after each round of offsets the sizes move on by one.
 std::size_t ItemBuffers::size_of(std::size_t turn) const { return (turn + turn / kOffsets) % sizes(); }
 
 ItemBuffers::ItemBuffers(const culler::PolygonSoup& soup, int width, int height)
@@ -45,7 +45,7 @@ std::string ItemBuffers::describe(std::size_t turn) const {
 
 render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked) {
   constexpr render::Rgba kRed{230, 30, 30, 255};
-  std::vector<render::Line> outlines;  // what is far and small fades, and lines do not
+  std::vector<render::Line> outlines;  // lines stay visible where polygons are far and small
   for (const culler::PolygonRange& range : marked) {
     for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
       const auto loop = soup_.loop(p);
@@ -55,7 +55,7 @@ render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vect
     }
   }
   const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup_.size())};
-  // Of what coincides the first drawn is seen: what is marked.
+  // Of coincident surfaces the first one drawn is visible, so the marked polygons come first.
   const std::array<render::Layer, 2> layers{render::Layer{marked, kRed}, render::Layer{std::span(&all, 1), {}}};
   render::SceneRenderer& renderer = *renderers_[0].renderer;
   renderer.draw(camera, layers, outlines);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Supersampled item buffers: a frame in several sizes and sub-pixel offsets, so that small gaps are met.
+// Item buffers of a frame in several sizes and at several sub-pixel offsets, so that small gaps are hit.
 #pragma once
 
 #include <cstddef>
@@ -19,21 +19,21 @@ namespace occlude::cli {
 
 class ItemBuffers {
  public:
-  /// Sizes are one, two and three times `width` by `height` pixels, as far as pictures go.
+  /// The sizes are one, two and three times `width` by `height` pixels, as far as they are within the limit for pictures.
   ItemBuffers(const culler::PolygonSoup& soup, int width, int height);
 
   static constexpr std::size_t kOffsets = 16;  ///< a quarter of a pixel apart
   [[nodiscard]] std::size_t sizes() const { return renderers_.size(); }
 
-  /// The polygon at each pixel. Consecutive turns take turns in the sizes and offsets; any sizes() * kOffsets of them have
-  /// all pairs.
+  /// The polygon at each pixel. Consecutive turns go through the sizes and offsets. Any sizes() * kOffsets consecutive turns
+  /// have every pair once.
   [[nodiscard]] render::ItemBuffer draw(std::size_t turn, const culler::Camera& camera,
                                         std::span<const culler::PolygonRange> ranges);
 
-  /// How draw() drew, as a text.
+  /// Describes the size and the offset of draw(), as text.
   [[nodiscard]] std::string describe(std::size_t turn) const;
 
-  /// The frame as it is drawn, in the smallest size, with some polygons in red.
+  /// The frame as it is drawn in the smallest size, with the `marked` polygons in red.
   [[nodiscard]] render::Image picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked);
 
  private:

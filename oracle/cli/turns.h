@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a walk's frames take turns, whatever part of them one run has.
+// Assigns turns to the frames of a walk, the same for every shard.
 #pragma once
 
 #include <algorithm>
@@ -13,18 +13,18 @@ namespace occlude::cli {
 
 class Turns {
  public:
-  /// `frames` ascend.
+  /// REQUIRES: `frames` are in ascending order.
   explicit Turns(std::vector<std::size_t> frames) : frames_(std::move(frames)) {}
 
-  /// The place of a frame in the walk.
+  /// The index of a frame among the frames of the walk.
   [[nodiscard]] std::size_t place(std::size_t frame) const {
     return static_cast<std::size_t>(std::ranges::lower_bound(frames_, frame) - frames_.begin());
   }
 
-  /// About 48 frames, spread over the walk, of which more is asked.
+  /// At least 48 frames spread over the walk, or all frames of a shorter walk. More is computed for these.
   [[nodiscard]] bool is_reference(std::size_t frame) const { return place(frame) % step() == 0; }
 
-  /// Reference frames take turns among themselves, so that they meet all there is; the others by their place.
+  /// Reference frames count their turns among themselves, so that they go through all of them. Other frames use their index.
   [[nodiscard]] std::size_t turn(std::size_t frame) const {
     return is_reference(frame) ? place(frame) / step() : place(frame);
   }

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// occlude validate: every cull of a walk proved in exact arithmetic, and of small models held against exact visibility.
+// occlude validate: proves every cull of a walk in exact arithmetic and checks the culled sets against visibility.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "command_arguments.h"
@@ -24,7 +20,6 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
-#include "occlude/render/line_reader.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
@@ -34,6 +29,7 @@
 #include "proof.h"
 #include "validation.h"
 #include "visibility_check.h"
+#include "witness_file.h"
 
 namespace occlude::cli {
 namespace {
@@ -41,17 +37,17 @@ namespace {
 struct Arguments {
   std::string model, path, witness, shard = "1/1", out;
   WalkArguments walk;
-  /// Half a minute for the 300 frames of a path through random triangles; lattices take longer.
+  /// Exact visibility then takes half a minute for the 300 frames of a path through random triangles. Lattices take longer.
   std::size_t exact_up_to = 2000;
   bool json = false;
 };
 
-/// Frames whose place in the walk is `index` more than a multiple of `count`: of several machines each takes some.
+/// The frames whose index in the walk is `index` more than a multiple of `count`. Each of several machines takes one shard.
 struct Shard {
   std::size_t index, count;
   Turns turns;
 
-  /// A frame that the walk does not have is the first shard's.
+  /// A frame that the walk does not have belongs to the first shard.
   [[nodiscard]] bool has(std::optional<std::size_t> frame) const {
     return (frame ? turns.place(*frame) : 0) % count == index;
   }
@@ -65,23 +61,17 @@ Shard parse_shard(const std::string& text, const Turns& turns) {
   return {i - 1, n, turns};
 }
 
-/// A witness and where it stands.
-struct Place {
-  std::string line, name;
-  std::size_t number;  ///< of its line, from 1
-};
-
-/// Proves witnesses and keeps what they say is culled; the outcome is the same for any number of threads.
+/// Proves witnesses and collects what they cull. The outcome does not depend on the number of threads.
 class Proving {
  public:
-  /// The first failure is told at once, and makes the exit code 1.
+  /// The first failure is reported at once and sets the exit code to 1.
   Proving(const proof::Prover& prover, const Shard& shard, int& exit_code)
       : prover_(prover), shard_(shard), exit_code_(exit_code) {}
 
-  /// Throws InputError for a line that is no witness.
+  /// Throws InputError for a line that is not a witness.
   void prove(const std::vector<Place>& places) {
     struct Verdict {
-      std::optional<proof::Proof> proof;  ///< none of other shards
+      std::optional<proof::Proof> proof;  ///< empty for other shards
       std::string unreadable;
     };
     std::vector<Verdict> verdicts(places.size());
@@ -100,7 +90,7 @@ class Proving {
     }
   }
 
-  /// A frame counts even if nothing is culled in it.
+  /// Makes the frame count even if nothing is culled in it.
   void visit(std::size_t frame) { culled_.try_emplace(frame); }
 
   [[nodiscard]] const CulledSets& culled() const { return culled_; }
@@ -123,39 +113,37 @@ class Proving {
   CulledSets culled_;
 };
 
-/// As many lines as keep all threads busy and memory small, and no more once they have as many bytes as the longest line:
-/// in JSON they take many times that.
+/// A batch has enough lines to keep all threads busy, and few enough to keep memory small. It also ends when it has as many
+/// bytes as the longest legal line, because parsed JSON takes many times that.
 constexpr std::size_t kBatch = 16384;
 constexpr std::size_t kBatchBytes = render::kMostJson;
 
-void prove_file(Proving& proving, const std::string& file) {
-  render::LineReader lines(file);
-  render::Progress progress("proved MB", lines.size() >> 20U);
+void prove_file(Proving& proving, WitnessFile& file) {
+  render::Progress progress("proved MB", file.size() >> 20U);
   std::vector<Place> places;
   std::size_t bytes = 0;
   const auto prove_batch = [&] {
     proving.prove(places);
     places.clear();
     bytes = 0;
-    progress.update(lines.read() >> 20U);
+    progress.update(file.read() >> 20U);
   };
-  for (std::string line; lines.next(line);) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    places.push_back({line, fmt::format("{}:{}", lines.name(), lines.number()), lines.number()});
-    bytes += line.size();
+  while (const std::optional<Place> place = file.next()) {
+    places.push_back(*place);
+    bytes += place->line.size();
     if (places.size() == kBatch || bytes >= kBatchBytes) prove_batch();
   }
   prove_batch();
 }
 
-/// The model, the path, and how frames of it are culled anew.
+/// The model, the path, and the options for culling its frames anew.
 struct Walked {
   const culler::Culler& culler;
   const render::CameraPath& path;
   const render::WalkOptions& options;
 };
 
-/// Culls the walk's frames, one after another, for the frames to come depend on those before.
+/// Culls the frames of the walk in order, because each frame depends on the frames before it.
 template <class OnFrame>
 void cull_frames(const Walked& walked, const char* label, OnFrame&& on_frame) {
   const std::vector<std::size_t> frames = render::frames_of(walked.path, walked.options);
@@ -188,7 +176,7 @@ void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
   proving.prove(places);
 }
 
-/// On the reference frames of `visibility`.
+/// Counts on the reference frames of `visibility`.
 MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
   std::map<std::size_t, const std::vector<bool>*> shows;
   for (const FrameVisibility& frame : visibility.frames) {
@@ -206,7 +194,7 @@ MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
   return missed;
 }
 
-/// The text of every witness that a false cull is about.
+/// The witnesses of every frame that has a false cull.
 WitnessText witnesses_anew(const Walked& walked, const Visibility& visibility) {
   std::map<std::size_t, std::vector<std::string>> lines;
   for (const FalseCull& failure : visibility.false_culls) lines[failure.frame];
@@ -221,43 +209,30 @@ WitnessText witnesses_anew(const Walked& walked, const Visibility& visibility) {
   return [lines = std::move(lines)](std::size_t frame, std::size_t number) { return lines.at(frame).at(number - 1); };
 }
 
-/// Where it stands in the file.
+/// The place of a witness in the file.
 WitnessText witnesses_of(const std::string& file) {
   return [name = render::printable(file)](std::size_t, std::size_t number) { return fmt::format("{}:{}", name, number); };
 }
 
-/// Every frame of the path: which of them a witness file is about nobody knows before it is read.
+/// Every frame of the path. Which of them a witness file is about is unknown before it is read.
 std::vector<std::size_t> all_frames(const render::CameraPath& path) {
   std::vector<std::size_t> frames(path.frames);
   std::iota(frames.begin(), frames.end(), std::size_t{0});
   return frames;
 }
 
-/// The files about false culls, opened before the work so that what cannot be written is known at once.
+/// The files about false culls. They are opened before the work, so that a folder that cannot be written to is reported at
+/// once.
 std::optional<FailureFiles> failure_files(const std::string& folder) {
   return folder.empty() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
 }
 
-/// Whether a walk by cover wrote the file: the tree that its lines speak of has smaller leaves. A pipe cannot be read twice,
-/// and is taken for one by frusta.
-bool is_by_cover(const std::string& file) {
-  if (std::error_code error; !std::filesystem::is_regular_file(file, error)) return false;
-  constexpr std::string_view kByCover = "\"by\":\"cover\"";
-  std::ifstream in(file, std::ios::binary);
-  std::string text, block(std::size_t{1} << 16U, '\0');
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
-    text.append(block, 0, static_cast<std::size_t>(in.gcount()));
-    if (text.find(kByCover) != std::string::npos) return true;
-    text.erase(0, text.size() - std::min(text.size(), kByCover.size()));
-  }
-  return false;
-}
-
 void validate(Arguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
-  if (is_by_cover(arguments.witness)) options.build.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::cover);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
+  std::optional<WitnessFile> witnesses;
+  if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   const Shard shard = parse_shard(arguments.shard, turns);
   std::optional<FailureFiles> files = failure_files(arguments.out);
@@ -272,7 +247,7 @@ void validate(Arguments& arguments, int& exit_code) {
   if (is_anew) {
     prove_anew(proving, walked, shard);
   } else {
-    prove_file(proving, arguments.witness);
+    prove_file(proving, *witnesses);
   }
 
   Validation result;

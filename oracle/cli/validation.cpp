@@ -24,7 +24,7 @@ struct Totals {
     }
   }
 
-  /// Bittner's quality of what is drawn: hidden polygons drawn, and visible ones not drawn, for each visible polygon.
+  /// Bittner's measures of what is drawn: hidden polygons drawn, and visible ones not drawn, for each visible polygon.
   [[nodiscard]] double overestimate() const { return share(drawn + false_culls - visible, visible); }
   [[nodiscard]] double underestimate() const { return share(false_culls, visible); }
   [[nodiscard]] double culled_share_of_hidden() const { return share(hidden_culled, hidden); }

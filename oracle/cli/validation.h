@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a validation found, as text and as JSON.
+// The result of a validation, as text and as JSON.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace occlude::cli {
 
-/// Of the hidden polygons that some frames drew, how many for which reason.
+/// For each reason, how many of the hidden polygons that some frames drew have it.
 struct MissedCounts {
   culler::Method method = culler::Method::frusta;
   std::size_t frames = 0;
@@ -20,10 +20,10 @@ struct MissedCounts {
 
 struct Validation {
   std::size_t proved = 0, failed = 0;  ///< witnesses
-  bool is_exact = false;               ///< what visibility was found by: exact arithmetic, or item buffers
-  std::size_t sizes = 0;               ///< of item buffers
+  bool is_exact = false;               ///< by exact visibility, else by item buffers
+  std::size_t sizes = 0;               ///< number of sizes of the item buffers
   Visibility visibility;
-  std::optional<MissedCounts> missed;  ///< where the frames were culled anew
+  std::optional<MissedCounts> missed;  ///< only when the frames were culled anew
 };
 
 [[nodiscard]] bool passed(const Validation& validation);

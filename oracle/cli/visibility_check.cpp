@@ -23,12 +23,12 @@ std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
   return result;
 }
 
-/// Of each polygon of the tree whether it passes view-frustum culling alone.
+/// For each polygon of the tree, whether it passes view-frustum culling alone.
 std::vector<bool> in_view(const culler::Culler& culler, const culler::Camera& camera) {
   return culler::polygons_of(culler.cull(camera, {.occluders = 0}).drawn, culler.hierarchy().soup().size());
 }
 
-/// Counts a frame whose polygons show in so many pixels.
+/// Adds the counts of a frame. `pixels` is the number of pixels in which each polygon shows.
 void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const std::vector<CulledRun>& culled,
          const std::vector<bool>& drawn, const std::vector<std::uint32_t>& pixels, const std::string& where) {
   FrameVisibility& counts = result.frames.emplace_back();
@@ -51,7 +51,7 @@ void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const s
   if (walk.turns.is_reference(frame)) counts.shows = shown(pixels);
 }
 
-/// Of each polygon 1 where a triangle of its fan shows.
+/// For each polygon, 1 if a triangle of its fan shows, else 0.
 std::vector<std::uint32_t> polygons_with(const culler::Hierarchy& hierarchy, const std::vector<bool>& triangles) {
   std::vector<std::uint32_t> shows;
   for (std::size_t p = 0; p < hierarchy.soup().size(); ++p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The culled polygons held against what the frame shows: exactly, where the model is small, or else in item buffers.
+// Compares the culled polygons with what the frame shows: exactly for a small model, else in item buffers.
 #pragma once
 
 #include <cstddef>
@@ -15,41 +15,41 @@
 
 namespace occlude::cli {
 
-/// A frame's polygons: how many pass view-frustum culling, are drawn, show, and are culled and show; and of those that pass
-/// view-frustum culling and do not show, how many there are and how many are culled.
+/// Counts of the polygons of a frame. `in_view` pass view-frustum culling, `visible` are visible, `false_culls` are culled
+/// and visible. `hidden` pass view-frustum culling and are not visible. `hidden_culled` are those of them that are culled.
 struct FrameVisibility {
   std::size_t frame = 0;
   std::size_t in_view = 0, drawn = 0, visible = 0, false_culls = 0;
   std::size_t hidden = 0, hidden_culled = 0;
-  std::size_t wrong_pixels = 0;  ///< of the item buffer, that show what is culled
-  std::vector<bool> shows;       ///< of each polygon of the tree; only of reference frames
+  std::size_t wrong_pixels = 0;  ///< pixels of the item buffer that show something culled
+  std::vector<bool> shows;       ///< for each polygon of the tree; only for reference frames
 };
 
-/// A polygon that is culled and shows.
+/// A polygon that is culled and visible.
 struct FalseCull {
   std::size_t frame = 0;
-  std::uint32_t polygon = 0;  ///< of the tree
-  std::size_t witness = 0;    ///< number of the line that culls it
+  std::uint32_t polygon = 0;  ///< its index in the tree
+  std::size_t witness = 0;    ///< the number of the line that culls it
   std::string where;          ///< how it was seen
 };
 
 struct Visibility {
   std::vector<FrameVisibility> frames;
-  std::vector<FalseCull> false_culls;  ///< of each frame the first 64
+  std::vector<FalseCull> false_culls;  ///< the first 64 of each frame
 };
 
 /// The walk whose frames are checked.
 struct CheckedWalk {
   const culler::Culler& culler;
   const render::CameraPath& path;
-  double aspect;  ///< of the pictures, width over height
+  double aspect;  ///< width over height of the pictures
   Turns turns;
 };
 
-/// In exact arithmetic, on all processors; a polygon shows where any of its triangles does.
+/// Checks in exact arithmetic, on all processors. A polygon is visible when any of its triangles is.
 [[nodiscard]] Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled);
 
-/// By an item buffer of each frame, of the whole model: what culls it has no say in what is drawn.
+/// Checks with an item buffer of each frame. It shows the whole model, so the culling does not influence what is drawn.
 [[nodiscard]] Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, ItemBuffers& buffers);
 
 }  // namespace occlude::cli

@@ -12,9 +12,9 @@ namespace {
 
 using Corner = std::array<double, 3>;
 
-Corner corner(const kernel::Vec3& v) { return {v.x + 0, v.y + 0, v.z + 0}; }  // -0 is 0
+Corner corner(const kernel::Vec3& v) { return {v.x + 0, v.y + 0, v.z + 0}; }  // adding 0 makes -0 equal to 0
 
-/// How often an edge is run through from the lesser end to the greater, less the times it is the other way.
+/// For each edge, how often it occurs from the lesser end to the greater, minus how often it occurs in the other direction.
 class Edges {
  public:
   void add(const Polygon& loop, int times) {

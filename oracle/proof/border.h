@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether several polygons hide what one occluder does.
+// Whether several polygons together hide what one occluder hides.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@ namespace occlude::proof {
 
 using cases::Polygon;
 
-/// Whether the parts have the loop as their common border, with every edge but those of the loop run through as often one
-/// way as the other, and no vertex that is not the loop's. Then they hide what the loop does as an occluder: seen from a
-/// viewpoint from which the loop is convex they cover it, as any surface covers what its border winds around; and between
-/// corners on one side of a plane they lie there too.
+/// Whether the loop is the common border of the parts: apart from the edges of the loop, every edge occurs as often in one
+/// direction as in the other, and every vertex of a part is a vertex of the loop. Such parts hide what the loop hides as an
+/// occluder. Seen from a viewpoint from which the loop is convex, they cover it, because any surface covers what its border
+/// winds around. Where all vertices of the loop are on one side of a plane, so are the parts.
 [[nodiscard]] bool have_border(std::span<const Polygon> parts, const Polygon& loop);
 
 }  // namespace occlude::proof

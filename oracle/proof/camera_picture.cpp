@@ -17,12 +17,13 @@ using glm::dvec3;
 using oracle::HalfSpaceCoefficients;
 using oracle::Relation;
 
-/// More than the five roundings of a sum of four products, 2^-53 of its terms each.
+/// Each term of an offset goes through fewer than eight roundings, of 2^-53 each.
 constexpr double kRounded = 0x1p-50;
 
 double sum_of_magnitudes(const dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-/// {x : normal . (x - eye) + ahead >= 0}, moved by `outward` and by more than its offset is rounded by.
+/// {x : normal . (x - eye) + ahead >= 0}, moved by the distance `outward` and, in the same direction, by more than its
+/// offset may be wrong by rounding.
 HalfSpaceCoefficients half_space(const dvec3& normal, const dvec3& eye, double ahead, double outward) {
   const double moved = outward * glm::length(normal);
   const double size = sum_of_magnitudes(normal) * sum_of_magnitudes(eye) + std::fabs(ahead) + std::fabs(moved);
@@ -40,8 +41,9 @@ oracle::Picture picture_of(const culler::Camera& camera, double outward) {
 
   oracle::Picture picture;
   for (const auto& [half, across] : {std::pair{x, right}, {x, -right}, {y, up}, {y, -up}}) {
-    // The tangent and the sum that is the normal are rounded by less than 2^-50 (1 + half) in each coordinate, which moves
-    // a point one unit along the line of sight, and so no farther than 1 + x + y from it, by less than this.
+    // The rounding of the tangent and of the sum changes each coordinate of the normal by less than 2^-50 (1 + half). At
+    // depth 1 a point of the picture is at most 1 + x + y away from the eye. There the rounding changes the height by less
+    // than the tilt does.
     const double tilted = std::copysign(kRounded, outward) * (1 + half) * (1 + x + y);
     picture.sides.push_back(perspective ? within((half + tilted) * forward - across, 0) : within(-across, half));
   }

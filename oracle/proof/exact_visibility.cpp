@@ -12,13 +12,13 @@ namespace {
 
 oracle::Point point(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Along the line of sight in parallel light: the direction that the culler has, whose numbers are exact for both.
+/// Parallel rays run along the direction that the culler uses, so both take the same exact numbers.
 oracle::Viewpoint viewpoint(const culler::Camera& camera) {
   if (camera.projection == culler::Projection::perspective) return {point(camera.eye)};
   return {point(camera.axes().forward), true};
 }
 
-/// The share of the model's depth by which the picture is smaller: far less than anybody sees.
+/// The picture is smaller by this share of the depth of the model. This is far too little to be seen.
 constexpr double kSmaller = 0x1p-40;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle's exact visibility of a soup's triangles.
+// Exact visibility of the triangles of a soup, by the oracle.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace occlude::proof {
 
-/// Of each triangle of the soup, the fans one after another, whether it shows to the camera, in a picture narrower than the
-/// camera's by a share of 2^-40: what shows in it surely shows.
+/// For each triangle of the soup, fan after fan, whether it shows to the camera. The picture is smaller than the camera's by
+/// 2^-40 of the depth of the model, so a triangle that shows in it certainly shows.
 [[nodiscard]] std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera);
 
 }  // namespace occlude::proof

@@ -12,6 +12,7 @@
 #include "border.h"
 #include "camera_picture.h"
 #include "cases/to_oracle.h"
+#include "occlude/culler/cull_result.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/render/input_limits.h"
 
@@ -42,13 +43,13 @@ const Json& occluders_of(const Json& object) {
   return occluders;
 }
 
-/// The shadow of one of the line's occluders. Its near side is its own, or else the line's.
+/// The shadow of one of the occluders on the line. Its near side is its own if it has one, else that of the line.
 oracle::Shadow shadow_of(const kernel::Viewpoint& view, const Json& described, const Json& line) {
   const Json& near = member(described.contains("near") ? described : line, "near");
   return {to_oracle(view), to_oracle(occluder(described)), near_of(near)};
 }
 
-/// The polygons that are drawn of the occluder.
+/// The polygons of the model that an occluder consists of.
 std::vector<Polygon> polygons_of(const Occluder& occluder) {
   if (const Polygon* polygon = std::get_if<Polygon>(&occluder)) return {*polygon};
   const auto& [vertices, faces] = std::get<kernel::Polytope>(occluder);
@@ -71,7 +72,7 @@ std::array<double, 4> plane_of(const Json& object) {
   return coefficients;
 }
 
-/// 0 where the witness has none.
+/// 0 when the witness has no margin.
 double margin_of(const Json& object) {
   if (!object.contains("margin")) return 0;
   const double margin = number(object["margin"], "margin");
@@ -91,7 +92,7 @@ std::array<double, 3> key(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::array<double, 3> key(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// Compares polygons of a soup, or given in full, vertex by vertex.
+/// Compares polygons vertex by vertex. A polygon is given by its index in the soup or by its vertices.
 struct LessByVertices {
   const culler::PolygonSoup& soup;
 
@@ -108,9 +109,21 @@ struct LessByVertices {
   }
 };
 
+std::uint32_t leaf_size_in(const Json& object) {
+  if (!object.contains("leaf")) return culler::leaf_size_for(culler::Method::frusta);
+  const Json& leaf = object["leaf"];
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (!leaf.is_number_unsigned() || leaf.get<std::uint64_t>() == 0 || leaf.get<std::uint64_t>() > kMost) {
+    throw LineError("\"leaf\": expected a whole number from 1");
+  }
+  return leaf.get<std::uint32_t>();
+}
+
 std::uint64_t key(std::size_t first, std::size_t count) { return (static_cast<std::uint64_t>(first) << 32U) | count; }
 
 }  // namespace
+
+std::uint32_t leaf_size_of(std::string_view line) { return leaf_size_in(parse_object(line)); }
 
 Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
   const culler::PolygonSoup& soup = hierarchy.soup();
@@ -130,6 +143,7 @@ std::optional<Proof> Prover::prove(std::string_view line,
   const bool exists = frame.is_number_unsigned() && frame.get<std::size_t>() < cameras_.frames;
   if (is_wanted && !is_wanted(exists ? std::optional(frame.get<std::size_t>()) : std::nullopt)) return std::nullopt;
   if (!exists) return Proof{.failure = "no such frame"};
+  if (leaf_size_in(object) != hierarchy_.leaf_size()) throw LineError("\"leaf\": another tree than that of the first line");
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return Proof{.failure = "no such triangles"};
@@ -258,7 +272,8 @@ kernel::Aabb Prover::box_of_triangles(std::size_t first, std::size_t count) cons
 bool Prover::is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const {
   const LessByVertices less{hierarchy_.soup()};
   const auto [begin, end] = std::equal_range(by_vertices_.begin(), by_vertices_.end(), loop, less);
-  // The triangles' polygons are a run, and so are those of them that are equal: it is all of these, or one end is outside.
+  // The polygons of the triangles are consecutive, and the equal polygons are sorted by index. So if any of these is
+  // outside, the first or the last is.
   const auto is_outside = [&](std::uint32_t p) {
     return first_triangle_[p + 1] <= first || first_triangle_[p] >= first + count;
   };
@@ -284,7 +299,7 @@ bool Prover::is_joined_outside(const Polygon& loop, const Json& parts, std::size
     const auto [from, length] = run_of(part, "parts");
     if (from < first + count && first < from + length) return false;
     const auto end = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), from);
-    if (end == first_triangle_.end() || length == 0 || length > *end - from) return false;  // beyond the polygon's fan
+    if (end == first_triangle_.end() || length == 0 || length > *end - from) return false;  // beyond the fan of the polygon
     const auto p = static_cast<std::size_t>(end - first_triangle_.begin()) - 1;
     polygons.push_back(polygon(p, from - first_triangle_[p], length));
   }

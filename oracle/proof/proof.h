@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The proof of one witness: everything that culling promises about one culled subtree, in exact arithmetic.
+// Proves one witness: everything that culling promises about one culled subtree, in exact arithmetic.
 #pragma once
 
 #include <array>
@@ -20,14 +20,18 @@
 
 namespace occlude::proof {
 
-using namespace cases;  // witnesses are of what cases are
+using namespace cases;  // witnesses consist of the same values as cases
 
-/// What became of a witness.
+/// The outcome for one witness.
 struct Proof {
-  std::string failure;               ///< empty when it is proved, else what is wrong with it
-  std::size_t frame = 0;             ///< of the path
-  std::size_t first = 0, count = 0;  ///< the triangles it says are culled; none where the line names none of the model
+  std::string failure;               ///< empty when the witness is proved, else what is wrong with it
+  std::size_t frame = 0;             ///< its number in the path
+  std::size_t first = 0, count = 0;  ///< the triangles that it culls; none when the model does not have them
 };
+
+/// Hierarchy::leaf_size() of the tree whose triangles the witness on this line counts. A line without "leaf" counts those of
+/// a tree for frusta. Throws LineError when the line is not a witness.
+[[nodiscard]] std::uint32_t leaf_size_of(std::string_view line);
 
 /// The cameras of a walk.
 struct Cameras {
@@ -35,61 +39,63 @@ struct Cameras {
   std::function<culler::Camera(std::size_t frame)> at;  ///< may be called on several threads at once
 };
 
-/// Checks witnesses against the model and walk they claim to be of. prove() may run on several threads at once.
+/// Checks witnesses against the model and the walk that they claim to be from. Several threads may call prove() at once.
 class Prover {
  public:
-  /// `hierarchy` gives the order in which a witness counts triangles. REQUIRES: it outlives the prover.
+  /// `hierarchy` gives the order in which a witness counts triangles. REQUIRES: `hierarchy` outlives the prover.
   Prover(const culler::Hierarchy& hierarchy, Cameras cameras);
 
-  /// Proves the witness on this line (LineError when it is no witness at all):
-  /// - the triangles named exist and lie in the box named, which keeps the margin named, if any, to the planes that cull it;
-  /// - by view: the box is exactly beyond the plane, whose numbers are legal, and of what the renderer may draw of the model
-  ///   (camera_picture.h) nothing is on the plane or beyond it;
-  /// - by shadow: seen from the frame's eye the box lies exactly in the shadow of the occluder and strictly beyond its near
-  ///   planes, or of two occluders together, each point beyond those of one that hides it; an occluder is a polygon of the
-  ///   model that is not among the triangles, or the loop about such polygons ("parts"), or a polytope all of whose faces
-  ///   are such polygons, and the renderer clips none of it;
-  /// - by cover: each point of the box has a polygon of the list strictly between it and the frame's viewpoint, counting
-  /// what
-  ///   the renderer surely draws of them. These may be culled themselves: of all that a ray meets the first is hidden by
-  ///   nothing.
-  /// None of a frame that is not wanted; one that is not of the path is none.
+  /// Proves the witness on this line. Throws LineError when the line is not a witness, or counts
+  /// triangles of another tree. These things must hold:
+  /// - The triangles exist and lie in the box. If a margin is given, the box keeps that distance to the planes that cull it.
+  /// - By view: the box is exactly beyond the plane, whose numbers are legal. The renderer draws nothing of the model on the
+  ///   plane or beyond it (camera_picture.h).
+  /// - By shadow: seen from the frame's viewpoint, the box is exactly in the shadow of the occluder and strictly beyond its
+  ///   near planes. With two occluders, each point is in the shadow of one of them and strictly beyond its near planes. An
+  ///   occluder is a polygon of the model that is not among the triangles, or the border of several such polygons ("parts"),
+  ///   or a polytope whose faces are all such polygons. The renderer clips none of it.
+  /// - By cover: each point of the box has a polygon of the list strictly between it and the frame's viewpoint. Only the
+  ///   part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because nothing
+  ///   hides the first polygon that a ray meets.
+  ///
+  /// Returns nothing when `is_wanted` rejects the frame. It is called without a frame when the path does not have that
+  /// frame.
   [[nodiscard]] std::optional<Proof> prove(
       std::string_view line, const std::function<bool(std::optional<std::size_t> frame)>& is_wanted = {}) const;
 
  private:
-  /// What is wrong with a witness about these triangles, which exist; empty when it is proved.
+  /// The fault of a witness about these triangles, which exist. Empty when the witness is proved.
   [[nodiscard]] std::string fault(const nlohmann::json& witness, const culler::Camera& camera, std::size_t first,
                                   std::size_t count) const;
-  /// Why the renderer does not draw the occluder whole outside of those triangles; empty when it does.
+  /// Why the renderer does not draw the occluder completely by polygons outside of those triangles. Empty when it does.
   [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const culler::Camera& camera,
                                               std::size_t first, std::size_t count) const;
-  /// The polygons, from .first to before .second, that any of the triangles belong to.
+  /// The range of polygons [.first, .second) to which the triangles belong.
   [[nodiscard]] std::pair<std::size_t, std::size_t> polygons_with(std::size_t first, std::size_t count) const;
-  /// Whether those polygons lie in the box, exactly.
+  /// Whether the polygons of those triangles lie in the box, exactly.
   [[nodiscard]] bool lie_in(const Box& box, std::size_t first, std::size_t count) const;
   [[nodiscard]] kernel::Aabb box_of_triangles(std::size_t first, std::size_t count) const;
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
-  /// Whether the loop is the border of what `parts` lists, runs of triangles each of one polygon, none of them among those
-  /// triangles.
-  /// Why the polygons do not hide the box together; empty when they do.
+  /// Why the polygons do not hide the box together. Empty when they do.
   [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
                                            const culler::Camera& camera, const Box& box) const;
+  /// Whether the loop is the border of the `parts`. Each part is a run of triangles of one polygon, none of them among those
+  /// triangles.
   [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
                                        std::size_t count) const;
-  /// The loop about triangles [first, first + count) of the fan of polygon p.
+  /// The border of triangles [first, first + count) of the fan of polygon p.
   [[nodiscard]] Polygon polygon(std::size_t p, std::size_t first, std::size_t count) const;
 
   const culler::Hierarchy& hierarchy_;
   Cameras cameras_;
   oracle::Aabb model_;
-  std::vector<std::size_t> first_triangle_;  ///< of each polygon, and the total
-  std::vector<std::uint32_t> by_vertices_;   ///< polygons, sorted by their vertices, equal ones by their place
-  std::vector<std::uint32_t> place_;         ///< of each polygon of the model file
-  /// Boxes of triangle runs: the subtrees of one hierarchy recur from frame to frame.
+  std::vector<std::size_t> first_triangle_;  ///< for each polygon, and the total at the end
+  std::vector<std::uint32_t> by_vertices_;   ///< polygons sorted by their vertices, equal ones by index
+  std::vector<std::uint32_t> place_;         ///< for each polygon of the model file, its index in the tree
+  /// Boxes of triangle runs are kept, because the same subtrees are culled in many frames.
   mutable std::shared_mutex mutex_;
   mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;
-  mutable std::unordered_map<std::uint64_t, kernel::Obb> holding_;  ///< the last oriented box found to hold the run
+  mutable std::unordered_map<std::uint64_t, kernel::Obb> holding_;  ///< the last oriented box found to contain the run
 };
 
 }  // namespace occlude::proof

@@ -15,7 +15,7 @@ bool contains_point(const Aabb& box, const Point& x) {
   return true;
 }
 
-/// The determinant of the half edges, with x - center in the place of number `k` when k < 3.
+/// The determinant of the half edges. When k < 3, x - center replaces half edge `k`.
 template <class N>
 N determinant(const Obb& box, const Point& x, std::size_t k) {
   std::array<Vector<N>, 3> columns;
@@ -23,7 +23,7 @@ N determinant(const Obb& box, const Point& x, std::size_t k) {
   return CGAL::cross_product(columns[0], columns[1]) * columns[2];
 }
 
-/// For half edges that span a volume: by Cramer's rule each own coordinate is a ratio of determinants.
+/// For half edges that span a volume. By Cramer's rule each own coordinate of x is a ratio of determinants.
 bool contains_by_ratios(const Obb& box, const Point& x) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto excess = [&]<class N>() {
@@ -34,7 +34,7 @@ bool contains_by_ratios(const Obb& box, const Point& x) {
   return true;
 }
 
-/// For any half edges: x equals a point of the box when it is neither above nor below it on any axis.
+/// For any half edges. On every axis, some point of the box must be neither above nor below x. That point is x.
 bool contains_by_feasibility(const Obb& box, const Point& x) {
   return decide([&]<class N>() {
     std::vector<Inequality<N, 3>> inequalities;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A box by its corners, and as a cube in coordinates of its own: x, y, z of an axis-aligned box between its min and max, the
-// factors of the half edges of an oriented one between -1 and 1.
+// A box by its corners, and as a cube in its own coordinates. For an axis-aligned box these are x, y, z between min and max.
+// For an oriented box they are the factors of its half edges, between -1 and 1.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 namespace occlude::oracle {
 
-/// Corner c of a box: bit k of c is set when it is at the high end of the box's own coordinate k.
+/// The corners of a box. Bit k of corner c is set when it is at the high end of the box's own coordinate k.
 inline constexpr unsigned kCorners = 8;
 
 /// One number for each corner.
 template <class N>
 using OfCorners = std::array<N, kCorners>;
 
-/// What the low and the high end of own coordinate `k` add to the height of a corner over the half-space.
+/// The terms that the low and the high end of own coordinate `k` add to the height of a corner over the half-space.
 template <class N>
 std::array<N, 2> shares(const HalfSpace<N>& half_space, const Aabb& box, unsigned k) {
   const int axis = static_cast<int>(k);
@@ -32,7 +32,7 @@ std::array<N, 2> shares(const HalfSpace<N>& half_space, const Obb& box, unsigned
   return {-high, high};
 }
 
-/// What is in the height of every corner.
+/// The term that the heights of all corners share.
 template <class N>
 N common_share(const HalfSpace<N>& half_space, const Aabb&) {
   return half_space.offset;
@@ -43,7 +43,7 @@ N common_share(const HalfSpace<N>& half_space, const Obb& box) {
   return half_space.height(box.center);
 }
 
-/// The heights of the corners over the half-space.
+/// The heights of the corners over the half-space, each the distance times the length of the normal.
 template <class N>
 OfCorners<N> corner_heights(const HalfSpace<N>& half_space, const Box& box) {
   return std::visit(
@@ -62,7 +62,7 @@ OfCorners<N> corner_heights(const HalfSpace<N>& half_space, const Box& box) {
       box);
 }
 
-/// On which side of the plane each corner lies, exactly.
+/// The side of the plane on which each corner lies, exactly.
 template <class Definition>
 OfCorners<CGAL::Sign> corner_sides(Plane<Definition>& plane, const Box& box) {
   const OfCorners<Interval> approximate = corner_heights(plane.template in<Interval>(), box);
@@ -76,7 +76,7 @@ OfCorners<CGAL::Sign> corner_sides(Plane<Definition>& plane, const Box& box) {
   return sides;
 }
 
-/// Whether no corner is nearer to the plane than `distance`, exactly.
+/// Whether every corner is at least `distance` away from the plane, exactly. Squares are compared, so no root is needed.
 template <class Definition>
 bool keeps_distance(Plane<Definition>& plane, const Box& box, double distance) {
   return distance == 0 || decide([&]<class N>() {
@@ -96,7 +96,7 @@ Bounds<N, 3> own_bounds(const Box& box) {
   return {tuple({-1, -1, -1}), tuple({1, 1, 1})};
 }
 
-/// The half-space in the box's own coordinates.
+/// The half-space as an inequality in the box's own coordinates.
 template <class N>
 Inequality<N, 3> in_own_coordinates(const HalfSpace<N>& half_space, const Box& box) {
   const Vector<N>& n = half_space.normal;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The cones are the intersections of their sides' half-spaces. They share a ray when they have a common point that is not
-// the eye. If there is any, one of the occludee is among them, and that lies in the box about the occludee and not before a
-// plane that has the whole occludee beyond it, the eye before it.
+// Each cone is the intersection of the half-spaces of its sides. The cones share a ray when they share a point that is not
+// the eye. Then that ray meets the occludee, and the cones share a point of the occludee. Such a point lies in the bounding
+// box of the occludee, and it is not in front of a plane that separates the eye from the occludee. So linear programming
+// looks for a common point in that box and beyond that plane, where the eye is not.
 #include <algorithm>
 
 #include "loop.h"
@@ -13,8 +14,9 @@
 namespace occlude::oracle {
 namespace {
 
-/// A plane that has the eye strictly before it and no vertex of the polygon: it is parallel to the mean plane of the
-/// polygon, which has all of it ahead of the eye (loop.cpp).
+/// A plane with the eye strictly in front of it and no vertex of the polygon in front of it. It is parallel to the mean
+/// plane of the polygon and passes through the nearest vertex in that direction. The eye is in front of it because every
+/// vertex lies ahead of the eye in that direction (lies_ahead() in loop.cpp).
 OrientedPlane front_of(const Viewpoint& view, const Loop& loop) {
   const CGAL::Sign turn = see(view, loop).turn;
   const auto is_nearest = [&](const Point& v) {
@@ -24,7 +26,7 @@ OrientedPlane front_of(const Viewpoint& view, const Loop& loop) {
   return {MeanPlane{loop, *std::ranges::find_if(loop, is_nearest)}, turn};
 }
 
-/// The same of a polytope: the plane of a face turned to the viewpoint.
+/// The same for a polytope: the plane of a face turned to the viewpoint.
 OrientedPlane front_of(const Viewpoint& view, const Polytope& polytope) {
   const Solid solid = solid_of(polytope).solid;
   const std::vector<bool> is_turned = turned_faces(view, solid);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-//
-// Look at some point of the box. Where no piece of the shadow holds it, it is seen. Else all other points that are seen are
-// beyond one of the bounds of a piece that holds it: look there, beyond one bound after another.
+// A search for a visible point of the box. Take any point. If no piece of the shadow contains it, it is visible. Otherwise
+// every visible point lies outside the piece that contains it, beyond at least one of the bounds of that piece. So the
+// search goes on beyond each of those bounds in turn.
 #include "occlude/oracle/cover.h"
 
 #include <algorithm>
@@ -16,7 +16,8 @@
 namespace occlude::oracle {
 namespace {
 
-/// Pieces that points are held against, a tenth of a microsecond each, and conditions on a point: half a minute or so.
+/// A unit of work is one piece that a point is compared with, or one condition on a point. It takes about a tenth of a
+/// microsecond, so the limit is about half a minute.
 constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
 /// Half-spaces in the box's own coordinates.
@@ -42,7 +43,7 @@ class Search {
     for (const ShadowPiece<N>& piece : pieces) pieces_.push_back({own(piece.closed), own(piece.open)});
   }
 
-  /// Whether a point of the system is in none of the pieces; nothing is known when too much was asked for that.
+  /// Whether some point of the box is in none of the pieces. Empty when finding out takes more than kMostWork.
   [[nodiscard]] std::optional<bool> outcome() {
     const bool found = has_point_outside();
     return found || work_ <= kMostWork ? std::optional(found) : std::nullopt;
@@ -72,7 +73,8 @@ class Search {
            std::ranges::all_of(piece.strict, [&](const auto& row) { return slack(row) == CGAL::POSITIVE; });
   }
 
-  /// That in which the point is deepest: it is likely to hold much of what is about it. Null where none holds it.
+  /// Of the pieces that contain the point, the one in which it lies deepest, because that one is likely to contain much of
+  /// its surroundings. Null when no piece contains the point.
   const System<N>* best_of_those_that_hold(const Ratios<N, 3>& point) const {
     const System<N>* best = nullptr;
     double deepest = 0;
@@ -86,7 +88,7 @@ class Search {
     return best;
   }
 
-  /// About how far the point is from the nearest bound: only which piece comes first depends on it.
+  /// An estimate of the distance to the nearest bound. It only decides which piece is tried first.
   static double depth_in(const System<N>& piece, const Ratios<N, 3>& point) {
     double least = std::numeric_limits<double>::infinity();
     for (const std::vector<Inequality<N, 3>>* rows : {&piece.closed, &piece.strict}) {
@@ -103,7 +105,8 @@ class Search {
     return least;
   }
 
-  /// Of points beyond several bounds each is looked for beyond the first of these alone.
+  /// Each bound that has been tried becomes a condition, so a point beyond several bounds is searched for only beyond the
+  /// first.
   bool has_point_beyond(const System<N>& piece) {
     for (const Inequality<N, 3>& row : piece.closed) {
       system_.strict.push_back(negated(row));

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+// Points are relative to the viewpoint: to an eye, or to any point for a direction d.
 //
-// Points are taken relative to the viewpoint, an eye or any point for a direction d. The shadow of a triangle abc: on the
-// inner sides of the planes through its edges and the viewpoint, and beyond its own plane. Seen edge-on it is met first on
-// its edges, and the shadow of one is flat: in the plane of the edge and the viewpoint, between the rays to its ends, beyond
-// the edge. An edge along a ray is met first at an end, whose shadow is the rest of that ray. A triangle that holds the eye
-// hides all that is in its plane and between the rays to those of its edges that do not.
+// A triangle that is not seen edge-on has one piece: the inner sides of the planes through its edges and the viewpoint,
+// beyond the plane of the triangle.
+//
+// A ray meets a triangle seen edge-on first on its edges. The shadow of an edge is flat: it lies in the plane of the edge
+// and the viewpoint, between the rays to the ends of the edge, beyond the edge. A ray meets an edge that lies along it first
+// at an end. The shadow of that end is the rest of the ray.
+//
+// A triangle that contains the eye hides every point of its plane between the rays to the ends of any edge that does not
+// contain the eye, and on the rays to its corners.
 #include "cover_pieces.h"
 
 #include <algorithm>
@@ -46,7 +51,7 @@ class Pieces {
   static bool is_zero(const V& v) {
     return certain_sign(v.x()) == CGAL::ZERO && certain_sign(v.y()) == CGAL::ZERO && certain_sign(v.z()) == CGAL::ZERO;
   }
-  /// Across the plane of the rays to two points, in the turn from the first to the second.
+  /// Normal of the plane that contains the rays to `a` and `b`. Exchanging the two reverses it.
   V across(const V& a, const V& b) const { return CGAL::cross_product(is_eye_ ? a : direction_, is_eye_ ? b : V(b - a)); }
   HalfSpace<N> above(const V& normal, const N& height) const { return {normal, origin_, -height}; }
   HalfSpace<N> through(const V& normal, const V& point) const { return above(normal, normal * point); }
@@ -55,7 +60,7 @@ class Pieces {
     piece.closed.push_back({-half_space.normal, half_space.point, -half_space.offset});
   }
 
-  /// Turns so that its normal leads away from the viewpoint.
+  /// REQUIRES: the normal of the triangle, by the order of its corners, points away from the viewpoint.
   void add_triangle(const V& a, const V& b, const V& c) {
     const V normal = CGAL::cross_product(b - a, c - a);
     ShadowPiece<N> piece;
@@ -65,8 +70,9 @@ class Pieces {
     pieces_.push_back(std::move(piece));
   }
 
-  /// Where the line of sight through x meets the plane normal . y = height in the half-space: at y = x height / normal . x
-  /// from an eye, or x - direction (normal . x - height) / normal . direction.
+  /// The points x whose line of sight meets the plane normal . y = height at a point y that is in `drawn`. From an eye, y =
+  /// x height / (normal . x). For a direction, y = x - direction (normal . x - height) / (normal . direction). Both
+  /// denominators are positive in the shadow, so the condition on y is multiplied by them.
   HalfSpace<N> meeting_is_drawn(const V& normal, const N& height) const {
     const V& n = drawn_->normal;
     const N& offset = drawn_->offset;
@@ -110,17 +116,17 @@ class Pieces {
     add_plane(piece, through(normal, a));
     piece.closed.push_back(through(inwards(normal, a), a));
     piece.closed.push_back(through(-inwards(normal, b), b));
-    // Away from the viewpoint, in the plane and across the edge.
+    // It points away from the viewpoint, lies in the plane and is perpendicular to the edge.
     V away = CGAL::cross_product(b - a, normal);
     const CGAL::Sign sign = certain_sign(N(away * (is_eye_ ? a : direction_)));
     if (sign == CGAL::NEGATIVE) away = -away;
     piece.open.push_back(above(away, is_at_eye ? N(0) : N(away * a)));
     pieces_.push_back(std::move(piece));
   }
-  /// In the plane with that normal, across the ray to a point.
+  /// Lies in the plane with that normal, perpendicular to the ray to `point`.
   V inwards(const V& normal, const V& point) const { return CGAL::cross_product(normal, is_eye_ ? point : direction_); }
 
-  /// The rest of the ray through a point, farther along it than `height`.
+  /// Adds the part of the ray through `point` on which along . x > height.
   void add_ray(const V& point, const N& height) {
     const V& along = is_eye_ ? point : direction_;
     ShadowPiece<N> piece;
@@ -134,7 +140,7 @@ class Pieces {
 
   bool is_eye_;
   V origin_, direction_;
-  std::optional<HalfSpace<N>> drawn_;  ///< its point is the origin
+  std::optional<HalfSpace<N>> drawn_;  ///< in coordinates relative to origin_
   std::vector<ShadowPiece<N>> pieces_;
 };
 

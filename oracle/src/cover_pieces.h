@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The joined shadow of polygons as convex pieces: the shadow of a triangle, and where it is seen edge-on the flat ones of
-// its edges and corners.
+// The joined shadow of polygons as convex pieces: the shadow of each triangle, or, for a triangle seen edge-on, the flat
+// shadows of its edges and corners.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@
 
 namespace occlude::oracle {
 
-/// What is on the inner side of all of these: with the planes of `closed`, without those of `open`.
+/// The points on the inner side of all these half-spaces. The planes of `closed` belong to the piece, those of `open` do
+/// not.
 template <class N>
 struct ShadowPiece {
   std::vector<HalfSpace<N>> closed, open;

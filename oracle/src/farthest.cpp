@@ -6,7 +6,8 @@
 namespace occlude::oracle {
 namespace {
 
-/// How far `x` lies from the viewpoint, for comparison: the squared distance from the eye, or the way along d.
+/// A measure of how far `x` is from the viewpoint, for comparison only: the squared distance from the eye, or the scalar
+/// product with the direction.
 template <class N>
 N remoteness(const Viewpoint& view, const Point& x) {
   const Vector<N> to_vertex = sight<N>(view, x);

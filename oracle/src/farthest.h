@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of some vertices is the farthest from a viewpoint, compared exactly.
+// The vertex farthest from a viewpoint, compared exactly.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace occlude::oracle {
 
-/// The first of the vertices that none is farther than: from the eye, or along the direction of view. REQUIRES: not empty.
+/// The vertex that is farthest from the eye, or farthest along the direction of view. On a tie the first. REQUIRES: not
+/// empty.
 [[nodiscard]] Point farthest_of(const Viewpoint& view, std::span<const Point> vertices);
 
 }  // namespace occlude::oracle

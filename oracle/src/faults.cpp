@@ -24,7 +24,7 @@ std::string range_fault(const Point& p) {
   return std::ranges::all_of(p, is_in_range) ? "" : "a coordinate is out of range";
 }
 
-/// The points that give the box.
+/// The points and vectors that define the box.
 std::vector<Point> points_of(const Box& box) {
   if (const Aabb* aabb = std::get_if<Aabb>(&box)) return {aabb->min, aabb->max};
   const auto& [center, half_edges] = std::get<Obb>(box);

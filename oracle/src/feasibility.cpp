@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-//
-// Seidel's incremental linear programming. Keep the lowest point (by a linear cost) of the inequalities seen so far; one
-// that the point violates holds with equality at the new lowest point, if there is any, which leaves the same question in
-// one variable fewer. An inequality may be multiplied by any positive number, a point's coordinates have a common
-// denominator: nothing needs to be divided.
+// Seidel's incremental linear programming. It keeps the point of lowest linear cost that satisfies the inequalities seen so
+// far. If that point violates the next inequality, the new lowest point satisfies it with equality, or there is none. This
+// leaves the same question with one variable fewer. Nothing is divided: an inequality may be multiplied by any positive
+// number, and the coordinates of a point share a denominator.
 #include "feasibility.h"
 
 #include <algorithm>
@@ -38,7 +37,7 @@ bool satisfies(const Ratios<N, D>& point, const Inequality<N, D>& row) {
   return certain_sign(dot(row.a, point.x) - row.b * point.w) != CGAL::POSITIVE;
 }
 
-/// The plane a . x = b, solved for the variable `k` in which a is not zero.
+/// The plane a . x = b, solved for variable `k`, whose coefficient is not zero.
 template <class N, std::size_t D>
 struct Pivot {
   const Inequality<N, D>& plane;
@@ -49,7 +48,8 @@ struct Pivot {
   Pivot(const Inequality<N, D>& equation, std::size_t variable, CGAL::Sign sign)
       : plane(equation), k(variable), size(N(int{sign}) * equation.a[variable]), other(-int{sign}) {}
 
-  /// `row` . x times `size`, written in the other variables; what is left over is a multiple of b of the plane.
+  /// The coefficients of size * (row . x) in the other variables, for x on the plane. This leaves out the constant term, a
+  /// multiple of b of the plane.
   [[nodiscard]] Tuple<N, D - 1> project(const Tuple<N, D>& row) const {
     const N factor = other * row[k];
     Tuple<N, D - 1> rest = without(row, k);
@@ -62,7 +62,7 @@ struct Pivot {
     return {project(row.a), size * row.b + other * row.a[k] * plane.b};
   }
 
-  /// The point of the plane with the other variables `rest`.
+  /// The point on the plane whose other variables are `rest`.
   [[nodiscard]] Ratios<N, D> lift(const Ratios<N, D - 1>& rest) const {
     const N left = other * (dot(without(plane.a, k), rest.x) - plane.b * rest.w);
     Ratios<N, D> point{{}, size * rest.w};
@@ -102,13 +102,13 @@ template <class N, std::size_t D>
 std::optional<Ratios<N, D>> lowest(const Bounds<N, D>& bounds, std::span<const Inequality<N, D>> rows,
                                    const Tuple<N, D>& cost);
 
-/// The lowest point of the plane of `rows[last]` within the bounds and the rows before it.
+/// The lowest point on the plane of `rows[last]` within the bounds and the rows before it. Empty when there is none.
 template <class N, std::size_t D>
 std::optional<Ratios<N, D>> lowest_on_plane(const Bounds<N, D>& bounds, std::span<const Inequality<N, D>> rows,
                                             std::size_t last, const Tuple<N, D>& cost) {
   std::size_t k = 0;
   while (k < D && certain_sign(rows[last].a[k]) == CGAL::ZERO) ++k;
-  if (k == D) return std::nullopt;  // 0 <= b, and it was violated
+  if (k == D) return std::nullopt;  // the row is 0 <= b, and it is violated, so b < 0
   const Pivot<N, D> pivot(rows[last], k, certain_sign(rows[last].a[k]));
 
   std::vector<Inequality<N, D - 1>> projected;
@@ -139,7 +139,7 @@ std::optional<Ratios<N, D>> lowest(const Bounds<N, D>& bounds, std::span<const I
 
 template <class N>
 bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequalities) {
-  // A random order makes the expected time linear; a fixed seed makes it the same every time.
+  // A random order makes the expected time linear. A fixed seed makes every run the same.
   std::shuffle(inequalities.begin(), inequalities.end(), std::minstd_rand(1));
   const Tuple<N, 3> cost{N(1), N(1), N(1)};
   return lowest(bounds, std::span<const Inequality<N, 3>>(inequalities), cost).has_value();
@@ -148,7 +148,8 @@ bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequ
 template <class N>
 std::optional<Ratios<N, 3>> feasible_point(const Bounds<N, 3>& bounds, const std::vector<Inequality<N, 3>>& inequalities,
                                            const std::vector<Inequality<N, 3>>& strict) {
-  // The most that all strict ones can be satisfied by at once is a fourth variable.
+  // A fourth variable between 0 and 1 is the gap that every strict inequality must keep: a . x + gap <= b. The cost makes
+  // the gap as large as possible. It is positive exactly when some point satisfies all strict inequalities.
   std::vector<Inequality<N, 4>> rows;
   const auto append = [&](const Inequality<N, 3>& row, int gap) {
     rows.push_back({{row.a[0], row.a[1], row.a[2], N(gap)}, row.b});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether linear inequalities and the bounds of a box have a common point. Written without divisions, so that it runs in
-// both number types; in intervals it throws where they do not decide (numbers.h).
+// Whether linear inequalities and the bounds of a box have a common point. There are no divisions, so the code runs in both
+// number types. In intervals it throws when they cannot decide (numbers.h).
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct Bounds {
   std::array<N, D> low, high;
 };
 
-/// Whether some x within `bounds` satisfies all of `inequalities`. Closed: touching is a common point.
+/// Whether some x within `bounds` satisfies all `inequalities`. Sets are closed, so touching counts as a common point.
 template <class N>
 [[nodiscard]] bool is_feasible(const Bounds<N, 3>& bounds, std::vector<Inequality<N, 3>> inequalities);
 
@@ -35,7 +35,8 @@ struct Ratios {
   N w;
 };
 
-/// Some x that satisfies `inequalities` and, without equality, all of `strict`; none where there is none.
+/// A point within `bounds` that satisfies all `inequalities` and satisfies all of `strict` without equality. Empty when
+/// there is none.
 template <class N>
 [[nodiscard]] std::optional<Ratios<N, 3>> feasible_point(const Bounds<N, 3>& bounds,
                                                          const std::vector<Inequality<N, 3>>& inequalities,

@@ -14,7 +14,7 @@ struct Frustum {
   std::vector<Plane<OrientedPlane>> sides, near;
 };
 
-/// A frustum, or what is wrong with the question.
+/// A frustum, or the fault of the question.
 struct FrustumOrFault {
   Frustum frustum;
   std::string fault;

@@ -16,7 +16,7 @@ Vector<N> sight(const Viewpoint& view, const Point& x) {
 }
 
 /// The plane through the viewpoint and two points: height(x) is det(a - V, b - V, x - V), or det(d, b - a, x - a) for a
-/// direction d. All zero when a and b are seen as one point.
+/// direction d. Its normal is zero when a and b are on one line of sight.
 struct SidePlane {
   Viewpoint view;
   Point a, b;
@@ -31,7 +31,7 @@ struct SidePlane {
   }
 };
 
-/// The plane of a coplanar convex loop. Its normal is twice the loop's vector area.
+/// The plane of a coplanar convex loop. Its normal is twice the vector area of the loop.
 struct LoopPlane {
   Loop loop;
 
@@ -47,7 +47,8 @@ struct LoopPlane {
   }
 };
 
-/// The plane through a point that is parallel to a LoopPlane, to that of a mean plane when the loop is not coplanar.
+/// The plane through `point` with the normal that LoopPlane computes. For a loop that is not coplanar it is parallel to the
+/// mean plane of the loop.
 struct MeanPlane {
   Loop loop;
   Point point;
@@ -58,7 +59,7 @@ struct MeanPlane {
   }
 };
 
-/// The near plane `farthest`: across the line of sight to the vertex `p`, what is beyond it positive.
+/// The near plane `farthest`: perpendicular to the line of sight to the vertex `p`, positive beyond it.
 struct FarthestPlane {
   Viewpoint view;
   Point p;
@@ -69,7 +70,7 @@ struct FarthestPlane {
   }
 };
 
-/// A plane given as numbers.
+/// A plane given by its normal and a point.
 struct GivenPlane {
   Point normal, point;
 
@@ -79,7 +80,7 @@ struct GivenPlane {
   }
 };
 
-/// The plane of a half-space given by its coefficients: a x + b y + c z + d.
+/// The plane a x + b y + c z + d = 0 of a half-space given by its coefficients.
 struct CoefficientPlane {
   std::array<double, 4> coefficients;
 
@@ -90,7 +91,7 @@ struct CoefficientPlane {
   }
 };
 
-/// One of these planes with the side of it that counts as positive.
+/// One of these planes, and the sign of its heights on the side that counts as positive.
 struct OrientedPlane {
   std::variant<SidePlane, LoopPlane, MeanPlane, FarthestPlane, GivenPlane, CoefficientPlane> plane;
   CGAL::Sign positive = CGAL::POSITIVE;

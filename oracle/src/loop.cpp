@@ -14,7 +14,7 @@ bool has_three_distinct(const Loop& loop) {
   return std::any_of(second, loop.end(), [&](const Point& p) { return p != loop[0] && p != *second; });
 }
 
-/// Whether a and b are seen as one point, or opposite each other.
+/// Whether a and b are on one line through the viewpoint: an eye may also see them in opposite directions.
 bool are_in_one_sight(const Viewpoint& view, const Point& a, const Point& b) {
   for (int axis = 0; axis < 3; ++axis) {
     if (sign_of([&]<class N>() { return N(SidePlane{view, a, b}.operator()<N>().normal[axis]); }) != CGAL::ZERO)
@@ -23,7 +23,7 @@ bool are_in_one_sight(const Viewpoint& view, const Point& a, const Point& b) {
   return true;
 }
 
-/// The loop without vertices that are seen where the one before is.
+/// The loop without the vertices that are on the same line of sight as the vertex before.
 Loop without_repeats(const Viewpoint& view, const Loop& loop) {
   Loop result;
   for (const Point& vertex : loop) {
@@ -33,7 +33,7 @@ Loop without_repeats(const Viewpoint& view, const Loop& loop) {
   return result;
 }
 
-/// Whether the way from a over b to c goes to the side `turn`, or straight on.
+/// Whether the path from a over b to c turns to the side `turn` at b or goes straight on.
 bool turns(const Viewpoint& view, const Point& a, const Point& b, const Point& c, CGAL::Sign turn) {
   const SidePlane first{view, a, b}, second{view, b, c};
   const CGAL::Sign side = Plane(first).side(c);
@@ -42,8 +42,8 @@ bool turns(const Viewpoint& view, const Point& a, const Point& b, const Point& c
          CGAL::POSITIVE;
 }
 
-/// The side on which the first edge has the other vertices, if the loop turns to it at every vertex or goes straight on:
-/// ZERO when all are on its line.
+/// The side of the first edge on which the other vertices lie, when the loop turns to that side or goes straight on at every
+/// vertex. ZERO when all vertices are on the line of the first edge. Empty when the loop does neither.
 std::optional<CGAL::Sign> turn_everywhere(const Viewpoint& view, const Loop& seen) {
   if (seen.size() < 3) return CGAL::ZERO;
   CGAL::Sign turn = CGAL::ZERO;
@@ -61,9 +61,10 @@ std::optional<CGAL::Sign> turn_everywhere(const Viewpoint& view, const Loop& see
   return turn;
 }
 
-/// Whether a loop that turns to one side everywhere runs round once: each time round it goes away from the line of its first
-/// edge and comes back. Seen from an eye that is so on a plane parallel to `across`, on which it is at its height over the
-/// line's plane divided by that over `across`. REQUIRES: all of these are of one sign.
+/// Whether a loop that turns to one side everywhere is wound once. In each turn it goes away from the line of its first edge
+/// once and comes back once. Seen from an eye, the loop is projected onto a plane parallel to `across`. There the distance
+/// of a vertex from that line is proportional to its height over the plane of the line divided by its height over `across`.
+/// REQUIRES: for an eye, all vertices have heights of one sign over `across`.
 bool winds_once(const Viewpoint& view, const Loop& seen, Plane<MeanPlane>& across) {
   Plane line(SidePlane{view, seen[0], seen[1]});
   const auto lead = [&](const Point& a, const Point& b) {
@@ -85,8 +86,8 @@ bool winds_once(const Viewpoint& view, const Loop& seen, Plane<MeanPlane>& acros
   return true;
 }
 
-/// Whether every vertex lies strictly ahead of the eye, so that the eye is not in the hull of the polygon. (A convex loop
-/// for which this fails is folded around a line through the eye.)
+/// Whether every vertex lies strictly ahead of the eye. If so, the eye is not in the hull of the polygon. If not, the convex
+/// loop is folded around a line through the eye.
 bool lies_ahead(Plane<MeanPlane>& across, const Loop& loop, CGAL::Sign turn) {
   return std::ranges::all_of(loop, [&](const Point& vertex) { return across.side(vertex) == turn; });
 }
@@ -104,7 +105,7 @@ std::optional<CGAL::Sign> turn_along(const Point& direction, const Loop& loop) {
 
 bool is_coplanar(const Loop& loop) {
   if (loop.size() == 3) return true;
-  // By its numbers alone: a LoopPlane takes for granted what is asked here.
+  // Only the computed heights may decide. LoopPlane::passes_through() takes it for granted that the loop is coplanar.
   Plane plane([&]<class N>() { return LoopPlane{loop}.operator()<N>(); });
   return std::ranges::all_of(loop, [&](const Point& vertex) { return plane.side(vertex) == CGAL::ZERO; });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two number types of the oracle and the way a question is decided with them: intervals first, exact numbers when they
-// are not enough. Both give the answer of the real numbers, which never depends on which of them gave it.
+// The two number types of the oracle, and how they decide a question: intervals first, and exact numbers when intervals are
+// not enough. Both give the answer of the real numbers, so it does not matter which one gave it.
 #pragma once
 
 #include <CGAL/Interval_nt.h>
@@ -11,11 +11,11 @@
 
 namespace occlude::oracle {
 
-/// Sums, differences and products of doubles, of any size: no divisions.
+/// Sums, differences and products of doubles, of any size. There are no divisions.
 using Exact = CGAL::Mpzf;
-using Interval = CGAL::Interval_nt_advanced;  // valid only while a RoundUpward lives in the thread
+using Interval = CGAL::Interval_nt_advanced;  // valid only while the thread holds a RoundUpward
 
-/// Intervals need upward rounding; every public function holds one of these while it works.
+/// Intervals need upward rounding. Every public function holds one of these while it works.
 using RoundUpward = Interval::Protector;
 
 template <class N>
@@ -32,13 +32,13 @@ Vector<N> difference(const Point& a, const Point& b) {
   return vector_of<N>(b) - vector_of<N>(a);
 }
 
-/// The sign of a number, or an exception when an interval does not tell it.
+/// The sign of a number. Throws when an interval does not determine it.
 template <class N>
 CGAL::Sign certain_sign(const N& value) {
   return CGAL::make_certain(CGAL::sign(value));
 }
 
-/// What `question.operator()<N>()` answers in the number type N; in intervals it may throw what certain_sign() throws.
+/// Returns question.operator()<N>() in intervals, or in exact numbers when the intervals throw as certain_sign() does.
 template <class Question>
 auto decide(const Question& question) {
   try {
@@ -48,7 +48,7 @@ auto decide(const Question& question) {
   }
 }
 
-/// Sign of the real number that `expression.operator()<N>()` computes in the number type N.
+/// The sign of the real number that `expression.operator()<N>()` computes in the number type N.
 template <class Expression>
 CGAL::Sign sign_of(const Expression& expression) {
   const CGAL::Uncertain<CGAL::Sign> sign = CGAL::sign(Interval(expression.template operator()<Interval>()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a convex polytope lies to planes, of which each has an inner side.
+// The relation of a convex polytope to planes, each of which has an inner side.
 #pragma once
 
 #include "polytope.h"
@@ -7,7 +7,7 @@
 
 namespace occlude::oracle {
 
-/// The axis-aligned box that the points span. REQUIRES: there are points.
+/// The axis-aligned bounding box of the points. REQUIRES: there is at least one point.
 [[nodiscard]] Aabb bounding_box(const std::vector<Point>& points);
 
 /// Relation of the solid to the intersection of the inner sides.

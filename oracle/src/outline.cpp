@@ -16,10 +16,10 @@ std::vector<Point> silhouette_of(const Viewpoint& view, const Occluder& occluder
   return silhouette_vertices(solid, turned_faces(view, solid), polytope.vertices);
 }
 
-/// Whether two planes that have the whole silhouette on one side meet in the line of sight to `v`. At a vertex that is seen
-/// within an edge there is only one.
+/// Whether two different planes through the line of sight to `v` have the whole silhouette on one side. A vertex that is
+/// seen within an edge has only one such plane.
 bool is_corner(const Viewpoint& view, const std::vector<Point>& silhouette, const Point& v) {
-  std::vector<Point> neighbours;  // those that are seen on an edge with v
+  std::vector<Point> neighbours;  // the vertices that share an edge with v, as seen
   for (const Point& u : silhouette) {
     if (side_of_all(SidePlane{view, v, u}, silhouette) != CGAL::ZERO) neighbours.push_back(u);
   }

@@ -21,15 +21,16 @@ struct HalfSpace {
   [[nodiscard]] N height(const Point& x) const { return normal * (vector_of<N>(x) - point) + offset; }
 };
 
-/// The half-space that `definition.operator()<N>()` builds in the number type N: in intervals at once, exactly when first
-/// needed, and kept. Points that a definition passes_through lie on the plane by what it is; the rest is computed.
+/// The half-space that `definition.operator()<N>()` builds in the number type N. It is built in intervals at once, and in
+/// exact numbers when they are first needed. Both are kept. A definition may name points with passes_through(). They lie on
+/// the plane by construction, so nothing is computed for them.
 template <class Definition>
 class Plane {
  public:
   explicit Plane(const Definition& definition)
       : definition_(definition), approximate_(definition.template operator()<Interval>()) {}
 
-  /// Sign of the height of `x`, exact.
+  /// The exact sign of the height of `x`.
   CGAL::Sign side(const Point& x) {
     if constexpr (requires { definition_.passes_through(x); }) {
       if (definition_.passes_through(x)) return CGAL::ZERO;
@@ -59,8 +60,8 @@ class Plane {
   std::optional<HalfSpace<Exact>> exact_;
 };
 
-/// The side of the plane on which all the points lie that are not on it: ZERO when there are none on either side, or some on
-/// both.
+/// The side of the plane on which all points lie that are not on the plane. ZERO when there are points on both sides or on
+/// neither.
 template <class Definition>
 CGAL::Sign side_of_all(const Definition& definition, const std::vector<Point>& points) {
   Plane plane(definition);

@@ -21,8 +21,8 @@ std::vector<Point> distinct(std::vector<Point> points) {
   return points;
 }
 
-/// The loop's turn seen along the first axis that is not in its plane: ZERO for a loop without area, none for one that is
-/// not convex.
+/// The turn of the loop, seen along the first axis that is not in its plane. ZERO for a loop without area. Empty for a loop
+/// that is not convex.
 std::optional<CGAL::Sign> turn_along_an_axis(const Loop& loop) {
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
     const std::optional<CGAL::Sign> turn = turn_along(axis, loop);
@@ -31,7 +31,7 @@ std::optional<CGAL::Sign> turn_along_an_axis(const Loop& loop) {
   return CGAL::ZERO;
 }
 
-/// Takes the faces that have an area.
+/// Collects the faces that have an area. Returns a fault, or an empty string.
 std::string take_faces(const Polytope& polytope, std::vector<Loop>& faces) {
   for (const auto& indices : polytope.faces) {
     Loop loop;
@@ -52,13 +52,13 @@ bool are_in_line(const Point& a, const Point& b, const Point& c) {
   return true;
 }
 
-/// A piece of an edge with no vertex between its ends, the lower end first.
+/// A piece of an edge with no vertex between its ends, the end that is lexicographically lower first.
 using Piece = std::array<Point, 2>;
 
-/// Of every piece the faces that it is on an edge of.
+/// For each piece, the faces that have it on an edge.
 using FacesOfPieces = std::map<Piece, std::vector<std::size_t>>;
 
-/// Cuts the edge at every point on it. Points in line follow one another along it in lexicographic order.
+/// Cuts the edge at every point on it. In lexicographic order, points on one line are in their order along it.
 std::vector<Piece> pieces_of(const Point& from, const Point& to, const std::vector<Point>& points) {
   const auto [low, high] = std::minmax(from, to);
   std::vector<Piece> pieces;
@@ -86,7 +86,7 @@ bool is_closed(const FacesOfPieces& pieces) {
   return !pieces.empty() && std::ranges::all_of(pieces, [](const auto& piece) { return piece.second.size() == 2; });
 }
 
-/// Whether two faces that share the piece lie in one plane and on one side of the piece.
+/// Whether two faces that share the piece lie in one plane and on the same side of the piece.
 bool are_folded(const Piece& piece, const Loop& f, const Loop& g) {
   Plane plane(LoopPlane{f});
   if (!std::ranges::all_of(g, [&](const Point& vertex) { return plane.side(vertex) == CGAL::ZERO; })) return false;

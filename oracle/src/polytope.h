@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a polytope is one: closed and convex, its faces plane and convex. Everything is decided from the points alone, by
-// trying all of them.
+// Checks that a polytope is closed and convex and that its faces are plane and convex. The points alone decide, and all of
+// them are tried.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace occlude::oracle {
 
-/// A polytope without fault.
+/// A polytope that has passed all checks.
 struct Solid {
   std::vector<Point> points;         ///< the distinct vertices, in lexicographic order
-  std::vector<Loop> faces;           ///< those that have an area
+  std::vector<Loop> faces;           ///< those with an area
   std::vector<CGAL::Sign> interior;  ///< the side of each face's plane on which the solid lies
 
-  /// The half-space of the plane of face `f` that holds the solid.
+  /// The half-space that contains the solid and is bounded by the plane of face `f`.
   [[nodiscard]] OrientedPlane half_space(std::size_t f) const { return {LoopPlane{faces[f]}, interior[f]}; }
 };
 
-/// A solid, or why the polytope is none.
+/// A solid, or the fault of the polytope.
 struct SolidOrFault {
   Solid solid;
   std::string fault;
 };
 
-/// REQUIRES: the vertices are legal numbers.
+/// REQUIRES: the vertices are finite and in range.
 [[nodiscard]] SolidOrFault solid_of(const Polytope& polytope);
 
 }  // namespace occlude::oracle

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The rays from a viewpoint as points of a projective plane, where everything that visibility asks about is linear.
+// The rays from a viewpoint as points of a projective plane, in which all questions of visibility are linear.
 //
-// With W = -(eye, 1), or (direction, 0) for an eye at infinity, the points of a ray are R + t W for all t. One coordinate k
-// with W_k != 0 is dropped: R has R_k = 0, and a ray is what is left, three numbers, of which a positive multiple is the
-// same ray. A plane P, as a linear form on (x, 1), is met by the ray R at X = P(W) R - P(R) W. Whether X lies on the inner
-// side of a plane Q is the sign of P(W) Q(R) - P(R) Q(W): linear in R again.
+// Let W = -(eye, 1), or (direction, 0) for an eye at infinity. The points of a ray are R + t W for all t. One coordinate k
+// with W_k != 0 is dropped, so that R_k = 0. The three other numbers represent the ray, and a positive multiple of them is
+// the same ray. The ray R meets a plane P, a linear form on (x, 1), at X = P(W) R - P(R) W. The side of a plane Q on which X
+// lies is the sign of P(W) Q(R) - P(R) Q(W), which is again linear in R.
 #pragma once
 
 #include <array>
@@ -22,21 +22,21 @@ class Rays {
  public:
   explicit Rays(const Viewpoint& view);
 
-  /// The ray through a point: in front of the eye, the point itself less the eye.
+  /// The ray through a point. For an eye it is the point minus the eye.
   template <class N>
   [[nodiscard]] Vector<N> through(const Point& p) const {
     const std::array<N, 4> x{N(p[0]), N(p[1]), N(p[2]), N(1)};
     return kept<N>([&](std::size_t i) -> N { return N(scale_) * x[i] - x[dropped_] * N(towards_ * w_[i]); });
   }
 
-  /// P(W).
+  /// The value of the form at W.
   template <class N>
   [[nodiscard]] N at_viewpoint(const Form<N>& form) const {
     return form[0] * N(w_[0]) + form[1] * N(w_[1]) + form[2] * N(w_[2]) + form[3] * N(w_[3]);
   }
 
-  /// Of a ray, whether the point where it meets `plane` is on the inner side of `other`: that form, on rays. REQUIRES:
-  /// P(W) > 0.
+  /// A linear form on rays. It is positive for a ray that meets `plane` on the inner side of `other`. REQUIRES: plane(W) >
+  /// 0.
   template <class N>
   [[nodiscard]] Vector<N> side_of_meeting(const Form<N>& plane, const Form<N>& other) const {
     const N p = at_viewpoint(plane), q = at_viewpoint(other);

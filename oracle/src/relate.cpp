@@ -4,7 +4,7 @@
 namespace occlude::oracle {
 namespace {
 
-/// For one plane, bit c set when corner c of the box is strictly outside.
+/// Bit c is set when corner c of the box is strictly outside the plane.
 unsigned outer_corners(Plane<OrientedPlane>& plane, const Box& box) {
   const OfCorners<CGAL::Sign> sides = corner_sides(plane, box);
   unsigned outer = 0;
@@ -26,7 +26,7 @@ bool share_a_point(const Planes& planes, const Box& box) {
 
 Relation relate(const Planes& planes, const Box& box) {
   constexpr unsigned kAllCorners = (1U << kCorners) - 1;
-  Planes crossing;  // those that some of the box is outside of
+  Planes crossing;  // those with a corner of the box outside
   unsigned outer_of_any = 0;
   for (Plane<OrientedPlane>* plane : planes) {
     const unsigned outer = outer_corners(*plane, box);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a box lies to planes, of which each has an inner side.
+// The relation of a box to planes, each of which has an inner side.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace occlude::oracle {
 
-/// The planes of a question. What they compute for it they keep.
+/// The planes of a question. Each keeps what it computes.
 using Planes = std::vector<Plane<OrientedPlane>*>;
 
 inline void append(Planes& planes, std::vector<Plane<OrientedPlane>>& more) {
   for (Plane<OrientedPlane>& plane : more) planes.push_back(&plane);
 }
 
-/// Whether some point of the box is strictly outside of none of the planes.
+/// Whether some point of the box is on the inner side of every plane or on the plane.
 [[nodiscard]] bool share_a_point(const Planes& planes, const Box& box);
 
 /// Relation of the box to the intersection of the inner sides.

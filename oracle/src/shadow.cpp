@@ -14,7 +14,7 @@ bool is_strictly_inside(Plane<OrientedPlane>& plane, const Box& box) {
   return std::ranges::all_of(corner_sides(plane, box), [](CGAL::Sign side) { return side == CGAL::POSITIVE; });
 }
 
-/// The frustum without what is on its near planes.
+/// The frustum without the points on its near planes.
 ConvexSet beyond_near(Frustum& frustum) {
   ConvexSet set;
   append(set.closed, frustum.sides);

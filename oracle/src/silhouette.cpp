@@ -42,7 +42,7 @@ std::vector<Point> silhouette_vertices(const Solid& solid, const std::vector<boo
 std::vector<OrientedPlane> side_planes(const Viewpoint& view, const Solid& solid) {
   const std::vector<Point>& points = solid.points;
   std::vector<OrientedPlane> sides;
-  // Of each point the sides on which it lies: two that are on one span no other.
+  // For each point, the sides on which it lies. Two points that share a side do not span another.
   std::vector<std::vector<std::size_t>> sides_at(points.size());
   const auto share_a_side = [&](std::size_t i, std::size_t j) {
     return std::ranges::any_of(sides_at[i], [&](std::size_t side) { return std::ranges::binary_search(sides_at[j], side); });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A point in neither set is outside of a plane of the first and of one of the second. The pairs of heights over two such
-// planes that the points of the box have make a convex polygon, the hull of those of its corners. It reaches into the
-// quarter where both are outside when a corner of it does, or an edge, which joins the pairs of two corners.
+// A point that is in neither set is outside a plane p of the first and outside a plane q of the second. For each such pair
+// of planes, map a point of the box to its two heights over p and q. The box becomes a convex polygon, the hull of the
+// images of its corners. This polygon reaches into the quadrant outside both planes when one of its corners does, or one of
+// its edges. An edge joins the images of two corners.
 #include "union.h"
 
 #include <algorithm>
@@ -27,9 +28,11 @@ std::vector<BoundingPlane> bounds_of(const ConvexSet& set) {
   return bounds;
 }
 
-/// Whether the box has a point outside of both. Where neither a corner with f outside nor one with g outside has both, f
-/// rises from the first to the second and reaches zero at the part f_first / (f_first - f_second) of the way; g falls, and
-/// reaches zero at the part g_first / (g_first - g_second). Where these are one, only zero itself can be outside of both.
+/// Whether the box has a point outside both planes. Let f be the height over p and g the height over q. Take a corner
+/// `first` with f outside and a corner `second` with g outside, neither of which is outside both. From first to second, f
+/// rises and reaches zero at the fraction f_first / (f_first - f_second). g falls and reaches zero at the fraction g_first /
+/// (g_first - g_second). Points of the segment are outside both when g reaches zero first. When both reach zero together,
+/// that point is outside both only if both planes are open.
 bool has_point_outside(const BoundingPlane& p, const BoundingPlane& q, const Box& box) {
   return decide([&]<class N>() {
     const OfCorners<N> f = corner_heights(p.plane->in<N>(), box), g = corner_heights(q.plane->in<N>(), box);

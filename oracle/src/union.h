@@ -6,13 +6,12 @@
 
 namespace occlude::oracle {
 
-/// The intersection of the inner sides of planes: what is on a plane belongs to the inner side of a closed one and not to
-/// that of an open one.
+/// An intersection of half-spaces. The planes of `closed` belong to the set, those of `open` do not.
 struct ConvexSet {
   Planes closed, open;
 };
 
-/// Whether every point of the box lies in one of the sets or in both.
+/// Whether every point of the box is in at least one of the sets.
 [[nodiscard]] bool cover(const ConvexSet& first, const ConvexSet& second, const Box& box);
 
 }  // namespace occlude::oracle

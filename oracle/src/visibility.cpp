@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From the cone of rays that meet a triangle, one convex piece, all others are subtracted, each as far as it is before the
-// triangle; it shows as soon as a part of it is left by all. A piece is kept as the lines that bound it, and a corner as the
-// two lines that meet there: however often pieces are cut, every sign is that of a determinant of three lines of the input.
+// The rays that meet a triangle form a cone, which is one convex piece. Every other triangle is subtracted from it, as far
+// as that triangle is in front. The triangle shows as soon as some part is left by all others. A piece is stored as the
+// lines that bound it, and a corner as the two lines that meet there. So every sign is that of a determinant of three lines
+// of the input, however often pieces are cut.
 #include "occlude/oracle/visibility.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Form<N> form_of(const HalfSpaceCoefficients& h) {
 /// A triangle that is not seen edge-on, turned so that its rays run anticlockwise.
 class Surface {
  public:
-  /// Nothing for a triangle seen edge-on.
+  /// Empty for a triangle seen edge-on.
   static std::optional<Surface> make(const Rays& rays, const Triangle& triangle) {
     const auto turn = [&]<class N>() -> N {
       return CGAL::determinant(rays.through<N>(triangle[0]), rays.through<N>(triangle[1]), rays.through<N>(triangle[2]));
@@ -41,7 +42,7 @@ class Surface {
 
   [[nodiscard]] const Triangle& corners() const { return corners_; }
 
-  /// Its plane, positive at the viewpoint's W.
+  /// Its plane, with the sign that is positive at W (rays.h).
   template <class N>
   [[nodiscard]] Form<N> plane() const {
     const Vector<N> normal =
@@ -51,7 +52,7 @@ class Surface {
     return faces_away_ ? Form<N>{-form[0], -form[1], -form[2], -form[3]} : form;
   }
 
-  /// The rays on the inner side of an edge.
+  /// A line among the rays, positive for rays on the inner side of edge `i`.
   template <class N>
   [[nodiscard]] Vector<N> edge(const Rays& rays, std::size_t i) const {
     return CGAL::cross_product(rays.through<N>(corners_[i]), rays.through<N>(corners_[(i + 1) % kEdges]));
@@ -64,12 +65,12 @@ class Surface {
   bool faces_away_ = false;
 };
 
-/// A line among the rays, positive inside: the edge of a surface, or where it passes through a half-space or another's
-/// plane.
+/// A line among the rays, positive inside: the edge of a surface, or the line where the surface crosses a half-space's plane
+/// or the plane of another surface.
 struct Line {
   enum class Kind { edge, half_space, plane };
   Kind kind;
-  std::uint32_t surface, other;  ///< of an edge its number, else of the half-space or of the other surface
+  std::uint32_t surface, other;  ///< `other` is the number of the edge, of the half-space or of the other surface
 
   Vector<Interval> approximate;
   std::optional<Vector<Exact>> exact;
@@ -77,13 +78,13 @@ struct Line {
 
 using LineIndex = std::uint32_t;
 
-/// A line and the side of it that a piece is on.
+/// A line, and the side of it on which a piece lies.
 struct Bound {
   LineIndex line;
   CGAL::Sign inner = CGAL::POSITIVE;
 };
 
-/// A convex piece: its bounds anticlockwise. Corner i is where bound i meets the next.
+/// A convex piece by its bounds, anticlockwise. Corner i is where bound i meets the next.
 using Piece = std::vector<Bound>;
 
 class Scene {
@@ -106,7 +107,7 @@ class Scene {
   }
 
   [[nodiscard]] std::size_t size() const { return surfaces_.size(); }
-  /// The triangle that surface s is.
+  /// The index of the triangle of surface s.
   [[nodiscard]] std::uint32_t triangle(std::uint32_t s) const { return triangle_[s]; }
 
   bool shows(std::uint32_t s) {
@@ -128,14 +129,14 @@ class Scene {
     return sign_of([&]<class N>() -> N { return N(h[0]) * N(p[0]) + N(h[1]) * N(p[1]) + N(h[2]) * N(p[2]) + N(h[3]); });
   }
 
-  /// Whether all of it is too near or too far, or on the plane that tells.
+  /// Whether the whole surface is outside a depth plane, or on it.
   [[nodiscard]] bool is_clipped_away(const Surface& surface) const {
     return std::ranges::any_of(std::span(half_spaces_).first(depths_), [&](const HalfSpaceCoefficients& h) {
       return std::ranges::all_of(surface.corners(), [&](const Point& p) { return side(h, p) != CGAL::POSITIVE; });
     });
   }
 
-  /// Large ones first: what they hide need not be asked of the others.
+  /// Large surfaces come first. What they hide need not be tested against the others.
   void order_by_size() {
     std::vector<double> size(surfaces_.size());
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
@@ -145,7 +146,7 @@ class Scene {
         return middle / std::sqrt(middle.squared_length());
       });
       const double determinant = CGAL::determinant(r[0], r[1], r[2]);
-      size[s] = std::isfinite(determinant) ? determinant : 0;  // beyond the range of doubles
+      size[s] = std::isfinite(determinant) ? determinant : 0;  // it overflowed the range of doubles
     }
     order_.resize(surfaces_.size());
     std::iota(order_.begin(), order_.end(), 0U);
@@ -183,7 +184,7 @@ class Scene {
     return {{first}, {first + 1}, {first + 2}};
   }
 
-  /// Those of the first `count` half-spaces that s reaches out of.
+  /// The lines of those of the first `count` half-spaces that do not contain all of surface s.
   std::vector<LineIndex> clipping_lines(std::uint32_t s, std::size_t count) {
     std::vector<LineIndex> lines;
     for (std::uint32_t h = 0; h < count; ++h) {
@@ -207,7 +208,7 @@ class Scene {
     return signs;
   }
 
-  /// What of the piece lies on either side of the line, as far as that has an area.
+  /// The parts of the piece on either side of the line. A part without area is empty.
   Split split(const Piece& piece, LineIndex line) {
     const std::vector<CGAL::Sign> signs = sides(piece, line);
     Split result;
@@ -222,7 +223,7 @@ class Scene {
     return result;
   }
 
-  /// The lines that have a corner on this side of the line, and the line itself where they leave it.
+  /// Keeps the lines that have a corner on the `kept` side, and adds the line itself where the boundary leaves that side.
   static Piece cut(const Piece& piece, const std::vector<CGAL::Sign>& signs, CGAL::Sign kept, LineIndex line) {
     Piece result;
     const std::size_t n = piece.size();
@@ -238,7 +239,7 @@ class Scene {
     return std::ranges::none_of(sides(piece, line), [](CGAL::Sign s) { return s == CGAL::POSITIVE; });
   }
 
-  /// Whether an edge of a has all corners of b on its outer side or on itself, as far as intervals tell.
+  /// Whether intervals prove that some edge of a has all corners of b on its outer side or on its line.
   [[nodiscard]] bool are_surely_apart(std::uint32_t a, std::uint32_t b) const {
     return std::ranges::any_of(piece_of(a), [&](const Bound& edge) {
       const Vector<Interval>& line = lines_[edge.line].approximate;
@@ -246,7 +247,7 @@ class Scene {
     });
   }
 
-  /// For each surface that hides something of s, large ones first, the lines about what it hides.
+  /// For each surface that hides something of s, large ones first, the lines that bound what it hides.
   std::vector<std::vector<LineIndex>> hiders_of(std::uint32_t s) {
     std::vector<std::vector<LineIndex>> hiders;
     const Piece all = piece_of(s);
@@ -263,12 +264,12 @@ class Scene {
     return hiders;
   }
 
-  /// Whether anything of the piece is left by all. One part is followed to the end before the next: what shows is mostly
-  /// found out by the first.
+  /// Whether some part of the piece is left by all hiders. One part is followed to the end before the next, because a part
+  /// that shows is usually found first.
   bool survives(Piece whole, const std::vector<std::vector<LineIndex>>& hiders) {
     struct Part {
       Piece piece;
-      std::size_t hider;  ///< the first that it was not held against
+      std::size_t hider;  ///< the next one to subtract
     };
     std::vector<Part> parts{{std::move(whole), 0}};
     while (!parts.empty()) {
@@ -282,7 +283,7 @@ class Scene {
     return false;
   }
 
-  /// What is outside of one of the lines; nothing when that is all of it, in one piece.
+  /// The parts of the piece outside at least one of the lines. Empty when the whole piece is outside.
   std::optional<std::vector<Piece>> without(const Piece& piece, const std::vector<LineIndex>& lines) {
     std::vector<Piece> outside;
     Piece rest = piece;
@@ -296,10 +297,10 @@ class Scene {
   }
 
   Rays rays_;
-  std::vector<HalfSpaceCoefficients> half_spaces_;  ///< those of depth first
+  std::vector<HalfSpaceCoefficients> half_spaces_;  ///< those of depth come first
   std::size_t depths_;
   std::vector<Surface> surfaces_;
-  std::vector<std::array<Vector<Interval>, kEdges>> corners_;  ///< of each surface the rays through its corners
+  std::vector<std::array<Vector<Interval>, kEdges>> corners_;  ///< for each surface, the rays through its corners
   std::vector<std::uint32_t> triangle_, order_;
   std::vector<Line> lines_;
 };

@@ -18,7 +18,7 @@
 
 namespace occlude::experiments {
 
-/// In the order in which they run.
+/// The experiments, in the order in which they run.
 inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "growth"};
 
 /// The results of the chosen experiments; the others are empty.

@@ -19,7 +19,7 @@ struct GrowthPoint {
   double in_view = 0, drawn = 0;  ///< polygons per frame
   double build_s = 0;             ///< tree, occluders and lists, on all processors; median over the rounds
   double cull_ms = 0;             ///< per frame, on one processor; median over the rounds of the mean over the frames
-  /// Bytes per polygon beyond the model itself: the peak of the build, and after it. See peak_memory.h.
+  /// Bytes per polygon beyond the model itself: at the peak of the build, and after it. See peak_memory.h.
   std::optional<double> peak_bytes, held_bytes;
 };
 

@@ -69,7 +69,7 @@ void Command::run(const std::function<void()>& work) { app_->callback(work); }
 
 std::string run_program(const Program& program, int argc, char** argv, const std::function<void(Command)>& declare) {
   CLI::App app(program.text, program.name);
-  app.require_subcommand(0, 1);  // that there is one is checked below, after an unknown word has been named
+  app.require_subcommand(0, 1);  // a missing command is reported below, after an unknown word
   app.footer(program.footer);
   app.set_version_flag("--version", program.version);
   declare(Command(app));

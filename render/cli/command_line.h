@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interface with which commands declare their options. Only command_line.cpp and main.cpp include CLI11, which takes
-// seconds to compile.
+// The interface with which commands declare their options. Only command_line.cpp includes CLI11, which takes seconds to
+// compile.
 #pragma once
 
 #include <functional>
@@ -72,13 +72,13 @@ class Command {
   CLI::App* app_;
 };
 
-/// What the help of the whole program tells, and its version.
+/// The name of the program, what its help says, and its version.
 struct Program {
   std::string name, text, footer, version;
 };
 
 /// Reads the command line of the program, to which `declare` adds its commands, and runs the command that it names. Returns
-/// the help or the version where that was asked for instead. Throws render::InputError for a line that cannot be read.
+/// the help or the version if the line asks for one of them. Throws render::InputError for a line that cannot be read.
 [[nodiscard]] std::string run_program(const Program& program, int argc, char** argv,
                                       const std::function<void(Command)>& declare);
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude bench`: everything measured is there. How fast it is, is no matter for a test.
+# `occlude bench`: everything measured is there. How fast it is does not matter for a test.
 # Usage: bench_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
-# bench: everything measured is there and is a positive number. How fast it is, is no matter for a test.
+# bench: everything measured is there and is a positive number.
 "$occlude" bench kernel --json --boxes 256 --repetitions 1 >bench.json || fail "bench"
 for member in ratios certified_over_plain random integer_touching ulp_touching batch_speedup gjk_over_certified operations ns \
   overlap_certified overlap_plain naive answers peers machine; do
@@ -21,7 +21,7 @@ expect_error "--boxes" "$occlude" bench kernel --boxes 0
 expect_error "--repetitions" "$occlude" bench kernel --repetitions many
 expect_error "--seed" "$occlude" bench kernel --seed -1
 
-# bench culler: every experiment is there; the files are those that it prints.
+# bench culler: every experiment is there, and the files contain what it prints.
 "$occlude" bench culler --polygons 20000 --frames 0:8 --no-render --region-count 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
   fail "bench culler: $(cat stderr)"
 cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"

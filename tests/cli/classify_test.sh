@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude classify`: cases in, answers out, and what is no case.
+# `occlude classify`: the answers to cases, and the refusal of invalid input.
 # Usage: classify_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -22,7 +22,7 @@ sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify
 [ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"
 grep -q 'standard input:2: ' stderr || fail "the line is not named: $(cat stderr)"
 
-# Oriented boxes and polytopes: a block two deep, seen on its front and on one side, which is edge-on.
+# Oriented boxes and polytopes. The block is two deep. The eye sees its front, and one side edge-on.
 block='"eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],[4,2,1],[2,2,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6],[1,6,5],[3,2,6,7],[0,4,7,3]]},"near":"surface"'
 but() { # but SED_SCRIPT: the block, changed
   sed "$1" <<<"$block"
@@ -64,7 +64,7 @@ cat >expected <<'END'
 END
 diff expected answers || fail "classify answered oriented boxes or polytopes otherwise"
 
-# Numbers that JSON has no words for are refused with the case; what is no case is an error of the line.
+# Numbers that JSON cannot express are refused with their case. A line that is not a case is an error that names the line.
 echo "{\"id\":\"n\",$case,\"box\":{\"min\":[NaN,0,0],\"max\":[4,3,1e999]}}" | "$occlude" classify >stdout || fail "NaN"
 grep -q '{"id":"n","error":"number is not finite"}' stdout || fail "NaN: $(cat stdout)"
 echo "{\"id\":1,$case,\"box\":{\"min\":[1,0,0],\"max\":[0,0,0]},\"expect\":\"inside\"}" | "$occlude" classify >/dev/null
@@ -88,7 +88,7 @@ done
 expect_error "line.jsonl:1: not JSON, near column 1" timeout 10 "$occlude" classify line.jsonl
 echo '{"eye":[NaN,NaN,NaN,NaN}' >line.jsonl
 expect_error "line.jsonl:1: not JSON, near column 24" "$occlude" classify line.jsonl
-# Of two values under one key neither counts.
+# A repeated key is refused, because it is unclear which value counts.
 echo '{"eye":[0,0,0],"eye":[1,0,0]}' >line.jsonl
 expect_error "line.jsonl:1: repeated key in an object, near column 16" "$occlude" classify line.jsonl
 
@@ -102,18 +102,18 @@ expect_error 'line.jsonl:1: both "cover" and "polygon"' "$occlude" classify line
 echo "${case/\"cover\":[[/\"cover\":[}}" >line.jsonl
 expect_error 'line.jsonl:1:' "$occlude" classify line.jsonl
 
-# A polygon may have very many sides, a polytope no more vertices than the oracle can judge in seconds.
+# A polygon may have very many sides. A polytope may have no more vertices than the oracle can judge in seconds.
 corners=$(awk 'BEGIN { n = 100000; for (i = 0; i < n; i++) printf "%s[2,%.17g,%.17g]", i ? "," : "", cos(6.283185307179586 * i / n), sin(6.283185307179586 * i / n) }')
 echo "{\"eye\":[0,0,0],\"occluder\":{\"polygon\":[$corners]},\"near\":\"surface\",\"box\":{\"min\":[4,0,0],\"max\":[5,1,1]},\"expect\":\"inside\"}" >line.jsonl
 timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a polygon of 100000 sides: $(head -c 300 stdout stderr)"
 corners=$(printf '[2,0,0],%.0s' $(seq 1 4096))
 echo "{\"eye\":[0,0,0],\"occluder\":{\"vertices\":[$corners[2,1,0]],\"faces\":[]},$box}" >line.jsonl
 expect_error "line.jsonl:1: \"occluder\": a polytope with more than 4096 vertices" timeout 60 "$occlude" classify line.jsonl
-# Vertices that no face names, thousands on one edge of the silhouette, are one side of the shadow and not millions.
+# Thousands of vertices on one edge of the silhouette, which no face names, give one side of the shadow and not millions.
 corners=$(for i in $(seq 1 4000); do printf '[3,1,%s],' "0.$(printf '%04d' $i)"; done)
 echo "{\"eye\":[0,0,0.5],\"occluder\":{\"vertices\":[[2,0,0],[3,0,0],[3,1,0],[2,1,0],[2,0,1],[3,0,1],[3,1,1],[2,1,1],${corners%,}],\"faces\":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]},\"near\":\"surface\",\"box\":{\"min\":[5,0.6,0.4],\"max\":[6,0.7,0.6]},\"expect\":\"inside\"}" >line.jsonl
 timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "4000 vertices on an edge: $(head -c 300 stdout stderr)"
-# What a wall hides is soon found, though polygons that hide nothing run through the box.
+# A wall that hides the box is found soon, although polygons that hide nothing run through the box.
 awk 'BEGIN { srand(3); printf "{\"eye\":[0,0,0],\"occluder\":{\"cover\":[[[3.1,5,5]"; for (i = 0; i < 150; ++i) { for (k = 0; k < 3; ++k) v[k] = 4 + 4 * rand(); v[i % 3] = 3 + 0.9 * rand(); printf ",[%.17g,%.17g,%.17g]", v[0], v[1], v[2] } printf "],[[13,-5,-5],[-5,13,-5],[-5,-5,13]]]},\"box\":{\"min\":[4,4,4],\"max\":[8,8,8]},\"expect\":\"inside\"}\n" }' >line.jsonl
 timeout 60 "$occlude" classify line.jsonl >stdout 2>stderr || fail "a cover that runs through the box: $(head -c 300 stdout stderr)"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the tests of the command share: an empty folder to work in, and judgements. To be sourced with the path of the command.
+# What the tests of the command share: an empty folder to work in, and checks. Source it with the path of the command.
 occlude=$(realpath "$1")
 here=$(mktemp -d)
 trap 'chmod -R u+w "$here"; rm -rf "$here"' EXIT
@@ -17,7 +17,8 @@ finish() {
   exit $failures
 }
 
-# expect_error TEXT COMMAND...: exit code 2, one line on stderr that holds TEXT, nothing on stdout, and no file made.
+# expect_error TEXT COMMAND...: expects exit code 2, one line on stderr that contains TEXT, nothing on stdout, and no new
+# file.
 expect_error() {
   local text=$1 before after status
   shift
@@ -35,7 +36,7 @@ ply() { # ply FILE VERTICES FACES BODY: an ascii PLY
   printf 'ply\nformat ascii 1.0\nelement vertex %s\nproperty double x\nproperty double y\nproperty double z\nelement face %s\nproperty list uchar int vertex_indices\nend_header\n%b' "$2" "$3" "$4" >"$1"
 }
 
-# walls FILE: a wall at x = 2, and 63 more squares of its size behind it.
+# walls FILE: writes a wall at x = 2 and 63 squares of the same size behind it.
 walls() {
   local vertices= faces= i
   for i in $(seq 0 63); do
@@ -45,14 +46,15 @@ walls() {
   ply "$1" 256 64 "$vertices$faces"
 }
 
-# walk_of_squares: good.ply, those walls; path.json, a walk of four frames towards them; back.json, the same looking away.
+# walk_of_squares: writes good.ply, those walls; path.json, a walk of four frames towards them; and back.json, the same walk
+# looking away.
 walk_of_squares() {
   walls good.ply
   echo '{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}' >path.json
   sed 's/"target":\[1,0,0\]/"target":[-1,0,0]/; s/"target":\[1.5,0,0\]/"target":[-0.5,0,0]/' path.json >back.json
 }
 
-# slanting_wall: slanting.ply, a wall and behind it a slanting one of 64 tiles, for trees of oriented boxes.
+# slanting_wall: writes slanting.ply, a wall and behind it a slanting one of 64 tiles, for trees of oriented boxes.
 slanting_wall() {
   local vertices faces i along up
   vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n' faces='4 0 1 2 3\n' i=4
@@ -67,7 +69,7 @@ slanting_wall() {
   ply slanting.ply 260 65 "$vertices$faces"
 }
 
-# hand_cases: cases.jsonl, three cases of one wall, which is in $case without a box.
+# hand_cases: writes cases.jsonl, three cases of one wall. $case has the wall, without a box.
 case='"eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface"'
 hand_cases() {
   cat >cases.jsonl <<END
@@ -77,7 +79,7 @@ hand_cases() {
 END
 }
 
-# await COMMAND...: until COMMAND succeeds, for a minute at most.
+# await COMMAND...: waits until COMMAND succeeds, for at most a minute.
 await() {
   local try
   for try in $(seq 600); do
@@ -87,9 +89,10 @@ await() {
   fail "waited in vain for: $*"
 }
 
-has_begun() { [ -n "$(find . -name '.occlude*')" ]; } # an output of the command
+has_begun() { [ -n "$(find . -name '.occlude*')" ]; } # the command has begun an output
 
-# interrupt SIGNAL COMMAND...: SIGNAL ends COMMAND, which has begun an output, with exit code 130; of the output nothing is left.
+# interrupt SIGNAL COMMAND...: sends SIGNAL to COMMAND once it has begun an output. Expects exit code 130 and nothing left of
+# the output.
 interrupt() {
   local signal=$1 status
   shift
@@ -102,7 +105,7 @@ interrupt() {
   ! has_begun || fail "SIG$signal leaves $(find . -name '.occlude*'): $*"
 }
 
-# interrupt_reader COMMAND...: SIGINT ends COMMAND, which waits for what comes through the pipe `pipe`.
+# interrupt_reader COMMAND...: sends SIGINT to COMMAND while it waits for input from the pipe `pipe`. Expects exit code 130.
 interrupt_reader() {
   local status writer
   mkfifo pipe

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# render/demo.sh validates what it walked: in pictures of the same size. Run with programs in the place of cmake and occlude
-# that write down how they are called. Usage: demo_test.sh SOURCES.
+# render/demo.sh validates its walk in pictures of the same size. It runs here with programs in place of cmake and occlude
+# that record their arguments. Usage: demo_test.sh SOURCES.
 set -u
 source=$1
 folder=$(mktemp -d)
@@ -19,7 +19,7 @@ printf '#!/bin/sh\n' >"$folder/bin/cmake"
 printf '#!/bin/sh\necho "$@" >>calls\n' >"$folder/build/release/occlude"
 chmod +x "$folder/bin/cmake" "$folder/build/release/occlude"
 
-# expect SIZE_OPTIONS ARGUMENTS...: the size that walk and validate are told.
+# expect SIZE_OPTIONS ARGUMENTS...: expects these options of size for walk and validate.
 expect() {
   local size=$1
   shift

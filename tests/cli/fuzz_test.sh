@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude fuzz`: nothing wrong, shards that add up, findings that are found again.
+# `occlude fuzz`: nothing is wrong, shards add up, and stored findings are found again.
 # Usage: fuzz_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -8,7 +8,7 @@ walk_of_squares
 
 hand_cases
 
-# fuzz: nothing is wrong, whatever the number of jobs and however the cases are dealt.
+# Nothing is wrong, and neither the number of jobs nor the division into shards changes the result.
 "$occlude" fuzz --cases 20000 --seed 7 >table || fail "fuzz: $(tail -3 table)"
 grep -q '^all .*| *0 |' table || fail "fuzz: no total"
 grep -q '^0 wrong in [0-9]* cases' table || fail "fuzz: no verdict"

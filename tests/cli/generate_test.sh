@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude generate`: the same city again, and nothing left behind.
+# `occlude generate`: the same seed gives the same city, and nothing is left behind.
 # Usage: generate_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -12,7 +12,7 @@ expect_error "named twice" "$occlude" generate city --polygons 20000 --out same 
 expect_error "nodir/h.json" "$occlude" generate city --polygons 20000 --out h.ply --path nodir/h.json
 expect_error "--seed" "$occlude" generate city --polygons 20000 --seed -1 --out h.ply --path h.json
 
-# The same city again; interrupted, it leaves nothing behind.
+# The same seed gives the same city. When interrupted, it leaves nothing behind.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 "$occlude" generate city --polygons 20000 --out again.ply --path again.json >/dev/null || fail "generate"
 cmp -s city.ply again.ply && cmp -s city.json again.json || fail "two cities of one seed differ"

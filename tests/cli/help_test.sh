@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What all commands have in common: help, limits, words that are no commands.
+# What all commands have in common: help, limits, and the refusal of words that are not commands.
 # Usage: help_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -18,7 +18,7 @@ for command in "classify" "fuzz" "validate" "walk" "why" "preprocess" "bench cul
   grep -q 'Limits: at most 16 MiB .* 4096 MiB' stdout || fail "$command --help does not tell limits"
 done
 
-# A line without end is not read to its end, and whoever reads it says how much is read.
+# A line without end is not read to its end, and the message says how much is read.
 for command in "classify" "fuzz" "validate good.ply --path path.json --witness"; do
   expect_error "/dev/zero:1: the line is longer than 16 MiB" timeout 60 "$occlude" $command /dev/zero
 done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What the command may replace and remove, and what becomes of output that cannot be written.
+# What the command may replace and remove, and what happens to output that cannot be written.
 # Usage: outputs_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -9,7 +9,7 @@ walls good.ply
 echo '{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}' >path.json
 "$occlude" walk good.ply --path path.json --out walked --size 64x36 --witness witness.jsonl >/dev/null || fail "walk"
 "$occlude" preprocess good.ply --out good.pre --region-count 64 >/dev/null || fail "preprocess"
-sed 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/' witness.jsonl >lie.jsonl # the wall shows
+sed 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/' witness.jsonl >lie.jsonl # says that the visible wall is culled
 echo '{"id":"a","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"box":{"min":[4,0,0],"max":[5,1,1]}}' >cases.jsonl
 sed 's/}}$/},"expect":"outside"}/' cases.jsonl >untrue.jsonl
 "$occlude" fuzz --cases 20 --out part.json --findings '' >/dev/null || fail "fuzz"
@@ -23,7 +23,7 @@ exit_code() {
   [ $status -eq "$expected" ] || fail "exit code $status instead of $expected: $*: $(cat stderr)"
 }
 
-# keeps FILE COMMAND...: a command that would replace FILE, which it reads or which is another output, is refused.
+# keeps FILE COMMAND...: expects that a command is refused that would replace FILE, an input or another output.
 keeps() {
   local file=$1
   shift
@@ -38,7 +38,7 @@ drawn() { "$occlude" walk good.ply --path path.json --size 64x36 "$@"; }
 validate() { "$occlude" validate good.ply --path path.json --size 64x36 "$@"; }
 why() { "$occlude" why good.ply --path path.json --size 64x36 --frame 0 --polygon 0 "$@"; }
 
-# Nothing that is read is replaced, whatever it is called.
+# No input is replaced, under whatever name.
 keeps good.pre walk --out out --preprocess good.pre --witness good.pre
 keeps good.pre walk --out out --preprocess good.pre --cases good.pre
 keeps path.json walk --out out --witness ./walked/../path.json
@@ -76,7 +76,7 @@ cp path.json culler.json
 keeps culler.json "$occlude" bench culler good.ply --path culler.json --only sort --out .
 rm culler.json
 
-# Nor do two outputs become one.
+# No two outputs are the same file.
 keeps path.json walk --out out --witness out/summary.json
 keeps path.json walk --out out --witness new --cases new
 keeps path.json walk --out out --witness out/plates/frame_000000_view.png
@@ -96,7 +96,7 @@ cp cases.jsonl appended.jsonl
 cmp -s cases.jsonl appended.jsonl || fail "classify appended to what it reads"
 keeps cases.jsonl bash -c '"$0" fuzz - --out cases.jsonl <cases.jsonl' "$occlude"
 
-# Pictures of an earlier run go; what the program did not make, or is called otherwise now, stays.
+# Pictures of an earlier run are removed. Files that the program did not make, or that were renamed since, stay.
 drawn --out old >/dev/null || fail "walk"
 mkdir -p old/plates
 echo mine >old/plates/frame_999999_view.png
@@ -114,7 +114,7 @@ validate --witness witness.jsonl --out failures >/dev/null || fail "validate"
 [ ! -e failures/failure_000000.png ] || fail "validate left the picture of a failure that was"
 [ "$(cat failures/failure_holiday.png)" = mine ] || fail "validate removed a picture that it did not make"
 
-# A picture that will not be replaced is known before the work.
+# A picture that cannot be replaced is reported before the work starts.
 mkdir -p inway/failure_000000.png inway/plates/frame_000000_view.png
 expect_error "Is a directory" validate --witness witness.jsonl --out inway
 expect_error "Is a directory" drawn --out inway
@@ -123,7 +123,7 @@ rmdir inway/*/frame_000000_view.png
 chmod a-w inway/plates/frame_000000_view.png
 expect_error "it is read-only" drawn --out inway
 
-# Links stay links, permissions stay, what is read-only stays, and names may be as long as the system allows.
+# Links stay links, permissions and read-only files stay, and names may be as long as the system allows.
 mkdir target
 : >target/file
 chmod 640 target/file
@@ -153,7 +153,7 @@ chmod a-w target
 chmod u+w target
 expect_error "no frame" walk --out new/deep/out --frames 9:10
 
-# An empty name is a slip.
+# An empty name is a mistake.
 for options in "walk good.ply --path path.json --out @" "walk good.ply --path @ --out out" "walk @ --path path.json --out out" \
   "walk good.ply --path path.json --out out --witness @" "walk good.ply --path path.json --out out --cases @" \
   "walk good.ply --path path.json --out out --preprocess @" "walk good.ply --path path.json --out out --frames @" \
@@ -171,18 +171,18 @@ for options in "walk good.ply --path path.json --out @" "walk good.ply --path @ 
 done
 "$occlude" fuzz --cases 1 --family lattice --findings '' >/dev/null || fail "fuzz --findings '' is documented"
 
-# A default may be given.
+# The default value of an option may be given.
 walk --out out --frames all >/dev/null || fail "--frames all"
 cmp -s <(cut -d, -f1-3 out/frames.csv) <(cut -d, -f1-3 walked/frames.csv) || fail "--frames all is not the default"
 
-# A walk that culled nothing has nothing to prove.
+# Without culls there is nothing to prove.
 : >none.jsonl
 exit_code 0 validate --witness none.jsonl
 [ "$(cat stdout)" = "0 of 0 witnesses proved" ] || fail "no witnesses: $(cat stdout)"
 exit_code 0 validate --witness none.jsonl --json
 grep -q '"visibility": null' stdout || fail "a frame of which nothing is said was looked at: $(cat stdout)"
 
-# A check that failed stands, whatever goes wrong after it.
+# A failed check keeps its exit code, whatever goes wrong after it.
 exit_code 1 validate --witness lie.jsonl --exact-up-to 0
 exit_code 1 bash -c 'ulimit -f 1; "$0" "$@"' "$occlude" validate good.ply --path path.json --witness lie.jsonl --exact-up-to 0 \
   --out short
@@ -192,7 +192,7 @@ exit_code 1 bash -c 'cat untrue.jsonl text | "$0" classify' "$occlude"
 echo 'no witness' | cat lie.jsonl - >broken.jsonl
 exit_code 1 validate --witness broken.jsonl
 
-# Every command says when it cannot print, and nothing that it cannot say changes its exit code.
+# Every command reports that it cannot print. A message that cannot be written does not change the exit code.
 commands=("--help" "--version" "walk --help" "bench kernel --help" "walk good.ply --path path.json --size 64x36 --no-render --out out"
   "validate good.ply --path path.json --witness witness.jsonl" "classify cases.jsonl" "fuzz --cases 1 --family lattice --findings ="
   "fuzz cases.jsonl" "fuzz --merge part.json --findings =" "preprocess good.ply --out out.pre --region-count 64 --json"
@@ -213,7 +213,7 @@ for options in "${commands[@]}"; do
   "$occlude" "${words[@]}" >stdout 2>/dev/full || fail "stderr full: $options"
 done
 rm -rf out why out.* stdout stderr
-deaf() { # deaf CODE COMMAND...: it ends with CODE where nobody hears what it says
+deaf() { # deaf CODE COMMAND...: expects CODE when stderr cannot be written
   local expected=$1 status
   shift
   for stream in '&-' /dev/full; do
@@ -234,7 +234,7 @@ deaf 2 "$occlude" bench kernel --boxes many
 exit_code 1 bash -c '"$@" 1>&- 2>&- <&-' bash "$occlude" validate good.ply --path path.json --witness lie.jsonl
 exit_code 2 bash -c '"$@" 1>&- 2>&- <&-' bash "$occlude" classify -
 
-# No space, and no more than so many bytes: an error that says so, and nothing is left behind.
+# A full disk and a limit of the size of files: the error says so, and nothing is left behind.
 nothing_left() {
   ! has_begun || fail "left behind by $*: $(find . -name '.occlude*')"
 }
@@ -250,7 +250,8 @@ nothing_left() {
   [ ! -e out ] && [ ! -e out.json ] || fail "a full disk: $options leaves files"
 done
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
-# A frame is culled with the same past, whatever the step: polygons in view, drawn, seen; occluders; sorting; tests.
+# A frame is culled after the same frames, whatever the step. The columns are polygons in view, drawn and seen; occluders;
+# sorting; tests.
 walk_city() { "$occlude" walk city.ply --path city.json --no-render --out "$1" --frames "$2" >/dev/null || fail "walk --frames $2"; }
 walk_city every 0:31
 walk_city third 0:31:10
@@ -261,7 +262,7 @@ limited() { # limited KIBIBYTES COMMAND...
   grep -q 'File too large' stderr || fail "ulimit -f: $*: $(cat stderr)"
   nothing_left "$@"
 }
-# Standard output and standard error are files too: they hold what is said.
+# Standard output and standard error are files too, and the limit leaves room for what is printed.
 limited 4 "$occlude" generate city --polygons 20000 --out limited.ply --path limited.json
 limited 4 "$occlude" preprocess city.ply --out limited.pre
 limited 4 "$occlude" walk city.ply --path city.json --frames 0:4 --no-render --out limited --witness limited.jsonl
@@ -293,7 +294,7 @@ exit_code 2 "$occlude" walk city.ply --path city.json --frames 0:100 --no-render
 grep -q 'pipe: cannot write: Broken pipe' stderr || fail "a pipe that ends: $(cat stderr)"
 nothing_left SIGPIPE
 
-# Few threads do as well as many. Root has as many as it likes.
+# A few threads are enough. Root has no limit, so it runs the command as nobody.
 chmod 777 .
 few_threads() { # few_threads NUMBER COMMAND...
   local as_nobody=()
@@ -303,7 +304,7 @@ few_threads() { # few_threads NUMBER COMMAND...
 if ldd "$occlude" | grep -qE 'lib[a-z]*san\.'; then
   echo "A sanitizer has threads of its own: limits to them are not tried"
 elif [ "$(id -u)" -ne 0 ] || setpriv --reuid=65534 --clear-groups test -x "$occlude" 2>/dev/null; then
-  # Of what else the user runs nothing may be known: at least as many threads as there are already.
+  # The user may run other things: the limit is at least as many threads as there are already.
   running=0
   [ "$(id -u)" -eq 0 ] || running=$(ps -L -u "$(id -u)" -o pid= | wc -l)
   for more in 1 2 3 4; do

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What `occlude bench kernel` makes of the program that measures other projects, whatever that program does.
+# `occlude bench kernel` with the program that measures other projects, whatever that program does.
 # Usage: peers_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
 
 ! ldd "$occlude" | sed "s, (0x.*,," | grep -iE 'ccd|fcl|bullet|libosg\.' || fail "the command is linked with what it is measured beside"
-cp "$occlude" occlude # it looks beside itself
+cp "$occlude" occlude # it looks for the program beside itself
 bench() { ./occlude bench kernel --boxes 16 --repetitions 2 --json >stdout 2>stderr; }
-peers() { # peers SCRIPT: the program
+peers() { # peers SCRIPT: makes the program
   printf '#!/bin/sh\n%s\n' "$1" >occlude_peers
   chmod +x occlude_peers
 }
@@ -43,7 +43,7 @@ echo 'no program' >occlude_peers
 bench || fail "not a program: exit code $?"
 grep -q 'occlude_peers: .*other projects are not measured' stderr || fail "not a program: $(cat stderr)"
 
-# It does not outlive who waits for it.
+# The program does not outlive the command that waits for it.
 peers 'echo $$ >process; exec tail -f /dev/null'
 ./occlude bench kernel --boxes 16 --repetitions 1 >stdout 2>stderr &
 await test -s process

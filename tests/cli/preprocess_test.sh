@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude preprocess`: what walks can use, and what is refused.
+# `occlude preprocess`: files that walks can use, and files that are refused.
 # Usage: preprocess_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -8,7 +8,7 @@ walk_of_squares
 
 slanting_wall
 
-# Files of any name, in all that names them.
+# A file name that is not UTF-8, in everything that names the file.
 cp slanting.ply $'odd\377.ply'
 "$occlude" preprocess $'odd\377.ply' --out $'odd\377.pre' >/dev/null || fail "preprocess: a name that is not UTF-8"
 "$occlude" walk $'odd\377.ply' --path path.json --out odd --size 64x36 --preprocess $'odd\377.pre' --witness $'odd\377.jsonl' \
@@ -18,7 +18,7 @@ grep -qF '"preprocess": "odd\\xff.pre"' odd/summary.json || fail "walk: a name t
 grep -qF '<h1>A walk through odd\xff.ply</h1>' odd/report.html || fail "walk: a name that is not UTF-8, in the page"
 "$occlude" validate $'odd\377.ply' --path path.json --witness $'odd\377.jsonl' >stdout 2>&1 || fail "odd: $(cat stdout)"
 
-# A preprocess, used and refused.
+# A preprocess is used, and is refused where it does not fit.
 "$occlude" preprocess slanting.ply --out slanting.pre --bounds obb --region-count 64 --threshold 0.01 --samples 2 >stdout ||
   fail "preprocess: $(cat stdout)"
 "$occlude" preprocess slanting.ply --out again.pre --bounds obb --region-count 64 --threshold 0.01 --samples 2 --json >/dev/null
@@ -57,7 +57,7 @@ expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out 
 expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --regions grid
 expect_error "named twice" "$occlude" preprocess good.ply --out good.ply
 
-# Interrupted, it leaves what was there: here with lists that take many times as long.
+# When interrupted, it leaves the old file. The lists here take many times as long as usual.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 echo old >city.pre
 for signal in INT TERM; do
@@ -65,7 +65,7 @@ for signal in INT TERM; do
   [ "$(cat city.pre)" = old ] || fail "preprocess: SIG$signal did not spare the file that was there"
 done
 
-# The import library does not say that no more files may be open.
+# The import library does not report that no more files may be open, so the command must.
 printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >a.stl
 for files in 5 6 7 8; do
   (ulimit -n $files && exec "$occlude" preprocess a.stl --out few.pre) >/dev/null 2>stderr

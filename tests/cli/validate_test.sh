@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude validate`: what is proved, and which lies are found out.
+# `occlude validate`: true witnesses are proved, and false ones are found out.
 # Usage: validate_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -9,14 +9,25 @@ walk_of_squares
 "$occlude" walk good.ply --path path.json --out walked --no-render --witness witness.jsonl >/dev/null || fail "walk"
 total=$(wc -l <witness.jsonl)
 
-# The lines of a walk by cover speak of a tree with smaller leaves.
+# The witnesses of a walk by cover refer to a tree with smaller leaves, and say so.
 "$occlude" generate city --polygons 20000 --seed 5 --out city.ply --path city.json >/dev/null || fail "generate"
 "$occlude" walk city.ply --path city.json --frames 0:40:20 --no-render --method cover --out covered --witness cover.jsonl >/dev/null ||
   fail "walk by cover"
-"$occlude" validate city.ply --path city.json --witness cover.jsonl >stdout || fail "validate a walk by cover"
-grep -qx "$(wc -l <cover.jsonl) of $(wc -l <cover.jsonl) witnesses proved" stdout || fail "validate a walk by cover: $(cat stdout)"
+proves_all() { # proves_all WHAT FILE [WITNESSES]
+  "$occlude" validate city.ply --path city.json --witness "${3:-$2}" >stdout || fail "validate a walk $1"
+  grep -qx "$(wc -l <"$2") of $(wc -l <"$2") witnesses proved" stdout || fail "validate a walk $1: $(cat stdout)"
+}
+proves_all 'by cover' cover.jsonl
+proves_all 'by cover, from a pipe' cover.jsonl <(cat cover.jsonl)
+"$occlude" walk city.ply --path city.json --frames 0:40:20 --no-render --leaf 7 --bounds obb --out leaves --witness leaves.jsonl \
+  >/dev/null || fail "walk with leaves of 7"
+proves_all 'with leaves of 7' leaves.jsonl
+sed '2s/"leaf":7/"leaf":8/' leaves.jsonl >lie.jsonl
+expect_error 'lie.jsonl:2: "leaf"' "$occlude" validate city.ply --path city.json --witness lie.jsonl
+sed '1s/"leaf":7/"leaf":-7/' leaves.jsonl >lie.jsonl
+expect_error 'lie.jsonl:1: "leaf"' "$occlude" validate city.ply --path city.json --witness lie.jsonl
 
-# Witnesses that lie are found out.
+# False witnesses are found out.
 "$occlude" walk good.ply --path back.json --out aside --no-render --witness aside.jsonl >/dev/null || fail "walk, looking away"
 lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES PATH]
   local model=${3:-good.ply} witnesses=${4:-witness.jsonl} path=${5:-path.json}
@@ -31,7 +42,7 @@ lie "the margin of a view" '/"by":"view"/s/"margin":[^}]*}/"margin":1e9}/' good.
 lie "the eye" 's/"eye":\[0,0,0\]/"eye":[0,0,0.5]/'
 lie "the occluder" 's/"polygon":\[\[2,-1,-1\]/"polygon":[[2,-2,-2]/'
 lie "the triangles" '/shadow/s/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/'
-# Of what is said to be culled then, the wall that the camera looks at shows: exactly, and in item buffers.
+# The last lie says that the wall before the camera is culled. Exact visibility and item buffers both find it visible.
 grep -q "is culled and shows in exact arithmetic: lie.jsonl:[1-9]" stderr || fail "exact visibility believed it: $(cat stdout stderr)"
 "$occlude" validate good.ply --path path.json --witness lie.jsonl --exact-up-to 0 --out failures >stdout 2>stderr
 [ $? -eq 1 ] || fail "item buffers believed a lie"
@@ -66,7 +77,7 @@ for nonsense in 'null' '[[0]]' '{}' '[["a","b"]]'; do
   expect_error 'lie.jsonl:1: "parts"' "$occlude" validate split.ply --path path.json --witness lie.jsonl
 done
 
-# The wall before the squares by its number in the file, alone and with one of the squares.
+# Covers that name the wall before the squares by its number in the file, alone and with one of the squares.
 for polygons in 0 5,0; do
   sed -n '/"by":"shadow"/{s/"by":"shadow".*/"by":"cover","polygons":['$polygons']}/;s/,"margin":[^,}]*//;p}' witness.jsonl >cover.jsonl
   "$occlude" validate good.ply --path path.json --witness cover.jsonl >stdout 2>&1 || fail "covers: $(cat stdout)"
@@ -76,7 +87,7 @@ sed 's/\[5,0\]/[63]/' cover.jsonl >lie.jsonl
 "$occlude" validate good.ply --path path.json --witness lie.jsonl >stdout 2>stderr
 [ $? -eq 1 ] && grep -q 'the polygons do not hide the box' stderr || fail "validate believed a cover: $(cat stdout stderr)"
 
-# Witnesses by a block instead of its front, of squares in an oriented box.
+# Witnesses whose occluder is a block instead of its front, and whose squares are in an oriented box.
 vertices='2 -1 -1\n2 1 -1\n2 1 1\n2 -1 1\n3 -1 -1\n3 1 -1\n3 1 1\n3 -1 1\n'
 faces='4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 3 2 6 7\n4 0 3 7 4\n4 1 2 6 5\n'
 for i in $(seq 2 59); do
@@ -100,7 +111,7 @@ lie "what is behind a block" 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128
 sed 's/\[1,2,6,5\]/[1,2,6,8]/' block.jsonl >line.jsonl
 expect_error "line.jsonl:1" "$occlude" validate block.ply --path path.json --witness line.jsonl
 
-# Shards add up.
+# The shards together prove every witness.
 parts=0
 for i in 1 2 3; do
   "$occlude" validate good.ply --path path.json --witness witness.jsonl --shard $i/3 >stdout || fail "shard $i"
@@ -114,7 +125,8 @@ expect_error "--shard" "$occlude" validate good.ply --path path.json --shard 4/3
 expect_error "--shard" "$occlude" validate good.ply --path path.json --shard 0/3
 expect_error "--shard" "$occlude" validate good.ply --path path.json --shard 3
 
-# Two walls at a right angle that hide together what neither hides alone; one of them bent, with a near plane in numbers.
+# Two walls at a right angle hide together what neither hides alone. In the second model one of them is bent, so that its
+# near plane is given in numbers.
 walls='4 -4 -4\n2 0 -4\n2 0 4\n4 -4 4\n2 0 -4\n4 4 -4\n4 4 4\n2 0 4\n'
 vertices=$walls faces='4 0 1 2 3\n4 4 5 6 7\n'
 for i in $(seq 2 63); do
@@ -152,7 +164,7 @@ head -1 corner.jsonl | sed 's/"occluders":\[\({[^}]*}\),/"occluders":[\1,\1,/' >
 expect_error 'line.jsonl:1: "occluders"' "$occlude" validate corner.ply --path path.json --witness line.jsonl
 expect_error "--witness" "$occlude" validate corner.ply --path path.json --witness corner.jsonl --unions
 
-# Options that would do nothing, files that are none.
+# Options that would do nothing are refused, and so are files that are not witnesses or folders.
 expect_error "--witness" "$occlude" validate good.ply --path path.json --witness witness.jsonl --occluders 3
 expect_error "good.ply:1" "$occlude" validate good.ply --path path.json --witness good.ply
 : >file

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude walk`: what good input writes, what bad input says.
+# `occlude walk`: what it writes for good input, and what it says about bad input.
 # Usage: walk_test.sh PATH_OF_OCCLUDE [FOLDER_OF_REAL_MODELS]
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -53,11 +53,11 @@ grep -q '"by":"shadow"' witness.jsonl || fail "no witness of a shadow cull"
 total=$(wc -l <witness.jsonl)
 grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(cat stdout)"
 "$occlude" validate good.ply --path path.json --size 64x36 >again || fail "validate without file"
-# Culling anew proves the same, and tells as well why hidden polygons were drawn.
+# Culling again proves the same, and also says why hidden polygons were drawn.
 head -n 4 again | cmp -s stdout - || fail "culling anew proves something else: $(cat again)"
 grep -q "^without a pixel and drawn in 4 of the frames" again || fail "no reasons: $(cat again)"
 
-# Squares that are a hair's breadth before the near plane in a model so deep that single precision draws them.
+# Squares very little before the near plane, in a model so deep that single precision draws them.
 vertices= faces= i=0
 for y in $(seq 0 7); do
   for z in $(seq 0 7); do
@@ -76,7 +76,7 @@ grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk deep.ply said: $(ca
 
 "$occlude" walk deep.ply --path still.json --out deep --no-render --regions tree --leaf 1 >/dev/null || fail "walk deep.ply --regions tree"
 
-# A wall, and behind it a slanting one, in a tree of oriented boxes.
+# A wall, and a slanting one behind it, in a tree of oriented boxes.
 slanting_wall
 "$occlude" walk slanting.ply --path path.json --out oriented --no-render --bounds obb --witness oriented.jsonl >/dev/null ||
   fail "walk --bounds obb"
@@ -100,7 +100,7 @@ echo '{"frames":5,"projection":"orthographic","height":3,"keyframes":[{"eye":[0,
 grep -q '"direction"' parallel.jsonl || fail "no direction in parallel witnesses"
 "$occlude" validate good.ply --path parallel.json --witness parallel.jsonl --size 64x36 >stdout 2>&1 || fail "parallel: $(cat stdout)"
 
-# Files that are in each other's way, and options that would do nothing.
+# Outputs that would replace inputs or each other are refused. Plates of an earlier walk are removed.
 expect_error "named twice" "$occlude" walk good.ply --path path.json --out other --witness good.ply
 expect_error "named twice" "$occlude" walk good.ply --path path.json --out other --witness other/summary.json
 mkdir -p inway/summary.json
@@ -108,7 +108,7 @@ expect_error "inway/summary.json" "$occlude" walk good.ply --path path.json --ou
 "$occlude" walk good.ply --path path.json --out report --frames 0:2 --size 64x36 >/dev/null || fail "second walk"
 [ "$(ls report/plates | wc -l)" -eq 4 ] || fail "plates of an earlier walk are left"
 
-# The same walk by cover: what many polygons hide together, proved by the numbers of the polygons.
+# The same walk by cover: many polygons hide together, and the proof gives their numbers.
 cover="--method cover --cover-size 128x96"
 "$occlude" walk good.ply --path path.json --out covered --size 64x36 $cover --witness cover.jsonl >stdout || fail "walk by cover"
 grep -q '"method": "cover"' covered/summary.json || fail "the summary names no method"
@@ -125,18 +125,18 @@ expect_error "--method" "$occlude" walk good.ply --path path.json --out out --me
 expect_error "--pixel-margin" "$occlude" walk good.ply --path path.json --out out --pixel-margin nan
 expect_error "--leaf" "$occlude" walk good.ply --path path.json --out out --leaf 0
 
-# Interrupted, it leaves nothing behind.
+# When interrupted, it leaves nothing behind.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 interrupt INT "$occlude" walk city.ply --path city.json --out stopped --witness stopped.jsonl
 [ ! -e stopped ] && [ ! -e stopped.jsonl ] || fail "Ctrl-C left files behind"
 
-# Nor do more polygons fit than memory holds; what is too large is named.
+# A model that does not fit into memory is refused by name.
 awk 'BEGIN { for (i = 1; i <= 2e6; ++i) print "v", i, 0, 0; for (i = 1; i <= 1e6; ++i) print "f", i, i + 1, i + 2 }' >many.obj
 with_little_memory() { (ulimit -v 400000 && timeout 60 "$occlude" "$@"); }
 if with_little_memory --version >/dev/null 2>&1; then # a sanitizer needs more to begin with
   expect_error "many.obj" with_little_memory walk many.obj --path path.json --no-render --out out
   grep -q 'out of memory' stderr || fail "out of memory: $(cat stderr)"
-  # Drawing takes more, and says so before the OpenGL library crashes for want of it.
+  # Drawing needs more memory, and says so before the OpenGL library crashes for lack of it.
   for kib in 250000 300000 350000 450000; do
     (ulimit -v $kib && exec timeout 60 "$occlude" walk deep.ply --path still.json --out little --size 640x360) >/dev/null 2>stderr
     code=$?
@@ -149,11 +149,11 @@ fi
 [ $? -eq 2 ] && grep -q 'the stack is limited to 64 KiB' stderr || fail "little stack: $(cat stderr)"
 rm many.obj
 
-# A glTF of 22 bytes that announces 4 GiB; what is in the way is named, on one line, whatever its name.
+# A glTF file of 22 bytes that announces 4 GiB is named on one line, whatever its name.
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
 expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
 
-# A real model, where there is one.
+# A real model, if there is one.
 models=${2:-}
 if [ -n "$models" ] && [ -f "$models/sponza.ply" ]; then
   "$occlude" walk "$models/sponza.ply" --path "$models/sponza_path1.json" --out sponza --frames 0:300:60 --size 160x90 >stdout ||

@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
-# Why a polygon was drawn or culled. The wall at 2 hides what is behind it; in the leaf of the wall itself all is drawn.
+# The wall at x = 2 hides what is behind it. Everything in the leaf of the wall itself is drawn.
 why() { "$occlude" why good.ply --path path.json --size 64x36 "$@"; }
 why --frame 3 --polygon 40 >stdout || fail "why"
 grep -q '^frame 3, polygon 40: culled: in shadow$' stdout || fail "why said: $(cat stdout)"
@@ -28,7 +28,7 @@ grep -q '^  by [1-9][0-9]* polygons together: ' stdout || fail "why by cover sai
 why --frame 0 --polygon 1 $cover --json >stdout || fail "why by cover --json"
 grep -q '"fate": "drawn"' stdout || fail "why by cover of what is drawn"
 
-# What is no question.
+# Questions that are refused.
 expect_error "--frame" why --frame -1 --polygon 0
 : >file
 expect_error "file" why --frame 0 --polygon 0 --out file
@@ -40,7 +40,7 @@ expect_error "--pixel" why --frame 0 --pixel 3
 expect_error "[--polygon,--pixel]" why --frame 0
 expect_error "[--polygon,--pixel]" why --frame 0 --polygon 0 --pixel 3,3
 
-# Looking away.
+# A polygon out of view.
 "$occlude" why good.ply --path back.json --frame 0 --polygon 40 >stdout || fail "why, looking away"
 grep -q '^frame 0, polygon 40: culled: out of view$' stdout || fail "why said: $(cat stdout)"
 grep -q '^  by the left plane of the view: the box is beyond it by' stdout || fail "why said: $(cat stdout)"

@@ -18,7 +18,7 @@ using Sides = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 constexpr glm::dvec3 a{0, 0, 0}, b{4, 0, 0}, c{4, 0, 3}, d{0, 0, 3}, below{2, 0, -3};
 
-/// Which sides are paired, in the order given.
+/// The pairs of sides that find_adjacency() finds, in its order.
 Sides paired(const std::vector<Loop>& polygons) {
   PolygonSoup soup;
   for (const Loop& polygon : polygons) add(soup, polygon);
@@ -52,7 +52,7 @@ TEST(Adjacency, RepeatedCornersHaveNoSide) {
   EXPECT_EQ(paired({{a, a, a}, {a, a, a}}), Sides{});
 }
 
-/// A loop that goes there and back again is at its own side.
+/// A loop that goes along an edge and back pairs its own sides.
 TEST(Adjacency, WithinOnePolygon) { EXPECT_EQ(paired({{a, b, a, d}}), (Sides{{0, 1}, {2, 3}})); }
 
 TEST(Adjacency, TheLongestFirst) {
@@ -83,7 +83,7 @@ TEST(Repeated, WhatDiffersInItsLastCorners) {
   EXPECT_EQ(repeated({{a, b, c, e, d}, {a, b, c, f, d}, {d, e, c, b, a}}), (std::vector{false, false, true}));
 }
 
-/// More than are sorted in one piece.
+/// More polygons than are sorted in one piece.
 TEST(Repeated, OneOfVeryMany) {
   constexpr std::size_t kCopies = 100000;
   const std::vector<bool> is_repeated = repeated(std::vector<Loop>(kCopies, {c, a, b}));

@@ -41,7 +41,7 @@ TEST(CandidateOrder, IsWhatSortingGives) {
   std::vector<double> scores(kOccluders, 0);
   std::set<std::uint32_t> before;
   for (int frame = 0; frame < 2000; ++frame) {
-    // From stillness through what a step changes to another place altogether; equal scores are common.
+    // Frames change nothing, or as much as a step does, or everything. Equal scores are common.
     const std::size_t changes = frame % 50 == 0 ? kOccluders : random() % 20;
     for (std::size_t i = 0; i < changes; ++i) scores[random() % kOccluders] = static_cast<double>(random() % 40);
     const std::size_t in_view = frame % 7 == 0 ? 0 : random() % 100;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whoever waits for a model to be prepared can stop it.
+// The preparation of a model can be stopped.
 #include "occlude/culler/checkpoint.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ struct Stop {
 
 constexpr std::size_t kNever = 0;
 
-/// However far it was.
+/// Expects that the preparation stops wherever the checkpoint throws.
 template <class Prepare>
 void expect_stops_anywhere(const Prepare& prepare) {
   Stop never{kNever};

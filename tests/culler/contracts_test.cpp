@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the cullers promise of views that change hands, of soups that are none, of shadows that were never made, of boxes far
-// away and of other rounding modes.
+// The contracts of the cullers: views that are used with another culler, soups that are not well formed, shadows that were
+// never made, boxes far away, and other rounding modes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,8 @@ void expect_same(const CullResult& a, const CullResult& b) {
 
 constexpr int kFrames = 6;
 
-/// Walks with one view through each thing in turn, and holds every frame against those of a view that saw that thing alone.
+/// Walks with one view through each culler or scene in turn, and compares every frame with that of a view used with that one
+/// alone.
 template <class AnyView, class Thing>
 void expect_foreign_views_start_anew(const std::vector<const Thing*>& things) {
   for (const Method method : {Method::frusta, Method::cover}) {
@@ -75,7 +76,7 @@ TEST(View, StartsAnewWithAnotherCuller) {
   expect_foreign_views_start_anew<View, Culler>({&large, &small, &other, &large});
 }
 
-/// A copy is the same culler: there is nothing to forget.
+/// A copy is the same culler, so the view forgets nothing.
 TEST(View, GoesOnWithACopy) {
   const Culler culler(random_town_of_houses(1, 1000));
   const Culler copy = culler;  // NOLINT(performance-unnecessary-copy-initialization)
@@ -116,8 +117,8 @@ TEST(SceneView, StartsAnewWithAnotherScene) {
   expect_foreign_views_start_anew<SceneView, Scene>({&large, &small, &empty, &large});
 }
 
-/// With an opening of 90 degrees the border of the picture is y = x, and the half-space there leans by what the tangent of
-/// 45 degrees is rounded by: far beyond the model it is before the border.
+/// With an opening of 90 degrees the border of the picture is y = x. The half-space there is tilted by the rounding of the
+/// tangent of 45 degrees, so that far beyond the model its plane lies inside the picture.
 TEST(View, NothingInThePictureIsOutOfViewHoweverFar) {
   PolygonSoup soup;
   add_wall(soup, 2, -1, 1, -1, 1);
@@ -152,7 +153,7 @@ PolygonSoup triangle() {
   return soup;
 }
 
-/// What the culler and the scene say alike.
+/// The refusal of a soup, for which the culler and the scene must give the same text.
 template <class Change>
 std::string refusal_of_soup(const Change& change) {
   PolygonSoup soup = triangle();

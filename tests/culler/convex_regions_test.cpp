@@ -26,7 +26,7 @@ ConvexRegions find_regions(const PolygonSoup& soup) {
   return ConvexRegions::find(soup, find_adjacency(soup, welded(soup.vertices)));
 }
 
-/// The corners of region r, from the least on.
+/// The corners of region r, starting with the least one.
 Loop corners(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t r) {
   Loop loop;
   for (const std::uint32_t i : regions.loop(r)) loop.push_back(soup.vertices[i]);
@@ -48,7 +48,7 @@ PolygonSoup soup_of(const std::vector<Loop>& polygons) {
 
 constexpr glm::dvec3 a{0, 0, 0}, b{4, 0, 0}, c{4, 0, 3}, d{0, 0, 3};
 
-/// How many are joined of several.
+/// The number of regions that are joined of several polygons.
 std::size_t joined(const PolygonSoup& soup) {
   const ConvexRegions regions = find_regions(soup);
   std::set<std::uint32_t> wholes;
@@ -105,7 +105,7 @@ TEST(ConvexRegions, WhatIsNotJoined) {
   EXPECT_EQ(count({{a, b, {1, 0, 1}, d}, {b, a, low}}), 0U) << "not convex";
 }
 
-/// Every edge but those of the loop as often one way as the other.
+/// The polygons of the region go along every edge as often one way as the other, except along the edges of its loop.
 void check_border(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t r) {
   std::map<std::array<double, 6>, int> times;
   const auto add_loop = [&](std::span<const std::uint32_t> loop, int sign) {
@@ -148,7 +148,7 @@ TEST(ConvexRegions, PolygonsFirstThenWhatIsJoined) {
   for (std::uint32_t p = 0; p < soup.size(); ++p) EXPECT_EQ(regions.whole(p), whole[p]);
 }
 
-/// The runs of the pieces of the only polygon, with what must be so of all pieces.
+/// The runs of the pieces of a polygon that is alone in its soup. Checks what must hold for all pieces.
 std::vector<FanRun> runs_of(const Loop& polygon) {
   const PolygonSoup soup = soup_of({polygon});
   const ConvexRegions regions = find_regions(soup);
@@ -163,7 +163,7 @@ std::vector<FanRun> runs_of(const Loop& polygon) {
     covered += run->count;
     EXPECT_TRUE(std::ranges::equal(regions.loop(r), piece_of(soup.loop(0), *run)));
     EXPECT_EQ(parts(regions, r), (std::vector<std::uint32_t>{0}));
-    // The border of the triangles that the renderer makes of the run, all of whose corners it has.
+    // The loop is the border of the triangles that the renderer makes of the run, and has all their corners.
     PolygonSoup triangles;
     triangles.vertices = soup.vertices;
     for (std::uint32_t t = run->first; t < run->first + run->count; ++t) {
@@ -191,8 +191,8 @@ using Runs = std::vector<FanRun>;
 TEST(ConvexRegions, PiecesOfAnL) {
   const Loop l{{0, 0, 0}, {2, 0, 0}, {2, 0, 1}, {1, 0, 1}, {1, 0, 2}, {0, 0, 2}};
   EXPECT_EQ(runs_of(l), (Runs{{0, 2}, {2, 2}}));
-  // From the next corner on the fan reaches out of the L, and one triangle is turned over: drawn all the same, they may
-  // hide.
+  // When the loop starts at the next corner, the fan reaches out of the L, and one triangle is turned over. They are drawn
+  // all the same, so they may hide.
   Loop turned(l.begin() + 1, l.end());
   turned.push_back(l[0]);
   EXPECT_EQ(runs_of(turned), (Runs{{0, 1}, {1, 1}, {2, 2}}));
@@ -214,7 +214,7 @@ TEST(ConvexRegions, PiecesWhereTheFirstCornersAreInLine) {
   EXPECT_EQ(runs_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0.5}, {1, 0, 2}}), (Runs{{0, 2}, {2, 1}}));
 }
 
-/// The corners of a star, long and short by turns.
+/// The corners of a star, alternately far from its middle and near.
 Loop star(std::size_t rays) {
   Loop loop;
   for (std::size_t i = 0; i < 2 * rays; ++i) {
@@ -235,7 +235,7 @@ TEST(ConvexRegions, PiecesOfAStarWhoseFanFoldsOver) {
   }
 }
 
-/// It turns to one side at every corner, and runs round twice.
+/// A pentagram turns to one side at every corner, and runs round twice.
 TEST(ConvexRegions, PiecesOfAPentagram) {
   const Loop rays = star(5);
   EXPECT_EQ(runs_of({rays[0], rays[4], rays[8], rays[2], rays[6]}), (Runs{{0, 1}, {1, 1}, {2, 1}}));
@@ -250,7 +250,7 @@ TEST(ConvexRegions, PiecesHaveNoMoreThanThirtyTwoSides) {
   for (const FanRun& run : runs) EXPECT_LE(run.count + 2, 32U);
 }
 
-/// Whether the loop, in a plane across y, has one.
+/// Whether the loop, which lies in a plane of constant y, has an area.
 bool has_area(const std::vector<occlude::kernel::Vec3>& loop) {
   double doubled = 0;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
@@ -259,7 +259,7 @@ bool has_area(const std::vector<occlude::kernel::Vec3>& loop) {
   return doubled != 0;
 }
 
-/// Convex, and yet too many planes for one shadow.
+/// The polygon is convex, but has too many sides for one shadow.
 TEST(ConvexRegions, PiecesOfAPolygonWithVeryManySides) {
   constexpr std::uint32_t kSides = 1000;
   Loop disc;
@@ -282,7 +282,7 @@ TEST(ConvexRegions, PiecesOfAPolygonWithVeryManySides) {
   for (std::size_t r = 1; r < regions.size(); ++r) EXPECT_GT(occluders[r].area(), 0.1);
 }
 
-/// Whatever the loop, and the pieces that are large enough to hide are occluders of the kernel from before them.
+/// The pieces of random loops are sound, and the kernel takes those that have an area as occluders.
 TEST(ConvexRegions, PiecesOfAnyLoop) {
   constexpr std::uint32_t kSeed = 4;
   std::mt19937 random(kSeed);
@@ -292,7 +292,7 @@ TEST(ConvexRegions, PiecesOfAnyLoop) {
     for (std::size_t corners = 4 + random() % 9; corners > 0; --corners) {
       const auto x = static_cast<double>(random() % 7), z = static_cast<double>(random() % 7);
       const glm::dvec3 corner{x, 5, z};
-      // A corner twice hides from doubles how the loop turns there.
+      // At a repeated corner doubles cannot tell how the loop turns.
       if (loop.empty() || (corner != loop.back() && corner != loop.front())) loop.push_back(corner);
     }
     if (loop.size() < 4) continue;

@@ -42,7 +42,7 @@ PolygonSoup open_box(bool triangles) {
   return soup;
 }
 
-/// Between a regular polygon with so many sides and its copy above it.
+/// A prism over a convex polygon with this many sides.
 PolygonSoup prism(std::uint32_t sides) {
   PolygonSoup soup;
   for (std::uint32_t i = 0; i < sides; ++i) {
@@ -112,7 +112,7 @@ TEST(ConvexShells, NotWithAVertexMovedByAnUlp) {
       }
     }
   }
-  // The diagonals of three faces meet at corner 7: outwards they are its ridges, inwards its valleys.
+  // The diagonals of three faces meet at corner 7. When it moves outwards they become ridges, when it moves inwards valleys.
   PolygonSoup outwards = box(true), inwards = box(true);
   outwards.vertices[7].z = std::nextafter(outwards.vertices[7].z, kInfinity);
   inwards.vertices[7].z = std::nextafter(inwards.vertices[7].z, 0);
@@ -145,7 +145,7 @@ TEST(ConvexShells, NotWhatIsNotConvex) {
   EXPECT_EQ(find_shells(soup).size(), 0U);
 }
 
-/// At the common edge are four sides, and no telling which two belong together.
+/// Four sides run along the common edge, and it is unclear which two belong together.
 TEST(ConvexShells, NotTwoBoxesThatShareAnEdge) {
   PolygonSoup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});

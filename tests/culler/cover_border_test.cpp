@@ -22,7 +22,7 @@ BeamPicture picture() {
   return {FrameView(camera, 100), {kWidth, kHeight, 16}, 0};
 }
 
-/// What is closed of all tiles, row after row.
+/// The closed pixels of all tiles, row after row.
 std::vector<std::uint64_t> closed_by(CoverBorder& border) {
   std::vector<std::uint64_t> closed(kWidth / kTile * kHeight / kTile);
   border.find_closed(closed);
@@ -34,9 +34,9 @@ bool has(const std::vector<std::uint64_t>& tiles, int x, int y) {
   return (tiles[tile] >> (y % kTile * kTile + x % kTile) & 1U) != 0;
 }
 
-/// How far the segment is from the pixel, across and up and down: 0 in both where they meet.
+/// The Chebyshev distance of the segment from the pixel: 0 where they meet.
 double distance(const Place& a, const Place& b, int x, int y) {
-  // The nearest of the parts of it in a column, or beside them; Chebyshev, which is convex along the segment.
+  // The distance is convex along the segment, so ternary search finds the least one.
   const auto at = [&](double t) {
     const double px = a.x + t * (b.x - a.x), py = a.y + t * (b.y - a.y);
     return std::max({x - px, px - (x + 1), y - py, py - (y + 1), 0.0});
@@ -51,7 +51,7 @@ double distance(const Place& a, const Place& b, int x, int y) {
 
 class Edges {
  public:
-  /// Within the picture, at its pixels' corners, along an axis, or far away.
+  /// A position in the picture, at a corner of a pixel, in line with the last one along an axis, or far away.
   Place place() {
     const double size = std::vector<double>{1, 1, 1, 4, 1e3, 1e7}[random_() % 6];
     Place place{uniform(-0.2, 1.2) * kWidth, uniform(-0.2, 1.2) * kHeight};
@@ -68,7 +68,7 @@ class Edges {
   Place last_{};
 };
 
-/// A pixel is closed all round, but where an edge of degree 0 touches it: what is left is touched.
+/// All pixels are closed except those that an edge of degree 0 touches. So the pixels that stay open are the touched ones.
 TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   Edges edges;
   CoverBorder border;
@@ -78,7 +78,7 @@ TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   for (int i = 0; i < 400; ++i) {
     const Corner a{edges.place(), i % 3 == 0 ? 0.25 : 1e-9}, b{edges.place(), 1e-9};
     border.begin(picture, all);
-    // Degree 1 everywhere: below the picture an edge goes to the right.
+    // An edge below the picture that goes to the right gives degree 1 everywhere.
     border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9}, 1);
     border.draw(a, b, 0);
     const auto closed = closed_by(border);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The coarse picture of joined shadows: what it hides is hidden, by the kernel's exact answer, and of what is hidden it
-// finds most.
+// The coarse picture of joined shadows: what it hides is hidden by the kernel's exact answer, and it finds most of what is
+// hidden.
 #include "cover_buffer.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ Camera looking_along_x() {
   return camera;
 }
 
-/// Triangles over vertices of their own.
+/// Pieces of triangles over shared vertices. Each piece is drawn by itself.
 struct Mesh {
   std::vector<glm::dvec3> vertices;
   std::vector<std::vector<Triangle>> pieces;
@@ -57,7 +57,7 @@ void add(CoverBuffer& buffer, const std::vector<glm::dvec3>& vertices, const std
   if (!group.is_empty()) buffer.add(group.mesh(all));
 }
 
-/// Asks the buffer, and holds what it hides against exact numbers.
+/// Asks the buffer, and the kernel for the exact answer.
 class Judge {
  public:
   Judge(const Camera& camera, Mesh mesh, double depth, double margin = 0) : camera_(camera), mesh_(std::move(mesh)) {
@@ -91,7 +91,8 @@ kernel::Aabb cube(const glm::dvec3& middle, double half) {
   return {to_kernel(middle - glm::dvec3(half)), to_kernel(middle + glm::dvec3(half))};
 }
 
-/// A square across the line of sight at x, in four triangles about a middle; seen from 0 it is |y|, |z| <= half / x.
+/// A square at x, perpendicular to the line of sight, of four triangles around its middle. Seen from the origin it covers
+/// the slopes |y|, |z| <= half / x.
 Mesh square(double x, double half, std::size_t triangles = 4) {
   Mesh mesh;
   std::array<std::uint32_t, 4> corner{};
@@ -125,7 +126,7 @@ TEST(CoverBuffer, AHoleHidesNothing) {
   EXPECT_TRUE(judge.hides(cube({4, 0, -1}, 0.2)));
 }
 
-/// Layers add up, whichever way they are turned, and whatever edges they share.
+/// Layers add up whichever way they are turned and whatever edges they share.
 TEST(CoverBuffer, LayersOfOneMeshDoNotCancel) {
   Mesh mesh = square(2, 1);
   std::vector<Triangle>& piece = mesh.pieces[0];
@@ -139,7 +140,7 @@ TEST(CoverBuffer, LayersOfOneMeshDoNotCancel) {
   EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8))) << "turned at random";
 }
 
-/// What hangs on a wall, apart from it, has a border of its own, and the wall hides across that.
+/// A picture that hangs in front of a wall has a border of its own, and the wall hides across that border.
 TEST(CoverBuffer, APictureOnAWallOpensNothing) {
   Mesh mesh = square(2, 1);
   const Mesh picture = square(1.9, 0.4);
@@ -151,7 +152,7 @@ TEST(CoverBuffer, APictureOnAWallOpensNothing) {
   EXPECT_TRUE(Judge(looking_along_x(), mesh, 100).hides(cube({4, 0, 0}, 0.8)));
 }
 
-/// Of a cube the near side is as near as it is alone: what is within is hidden.
+/// The near side of a cube has its own depth, so it hides what is inside the cube.
 TEST(CoverBuffer, OfAClosedSurfaceTheNearSideHides) {
   Mesh mesh;
   std::array<std::uint32_t, 8> v{};
@@ -169,7 +170,7 @@ TEST(CoverBuffer, OfAClosedSurfaceTheNearSideHides) {
 
 /// With a margin less is hidden, by that much in the picture.
 TEST(CoverBuffer, TheMarginIsKept) {
-  const Mesh mesh = square(2, 1);  // up to 27.7 pixels from the middle, with a margin of an eighth of 64 up to 19.7
+  const Mesh mesh = square(2, 1);  // reaches 27.7 pixels from the middle; with a margin of 1/8 of 64 pixels, 19.7
   const auto hides = [&](double margin, double aside) {
     return Judge(looking_along_x(), mesh, 100, margin).hides(cube({4, aside, 0}, 0.01));
   };
@@ -201,7 +202,7 @@ TEST(CoverBuffer, APieceThatTheNearPlaneCutsHidesWithWhatIsBeyond) {
   EXPECT_FALSE(judge.hides(cube({10, 0, -0.6}, 0.5)));
 }
 
-/// The farthest of a slanting piece counts, within each tile.
+/// On a slanting piece the farthest point within each tile counts.
 TEST(CoverBuffer, DepthIsThatOfThePlane) {
   Mesh mesh;
   const std::array corner{mesh.vertex({2, -8, -8}), mesh.vertex({40, 40, -40}), mesh.vertex({40, 40, 40}),
@@ -212,10 +213,10 @@ TEST(CoverBuffer, DepthIsThatOfThePlane) {
   EXPECT_FALSE(judge.hides(cube({20, 15, 0}, 0.5)));
 }
 
-/// A renderer in single precision has the corners of a square that is 2 away out by 2 pixels, and a box that is 200 away by
-/// a fiftieth. With any margin the border is as wide as that.
+/// The depth is such that a renderer in single precision moves the corners of a square at distance 2 by 2 pixels, and a box
+/// at distance 200 by a fiftieth of a pixel. With any margin the border is as wide as that.
 TEST(CoverBuffer, TheBorderIsAsWideAsARendererRounds) {
-  const Mesh mesh = square(2, 1);  // up to 27.7 pixels from the middle, 55.4 of which are a slope of 1
+  const Mesh mesh = square(2, 1);  // reaches 27.7 pixels from the middle; 55.4 pixels are a slope of 1
   constexpr double kDepth = 2 * 2 / 55.4 / kSinglePrecision;
   const auto hides = [&](double margin, double pixels) {
     return Judge(looking_along_x(), mesh, kDepth, margin).hides(cube({200, 200 * pixels / 55.4, 0}, 0.01));
@@ -225,7 +226,7 @@ TEST(CoverBuffer, TheBorderIsAsWideAsARendererRounds) {
   EXPECT_TRUE(hides(0x1p-1000, 23.5));
 }
 
-/// Where `up` lies nearly along the line of sight, too: what is on one ray is at one place.
+/// Points on one ray have the same position, even where `up` is nearly parallel to the line of sight.
 TEST(BeamPicture, ParallelRaysKeepTheirPlace) {
   std::mt19937 random(3);
   constexpr double kDepth = 0x1p10;
@@ -248,8 +249,9 @@ glm::dvec3 some_point(std::mt19937& random, double low_x, double high_x, double 
   return {uniform(random, low_x, high_x), uniform(random, -aside, aside), uniform(random, -aside, aside)};
 }
 
-/// Pieces of any kind: fans about a middle, strips, spirals over themselves, cubes, triangles anywhere; with a hole now and
-/// then, with corners that do not meet by very little, and before the near plane or behind the eye.
+/// Random pieces: fans around a middle, some of which run round twice, strips, faces of cubes, and triangles anywhere. Some
+/// have a hole, some have corners that miss each other by very little, and some reach before the near plane or behind the
+/// eye.
 Mesh some_mesh(std::mt19937& random) {
   Mesh mesh;
   for (std::size_t count = 1 + random() % 3; mesh.pieces.size() < count;) {
@@ -295,7 +297,7 @@ Mesh some_mesh(std::mt19937& random) {
       }
     }
     if (random() % 3 == 0) piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(random() % piece.size()));
-    if (!piece.empty() && random() % 3 == 0) {  // a gap of 1/256 pixel, or less
+    if (!piece.empty() && random() % 3 == 0) {  // a gap of 2^-8 or less
       Triangle& one = piece[random() % piece.size()];
       const glm::dvec3 apart = some_point(random, -1, 1, 1) * std::ldexp(1.0, -8 - static_cast<int>(random() % 44));
       one[random() % 3] = mesh.vertex(mesh.vertices[one[0]] + apart);

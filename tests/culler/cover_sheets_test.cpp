@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a mesh is parted into sheets, what of it is gathered, and the pixels of a tile as bits.
+// The division of a mesh into sheets, the numbers of what is gathered, and the pixels of a tile.
 #include "cover_sheets.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace occlude::culler;
 
-/// Of quadrilaterals in x and y, each a polygon; all else of the points does not matter here.
+/// Quadrilaterals, each a polygon, as seen along the z axis.
 class Quads {
  public:
   void add(const std::array<glm::dvec3, 4>& corners) {
@@ -75,7 +75,7 @@ TEST(CoverSheets, NeighboursHangTogetherWhicheverWayTheyAreTurned) {
   EXPECT_EQ(quads.sheets(), (Polygons{{0, 1, 2}, {3}}));
 }
 
-/// A fold has both of its sides on one side of it in the picture.
+/// Both polygons at a fold lie on the same side of it in the picture.
 TEST(CoverSheets, AFoldParts) {
   Quads quads;
   quads.add(square(0, 0));
@@ -83,7 +83,7 @@ TEST(CoverSheets, AFoldParts) {
   EXPECT_EQ(quads.sheets(), (Polygons{{0}, {1}}));
 }
 
-/// Of two equal walls each may be the one that goes on.
+/// Of two equal walls, either may be the one that is joined with the neighbour.
 TEST(CoverSheets, WhatIsThereTwiceDoesNotPart) {
   Quads quads;
   quads.add(square(0, 0));
@@ -103,7 +103,7 @@ TEST(CoverSheets, WhatIsSeenEdgeOnIsInNone) {
   EXPECT_EQ(quads.sheets(), (Polygons{{1}}));
 }
 
-/// Along one edge very many polygons: rings are cut, and nothing is lost but hanging together.
+/// Very many polygons share an edge. Their rings are cut, which loses connections but no polygon.
 TEST(CoverSheets, ManyAlongOneEdgeAreAllInASheet) {
   Quads quads;
   for (int i = 0; i < 100; ++i) {

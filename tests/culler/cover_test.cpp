@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames by cover: what they cull is hidden by the polygons that are named, in exact numbers, and all else is drawn.
+// Frames by cover: what they cull is hidden by the polygons that are named, in exact arithmetic, and everything else is
+// drawn.
 #include "occlude/kernel/cover.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ std::vector<kernel::Vec3> polygon(const PolygonSoup& soup, std::uint32_t p) {
   return result;
 }
 
-/// What of the model is beyond the camera's near plane, exactly.
+/// The half-space beyond the camera's near plane.
 kernel::HalfSpace drawn_of(const Camera& camera) {
   const glm::dvec3 forward = camera.axes().forward;
   return {to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
@@ -54,7 +55,7 @@ Culler culler_of(const PolygonSoup& soup, std::uint32_t leaf = 4, Bounds bounds 
   return Culler(soup, config);
 }
 
-/// That the frame draws or culls each polygon once, in order, and that its statistics count them.
+/// Expects that the frame draws or culls each polygon once, in order, and that its statistics count them.
 void expect_whole(const Culler& culler, const CullResult& frame) {
   std::vector<int> times(culler.hierarchy().soup().size());
   std::size_t in_view = 0, shadowed = 0;
@@ -118,7 +119,7 @@ TEST_P(CoverFrames, WhatIsCulledIsHiddenByWhatIsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(1, 7));
 
-/// A folded wall of panels, of which none hides much alone, and what is behind it.
+/// A folded wall of panels, none of which hides much alone, and small walls behind it.
 PolygonSoup panels(std::size_t across) {
   PolygonSoup soup;
   const double step = 10.0 / static_cast<double>(across);
@@ -158,7 +159,7 @@ TEST(CoverFrame, HasNoPast) {
   }
 }
 
-/// Fewer triangles hide less, and what they hide is proved as ever, whether triangles or time have run out.
+/// Fewer triangles hide less. What they hide is still proved, whether triangles or time have run out.
 TEST(CoverFrame, ABudgetIsKept) {
   const Culler culler = culler_of(panels(40));
   Camera camera;
@@ -194,7 +195,7 @@ TEST(CoverFrame, ABudgetIsKept) {
     hurried.cover_ms = budget;
     EXPECT_EQ(culled(culler.cull(camera, hurried)), 0U);
   }
-  // Whatever was in time: what is named hides all that was culled, and nothing else.
+  // However much was in time, the witnesses are about all that was culled, and nothing else.
   hurried.cover_ms = 0.2;
   const CullResult frame = culler.cull(camera, hurried);
   std::vector<CoverWitness> witnesses;
@@ -239,7 +240,7 @@ TEST(CoverFrame, APictureOfAnySizeIsTaken) {
   }
 }
 
-/// The view asks the picture that its last frame has left.
+/// A view answers from the picture of its last frame.
 TEST(CoverFrame, ViewsAnswerByIt) {
   const Culler culler = culler_of(panels(40));
   View view;
@@ -256,7 +257,7 @@ TEST(CoverFrame, ViewsAnswerByIt) {
   EXPECT_EQ(ask(15, 0, 1), Visibility::visible) << "another frame, by the other method";
 }
 
-/// Objects behind what is about them, some of it made of panels.
+/// Objects strewn over a town whose polygons are the occluders.
 TEST(CoverScene, ObjectsAreHiddenByAllOccluders) {
   std::mt19937 random(9);
   const PolygonSoup occluders = random_town_of_houses(9, 1500);

@@ -28,8 +28,8 @@ namespace {
 using namespace occlude;
 using namespace occlude::culler;
 
-/// Which polygons to draw, asking every leaf about every half-space and shadow. The boxes of a leaf's ancestors cull no
-/// more: axis-aligned ones hold the leaf's.
+/// The polygons to draw if every leaf is tested against every half-space and shadow. The ancestors of a leaf cull no more,
+/// because their axis-aligned boxes hold the leaf's.
 std::vector<bool> brute_force(const Culler& culler, const CullResult& frame, kernel::Arithmetic arithmetic,
                               kernel::Test test) {
   std::vector<bool> drawn(culler.hierarchy().soup().size(), false);
@@ -73,7 +73,7 @@ TEST(Culler, DrawsWhatBruteForceDraws) {
 }
 
 TEST(Culler, BothTestsCullTheSame) {
-  // `overlap` only tells outside from partial better than `conservative`: fewer tests, never another picture.
+  // `overlap` only distinguishes outside from partial better than `conservative`: fewer tests, never another picture.
   const Culler culler(random_town(2, 3000));
   std::mt19937 random(9);
   for (int i = 0; i < 50; ++i) {
@@ -148,7 +148,7 @@ TEST(Culler, ParallelRaysHideWhatIsBehindAWallAndNotWhatIsBefore) {
   EXPECT_FALSE(is_drawn(culler, frame, 2));
 }
 
-/// A line of sight that is turned from an axis by less than the kernel has numbers for.
+/// The line of sight deviates from an axis by less than the smallest number of the kernel.
 TEST(Culler, ParallelRaysHideThoughTheyAreTurnedByNextToNothing) {
   PolygonSoup soup;
   add_wall(soup, 4, -2, 2, -2, 2);
@@ -273,8 +273,8 @@ TEST(ViewFrustum, IsClosedOnEverySideOfThePicture) {
   }
 }
 
-/// Points that parallel rays show at the very edges of the picture, farther and farther away: the axes are (0.6, 0.8, 0) and
-/// (0.8, -0.6, 0), which no double is, and the points whole.
+/// Points at the very edges of the picture of parallel rays, farther and farther away. The axes are (0.6, 0.8, 0) and (0.8,
+/// -0.6, 0), which no doubles are; the points have whole coordinates.
 TEST(ViewFrustum, HoldsWhatParallelRaysShowHoweverFarAway) {
   Camera camera;
   camera.projection = Projection::orthographic;
@@ -297,8 +297,8 @@ TEST(ViewFrustum, HoldsWhatParallelRaysShowHoweverFarAway) {
   }
 }
 
-/// Within a share of 2^-21 of the model's depth beside the view: nobody who draws in single precision knows that it is not
-/// in the picture.
+/// Points beside the view by no more than 2^-21 of the model's depth. A renderer in single precision may draw them, so they
+/// must not be culled.
 TEST(ViewFrustum, HoldsWhatSinglePrecisionMovesIntoThePicture) {
   constexpr double kDepth = 0x1p20;
   Camera camera;
@@ -360,7 +360,7 @@ TEST(Culler, VisitsEveryShadowTest) {
   EXPECT_EQ(operations.cross, 0U);
 }
 
-/// Its far side lies in the shadow of its near side, and is drawn: what hides is drawn.
+/// The far side of a shell lies in the shadow of its near side, but is drawn, because it is a part of the occluder.
 TEST(Culler, AShellDoesNotHideItself) {
   PolygonSoup soup;
   add_box(soup, {2, -1, -1}, {4, 1, 1});
@@ -374,9 +374,10 @@ TEST(Culler, AShellDoesNotHideItself) {
   }
 }
 
-/// The same for one of two that are asked together: the other is a wall across half of its front, from an edge, and looks
-/// smaller than it or larger, so that each is the second of the two once. The far side lies in both shadows, across the
-/// border of the wall's. The edge has a vertex more in the wall: what three polygons share is of no shell.
+/// The same for a shell that is tested together with another occluder: a wall across half of its front, which begins at an
+/// edge of the shell. The wall looks smaller than the shell once and larger once, so that each is the second of the pair
+/// once. The far side lies in the union and straddles the shadow of the wall. The wall has one more vertex on the edge,
+/// because an edge that three polygons share belongs to no shell.
 TEST(Culler, AShellInAPairDoesNotHideItself) {
   for (const auto& [y, height] : {std::pair{1.0, 1.0}, {0.1, 20.0}}) {
     PolygonSoup soup;
@@ -391,7 +392,7 @@ TEST(Culler, AShellInAPairDoesNotHideItself) {
   }
 }
 
-/// Two walls that meet at an angle, and a hundred things each of which it takes both to hide.
+/// Two walls that meet at an angle, and a hundred small walls that only both together hide.
 PolygonSoup corner() {
   PolygonSoup soup;
   add(soup, {{4, -4, -4}, {2, 0, -4}, {2, 0, 4}, {4, -4, 4}});
@@ -447,7 +448,7 @@ TEST(Culler, PairsOfAnEdgeOfManyAreBounded) {
   }
 }
 
-/// However many nodes there are across the shadows.
+/// However many nodes straddle the shadows.
 TEST(Culler, TheWorkOfPairsIsBounded) {
   constexpr std::size_t kPlanesOfATriangle = 4;
   constexpr std::size_t kMost = kPairWorkOfEach * 8 / (kPlanesOfATriangle * kPlanesOfATriangle);
@@ -507,7 +508,7 @@ TEST(Culler, HistoryFindsWhatHides) {
   }
 }
 
-/// A wall, its two triangles and the house that it is of would be asked the same.
+/// Probing a wall, its two triangles and its house would test the same thing.
 TEST(Culler, NoProbeIsPartOfAnOccluderInUseOrOfAnotherProbe) {
   const Culler culler(random_town_of_houses(14, 2000));
   std::mt19937 random(2);

@@ -31,7 +31,7 @@ inline std::vector<bool> drawn_polygons(const Culler& culler, const CullResult& 
   return drawn;
 }
 
-/// Whether a polygon of the node is one that the occluder is drawn as: then it must not be culled by it.
+/// Whether a part of the occluder is in the node, so that the occluder must not cull it.
 inline bool holds_part(const Culler& culler, const HierarchyNode& node, const Occluder& occluder) {
   return std::ranges::any_of(culler.occluders().parts(occluder.index),
                              [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
@@ -48,7 +48,7 @@ inline Camera random_camera(std::mt19937& random) {
   return camera;
 }
 
-/// What `call` throws std::invalid_argument with; "" when it does not.
+/// The message of the std::invalid_argument that `call` throws; "" if it throws none.
 template <class Call>
 std::string refusal(Call&& call) {
   try {
@@ -59,7 +59,7 @@ std::string refusal(Call&& call) {
   return "";
 }
 
-/// The polygon of the input that is the occluder.
+/// The number in the input of the polygon that is the occluder. REQUIRES: an occluder of one polygon.
 inline std::uint32_t original(const Culler& culler, const Occluder& occluder) {
   const auto parts = culler.occluders().parts(occluder.index);
   EXPECT_EQ(parts.size(), 1U);
@@ -74,7 +74,7 @@ inline bool is_drawn(const Culler& culler, const CullResult& frame, std::uint32_
   return false;
 }
 
-/// Looking along +x from the origin; one polygon a leaf, so that each is decided for itself.
+/// The frame of a camera at the origin that looks along +x.
 inline CullResult look(const Culler& culler, const CullOptions& options = {}) {
   Camera camera;
   camera.eye = {0, 0, 0};
@@ -82,6 +82,7 @@ inline CullResult look(const Culler& culler, const CullOptions& options = {}) {
   return culler.cull(camera, options);
 }
 
+/// A culler with one polygon per leaf, so that each polygon is decided for itself.
 inline Culler one_polygon_leaves(const PolygonSoup& soup) {
   BuildConfig config;
   config.hierarchy.leaf_size = 1;

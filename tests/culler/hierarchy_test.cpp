@@ -90,14 +90,14 @@ TEST(Hierarchy, OrientedBoxesHoldTheirPolygonsExactly) {
   EXPECT_GT(hierarchy.oriented(), 200U);
 }
 
-/// A town along a street that is parallel to no axis: boxes of any size are worth turning.
+/// A town along a street that is parallel to no axis, so that oriented boxes of any size pay.
 PolygonSoup street() {
   PolygonSoup soup = random_town(7, 30000);
   for (glm::dvec3& v : soup.vertices) v = {0.8 * v.x - 0.06 * v.y, 0.6 * v.x + 0.08 * v.y, v.z};
   return soup;
 }
 
-/// What is stored of a tree gives the same tree, of a large model too.
+/// A tree is restored from its layout as it was built, for a large model too.
 TEST(Hierarchy, LargeTreesHoldTheirPolygonsAndAreRestoredAsTheyWere) {
   const PolygonSoup soup = street();
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
@@ -119,7 +119,7 @@ TEST(Hierarchy, LargeTreesHoldTheirPolygonsAndAreRestoredAsTheyWere) {
   }
 }
 
-/// What is parallel to the axes keeps its axis-aligned boxes; turned by 45 degrees a wall's box shrinks to the wall.
+/// Walls that are parallel to the axes keep axis-aligned boxes. The box of a wall turned by 45 degrees shrinks to the wall.
 TEST(Hierarchy, OrientedBoxesWhereTheyAreSmaller) {
   PolygonSoup aligned, turned;
   for (int i = 0; i < 64; ++i) {

@@ -19,7 +19,7 @@ namespace {
 using namespace occlude;
 using namespace occlude::culler;
 
-/// Of a polygon that is hidden and drawn, by its number in the input.
+/// Why a polygon that is hidden was drawn. `original` is its number in the input.
 MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, const CullOptions& options = {}) {
   Camera camera;
   const CullResult frame = culler.cull(camera, options);
@@ -120,7 +120,7 @@ TEST(Missed, OfWhatTheMarginDraws) {
   EXPECT_EQ(why_drawn(with_leaves(soup, 1), 1, {.margin = 0.01}).reason, Missed::no_single_one);
 }
 
-/// Each wider than the shadow of the one before it by less than a pixel.
+/// Walls one behind the other, each wider than the shadow of the one before it by less than a pixel.
 PolygonSoup peeking_walls(std::size_t count) {
   PolygonSoup soup;
   for (std::size_t i = 0; i < count; ++i) {
@@ -147,7 +147,7 @@ TEST(Missed, AsFarAsTheWorkGoes) {
   EXPECT_EQ(reasons.count(shows, {}, kWork).reasons, some.reasons);
 }
 
-/// Walls with corners on the borders of each other's shadows, exactly: the exact stage answers.
+/// Walls with corners exactly on the borders of each other's shadows, so that the exact stage answers.
 TEST(Missed, CountsTheExactStageAsWork) {
   PolygonSoup soup;
   for (int i = 0; i < 200; ++i) {

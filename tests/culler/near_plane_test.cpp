@@ -40,7 +40,7 @@ TEST(NearPlane, EyeWithinAnOccluderPlaneOrBoxIsHarmless) {
   EXPECT_TRUE(is_drawn(culler, look(culler), 2));
 }
 
-/// What is drawn of the polygons given in the input.
+/// For each polygon of the input, whether it is drawn.
 std::vector<bool> drawn_of(const Culler& culler, const CullResult& frame) {
   const std::vector<bool> in_order = drawn_polygons(culler, frame);
   std::vector<bool> drawn(in_order.size());
@@ -57,7 +57,7 @@ std::size_t shells_in_use(const Culler& culler, const CullResult& frame) {
       std::ranges::count_if(frame.occluders, [&](const Occluder& o) { return culler.occluders().is_shell(o.index); }));
 }
 
-/// OpenSceneGraph: what is seen through the part that the near plane cuts away is culled. One corner is enough.
+/// OpenSceneGraph culls what is seen through the part of an occluder that the near plane cuts away. One corner is enough.
 TEST(NearPlane, APolygonThatItCutsHidesNothing) {
   for (const double corner : {0.05, 0.0999, -3.0}) {
     PolygonSoup soup;
@@ -73,7 +73,7 @@ TEST(NearPlane, APolygonThatItCutsHidesNothing) {
   EXPECT_FALSE(is_drawn(culler, look(culler), 1));
 }
 
-/// What a renderer makes of a corner that is far beside the eye and almost on the near plane is a matter of its rounding.
+/// Whether a renderer clips a corner that is far beside the eye and almost on the near plane depends on its rounding.
 TEST(NearPlane, APolygonThatRoundingMayCutHidesNothing) {
   const auto hides = [](double depth) {
     PolygonSoup soup;
@@ -86,8 +86,8 @@ TEST(NearPlane, APolygonThatRoundingMayCutHidesNothing) {
   EXPECT_TRUE(hides(0.13)) << "2^-20 of the depth beyond the near plane";
 }
 
-/// A renderer in single precision knows where a vertex is to within a share of the model's depth, here to 1e-4: what is a
-/// hair's breadth before the near plane may be drawn, and what is as much beyond it may be clipped.
+/// A renderer in single precision moves vertices by a share of the model's depth, here by 1e-4 or more. What is so little
+/// before the near plane may be drawn, and what is so little beyond it may be clipped.
 TEST(NearPlane, RoundingGrowsWithTheModel) {
   for (const double off : {1e-6, 1e-5, 1e-4}) {
     PolygonSoup soup;
@@ -123,7 +123,8 @@ void add_needle(PolygonSoup& soup, double tip) {
   }
 }
 
-/// Torque: to be done. A ray upwards passes the shell near its tip alone, before the near plane, and sees what is behind.
+/// Torque leaves this to be done. A ray upwards passes the shell only near its tip, before the near plane, and reaches what
+/// is behind.
 TEST(NearPlane, APolytopeThatItCutsHidesNothing) {
   for (const auto add_shell : {add_prism, add_needle}) {
     for (const bool is_cut : {false, true}) {
@@ -142,7 +143,7 @@ TEST(NearPlane, APolytopeThatItCutsHidesNothing) {
   }
 }
 
-/// The Third Person Shooter demo of Godot: the camera enters an occluder and everything disappears.
+/// In the Third Person Shooter demo of Godot everything disappears when the camera enters an occluder.
 TEST(NearPlane, NothingDisappearsForACameraInAShell) {
   PolygonSoup soup;
   add_box(soup, {-3, -3, -3}, {3, 3, 3});
@@ -152,7 +153,7 @@ TEST(NearPlane, NothingDisappearsForACameraInAShell) {
   const Culler culler = far_reaching(soup);
   View view;
   std::size_t seen = 0;
-  for (int step = 0; step <= 400; ++step) {  // from before it through its walls and out behind
+  for (int step = 0; step <= 400; ++step) {  // from in front of the shell through its walls and out behind
     Camera camera;
     camera.eye = {-6 + 0.03 * step, 0.01, 0.02};
     camera.target = camera.eye + glm::dvec3{1, 0, 0};
@@ -165,7 +166,7 @@ TEST(NearPlane, NothingDisappearsForACameraInAShell) {
       continue;
     }
     EXPECT_EQ(shells_in_use(culler, frame), 0U) << "eye at " << camera.eye.x;
-    // What comes first before the camera is seen: a thing, or the far wall of the shell, or what is outside.
+    // The first thing in front of the camera is seen: a wall in the shell, the far wall of the shell, or what is outside.
     const double depth = camera.eye.x + camera.near;
     std::size_t first = is_inside ? 1 : outside;
     for (std::size_t p = outside; p-- > 6;) {
@@ -177,7 +178,7 @@ TEST(NearPlane, NothingDisappearsForACameraInAShell) {
   EXPECT_GT(seen, 250U);
 }
 
-/// Before the slope that cuts off a corner of its box: in the box of the shell, and outside of the shell.
+/// The eye is in front of the slope that cuts off a corner of the shell's box: inside the box, and outside the shell.
 TEST(NearPlane, NothingDisappearsForACameraInTheBoxOfAShell) {
   PolygonSoup soup;
   const std::array v{soup.add_vertex({2, -4, 0}), soup.add_vertex({10, -4, 0}), soup.add_vertex({10, -4, 8}),
@@ -202,8 +203,8 @@ TEST(NearPlane, NothingDisappearsForACameraInTheBoxOfAShell) {
   EXPECT_FALSE(is_drawn(culler, frame, 6)) << "what is behind";
 }
 
-/// Others take the side of an occluder that the camera's forward vector is on for the front. A wall off axis that opens away
-/// from the line of sight shows the eye its front and the forward vector its back.
+/// Other cullers decide by the camera's forward vector which side of an occluder is its front. A wall beside the line of
+/// sight that turns away from it shows the eye its front, and the forward vector its back.
 TEST(Facing, IsDecidedByTheSideOfTheEye) {
   for (const double sign : {1.0, -1.0}) {
     PolygonSoup soup;
@@ -224,7 +225,7 @@ TEST(Facing, IsDecidedByTheSideOfTheEye) {
   }
 }
 
-/// A shell beside the line of sight shows the eye faces that look forward, as the camera does.
+/// A shell beside the line of sight shows the eye faces that point forward, as the camera does.
 TEST(Facing, OfAShellBesideTheLineOfSight) {
   PolygonSoup soup;
   add_box(soup, {1, 3, -5}, {2, 6, 5});
@@ -241,7 +242,7 @@ TEST(Facing, OfAShellBesideTheLineOfSight) {
   EXPECT_TRUE(is_drawn(culler, frame, beside));
 }
 
-/// Godot: an object vanishes when an opening touches the edge of the picture, or a large occluder is near it.
+/// In Godot an object vanishes when an opening touches the edge of the picture, or a large occluder is near that.
 TEST(PictureEdge, AnOpeningThatTouchesItStaysOpen) {
   // The left border of the picture is y = x; the wall leaves a slit at it.
   for (const double slit : {0x1p-1, 0x1p-20, 0x1p-40}) {
@@ -281,7 +282,7 @@ TEST(PictureEdge, ALargeOccluderAcrossItHidesWhatIsBehindAlone) {
   EXPECT_FALSE(is_drawn(culler, frame, behind));
 }
 
-/// Godot 113329: with parallel rays occluders that touch hid what is between them.
+/// Godot 113329: with parallel rays, occluders that touch hid what is between them.
 TEST(PictureEdge, OrthographicOccludersThatTouchHideNoMoreThanEach) {
   PolygonSoup soup;
   add_wall(soup, 4, -6, 0, -6, 6);
@@ -309,7 +310,7 @@ TEST(PictureEdge, OrthographicOccludersThatTouchHideNoMoreThanEach) {
   EXPECT_FALSE(is_drawn(culler, frame, edge));
 }
 
-/// Panda3D: comparisons with NaN cull everything behind the occluder.
+/// In Panda3D comparisons with NaN cull everything behind the occluder.
 TEST(FarPlane, AtInfinityIsNoPlane) {
   PolygonSoup soup;
   add_wall(soup, 2e4, -1e4, 1e4, -1e4, 1e4);
@@ -337,7 +338,7 @@ TEST(FarPlane, AtInfinityIsNoPlane) {
   EXPECT_FALSE(is_drawn(culler, frame, beside));
 }
 
-/// A disc of so many corners across the line of sight.
+/// A disc with this many corners, perpendicular to the line of sight.
 std::vector<glm::dvec3> disc(double x, double radius, int corners) {
   std::vector<glm::dvec3> loop;
   for (int i = 0; i < corners; ++i) {
@@ -347,7 +348,7 @@ std::vector<glm::dvec3> disc(double x, double radius, int corners) {
   return loop;
 }
 
-/// OpenSceneGraph keeps planes in 32 bits: of a disc with 64 sides it takes what is beside it for hidden.
+/// OpenSceneGraph has one bit for each plane in 32 bits, so it culls what is beside a disc with 64 sides.
 TEST(OccluderShape, AllOfMoreThanThirtyTwoSidesCount) {
   constexpr int kCorners = 64;
   PolygonSoup soup;
@@ -366,7 +367,7 @@ TEST(OccluderShape, AllOfMoreThanThirtyTwoSidesCount) {
   for (std::size_t p = 1; p < drawn.size(); ++p) EXPECT_EQ(drawn[p], p % 2 == 1) << "polygon " << p;
 }
 
-/// Torque drops edges of the silhouette that are shorter than 0.16: the shadow grows over the corners that they cut off.
+/// Torque drops silhouette edges that are shorter than 0.16, so the shadow grows over the corners that they cut off.
 TEST(OccluderShape, ShortEdgesCount) {
   for (const double cut : {0.1, 1e-3, 1e-9}) {
     for (const bool is_shell : {false, true}) {
@@ -398,7 +399,7 @@ TEST(OccluderShape, ShortEdgesCount) {
   }
 }
 
-/// OpenSceneGraph: with a collinear corner first in its loop, or in a scene of another scale, an occluder stops working.
+/// In OpenSceneGraph an occluder stops working when its loop begins with a collinear corner, or the scene has another scale.
 TEST(OccluderShape, CollinearFirstCornersAndAnyScale) {
   for (const double scale : {1.0, 1e-4, 1e-12, 1e12}) {
     for (const bool is_collinear : {false, true}) {

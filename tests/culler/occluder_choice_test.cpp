@@ -16,7 +16,7 @@ namespace {
 
 using namespace occlude::culler;
 
-/// A wall before so many small ones, which all may be occluders and which it hides.
+/// A wall that hides this many small walls, all of which are potential occluders.
 PolygonSoup one_wall_before(std::size_t hidden) {
   PolygonSoup soup;
   add_wall(soup, 2, -2, 2, -2, 2);
@@ -27,7 +27,7 @@ PolygonSoup one_wall_before(std::size_t hidden) {
   return soup;
 }
 
-/// All of the soup in one list.
+/// A culler with the whole soup in one list.
 Culler listing_all(const PolygonSoup& soup) { return Culler(soup, {.lists = {.threshold = 1e-12, .regions = 1}}); }
 
 TEST(OccluderChoice, WorkIsBoundedWhereOneWallHidesAllOtherCandidates) {
@@ -44,7 +44,7 @@ TEST(OccluderChoice, WorkIsBoundedWhereOneWallHidesAllOtherCandidates) {
   EXPECT_EQ(look(culler, options).drawn, frame.drawn);
 }
 
-/// What the wall leaves to be seen is chosen, however much it hides.
+/// An occluder that the wall does not hide is chosen, however much the wall hides.
 TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
   constexpr std::size_t kHidden = 5000;
   PolygonSoup soup = one_wall_before(kHidden);
@@ -58,7 +58,7 @@ TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
   EXPECT_LT(frame.stats.choice_work, 2 * kChoiceWorkOfEach);
 }
 
-/// Scores that are no numbers could not be sorted.
+/// Scores that are NaN could not be sorted.
 TEST(OccluderChoice, IsMadeWhateverTheWeights) {
   const double infinity = std::numeric_limits<double>::infinity();
   PolygonSoup soup;

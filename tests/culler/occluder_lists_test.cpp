@@ -76,7 +76,7 @@ TEST_P(Lists, OfFlatAndDegenerateModels) {
   EXPECT_EQ(Model(point).lists({.kind = GetParam()}).stored().occluders.size(), 0U);
 }
 
-/// Each as large as the model.
+/// Random triangles, each as large as the model.
 PolygonSoup large_triangles(std::size_t count) {
   std::mt19937 random(17);
   const auto corner = [&] {
@@ -108,12 +108,13 @@ TEST_P(Lists, KeepToTheirBudgetLargestFirst) {
     if (!kept.empty()) ++listed;
     if (std::ranges::binary_search(kept, largest)) ++largest_listed;
   }
-  EXPECT_GT(largest_listed, listed * 9 / 10) << "by what looks largest from somewhere in the region, not from its middle";
+  // Lists keep what looks largest from somewhere in the region, not from its middle. Nodes are longer than cubes.
+  EXPECT_GT(largest_listed, listed * (GetParam() == Kind::grid ? 9 : 7) / 10);
 }
 
 TEST_P(Lists, OfABudgetThatIsNotSpentNothingIsCut) {
   const Model model(random_town_of_houses(4, 1500));
-  constexpr double kThreshold = 0.1;  // of a lower one the budget of so small a model is spent
+  constexpr double kThreshold = 0.1;  // with a lower one, so small a model spends its budget
   const auto within = [&](std::size_t budget) {
     return model.lists({.kind = GetParam(), .threshold = kThreshold, .entries = budget}).stored().occluders;
   };
@@ -134,7 +135,7 @@ TEST(OccluderLists, OfASmallModelItsBudgetIsSmall) {
   EXPECT_GT(others, Config::kEntriesOfEach * more.occluders.size() * 9 / 10);
 }
 
-/// The number of threads is the machine's own: that it does not count shows in repeated runs.
+/// The number of threads is that of the machine. Repeated runs show that their timing does not matter.
 TEST_P(Lists, AreTheSameInEveryRun) {
   const Model model(large_triangles(300));
   const OccluderLists::Config config{.kind = GetParam(), .regions = 4096, .entries = 50000};

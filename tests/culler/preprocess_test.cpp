@@ -42,7 +42,7 @@ bool are_same(const CullResult& a, const CullResult& b) {
          std::ranges::equal(a.occluders, b.occluders, same_occluder);
 }
 
-/// Where what was sampled has no weight, a prepared model is culled as one that is not, frame by frame.
+/// If the samples have no weight, a prepared model is culled frame by frame like one that was not prepared.
 TEST(Preprocess, APreparedModelIsTheSame) {
   const PolygonSoup soup = random_town_of_houses(6, 1000);
   for (const BuildConfig& config : kConfigs) {
@@ -79,7 +79,7 @@ PolygonSoup pavement_and_walls() {
   return soup;
 }
 
-/// Where it has weight, occluders are chosen by it.
+/// If what occluders hide has weight, they are chosen by it.
 TEST(Preprocess, WhatOccludersHideChoosesThem) {
   const PolygonSoup soup = pavement_and_walls();
   const BuildConfig config{.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}};
@@ -115,8 +115,8 @@ TEST(DepthComplexity, CountsWhatOthersLeave) {
   EXPECT_TRUE(best_together(culler.hierarchy(), culler.occluders(), {}, {0, 0, 0}).empty());
 }
 
-/// Regions are sampled by several threads in any order; what a region finds depends on nothing but its number and the seed.
-/// The number of threads is the machine's own: that it does not count shows in repeated runs.
+/// Several threads sample regions in any order. What a region finds depends only on its number and the seed. The number of
+/// threads is that of the machine; repeated runs show that their timing does not matter.
 TEST(Preprocess, IsTheSameInEveryRun) {
   const PolygonSoup soup = random_town_of_houses(7, 800);
   for (const auto pattern : {SampleConfig::Pattern::even, SampleConfig::Pattern::random}) {
@@ -160,7 +160,7 @@ TEST(Preprocess, TellsHowFarItIsAndStopsWhenThatThrows) {
   EXPECT_THROW(static_cast<void>(preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 1}, stop)), std::runtime_error);
 }
 
-/// Numbers that cannot be those of this model would lead out of its arrays.
+/// Numbers that do not fit this model would lead out of its arrays.
 TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
   const PolygonSoup soup = random_town_of_houses(9, 300);
   const BuildConfig config = small_config(Bounds::aabb);
@@ -195,7 +195,7 @@ TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
             "a node of the tree has no polygon");
   EXPECT_EQ(refusal([](Preprocess& p) { p.layout.left.back() = 1000000; }), "a node of the tree has no polygon");
 
-  const auto chain = [](Preprocess& p) {  // a stack is not as deep as a file can be long
+  const auto chain = [](Preprocess& p) {  // a file may describe a tree that is deeper than a stack
     const std::size_t polygons = p.layout.order.size();
     p.layout.left.clear();
     for (std::size_t i = 0; i + 1 < polygons; ++i) p.layout.left.insert(p.layout.left.end(), {1, 0});
@@ -263,7 +263,7 @@ TEST(Preprocess, RefusesAnotherModel) {
   EXPECT_THROW(static_cast<void>(preprocess(PolygonSoup{}, {}, {})), std::invalid_argument);
 }
 
-/// A prepared model culled with what was sampled is as right as any.
+/// Whatever the lists and the samples say, every cull is right.
 TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
   const PolygonSoup soup = random_town_of_houses(10, 600);
   for (const BuildConfig& config : kConfigs) {
@@ -271,7 +271,7 @@ TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
     std::mt19937 random(3);
     std::ranges::shuffle(prepared.lists.hidden, random);
     const std::size_t all = Culler(soup, config).occluders().size();
-    for (std::size_t r = 0; r + 1 < prepared.lists.first.size(); ++r) {  // and other occluders
+    for (std::size_t r = 0; r + 1 < prepared.lists.first.size(); ++r) {  // other occluders in the lists, too
       const auto begin = prepared.lists.occluders.begin() + static_cast<std::ptrdiff_t>(prepared.lists.first[r]);
       const auto end = prepared.lists.occluders.begin() + static_cast<std::ptrdiff_t>(prepared.lists.first[r + 1]);
       std::for_each(begin, end, [&](std::uint32_t& i) { i = static_cast<std::uint32_t>((i + 17) % all); });

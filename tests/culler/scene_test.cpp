@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of objects against brute force over their boxes, as they move, and at the edges of what is promised.
+// Scenes of moving objects against brute force over their boxes, and at the limits of what is promised.
 #include "occlude/culler/scene.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ Vec3 random_vector(std::mt19937& random, double low, double high) {
   return {x, y, uniform(random, low, high)};
 }
 
-/// Every other one oriented, somewhere in the town of random_town().
+/// A box somewhere in the town of random_town(), oriented in half of all cases.
 Box random_box(std::mt19937& random) {
   const Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 5)};
   const double size = random() % 8 == 0 ? 4 : 0.5;
@@ -58,7 +58,7 @@ std::vector<Box> random_boxes(std::mt19937& random, std::size_t count) {
   return boxes;
 }
 
-/// What a frame is to draw: every box asked about every half-space and every shadow.
+/// What a frame must draw: every box is tested against every half-space and every shadow.
 Ids brute_force(const CullResult& frame, std::span<const Box> boxes, const CullOptions& options) {
   Ids drawn;
   for (std::uint32_t id = 0; id < boxes.size(); ++id) {
@@ -172,7 +172,7 @@ TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
 }
 
 TEST(Scene, PairsHideInQueriesAsInFrames) {
-  // Two halves of a wall that share an edge, too bent to be joined: what only both hide is asked of both.
+  // Two halves of a wall share an edge, but are too bent to be joined. What only both hide is tested against both.
   PolygonSoup walls;
   add(walls, {{4, -2, -2}, {3, 0, -2}, {3, 0, 2}, {4, -2, 2}});
   add(walls, {{3, 0, -2}, {4, 2, -2}, {4, 2, 2}, {3, 0, 2}});
@@ -231,7 +231,7 @@ TEST(Scene, ARefittedTreeCullsAsAFreshOne) {
   const PolygonSoup town = random_town(3, 500);
   Scene moved({.statics = statics, .dynamics = dynamics}, town);
   for (int i = 0; i < 20; ++i) {
-    // From a stir to a shuffle of all.
+    // From a few moves to a move of nearly all.
     for (std::uint32_t id = 0; id < dynamics.size(); ++id) {
       if (random() % 20 >= static_cast<std::uint32_t>(i)) continue;
       dynamics[id] = random_box(random);
@@ -270,7 +270,7 @@ Aabb scaled(const Aabb& box, double factor) {
 
 TEST(ObjectTree, IsBuiltAnewWhenItHasBecomeLoose) {
   std::mt19937 random(kSeed);
-  // All at one place, as things begin; then anywhere, and each time over less of it.
+  // All objects begin at one place. Then they scatter, each time over a smaller space.
   const std::vector<Box> together(200, Aabb{{0, 0, 0}, {0x1p-20, 0x1p-20, 0x1p-20}});
   ObjectTree tree({}, together);
   for (int i = 0; i < 5; ++i) {
@@ -299,7 +299,7 @@ TEST(ObjectTree, KeepsItsShapeWhileItIsTight) {
   }
 }
 
-/// Whether the box lies within the axis-aligned one, exactly: within six half-spaces.
+/// Whether the axis-aligned box holds the oriented one, exactly: whether that is inside six half-spaces.
 bool holds(const Aabb& outer, const Obb& box) {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 up{}, down{};
@@ -321,7 +321,7 @@ TEST(OuterBox, HoldsTheBoxExactlyAndIsLegal) {
   for (int i = 0; i < 20000; ++i) {
     Obb box{{number(), number(), number()}, {}};
     for (Vec3& edge : box.half_edges) edge = {number(), number(), number()};
-    // Some of like size, which cancel.
+    // Some numbers have similar magnitudes, so that they cancel.
     if (i % 2 == 0) box = {random_vector(random, -1, 1), {random_vector(random, -1, 1), random_vector(random, -1, 1), {}}};
     if (i % 4 == 0) box.center = {box.half_edges[0].x + box.half_edges[1].x, 0, box.half_edges[0].z};
     const Aabb outer = outer_box(box);
@@ -422,7 +422,7 @@ TEST(Scene, WorksWithoutStaticsDynamicsOrOccluders) {
 }
 
 TEST(Scene, WhatTouchesOrHoldsItsOccluderIsDrawn) {
-  // A house: its walls are the occluder, its box holds them; and a picture on the wall.
+  // A house whose walls are the occluder and whose box holds them, and pictures on the wall.
   PolygonSoup walls;
   add_wall(walls, 4, -1, 1, -1, 1);
   const std::vector<Box> statics{

@@ -28,7 +28,7 @@ inline void add_wall(PolygonSoup& soup, double x, double y0, double y1, double z
   add(soup, {{x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}});
 }
 
-/// Walls across both horizontal axes and small triangles strewn among them, within [-50, 50]^2 x [0, 10].
+/// Walls perpendicular to both horizontal axes, and small triangles strewn among them, within [-50, 50]^2 x [0, 10].
 inline PolygonSoup random_town(std::uint32_t seed, std::size_t polygons) {
   std::mt19937 random(seed);
   const auto number = [&](double low, double high) { return uniform(random, low, high); };
@@ -51,8 +51,8 @@ inline PolygonSoup random_town(std::uint32_t seed, std::size_t polygons) {
   return soup;
 }
 
-/// The box from `low` to `high`, every face turned outwards: of quadrilaterals, or each of two triangles along the diagonal
-/// from the lowest or to the highest of its corners.
+/// The box from `low` to `high`, every face turned outwards. A face is a quadrilateral, or two triangles along a diagonal
+/// that begins at the lowest corner of the box or ends at the highest.
 inline void add_box(PolygonSoup& soup, const glm::dvec3& low, const glm::dvec3& high, bool triangles = false) {
   std::array<std::uint32_t, 8> corners{};
   for (std::uint32_t i = 0; i < 8; ++i) {

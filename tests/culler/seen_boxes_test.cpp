@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes in the coarse picture: no corner lies beyond what is said of its box.
+// Boxes in the coarse picture: no corner lies outside the bounds found for its box.
 #include "seen_boxes.h"
 
 #include <gtest/gtest.h>

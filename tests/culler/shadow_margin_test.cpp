@@ -65,7 +65,7 @@ TEST(Depth, IsNoLessThanThatOfAnyCorner) {
 
 class Margin : public testing::TestWithParam<Projection> {
  protected:
-  /// Looks askew at a pentagon that stands askew.
+  /// A camera that looks obliquely at a pentagon that stands obliquely.
   Margin() {
     camera_.eye = {1, 2, 3};
     camera_.target = {11, 3, 2};
@@ -87,7 +87,7 @@ class Margin : public testing::TestWithParam<Projection> {
     return kernel::ShadowFrustum::make(viewpoint, loop_, near).frustum.value();
   }
 
-  /// Behind a point near the middle of the pentagon, beyond the near plane by less than a unit.
+  /// A point behind one near the middle of the pentagon, beyond the near plane by less than a unit.
   [[nodiscard]] kernel::Vec3 beyond_near_plane(const kernel::ShadowFrustum& shadow, std::mt19937& random) const {
     const glm::dvec3 middle = camera_.target + glm::dvec3{uniform(random, -0.1, 0.1), uniform(random, -1, 1), 0};
     const glm::dvec3 ray = GetParam() == Projection::perspective ? middle - camera_.eye : camera_.axes().forward;
@@ -101,7 +101,7 @@ class Margin : public testing::TestWithParam<Projection> {
   std::vector<kernel::Vec3> loop_;
 };
 
-/// Anywhere behind the pentagon and beside it, or just beyond the near plane of its shadow.
+/// The boxes are anywhere behind the pentagon and beside it, or just beyond the near plane of its shadow.
 TEST_P(Margin, KeepsWhatStaysInTheShadowHoweverItIsMoved) {
   const ShadowMargin margin(FrameView(camera_, 0), kShare);
   for (const kernel::Near near : {kernel::Near::surface, kernel::Near::farthest}) {
@@ -122,14 +122,14 @@ TEST_P(Margin, KeepsWhatStaysInTheShadowHoweverItIsMoved) {
                              {kernel::Vec3{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}};
       const bool keeps = margin.keeps(frustum, box);
       EXPECT_EQ(margin.keeps(frustum, same), keeps);
-      // A polygon of moves is less than the circle, by half of the square of its angle.
+      // The moves form a polygon, which is smaller than the circle by half of the square of its angle.
       EXPECT_EQ(holds_moved(frustum, box, camera_, kShare * (keeps ? 1 - 1e-9 : 1 + 1e-3)), keeps);
       ++(keeps ? kept : lost);
       lost_to_the_near_plane += is_near && !keeps ? 1 : 0;
     }
     EXPECT_GT(kept, 100);
     EXPECT_GT(lost, 20);
-    // What is farthest along parallel rays is so wherever it is moved in the picture.
+    // With parallel rays, no move in the picture changes how far along the rays something is.
     const bool is_across = near == kernel::Near::farthest && GetParam() == Projection::orthographic;
     EXPECT_EQ(lost_to_the_near_plane > 100, !is_across) << lost_to_the_near_plane;
   }
@@ -145,9 +145,9 @@ TEST_P(Margin, OfNoneIsTheShadowItself) {
 
 INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspective, Projection::orthographic));
 
-/// A slanted wall, the nearest of it 10 away and the farthest 20, and points behind it, for a renderer whose positions are
-/// out by 0.01. Those of the wall move the shadow in the picture, most where it is nearest; those of what is behind, and
-/// the planes, move by as much along the planes' normals on top.
+/// A slanted wall whose distance is 10 to 20, and points behind it, for a renderer that moves positions by 0.01. Moved
+/// positions of the wall move its shadow in the picture, most where the wall is nearest. Moved positions of the points and
+/// of the planes count in addition, by as much along the normals of the planes.
 TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
   constexpr double kRounding = 0.01, kDepth = kRounding / kSinglePrecision, kNone = 1e-12;
   const std::vector<kernel::Vec3> wall{{10, -10, -10}, {20, 20, -20}, {20, 20, 20}, {10, -10, 10}};
@@ -171,8 +171,8 @@ TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
   }
 }
 
-/// Two walls that meet in the picture, one 20 away and one 5, and what is behind both. Positions that are out move the
-/// shadow of the nearer one more, whichever comes first.
+/// Two walls that meet in the picture, at distances 20 and 5, and points behind both. Moved positions move the shadow of the
+/// nearer wall more, whichever of the two comes first.
 TEST(ShadowMargin, OfTwoIsThatOfTheNearer) {
   constexpr double kRounding = 0.01, kDepth = kRounding / kSinglePrecision, kNone = 1e-12;
   const Camera camera;
@@ -191,7 +191,7 @@ TEST(ShadowMargin, OfTwoIsThatOfTheNearer) {
   }
 }
 
-/// A wall at distance 10 that hides 10 to each side, and one at 20 that reaches to `side`.
+/// A wall at distance 10 that reaches 10 to each side, and one at distance 20 that reaches to `side`.
 bool is_drawn_behind(double side, const CullOptions& options) {
   PolygonSoup soup;
   add_wall(soup, 10, -10, 10, -10, 10);
@@ -225,7 +225,7 @@ TEST(CullOptions, AMarginHoldsForQueries) {
   EXPECT_EQ(view.visibility(point_at(20 - 1.01 * margin)), Visibility::occluded);
 }
 
-/// The wall is in two, side by side: only both together hide what is behind.
+/// The same with a wall in two halves, which only together hide what is behind.
 bool is_drawn_behind_two(double side, const CullOptions& options) {
   PolygonSoup soup;
   add_wall(soup, 10, -10, 0, -10, 10);

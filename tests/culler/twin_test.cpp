@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thousand views, each against its twin: a traversal that asks every half-space and every shadow at every node.
+// A thousand views, each compared with its twin: a traversal that tests every half-space and every shadow at every node.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,8 +19,8 @@ namespace {
 using namespace occlude;
 using namespace occlude::culler;
 
-/// With axis-aligned boxes it is enough to ask the leaves: the boxes above them hold theirs and cull no more. An oriented
-/// box need not hold those of its children, so the twin of such a tree begins at the root.
+/// With axis-aligned boxes it is enough to test the leaves, because the boxes above them hold theirs and cull no more. An
+/// oriented box need not hold those of its children, so the twin of such a tree begins at the root.
 class Twin {
  public:
   Twin(const Culler& culler, const CullOptions& options, const CullResult& frame, bool leaves_alone)
@@ -74,7 +74,7 @@ CullOptions some_options(std::mt19937& random) {
   return options;
 }
 
-/// A step on, or elsewhere.
+/// A camera one step on, or somewhere else.
 Camera next_camera(std::mt19937& random, const Camera& before) {
   if (random() % 8 == 0) return random_camera(random);
   Camera camera = before;
@@ -88,7 +88,7 @@ struct Tally {
   std::size_t shadow_culled = 0, by_shells = 0, by_pieces = 0, probe_tests = 0, frames = 0;
 };
 
-/// Views of one culler: each half of them as they come, and half along a path.
+/// Compares views of one culler: half of them are independent, and half are along a path.
 void compare(const Culler& culler, bool leaves_alone, std::uint32_t seed, int views, Tally& tally) {
   std::mt19937 random(seed);
   Camera camera = random_camera(random);
@@ -145,7 +145,7 @@ TEST(Culler, AThousandViewsDrawWhatTheirTwinsDraw) {
     }
   }
   EXPECT_EQ(with_shells.frames + without.frames, 1000U);
-  // And these were views in which something could have gone wrong.
+  // Something could have gone wrong in these views.
   EXPECT_GT(with_shells.shadow_culled, 50000U);
   EXPECT_GT(with_shells.by_shells, 10000U);
   EXPECT_GT(with_shells.by_pieces, 100U);

@@ -3,5 +3,5 @@
 
 #include <cstddef>
 
-/// How often this program has taken memory from the heap so far. The tests that ask are an executable of their own.
+/// How many times this program has allocated memory from the heap so far. The tests that use it are a separate executable.
 [[nodiscard]] std::size_t allocations();

@@ -25,7 +25,7 @@ void* counted(std::size_t size, std::size_t alignment) {
 
 std::size_t allocations() { return count; }
 
-// The forms for arrays and those that do not throw are made of these by the library.
+// The library makes the forms for arrays, and those that do not throw, from these.
 void* operator new(std::size_t size) { return counted(size, 1); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene that has settled allocates nothing. An executable of its own, for it counts every allocation of the program.
+// A scene allocates nothing after its first frame. This is a separate executable, because it counts every allocation of the
+// program.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +17,8 @@ namespace {
 using namespace occlude;
 using namespace occlude::culler;
 
-/// Objects strewn over the town of random_town(), or, gathered, all on one spot; `turn`, in radians, moves them round its
-/// middle and turns them.
+/// The box of object i. The objects are strewn over the town of random_town(), or all at one place if they are gathered.
+/// `turn`, in radians, moves them around the middle and turns them.
 kernel::Obb box(std::uint32_t i, double turn, bool is_gathered) {
   const double angle = 2.4 * i + turn, radius = is_gathered ? 0 : 2.0 * std::sqrt(i), c = std::cos(angle),
                s = std::sin(angle);
@@ -33,7 +34,7 @@ TEST(SceneAllocation, NoneAfterTheFirstFrame) {
   std::size_t hidden = 0, asked = 0;
   const auto walk = [&](int path, int frames) {
     for (int frame = 0; frame < frames; ++frame) {
-      // At different speeds, and now and then all meet and scatter, so that trees are built anew.
+      // Objects move at different speeds. Now and then all meet and scatter, so that trees are rebuilt.
       for (std::uint32_t i = 0; i < boxes.size(); ++i) scene.set_bounds(i, box(i, 0.01 * frame * (i % 7), frame % 50 == 0));
       scene.update();
       Camera camera;

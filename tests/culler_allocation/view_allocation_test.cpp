@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A view allocates in its first frames alone, wherever it goes then.
+// A view allocates only in its first frame, wherever it goes then.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ using namespace occlude::culler;
 
 constexpr int kFrames = 100;
 
-/// There and back through the middle of the town, by the houses and now and then into one; each path in another direction.
+/// Goes there and back through the middle of the town, past the houses and now and then into one. Each path has another
+/// direction.
 Camera camera_at(int path, int frame, Projection projection) {
   const int there = frame < kFrames / 2 ? frame : kFrames - frame;
   const double along = -45 + 90.0 * there / (kFrames / 2.0), across = 0.2 * along + (frame % 40) * 0.05;
@@ -29,7 +30,7 @@ Camera camera_at(int path, int frame, Projection projection) {
   return camera;
 }
 
-/// Allocations of frames [begin, end) of a path.
+/// The number of allocations in frames [begin, end) of a path.
 std::size_t walk(const Culler& culler, const CullOptions& options, Projection projection, View& view, int path,
                  int begin = 0, int end = kFrames) {
   const std::size_t before = allocations();

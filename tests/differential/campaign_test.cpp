@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A campaign comes out the same however its groups are dealt, and stops when it is told to.
+// The result of a campaign does not depend on how its groups are dealt. A campaign stops when it is told to.
 #include "differential/campaign.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 bool for_ever(std::uint64_t, std::uint64_t) { return true; }
 
-/// Every third group has a finding, and what it counts depends on its seed.
+/// Every third group has a finding. What a group counts depends on its seed.
 const std::vector<Experiment> kExperiments{
     {"some",
      [](std::uint64_t seed, Report& report) {
@@ -66,7 +66,7 @@ TEST(Campaign, StopsWhenTold) {
   EXPECT_EQ(reports[0].findings[0].seed, 3U);
 }
 
-/// All experiments, for real: nobody is wrong, and any number of jobs gives the same table.
+/// Runs all experiments for real: nothing is wrong, and any number of jobs gives the same table.
 TEST(Campaign, FamiliesAgreeWithTheOracle) {
   const std::vector<Experiment>& all = experiments();
   const auto one = run({.seed = 11, .rounds = 3, .jobs = 1}, all, for_ever);

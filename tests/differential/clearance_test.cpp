@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of a box's distance from the border of a shadow is proved, and hardly more could be said.
+// What is said about a box's distance from the border of a shadow is proved, and hardly more could be said.
 #include "occlude/kernel/clearance.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ kernel::Vec3 point(std::mt19937& random, double low, double high) {
 
 kernel::Vec3 sum(const kernel::Vec3& a, const kernel::Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
-/// A box, of either kind, about where the shadow of something near the origin is.
+/// A box of either kind, near where the shadow of something near the origin is.
 std::variant<kernel::Aabb, kernel::Obb> some_box(std::mt19937& random, const kernel::Vec3& origin) {
   const kernel::Vec3 low = sum(origin, point(random, 0, 40));
   if (random() % 2 == 0) return kernel::Aabb{low, sum(low, point(random, 0, 2))};
@@ -39,7 +39,7 @@ TEST(Clearance, IsProvedExactly) {
   std::mt19937 random(5);
   int proved = 0, tight = 0;
   for (int i = 0; i < 60000; ++i) {
-    // Near the origin and far from it; triangles of all shapes, and some almost through the eye.
+    // Scenes are near the origin or far from it. Triangles have all shapes, and some almost contain the eye in their plane.
     const double far = std::ldexp(1.0, static_cast<int>(random() % 32)) * static_cast<double>(random() % 2);
     const kernel::Vec3 origin{far, far, -far};
     const double thickness = std::ldexp(1.0, -static_cast<int>(random() % 40));
@@ -49,7 +49,7 @@ TEST(Clearance, IsProvedExactly) {
         random() % 4 == 0 ? kernel::Viewpoint::direction(point(random, 0.1, 1)) : kernel::Viewpoint::eye(origin);
     const auto shadow = kernel::ShadowFrustum::make(view, loop, kernel::Near::surface).frustum;
     if (!shadow) continue;
-    // Boxes about the middle of the shadow, so that many are in it.
+    // The boxes are near the middle of the shadow, so that many are inside.
     kernel::Vec3 ahead{};
     for (int axis = 0; axis < 3; ++axis) {
       const double middle = (loop[0][axis] + loop[1][axis] + loop[2][axis]) / 3;
@@ -66,7 +66,7 @@ TEST(Clearance, IsProvedExactly) {
     const auto judged = std::visit([](const auto& b) { return oracle::Box(to_oracle(b)); }, box);
     ASSERT_EQ(judge.refute_cull(judged, certain), "") << i;
     ++proved;
-    if (certain < 0.99 * distance) continue;  // of slivers little is certain
+    if (certain < 0.99 * distance) continue;  // little is certain about slivers
     ++tight;
     ASSERT_NE(judge.refute_cull(judged, 1.02 * distance), "") << i;
   }

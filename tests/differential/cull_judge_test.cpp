@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame as the culler gives it is right; each thing that can be wrong with one is named.
+// A frame as the culler returns it is right. Everything that can be wrong with a frame is named.
 #include "differential/cull_judge.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ void add_triangle(culler::PolygonSoup& soup, const dvec3& at) {
   culler::add(soup, {at, at + dvec3{0, 1, 0}, at + dvec3{0, 0, 1}});
 }
 
-/// A leaning wall from x = 5 to x = 6; a triangle before it, two behind it, one to each side of what the camera shows.
+/// A leaning wall from x = 5 to x = 6, a triangle in front of it, two behind it, and one on each side of the picture.
 culler::PolygonSoup scene() {
   culler::PolygonSoup soup;
   culler::add(soup, {{5, -4, -4}, {5, 4, -4}, {6, 4, 4}, {6, -4, 4}});
@@ -41,7 +41,7 @@ class CullJudgeTest : public testing::Test {
  protected:
   CullJudgeTest() { camera_.target = {1, 0, 0}; }
 
-  /// What the judge says of the frame after this change.
+  /// The judge's verdict on the frame after this change.
   std::string fault_after(const std::function<void(CullResult&)>& change) const {
     CullResult result = culler_.cull(camera_, options_);
     change(result);
@@ -50,7 +50,7 @@ class CullJudgeTest : public testing::Test {
 
   static Culled& first(CullResult& result, Culled::By by) { return *std::ranges::find(result.culled, by, &Culled::by); }
 
-  /// The one that has this polygon.
+  /// The region that has this polygon.
   std::uint32_t region_of(std::uint32_t polygon) const {
     std::uint32_t region = 0;
     while (std::ranges::count(culler_.occluders().parts(region), polygon) == 0) ++region;
@@ -114,7 +114,7 @@ TEST_F(CullJudgeTest, NamesWhatIsDrawnOnlyWithOccluders) {
               result.stats.view_culled_polygons -= node.count;
               result.stats.drawn_polygons += node.count;
               result.culled.erase(beyond);
-              // Neighbours are one range.
+              // Adjacent ranges must be merged.
               for (std::size_t i = 1; i < result.drawn.size();) {
                 auto& before = result.drawn[i - 1];
                 if (before.first + before.count != result.drawn[i].first) {
@@ -141,7 +141,7 @@ TEST_F(CullJudgeTest, NamesUnprovedCullsByView) {
             }),
             "a plane of the view cuts off what the camera shows");
   const std::string fault = fault_after([](CullResult& result) {
-    // Of what is beyond one side of the view, the other side proves nothing.
+    // The other side of the view proves nothing about what is beyond one side.
     const auto is_by_view = [](const Culled& culled) { return culled.by == Culled::By::view; };
     Culled& one = first(result, Culled::By::view);
     Culled& other = *std::find_if(&one + 1, result.culled.data() + result.culled.size(), is_by_view);
@@ -178,8 +178,8 @@ TEST_F(CullJudgeTest, NamesAnOccluderThatTheNearPlaneClips) {
   EXPECT_EQ(fault_of(culler, camera_, options_, result), "the near plane clips an occluder");
 }
 
-/// Two walls that meet at an angle, behind both a thing from y = -2 to 2 that reaches up to this z, and one beside them.
-/// Seen from the origin the shadows are where |y| <= x and |z| <= 2 x - |y|.
+/// Two walls that meet at an angle, an object behind both, and a triangle below their shadows. The object goes from y = -2
+/// to 2 and reaches up to z = `high`. Seen from the origin, the shadows are where |y| <= x and |z| <= 2 x - |y|.
 culler::PolygonSoup corner(double high) {
   culler::PolygonSoup soup;
   culler::add(soup, {{4, -4, -4}, {2, 0, -4}, {2, 0, 4}, {4, -4, 4}});
@@ -208,7 +208,7 @@ class UnionJudgeTest : public testing::Test {
     return found == result.culled.end() ? nullptr : &*found;
   }
 
-  /// What the judge says of the frame after this change of what two occluders culled.
+  /// The judge's verdict on the frame after this change to what two occluders culled.
   std::string fault_after(const std::function<void(CullResult&, Culled&)>& change) const {
     const Culler culler = culler_of(1);
     CullResult result = cull(culler);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same seed, the same cases and the same count of them, whoever compiled it: findings are made again by their seed.
+// The same seed gives the same cases and the same counts, with every compiler, because findings are made again from their
+// seed.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A case made smaller still shows what it showed, and nothing is left that need not be there.
+// A case that was made smaller still shows what it showed, and has nothing that it does not need.
 #include "differential/minimise.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using kernel::Relation;
 using kernel::Vec3;
 
-/// Whether the paper's arithmetic would cull the box though it sticks out.
+/// Whether the paper's arithmetic would cull the box although it sticks out.
 bool is_wrong_cull(const Case& c) {
   if (check(c.box) != kernel::Refusal::none) return false;
   const auto made = make_frustum(c);
@@ -25,7 +25,7 @@ bool is_wrong_cull(const Case& c) {
          overlap(*made.frustum, c.box).relation != Relation::inside;
 }
 
-/// The first of the family's cases and their neighbours.
+/// The first wrong culls among the neighbours of the family's cases.
 std::vector<Case> wrong_culls(Family family, std::size_t count) {
   std::vector<Case> cases;
   for (std::uint64_t seed = 0; cases.size() < count && seed < 10'000; ++seed) {
@@ -59,7 +59,7 @@ TEST(Minimise, MakesPolytopesTetrahedra) {
   }
 }
 
-/// What matters is one coordinate of the second vertex, whichever that is: the third does when the second is gone.
+/// One coordinate of the second vertex matters. When the second vertex is gone, the third takes its place.
 TEST(Minimise, KeepsOnlyWhatMatters) {
   const auto shows = [](const Case& c) {
     const auto& polygon = std::get<Polygon>(c.occluder);

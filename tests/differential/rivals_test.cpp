@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rivals round as what they stand for.
+// The rivals round like the arithmetics that they stand for.
 #include "differential/rivals.h"
 
 #include <gtest/gtest.h>

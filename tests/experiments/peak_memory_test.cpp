@@ -11,8 +11,8 @@ using occlude::experiments::PeakMemory;
 
 constexpr std::size_t kBytes = std::size_t{64} << 20U;
 
-/// What was freed is in the peak, and not in what is held. Sizes are those of pages, and the process has a life of its own:
-/// a quarter more or less is not told apart.
+/// What was freed counts for the peak, but not as held. Sizes are in whole pages, and the process allocates memory for other
+/// things too, so a quarter more or less is accepted.
 TEST(PeakMemory, TellsThePeakFromWhatIsHeld) {
 #ifdef OCCLUDE_SANITIZED
   GTEST_SKIP() << "sanitizers keep what is freed";
@@ -21,7 +21,7 @@ TEST(PeakMemory, TellsThePeakFromWhatIsHeld) {
   if (!memory.peak_bytes()) GTEST_SKIP() << "the system does not tell";
   const std::vector<char> kept(kBytes, 1);
   { const std::vector<char> freed(kBytes, 1); }
-  // Small pieces come from the heap, to which what is freed goes back.
+  // Small pieces come from the heap, and return to it when they are freed.
   { const std::vector<std::vector<char>> pieces(kBytes / 1024, std::vector<char>(1000, 1)); }
   EXPECT_NEAR(static_cast<double>(*memory.peak_bytes()), 2.0 * kBytes, kBytes / 4.0);
   EXPECT_NEAR(static_cast<double>(*memory.held_bytes()), 1.0 * kBytes, kBytes / 4.0);

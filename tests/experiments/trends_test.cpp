@@ -35,7 +35,7 @@ TEST(FittedExponent, IsThatOfAPowerLaw) {
   EXPECT_NEAR(*fitted_exponent(x, falling), -1, 1e-12);
 }
 
-/// Points off the line by a factor 2 up and down: the line between them.
+/// Points that lie above and below a line by a factor of 2 give that line.
 TEST(FittedExponent, IsTheBestByLeastSquares) {
   EXPECT_NEAR(*fitted_exponent(std::array{1.0, 1.0, 100.0, 100.0}, std::array{0.5, 2.0, 50.0, 200.0}), 1, 1e-12);
 }

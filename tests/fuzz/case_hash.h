@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hash of cases by the bits of their numbers: FNV-1a over 64-bit words.
+// A hash of cases over the bits of their numbers: FNV-1a over 64-bit words.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every case of a family keeps.
+// What holds for every case of a family.
 #include "occlude/fuzz/cases.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ void for_each_case(Family family, const std::function<void(const Case&)>& check)
   }
 }
 
-/// How many of the family's cases are such.
+/// The number of cases of the family for which this holds.
 std::uint64_t count(Family family, const std::function<bool(const Case&)>& is_such) {
   std::uint64_t number = 0;
   for (std::uint64_t seed = 0; seed < kCases; ++seed) number += is_such(make_case(family, seed)) ? 1 : 0;
@@ -107,7 +107,7 @@ TEST(Families, FlatBoxesAreFlat) {
   for_each_case(Family::obb_point, [](const Case& c) { ASSERT_EQ(zero_half_edges(c), 3); });
 }
 
-/// A vector of integers in lowest terms, so that a determinant of such is exact.
+/// An integer vector in lowest terms, so that a determinant of such vectors is exact.
 Vec3 reduced(const Vec3& v) {
   const auto whole = [](double x) { return static_cast<std::int64_t>(x); };
   const auto divisor = static_cast<double>(std::gcd(std::gcd(whole(v.x), whole(v.y)), whole(v.z)));
@@ -150,8 +150,8 @@ TEST(Families, WideFrustaHaveRaysBehindTheirNearPlane) {
   EXPECT_GT(count(Family::polytope_wide_frustum, has_ray_behind), kCases / 2);
 }
 
-/// Of the face's plane at its first corner; nothing but zero for a face that is seen edge-on, the numbers being small
-/// integers.
+/// The area of a face as seen, for the plane of the face at its first corner. It is exactly zero for a face seen edge-on,
+/// because the numbers are small integers.
 double seen_area(const Case& c, const kernel::Polytope& polytope, const std::vector<std::uint32_t>& face) {
   const Vec3& first = polytope.vertices[face[0]];
   const Vec3 line = c.viewpoint.is_eye() ? minus(first, c.viewpoint.value) : c.viewpoint.value;
@@ -180,7 +180,7 @@ TEST(Families, FarthestVerticesAreEquallyFar) {
     return std::ranges::any_of(vertices_of(c.occluder), [&](const Vec3& v) { return v != p && square(v) == square(p); });
   };
   EXPECT_EQ(count(Family::equal_farthest, has_tie), kCases);
-  // An apex may be farther still, and is not seen.
+  // An apex may be farther, but is not on the silhouette.
   EXPECT_GT(count(Family::polytope_equal_farthest, has_tie), kCases / 2);
 }
 

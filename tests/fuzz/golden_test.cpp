@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A seed that was reported must give the same case for ever: a change of the generator shows here.
+// A reported seed must always give the same case. A change of the generator shows here.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace occlude::fuzz {
 namespace {
 
-/// Of the first 1000 cases.
+/// Hashes of the first 1000 cases of each family.
 const std::map<std::string_view, std::uint64_t> kHashes{
     {"random", 0xbf03f1fa03abc1e2},
     {"lattice", 0x5db77f7d18761948},

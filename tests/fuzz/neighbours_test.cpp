@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes near a box, and damaged cases: the same for ever, and of every kind that is promised.
+// Neighbours of boxes, and damaged cases: they never change, and all the kinds that are promised occur.
 #include "occlude/fuzz/neighbours.h"
 
 #include <gtest/gtest.h>

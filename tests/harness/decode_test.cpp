@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same bytes, the same scene, whoever compiled it: what a harness found is replayed by every build.
+// The same bytes give the same scene with every compiler, so that every build can replay what a harness found.
 #include "decode.h"
 
 #include <gtest/gtest.h>

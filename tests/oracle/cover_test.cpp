@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle's joined shadows: by hand, and against exact visibility, which shares nothing with them.
+// The oracle's joined shadows, checked by hand and against exact visibility, which shares nothing with them.
 #include "occlude/oracle/cover.h"
 
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ TEST(OracleCover, RefusesWithTheReason) {
   EXPECT_NE(relation_to_cover(kOrigin, {}, Aabb{{5, 0, 0}, {4, 1, 1}}).refusal, "");
 }
 
-/// Of a box inside the shadow no face shows. Where one shows the box is not inside; where none does it may still touch what
-/// is before it.
+/// When a box is inside the shadow, none of its faces shows. When a face shows, the box is not inside. When no face shows,
+/// the box may still touch what is in front of it, and is then not inside.
 TEST(OracleCover, AgreesWithExactVisibility) {
   int hidden = 0, shown = 0, touching = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {

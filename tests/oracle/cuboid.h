@@ -6,8 +6,8 @@
 
 namespace occlude::oracle {
 
-/// Vertex i is at the high end of axis k where bit k of i is set; the faces are low and high x, low and high y, low and
-/// high z.
+/// Vertex i is at the high end of axis k when bit k of i is set. The faces are low and high x, low and high y, low and high
+/// z.
 inline Polytope cuboid(const Point& min, const Point& max) {
   Polytope result{{}, {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
   for (unsigned i = 0; i < 8; ++i) {

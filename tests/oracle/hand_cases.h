@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cases worked out by hand are made of.
+// Building blocks of cases worked out by hand.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel held against the oracle on every family of degenerate cases.
+// Compares the kernel with the oracle on every family of degenerate cases.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's other questions held against the oracle on every family of degenerate cases.
+// Compares the kernel's other questions with the oracle on every family of degenerate cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ using fuzz::to_oracle;
 using Polygon = std::vector<kernel::Vec3>;
 using Counts = std::array<std::size_t, 3>;
 
-/// Runs the cases of the family; `check` returns the relation found, if any.
+/// Runs the cases of the family.
 class QuestionsOfFamily : public testing::TestWithParam<fuzz::Family> {
  protected:
   template <class Check>
@@ -54,7 +54,7 @@ kernel::Vec3 plus(const kernel::Vec3& a, const kernel::Vec3& b, double sign) {
   return {a.x + sign * b.x, a.y + sign * b.y, a.z + sign * b.z};
 }
 
-/// The corners of the box, those of an oriented box rounded.
+/// The corners of the box. Those of an oriented box are rounded.
 Polygon corners_of(const fuzz::Box& box) {
   Polygon corners;
   for (unsigned i = 0; i < 8; ++i) {
@@ -72,8 +72,8 @@ Polygon corners_of(const fuzz::Box& box) {
   return corners;
 }
 
-/// The box as a polytope, which is none when it is flat or its corners were rounded out of their planes; or one of its
-/// faces.
+/// The box as a polytope, or one of its faces. The polytope is not legal when the box is flat, or when rounding moved its
+/// corners out of their planes.
 fuzz::Occluder occludee_of(const fuzz::Box& box, fuzz::Random& random) {
   const std::vector<std::vector<std::uint32_t>> faces{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                                       {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
@@ -86,8 +86,8 @@ fuzz::Occluder occludee_of(const fuzz::Box& box, fuzz::Random& random) {
 
 // ------------------------------------------------------------------------------------------------------------ half-spaces
 
-/// Half-spaces with small whole normals whose planes pass through corners of the box, or nearly, about one of its points or
-/// one near it: their intersection is not empty.
+/// Half-spaces with small integer normals, whose planes pass through corners of the box or nearly. They all contain one
+/// point, which is in the box or near it, so their intersection is not empty.
 std::vector<kernel::HalfSpace> half_spaces_about(const fuzz::Box& box, fuzz::Random& random) {
   const Polygon corners = corners_of(box);
   const kernel::Vec3 &p = corners[random.index(8)], &q = corners[random.index(8)];
@@ -100,7 +100,7 @@ std::vector<kernel::HalfSpace> half_spaces_about(const fuzz::Box& box, fuzz::Ran
     double d = -(n.x * c.x + n.y * c.y + n.z * c.z);
     if (random.chance(0.3)) d *= 1 + 0x1p-52 * random.integer(-2, 2);
     const HalfSpaceCoefficients plane{n.x, n.y, n.z, d};
-    // A point box tells exactly on which side it is.
+    // The relation of a point box says exactly on which side the point is.
     if (relation_to_half_spaces(std::array<HalfSpaceCoefficients, 1>{plane}, Aabb{to_oracle(within), to_oracle(within)})
             .relation == Relation::outside) {
       n = {-n.x, -n.y, -n.z};
@@ -205,7 +205,7 @@ TEST_P(QuestionsOfFamily, Occludees) {
 
 // ------------------------------------------------------------------------------------------------------------------ unions
 
-/// Two occluders: the parts of a polygon on both sides of a diagonal, or that of this case and of another.
+/// Two occluders: the parts of a polygon on both sides of a diagonal, or the occluders of this case and of another.
 std::pair<fuzz::Occluder, fuzz::Occluder> occluders_of(const fuzz::Case& c, const fuzz::Case& other) {
   const auto* loop = std::get_if<Polygon>(&c.occluder);
   if (!loop || loop->size() < 4) return {c.occluder, other.occluder};
@@ -217,8 +217,8 @@ std::pair<fuzz::Occluder, fuzz::Occluder> occluders_of(const fuzz::Case& c, cons
 
 TEST_P(QuestionsOfFamily, Unions) {
   Counts counts{};
-  std::size_t joint = 0;              // inside the union and in neither
-  std::size_t proved = 0, found = 0;  // as a cull by both, with open near planes: by the oracle, and of these by the kernel
+  std::size_t joint = 0;              // inside the union but in neither shadow alone
+  std::size_t proved = 0, found = 0;  // culls by both, open near planes: proved by the oracle, found by the kernel
   for_each_case([&](const fuzz::Case& c, fuzz::Random& random) {
     std::pair<fuzz::Case, fuzz::Case> parts{c, c};
     std::tie(parts.first.occluder, parts.second.occluder) = occluders_of(c, other_case(random));

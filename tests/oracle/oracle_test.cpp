@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The oracle held to cases worked out by hand, to a second way of deciding them in whole numbers, and to what must not
-// matter.
+// The oracle on cases worked out by hand, against a second way of deciding in integers, and on changes that must not matter.
 #include "occlude/oracle/oracle.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +38,7 @@ std::string refute(const Question& q) { return refute_shadow_cull(q.view, q.loop
 // From the origin, with near `surface`: F is 0 <= x <= z, 0 <= y <= z, z >= 1.
 const Loop kQuadrant{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
-// From the origin the farthest vertex is (2, 0, 1), so that F is x >= 0, y >= 0, x + 2y <= 2z, 2x + z >= 5.
+// From the origin the farthest vertex is (2, 0, 1), so F is x >= 0, y >= 0, x + 2y <= 2z, 2x + z >= 5.
 const Loop kTriangle{{0, 0, 1}, {2, 0, 1}, {0, 1, 1}};
 
 struct HandCase {
@@ -98,7 +97,7 @@ TEST(Oracle, AgreesWithCasesWorkedOutByHand) {
 
 TEST(Oracle, ViewsAlongADirection) {
   const Viewpoint up{{0, 0, 1}, true};
-  const Loop tilted{{-1, -1, 0}, {1, -1, 0}, {1, 1, 2}, {-1, 1, 2}};  // F: |x| <= 1, |y| <= 1, z >= y + 1 or z >= 2
+  const Loop tilted{{-1, -1, 0}, {1, -1, 0}, {1, 1, 2}, {-1, 1, 2}};  // F: |x|, |y| <= 1, z >= y + 1 (farthest: z >= 2)
   EXPECT_EQ(ask({up, tilted, kSurface, {{-1, -1, 2}, {1, 1, 9}}}).relation, kInside);
   EXPECT_EQ(ask({up, tilted, kSurface, {{-1, -1, below(2)}, {1, 1, 9}}}).relation, kPartial);
   EXPECT_EQ(ask({up, tilted, kSurface, {{-1, -1, 0}, {1, -1, 9}}}).relation, kInside);
@@ -191,7 +190,7 @@ TEST(Oracle, RefusesWithAReason) {
   }
 }
 
-/// So many that work for every pair of them would take minutes.
+/// With so many vertices, work for every pair of them would take minutes.
 TEST(Oracle, LoopsOfVeryManyVertices) {
   constexpr int kSides = 100000;
   Loop disc;
@@ -223,15 +222,16 @@ TEST(Oracle, TakesTheEndsOfTheRange) {
 }
 
 // ----------------------------------------------------------------------------------------------------- the second way
-// Whole numbers only, small enough for 64 bits; nothing shared with the oracle. A common point of box and F exists when some
-// vertex of the arrangement of their planes lies in all of their half-spaces, because the intersection is bounded.
+// It uses integers only, small enough for 64 bits, and shares nothing with the oracle. The intersection of box and F is
+// bounded. So box and F have a common point exactly when some point where three of their planes meet is in all of their
+// half-spaces.
 
 struct WholePlane {  // normal . x >= offset
   WholePoint normal;
   Whole offset;
 };
 
-/// With `within` on the positive side.
+/// The plane through `point` with `within` on its positive side.
 WholePlane plane_through(const WholePoint& point, WholePoint normal, const WholePoint& within) {
   if (dot(normal, minus(within, point)) < 0) normal = {-normal[0], -normal[1], -normal[2]};
   return {normal, dot(normal, point)};
@@ -245,7 +245,7 @@ struct WholeCase {
   WholePoint min, max;
 };
 
-/// The half-spaces of F. A vertex that is not on a side plane tells which side of it is the inner one.
+/// The half-spaces of F. The inner side of a side plane is that of some vertex that is not on the plane.
 std::vector<WholePlane> planes_of_frustum(const WholeCase& c) {
   std::vector<WholePlane> planes;
   const std::size_t count = c.loop.size();
@@ -310,7 +310,7 @@ Relation second_way(const WholeCase& c) {
   return share_a_point(planes) ? kPartial : kOutside;
 }
 
-/// Triangles and parallelograms, some with a middle vertex on an edge or a vertex twice.
+/// A triangle or parallelogram. Some have a vertex in the middle of an edge, or a vertex twice.
 WholeCase whole_case(fuzz::Random& random) {
   WholeCase c{whole_point(random, 4), random.chance(0.25), {}, random.chance(0.5), {}, {}};
   const WholePoint start = whole_point(random, 3), e = whole_point(random, 2), f = whole_point(random, 2);
@@ -335,7 +335,7 @@ Question to_question(const WholeCase& c) {
   return q;
 }
 
-/// Whether such a case has a frustum: its loops are convex whenever they are seen with an area at all.
+/// Whether the loop is seen edge-on. The case has a frustum exactly when it is not, because all these loops are convex.
 bool is_seen_edge_on(const WholeCase& c) {
   const WholePoint& a = c.loop[0];
   const WholePoint normal = cross(minus(c.loop[1], a), minus(c.loop.back(), a));
@@ -367,7 +367,7 @@ Point to_point(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
 using Polygon = std::vector<kernel::Vec3>;
 
-/// Cases of a polygon and an axis-aligned box.
+/// REQUIRES: the case has a polygon and an axis-aligned box.
 Question to_question(const fuzz::Case& made) {
   const auto& box = std::get<kernel::Aabb>(made.box);
   Question q{{to_point(made.viewpoint.value), !made.viewpoint.is_eye()},
@@ -378,7 +378,7 @@ Question to_question(const fuzz::Case& made) {
   return q;
 }
 
-/// `map` applied to every point of the question; the corners of the box put in order again.
+/// Applies `map` to every point of the question, and sorts the bounds of the box again.
 Question mapped(Question q, const std::function<Point(const Point&)>& map) {
   q.view.value = map(q.view.value);
   for (Point& vertex : q.loop) vertex = map(vertex);
@@ -444,8 +444,8 @@ TEST(Oracle, CaresNotHowTheLoopIsWritten) {
 }
 
 TEST(Oracle, TakesTheFirstOfEquallyFarVertices) {
-  // All four corners of the square are equally far: the plane is -x - y + z >= 3 from the first, x + y + z >= 3 from the
-  // third.
+  // All four corners of the square are equally far. From the first, the plane is -x - y + z >= 3; from the third, x + y + z
+  // >= 3.
   const Aabb corner{{-1, -1, 1}, {-1, -1, 1}};
   EXPECT_EQ(ask({kOrigin, kSquare, kFarthest, corner}).relation, kInside);
   Loop rotated = kSquare;
@@ -494,7 +494,7 @@ TEST(Oracle, ProvesAViewCullExactly) {
   EXPECT_EQ(refute_view_cull({1, 1, 1, -3}, box), "the box reaches the plane");
   EXPECT_EQ(refute_view_cull({1, 1, 1, below(-3)}, box), "");
   EXPECT_EQ(refute_view_cull({0, 0, 0, 0}, box), "the box reaches the plane");
-  // 3 * 0.1, as doubles, lies between the doubles 0.3 and 0.30000000000000004.
+  // 3 * 0.1, with 0.1 as a double, is between the doubles 0.3 and 0.30000000000000004.
   const Aabb three{{3, 0, 0}, {3, 0, 0}};
   EXPECT_EQ(refute_view_cull({0.1, 0, 0, -0.30000000000000004}, three), "");
   EXPECT_EQ(refute_view_cull({0.1, 0, 0, -0.3}, three), "the box reaches the plane");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Oriented boxes judged by the oracle.
+// The oracle on oriented boxes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -82,7 +82,7 @@ TEST(OrientedBox, RefusesNumbersThatAreNotLegal) {
   EXPECT_EQ(refusal({{0, 0, 2}, {{kZero, {0x1p-100, 0, 0}, {0x1p100, 0, 0}}}}), "");
 }
 
-/// The same box with its coordinates taken in another order and direction. Whole numbers: nothing is rounded.
+/// The same box with its axes in another order and direction. All numbers are integers, so nothing is rounded.
 Obb oriented(const Aabb& box, fuzz::Random& random) {
   Obb result;
   std::array<std::size_t, 3> order{0, 1, 2};
@@ -126,7 +126,7 @@ TEST(OrientedBox, ProofsOfCulls) {
   EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, box(below(3))), "the box is not inside the frustum");
   const Obb standing{{0, 0, 2}, {{{0.5, 0.5, 0}, {0.5, -0.5, 0}, {0, 0, 1}}}};
   EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, standing), "the box touches the near plane");
-  // 1.3 - 0.3, as doubles, is a little more than 1, to which it would be rounded.
+  // 1.3 - 0.3 in doubles is slightly more than 1, and would be rounded to 1.
   EXPECT_EQ(refute_shadow_cull(kOrigin, kSquare, kSurface, Obb{{0, 0, 1.3}, {{kZero, kZero, {0, 0, 0.3}}}}), "");
   EXPECT_EQ(refute_view_cull({1, 0, 0, -3}, box(0)), "");
   EXPECT_EQ(refute_view_cull({1, 0, 0, -2}, box(0)), "the box reaches the plane");

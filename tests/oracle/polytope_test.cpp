@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polytopes judged by the oracle: cases worked out by hand, what must not matter, refusals.
+// The oracle on polytopes: cases worked out by hand, changes that must not matter, and refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,11 +20,11 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 constexpr Viewpoint kUp{{0, 0, 1}, true};
 constexpr Point kZero{};
 
-// From the origin one face is turned to the eye, that of kSquare; F is the same.
+// From the origin, only the face that kSquare has is turned to the eye, so F is the same as that of kSquare.
 const Polytope kBlock = cuboid({-1, -1, 1}, {1, 1, 3});
 
-// From the origin three faces are turned to the eye. With near `surface` F is x, y, z >= 1, each at most 3 times each other.
-// The vertices (3, 3, 1), (3, 1, 3) and (1, 3, 3), number 3, 5 and 6, are equally far.
+// From the origin, three faces are turned to the eye. With near `surface`, F is where x, y, z >= 1 and none of them is more
+// than 3 times another. The vertices (3, 3, 1), (3, 1, 3) and (1, 3, 3), numbers 3, 5 and 6, are equally far.
 const Polytope kCorner = cuboid({1, 1, 1}, {3, 3, 3});
 
 // From the origin the top, z = 0, is seen edge-on. With near `surface` F is x >= 1, |y| <= x, -2x <= z <= 0.
@@ -113,7 +113,7 @@ TEST(Polytope, AgreesWithCasesWorkedOutByHand) {
 
 // ------------------------------------------------------------------------------------------------ what must not matter
 
-/// The same answers as for kCorner, whose near x face is {0, 2, 6, 4} and edges are those of a cube.
+/// Expects the same answers as for kCorner, a cube whose near x face is {0, 2, 6, 4}.
 void expect_corner(const Polytope& polytope, const std::string& what) {
   const Box boxes[] = {Aabb{{1, 1, 1}, {3, 3, 3}},
                        Aabb{{below(1), 1, 1}, {3, 3, 3}},
@@ -156,14 +156,14 @@ TEST(Polytope, IsTheSameHoweverItsFacesAreWritten) {
 }
 
 TEST(Polytope, IsTheSameWithMoreVertices) {
-  // The near x face cut across its middle. Number 8 and 9 are corners of its two parts, and of no other face.
+  // The near x face is cut across its middle. Vertices 8 and 9 are corners of its two parts, and of no other face.
   Polytope polytope = kCorner;
   polytope.vertices.insert(polytope.vertices.end(), {{1, 2, 1}, {1, 2, 3}});
   polytope.faces[0] = {0, 8, 9, 4};
   polytope.faces.push_back({8, 2, 6, 9});
   expect_corner(polytope, "T-junctions");
 
-  // The far part cut again, so that one part has a vertex inside an edge of the other.
+  // The second part is cut again, so that one part has a vertex inside an edge of another.
   polytope.vertices.push_back({1, 2, 2});
   polytope.faces.back() = {8, 2, 10};
   polytope.faces.insert(polytope.faces.end(), {{10, 2, 6}, {10, 6, 9}});
@@ -206,7 +206,7 @@ TEST(Polytope, TakesTheFirstInTheListOfEquallyFarVertices) {
 
 // ------------------------------------------------------------------------------------------------------------- refusals
 
-/// kCorner with vertex `index` moved.
+/// kCorner with vertex `index` moved to p.
 Polytope with_vertex(std::size_t index, const Point& p) {
   Polytope polytope = kCorner;
   polytope.vertices[index] = p;
@@ -231,7 +231,7 @@ Polytope with_point(const Point& p) {
   return polytope;
 }
 
-/// A tetrahedron with triangles.
+/// A tetrahedron.
 Polytope tetrahedron(const std::vector<Point>& vertices) { return {vertices, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}}; }
 
 TEST(Polytope, RefusesWithAReason) {
@@ -240,23 +240,23 @@ TEST(Polytope, RefusesWithAReason) {
   const std::string open = "the polytope is not closed", not_convex = "the polytope is flat or not convex";
   const std::string overlap = "two faces of the polytope overlap";
 
-  // A dent: the top of the cube drawn in to a point within.
+  // A dent: the top of the cube is drawn in to a point inside.
   Polytope dented = with_point({2, 2, 2});
   dented.faces.back() = {4, 5, 8};
   dented.faces.insert(dented.faces.end(), {{5, 7, 8}, {7, 6, 8}, {6, 4, 8}});
-  // Its top alone twice, which is closed; the other vertices are listed.
+  // Only its top, twice, which is closed. The other vertices are listed but unused.
   const Polytope folded = with_faces({{4, 5, 7, 6}, {6, 7, 5, 4}});
-  // The near x face with a square of its inside twice.
+  // The near x face with a square inside it, twice.
   Polytope patched = kCorner;
   patched.vertices.insert(patched.vertices.end(), {{1, 1.5, 1.5}, {1, 2.5, 1.5}, {1, 2.5, 2.5}, {1, 1.5, 2.5}});
   patched.faces.insert(patched.faces.end(), {{8, 9, 10, 11}, {8, 9, 10, 11}});
   // Two tetrahedra that share a vertex.
   const Polytope two{{{2, 2, 2}, {3, 2, 2}, {2, 3, 2}, {2, 2, 3}, {1, 2, 2}, {2, 1, 2}, {2, 2, 1}},
                      {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 4, 5}, {0, 4, 6}, {0, 5, 6}, {4, 5, 6}}};
-  // The part of a star in one plane: its edges cross where there is no vertex.
+  // A face whose edges cross where there is no vertex, like part of a star.
   Polytope star = kCorner;
   star.faces[0] = {0, 6, 2, 4};
-  // One face with a notch, and the notch filled.
+  // A face with a notch, and a face that fills the notch.
   Polytope notched = with_point({1, 2, 2});
   notched.faces[0] = {0, 2, 6, 8, 4};
   notched.faces.push_back({8, 6, 4});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The other questions, by cases worked out by hand.
+// The other questions, on cases worked out by hand.
 #include "occlude/oracle/questions.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Outline, OfAPolygonLeavesOutWhatDoesNotTurn) {
   loop.insert(loop.begin() + 1, {0, -1, 1});
   loop.insert(loop.begin(), loop[0]);
   EXPECT_EQ(outline(kOrigin, loop).corners, sorted(kSquare));
-  const Loop bent{{-1, -1, 1}, {0, -2, 2}, {1, -1, 1}, {0, 1, 1}};  // the second is seen on the edge from first to third
+  const Loop bent{{-1, -1, 1}, {0, -2, 2}, {1, -1, 1}, {0, 1, 1}};  // the second is seen on the edge between its neighbours
   EXPECT_EQ(outline(kOrigin, bent).corners, sorted({bent[0], bent[2], bent[3]}));
   EXPECT_EQ(outline(kOrigin, bent).farthest, bent[1]);
   EXPECT_EQ(outline(kUp, bent).corners, sorted(bent));
@@ -108,7 +108,7 @@ TEST(Cones, AgreeWithCasesWorkedOutByHand) {
       {{{2, 0, 1}, {0, 2, 1}, {3, 3, 1}}, kPartial},
       {{{0, 0, 1}, {9, -1, -1}, {9, 1, -1}}, kPartial},
       {{{-3, 9, -1}, {-3, -9, -1}, {9, 0, -1}}, kOutside},
-      {{{-9, 0, 1}, {9, 5, -9}, {9, -5, -9}}, kOutside},  // the eye is in the box about it
+      {{{-9, 0, 1}, {9, 5, -9}, {9, -5, -9}}, kOutside},  // the eye is in its bounding box
   };
   for (std::size_t i = 0; i < std::size(cases); ++i) {
     const auto& [occludee, expected] = cases[i];
@@ -145,7 +145,7 @@ TEST(Occludee, AgreesWithCasesWorkedOutByHand) {
   EXPECT_EQ(ask({2, 0, 1}, {3, 1, below(2)}), kOutside);
   EXPECT_EQ(ask({-9, -9, -9}, {9, 9, 9}), kPartial);
   EXPECT_EQ(ask({-9, -9, -9}, {9, 9, below(1)}), kOutside);
-  // The box about it meets F, the tetrahedron only where it touches the side x = z at (4, 0, 4), or does not.
+  // Its bounding box meets F. The tetrahedron itself touches only the side x = z, at (4, 0, 4), or does not meet F.
   const auto tetrahedron = [](double x) {
     return Polytope{{{x, 0, 4}, {9, 0, 3}, {9, 1, 5}, {9, -1, 5}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 2, 3}}};
   };
@@ -166,7 +166,7 @@ Loop wall(double low, double high) { return {{low, -1, 1}, {high, -1, 1}, {high,
 TEST(Union, AgreesWithCasesWorkedOutByHand) {
   struct HandCase {
     const char* what;
-    double low;  // of the second wall, which ends at 1; the first reaches from -1 to 0
+    double low;  // start of the second wall, which ends at 1; the first is from -1 to 0
     Box box;
     Relation expected;
   };
@@ -193,7 +193,7 @@ TEST(Union, AgreesWithCasesWorkedOutByHand) {
 }
 
 TEST(Union, NeedNotBeConvex) {
-  // Seen from the origin a cross of two bars: what is between their arms is in neither.
+  // Seen from the origin, the walls are a cross of two bars. What is between their arms is in neither shadow.
   const Loop level{{-3, -1, 1}, {3, -1, 1}, {3, 1, 1}, {-3, 1, 1}}, upright{{-1, -3, 1}, {1, -3, 1}, {1, 3, 1}, {-1, 3, 1}};
   Shadow first(kOrigin, level, kSurface), second(kOrigin, upright, kSurface);
   const auto ask = [&](const Box& box) { return first.relation_to_union(second, box).relation; };
@@ -217,7 +217,7 @@ TEST(Union, NamesTheFirstFault) {
 const std::string kNotInside = "the box is not inside the union of the frusta";
 const std::string kTouches = "the box touches a near plane where the other shadow does not hide it";
 
-/// Both ways round.
+/// Expects the same refutation for both orders of the shadows.
 void expect_refutation(const Loop& a, const Loop& b, const Box& box, const std::string& expected, const char* what) {
   Shadow first(kOrigin, a, kSurface), second(kOrigin, b, kSurface);
   EXPECT_EQ(first.refute_union_cull(second, box), expected) << what;
@@ -239,13 +239,13 @@ TEST(UnionCull, OfWallsInOnePlane) {
 }
 
 TEST(UnionCull, WhatIsOnANearPlaneMustBeBehindTheOther) {
-  // At z = 2 a wall twice as wide as the one at z = 1, which hides all of it but x > 0.
+  // The wall at z = 1 hides the half of the wall at z = 2 with x <= 0.
   const Loop front = wall(-1, 0), back{{-2, -2, 2}, {2, -2, 2}, {2, 2, 2}, {-2, 2, 2}};
   expect_refutation(front, back, Aabb{{-2, -1, 2}, {-1, 1, 3}}, "", "on the back wall, behind the front one");
   expect_refutation(front, back, Aabb{{-2, -1, 2}, {0, 1, 3}}, "", "up to the edge of what is behind the front one");
   expect_refutation(front, back, Aabb{{-2, -1, 2}, {0x1p-60, 1, 3}}, kTouches, "beyond that edge");
   expect_refutation(front, back, Aabb{{-2, -1, above(2)}, {1, 1, 3}}, "", "beyond both walls");
-  // It leaves the front wall's shadow just where it goes through the back wall.
+  // This box leaves the shadow of the front wall exactly where it goes through the back wall.
   const Box slanting = Obb{{0, 0, 2}, {{{0.5, 0, 0.25}, {0, 0, 0}, {0, 0, 0}}}};
   expect_refutation(front, back, slanting, "", "through the back wall at that edge");
   expect_refutation(front, back, Obb{{0, 0, below(2)}, {{{0.5, 0, 0.25}, {0, 0, 0}, {0, 0, 0}}}}, kNotInside,
@@ -253,7 +253,8 @@ TEST(UnionCull, WhatIsOnANearPlaneMustBeBehindTheOther) {
 }
 
 TEST(UnionCull, OfACornerOfTwoWalls) {
-  // Two walls at a right angle that meet at x = 0, z = 1, one in x + z = 1 and one in z - x = 1, the corner towards the eye.
+  // Two walls at a right angle meet at x = 0, z = 1. One is in x + z = 1, the other in z - x = 1. The corner points to the
+  // eye.
   const Loop left{{-1, -1, 2}, {0, -1, 1}, {0, 1, 1}, {-1, 1, 2}}, right{{0, -1, 1}, {1, -1, 2}, {1, 1, 2}, {0, 1, 1}};
   expect_refutation(left, right, Aabb{{-1, -0.5, 3}, {1, 0.5, 4}}, "", "behind both");
   expect_refutation(left, right, Aabb{{-1, -0.5, 2}, {1, 0.5, 4}}, kTouches, "in the corner: touching along both ends");
@@ -267,8 +268,8 @@ TEST(UnionCull, OfACornerOfTwoWalls) {
 }
 
 TEST(UnionCull, OfACornerTurnedAway) {
-  // They meet at x = 0, z = 2, the farthest from the eye. A needle goes behind the left one, then behind the right one; in
-  // between it touches both.
+  // The walls meet at x = 0, z = 2, farthest from the eye. A needle goes behind the left wall and then behind the right one.
+  // In between it touches both.
   const Loop left{{-1, -1, 1}, {0, -1, 2}, {0, 1, 2}, {-1, 1, 1}}, right{{0, -1, 2}, {1, -1, 1}, {1, 1, 1}, {0, 1, 2}};
   const auto needle = [](double z) { return Aabb{{-0.5, 0, z}, {0.5, 0, z}}; };
   expect_refutation(left, right, needle(2), kTouches, "through the corner");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two oracles held against each other.
+// Compares the two oracles.
 #include "occlude/oracle/second.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A shadow prepared for many boxes answers as a fresh one for each, whatever was asked before.
+// A shadow that is prepared for many boxes answers like a new shadow for each box, whatever was asked before.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,7 +18,7 @@ using fuzz::to_oracle;
 
 class ShadowOfFamily : public testing::TestWithParam<fuzz::Family> {};
 
-/// Boxes that touch this frustum and boxes that were put to others of the family.
+/// Asks about boxes that touch this frustum, and about boxes of other cases of the family.
 TEST_P(ShadowOfFamily, KeepsNoTraceOfOtherBoxes) {
   constexpr std::uint64_t kBoxes = 12;
   std::vector<fuzz::Case> cases;

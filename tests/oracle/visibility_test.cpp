@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact visibility: scenes with known answers, and random ones against points sampled on every triangle.
+// Exact visibility: scenes with known answers, and random scenes against points sampled on every triangle.
 #include "occlude/oracle/visibility.h"
 
 #include <gtest/gtest.h>
@@ -32,8 +32,8 @@ void add_wall(Triangles& scene, double x, double y0, double y1, double z0, doubl
 TEST(Visibility, AWallHidesWhatIsBehindIt) {
   Triangles scene;
   add_wall(scene, 2, -1, 1, -1, 1);
-  add_wall(scene, 4, -2, 2, -2, 2);       // the same directions exactly
-  add_wall(scene, 6, -3, 3.0625, -3, 3);  // a strip beside them
+  add_wall(scene, 4, -2, 2, -2, 2);       // exactly the same directions
+  add_wall(scene, 6, -3, 3.0625, -3, 3);  // a strip of it is beside them
   for (const Viewpoint& view : {kOrigin, Viewpoint{{-1, 0, 0}}}) {
     const bool is_origin = view.value == kOrigin.value;
     EXPECT_EQ(visible_triangles(view, scene, {}), (Visible{true, true, !is_origin, !is_origin, true, true}));
@@ -61,7 +61,7 @@ TEST(Visibility, CrossingAndCyclicOnesAllShow) {
   const Triangle across{{{2, -1, -1}, {4, 1, -1}, {3, 0, 1}}}, other{{{2, 1, -1}, {4, -1, -1}, {3, 0, 1}}};
   EXPECT_EQ(visible_triangles(kOrigin, Triangles{across, other}, {}), (Visible{true, true}));
   EXPECT_EQ(visible_triangles(kAlongX, Triangles{across, other}, {}), (Visible{true, true}));
-  // Each of three bars passes before the next.
+  // Each of the three bars is in front of the next.
   Triangles cycle;
   for (int i = 0; i < 3; ++i) {
     const double a = i * 2 * M_PI / 3, c = std::cos(a), s = std::sin(a);
@@ -75,8 +75,8 @@ TEST(Visibility, InOnePlaneNoneHidesAnotherAndEdgeOnNothingShows) {
   Triangles scene;
   add_wall(scene, 2, -1, 1, -1, 1);
   add_wall(scene, 2, -1, 1, -1, 1);
-  scene.push_back({{{1, 0, 0}, {3, 0, 0}, {1, 0, 1}}});  // in a plane with the eye, though it is before the walls
-  scene.push_back({{{1, 1, 1}, {1, 1, 1}, {1, 2, 1}}});  // no triangle
+  scene.push_back({{{1, 0, 0}, {3, 0, 0}, {1, 0, 1}}});  // in one plane with the eye, although in front of the walls
+  scene.push_back({{{1, 1, 1}, {1, 1, 1}, {1, 2, 1}}});  // not a triangle
   EXPECT_EQ(visible_triangles(kOrigin, scene, {}), (Visible{true, true, true, true, false, false}));
 }
 
@@ -96,7 +96,7 @@ TEST(Visibility, WhatIsClippedAwayNeitherShowsNorHides) {
 
 TEST(Visibility, WhatIsBesideThePictureMayHide) {
   Triangles scene;
-  add_wall(scene, 4, -2, 2, -2, 2);  // hides the other wherever that is, though a side plane that is none cuts it
+  add_wall(scene, 4, -2, 2, -2, 2);  // hides the other wall although a side plane beside the viewpoint cuts it
   add_wall(scene, 5, -2, 2, -2, 2);
   scene.push_back({{{4, 0, -9}, {4, 0.5, -9}, {4, 0, -8}}});
   const HalfSpaceCoefficients aslant{1, 0, 4, -4.5};  // z >= 0.125 for one, z >= -0.125 for the other
@@ -115,7 +115,7 @@ TEST(Visibility, AtTheEndsOfTheRange) {
   }
 }
 
-/// A point on the triangle, not on its border.
+/// A point in the interior of the triangle.
 Point sample(fuzz::Random& random, const Triangle& t) {
   const double a = random.real(0, 1), b = random.real(0, 1 - a), c = 1 - a - b;
   Point p{};
@@ -128,7 +128,7 @@ double determinant(const Point& a, const Point& b, const Point& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// How the triangle lies to the way from `eye` to `p`: 1 across it, -1 surely not, 0 not to be told in doubles.
+/// 1 when the triangle crosses the segment from `eye` to `p`, -1 when it certainly does not, 0 when doubles cannot tell.
 int crosses(const Triangle& t, const Point& eye, const Point& p) {
   constexpr double kSure = 1e-9;
   const Point a = minus(t[0], eye), b = minus(t[1], eye), c = minus(t[2], eye), d = minus(p, eye);
@@ -163,7 +163,7 @@ TEST(Visibility, OfRandomTrianglesIsWhatSampledPointsTell) {
       bool is_seen = false;
       for (int i = 0; i < kSamples && !is_seen; ++i) {
         const Point p = sample(random, triangles[t]);
-        is_seen = crosses(triangles[t], eye, p) == 0;  // not edge-on
+        is_seen = crosses(triangles[t], eye, p) == 0;  // -1 if edge-on
         for (std::size_t other = 0; other < triangles.size() && is_seen; ++other) {
           is_seen = other == t || crosses(triangles[other], eye, p) == -1;
         }
@@ -178,7 +178,8 @@ TEST(Visibility, OfRandomTrianglesIsWhatSampledPointsTell) {
   EXPECT_LE(unseen, visible / 200) << "what shows in a small part alone can be missed by samples";
 }
 
-/// Halves show where the whole does, in any order, however the axes are named, and scaled by powers of two.
+/// A triangle shows exactly when one of its halves does. The order of the triangles, the names of the axes and scaling by
+/// powers of two do not matter.
 TEST(Visibility, DoesNotDependOnHowTheSceneIsWritten) {
   fuzz::Random random(7);
   for (int scene = 0; scene < 100; ++scene) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The oracle on polytopes held to a second way, which knows neither planes nor silhouettes but only the meaning of a shadow:
-// x is in it when x = V + m (o - V) for some o of the polytope and some m >= 1. Written with weights of the vertices, x - V
-// = sum w_i (v_i - V), w_i >= 0, sum w_i >= 1, this and the box's own coordinates make a linear programme, solved in whole
-// numbers. The polytopes are hulls of lattice points, their faces written in all ways that are legal.
+// The oracle on polytopes, against a second way of deciding. This way uses no planes and no silhouettes, but only the
+// meaning of a shadow: x is in the shadow when x = V + m (o - V) for some point o of the polytope and some m >= 1. With
+// weights of the vertices this is x - V = sum w_i (v_i - V), w_i >= 0, sum w_i >= 1. Together with the box's own coordinates
+// it is a linear programme, which is solved in integers. The polytopes are hulls of lattice points, with faces written in
+// all legal ways.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,14 +22,14 @@ namespace {
 
 // ------------------------------------------------------------------------------------------------------ linear programmes
 
-/// The sum of each column times its variable is to be the right-hand side; the variables are not negative.
+/// A system of equations: the sum of each column times its variable is the right-hand side. The variables are not negative.
 struct Equations {
   std::vector<std::vector<Whole>> columns;
   std::vector<Whole> right;
 };
 
-/// Whether there is a solution: the simplex method in whole numbers, from one artificial variable a row, by Bland's rule.
-/// Every entry is a determinant of the given numbers, all over the common denominator `scale`.
+/// Decides whether there is a solution, by the simplex method in integers, with one artificial variable for each row and
+/// Bland's rule. Every entry is a determinant of the given numbers over the common denominator `scale_`.
 class Simplex {
  public:
   explicit Simplex(const Equations& equations) : rows_(equations.right.size()), columns_(equations.columns.size()) {
@@ -48,14 +49,14 @@ class Simplex {
   }
 
  private:
-  /// The first column by which the sum of the artificial variables, the last row, falls.
+  /// The first column whose variable reduces the sum of the artificial variables, which is the last row.
   [[nodiscard]] std::size_t entering() const {
     const auto& objective = table_[rows_];
     return static_cast<std::size_t>(std::find_if(objective.begin(), objective.end() - 1, [](Whole x) { return x > 0; }) -
                                     objective.begin());
   }
 
-  /// The row that bounds the column's variable. There is one: the sum cannot fall below zero.
+  /// The row that limits the variable of the column. There is one, because the sum cannot fall below zero.
   [[nodiscard]] std::size_t leaving(std::size_t c) const {
     std::size_t best = rows_;
     for (std::size_t r = 0; r < rows_; ++r) {
@@ -87,15 +88,15 @@ class Simplex {
 
 using WholeLoop = std::vector<std::uint32_t>;
 
-/// Points, and the faces of their hull, each the corners in order, counter-clockwise seen from outside.
+/// Points, and the faces of their hull. A face has its corners in order, counter-clockwise seen from outside.
 struct Hull {
   std::vector<WholePoint> points;
   std::vector<WholeLoop> faces;
   std::vector<WholePoint> normals;  ///< outward
 };
 
-/// The corners of the points `on` a plane in order, counter-clockwise about the normal: from each corner on to the point
-/// that has all others to the left, the farthest of those in line.
+/// The corners of the points `on` a plane, counter-clockwise about the normal. From each corner it goes on to the point that
+/// has all others to its left, and to the farthest one if several are collinear.
 WholeLoop wrap(const std::vector<WholePoint>& points, const WholeLoop& on, const WholePoint& normal) {
   const auto lowest = [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; };
   WholeLoop loop{*std::ranges::min_element(on, lowest)};
@@ -160,7 +161,8 @@ bool is_turned(const WholeCase& c, std::size_t f) {
   return dot(c.hull.normals[f], sight(c, c.hull.points[c.hull.faces[f][0]])) < 0;
 }
 
-/// The first of the farthest vertices of the edges that only one of two neighbours is turned along.
+/// The first of the farthest silhouette vertices. The silhouette consists of the edges between a face that is turned to the
+/// viewpoint and one that is not.
 WholePoint farthest(const WholeCase& c) {
   std::set<std::array<std::uint32_t, 2>> turned_edges, other_edges;
   for (std::size_t f = 0; f < c.hull.faces.size(); ++f) {
@@ -180,8 +182,8 @@ WholePoint farthest(const WholeCase& c) {
   return c.hull.points[*std::ranges::max_element(silhouette, {}, remoteness)];
 }
 
-/// Rows: the three coordinates of x - V or x, the weights' sum, a + b = 2 for the box's three coordinates less -1, and for
-/// near `farthest` the height above its plane.
+/// The rows are: the three coordinates of x - V, or of x for a direction; the sum of the weights; for each coordinate u of
+/// the box, (u + 1) + slack = 2; and for near `farthest` the height over its plane.
 bool share_a_point(const WholeCase& c, const WholeBox& box) {
   const WholePoint zero{}, origin = c.at_infinity ? zero : c.view;
   WholePoint low = minus(box.center, origin);
@@ -227,7 +229,7 @@ Relation second_way(const WholeCase& c) {
   return share_a_point(c, c.box) ? kPartial : kOutside;
 }
 
-/// Whether the eye is a mean of the points.
+/// Whether the eye is in the hull of the points, that is, a weighted mean of them.
 bool is_eye_within(const WholeCase& c) {
   Equations equations{{}, {c.view[0], c.view[1], c.view[2], 1}};
   for (const WholePoint& v : c.hull.points) equations.columns.push_back({v[0], v[1], v[2], 1});
@@ -243,7 +245,7 @@ std::vector<WholePoint> lattice_points(fuzz::Random& random) {
   return points;
 }
 
-/// Two pyramids on one triangle, one unit high at most: seen from far its faces are next to edge-on.
+/// Two pyramids on one triangle, each at most one unit high. Seen from far away, their faces are almost edge-on.
 std::vector<WholePoint> thin_double_pyramid(fuzz::Random& random) {
   const auto rim = [&] { return WholePoint{random.integer(-6, 6), random.integer(-6, 6), 0}; };
   return {rim(), rim(), rim(), {0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
@@ -268,8 +270,8 @@ WholeCase whole_case(fuzz::Random& random) {
   return c;
 }
 
-/// A face in one of the ways in which it may be written: whole or in triangles about a corner, from any corner, either way
-/// round, with a vertex twice.
+/// Writes a face in one of the ways in which it may be written: whole or as triangles around a corner, starting at any
+/// corner, in either direction, with a vertex twice.
 void write_face(std::vector<std::vector<std::uint32_t>>& faces, WholeLoop loop, fuzz::Random& random) {
   std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(random.index(loop.size())), loop.end());
   if (random.chance(0.5)) std::ranges::reverse(loop);

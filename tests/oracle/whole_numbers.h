@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of whole numbers, small enough for 64 bits.
+// Vectors of integers that are small enough for 64 bits.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the prover takes and what it does not, worked out by hand: culls by the view above all.
+// What the prover accepts and what it does not, worked out by hand, above all culls by view.
 #include "proof.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,8 @@ Camera looking_along_x(double fov_y_deg, double aspect) {
   return camera;
 }
 
-/// A square of this size before the camera, beside the middle by `y`, and a triangle ten units away, where the model ends.
+/// A square of this size in front of the camera, shifted sideways by `y`, and a triangle ten units away, where the model
+/// ends.
 PolygonSoup scene(double y, double size) {
   PolygonSoup soup;
   culler::add(soup, {{5, y, 0}, {5, y + size, 0}, {5, y + size, size}, {5, y, size}});
@@ -37,7 +38,7 @@ PolygonSoup scene(double y, double size) {
   return soup;
 }
 
-/// What is said of a line that has all triangles of a polygon culled by this plane.
+/// The verdict on a line that culls all triangles of a polygon by this plane.
 class ViewCull {
  public:
   ViewCull(const PolygonSoup& soup, const Camera& camera)
@@ -69,7 +70,7 @@ TEST(ViewProof, TakesPlanesOutsideOfTheView) {
   EXPECT_EQ(aside.fault(0, "[2,-1,0,50]"), "the box reaches the plane");
 }
 
-/// In doubles the terms of such a plane are infinite, and their sum is not a number, at every corner of the view.
+/// In doubles, the terms of such a plane are infinite at every corner of the view, and their sum is not a number.
 TEST(ViewProof, RefusesPlanesThatOverflow) {
   PolygonSoup soup = scene(-1, 2);
   for (dvec3& v : soup.vertices) v += dvec3{10, 10, 10};
@@ -92,8 +93,8 @@ TEST(ViewProof, RefusesPlanesThatUnderflow) {
   EXPECT_EQ(before.fault(0, "[0,0,0,-1e-30]"), kCuts);
 }
 
-/// A hull of the view whose far corners lie no farther aside than the model reaches lacks what is between it and the border
-/// of a wide picture: ordinary planes pass between.
+/// Suppose that the far corners of the view are cut off at the sideways reach of the model. The hull of the corners then
+/// lacks the part next to the border of a wide picture, and ordinary planes pass through that part.
 TEST(ViewProof, RefusesPlanesWithinTheBorderOfAWidePicture) {
   const ViewCull usual(scene(5.06, 0.06), looking_along_x(60, 16.0 / 9));
   EXPECT_EQ(usual.fault(0, "[11.13,-11.14,0,0.113]"), kCuts);
@@ -101,7 +102,8 @@ TEST(ViewProof, RefusesPlanesWithinTheBorderOfAWidePicture) {
   EXPECT_EQ(wide.fault(0, "[1,-1,0,0.3]"), kCuts);
 }
 
-/// Right of the picture's border by less than single precision moves a point of a model 2^20 deep, and before near.
+/// These planes are outside the picture, or in front of the near plane, by less than single precision may move a point of a
+/// model 2^20 deep.
 TEST(ViewProof, RefusesPlanesWithinWhatTheRendererRounds) {
   Camera camera = looking_along_x(90, 1);
   const oracle::Aabb model{{-0x1p19, -0x1p18, -0x1p18}, {8, 0x1p18, 0x1p18}};
@@ -141,7 +143,8 @@ TEST(ViewProof, TakesEveryPlaneThatTheCullerMakes) {
   }
 }
 
-/// The oracle takes time with the square of a polytope's vertices: more than kMostCorners are not even looked at.
+/// The oracle's time grows with the square of the number of vertices of a polytope, so more than kMostCorners are refused at
+/// once.
 TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
   const auto hierarchy = culler::Hierarchy::build(scene(-1, 2), {.leaf_size = 1});
   const Prover prover(hierarchy, {1, [](std::size_t) { return looking_along_x(60, 1); }});
@@ -156,8 +159,8 @@ TEST(ShadowProof, RefusesPolytopesOfVeryManyVertices) {
   EXPECT_THROW(prove(kMostCorners + 1), LineError);
 }
 
-/// A wall of two halves at x = 2, the second in two parts with a corner on the first's edge, one nearer to the left, and
-/// behind them a square.
+/// A wall of two halves at x = 2. The second half is in two parts with a corner on the edge of the first half. A horizontal
+/// polygon starts close to the eye. Behind the wall is a square.
 class CoverCull : public testing::Test {
  protected:
   CoverCull() {
@@ -206,7 +209,7 @@ TEST_F(CoverCull, IsProvedByTheOracle) {
   EXPECT_EQ(fault("0,1", box_, parallel), kSeen);
 }
 
-/// A ramp that starts before the near plane hides what is low behind it, as far as it is drawn.
+/// A ramp that starts in front of the near plane hides what is low behind it, but only as far as it is drawn.
 TEST_F(CoverCull, CountsWhatIsDrawn) {
   soup_ = {};
   for (int i = 0; i < 4; ++i) culler::add(soup_, {{50, 50, 50}, {51, 50, 50}, {50, 51, 50}});

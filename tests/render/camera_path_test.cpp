@@ -34,7 +34,7 @@ class CameraPathTest : public testing::Test {
     std::ofstream(file_) << text;
     return read_camera_path(file_);
   }
-  /// The message behind the name of the file.
+  /// The message after the name of the file.
   [[nodiscard]] std::string failure(const std::string& text) const {
     try {
       static_cast<void>(read(text));
@@ -95,7 +95,7 @@ TEST_F(CameraPathTest, LinearFramesLieOnTheKeyframes) {
 
 TEST_F(CameraPathTest, KeyframesAreHitExactlyWhateverTheirNumbers) {
   CameraPath path;
-  // Coordinates so far apart that the sum of one and their difference is not the other.
+  // Coordinates so far apart that a + (b - a) is not b.
   for (int i = 0; i < 8; ++i)
     path.keyframes.push_back({{i % 2 == 0 ? 1e17 : 0.1, 1e5 / 3 + i, -0.7}, {0.3 * i, i % 2 == 0 ? 1e17 : 0.7, 1.0 / 3}});
   path.frames = 7 * 13 + 1;
@@ -165,7 +165,7 @@ TEST_F(CameraPathTest, SyntaxErrorsNameTheLine) {
   EXPECT_EQ(message.rfind(":2: ", 0), 0U) << message;
   EXPECT_EQ(failure("").rfind(":1: ", 0), 0U) << failure("");
   EXPECT_EQ(failure("[1]"), ": expected a JSON object");
-  // A number that is too large is no reason to give its digits back.
+  // The message about a number that is too large does not repeat its digits.
   EXPECT_EQ(failure("{\"frames\": 1e999}"), ": frames: expected a whole number from 2 to 1000000");
   json path = good();
   path["near"] = 7;

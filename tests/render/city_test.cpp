@@ -59,14 +59,15 @@ std::string fault(std::span<const GridPoint> loop) {
       if (loop[i] == loop[j]) return "a corner twice";
     }
   }
-  // The normal of the first corner decides; no three neighbours may be in one line, none turn the other way.
+  // The normal at the first corner gives the orientation. No three neighbours may be in one line, and none may turn the
+  // other way.
   const WideVector normal = cross(minus(loop[1], loop[0]), minus(loop[2], loop[1]));
   if (dot(normal, normal) == 0) return "no area at a corner";
   for (std::size_t i = 0; i < n; ++i) {
     if (dot(normal, minus(loop[i], loop[0])) != 0) return "not plane";
     const WideVector turn = cross(minus(loop[(i + 1) % n], loop[i]), minus(loop[(i + 2) % n], loop[(i + 1) % n]));
     if (dot(normal, turn) <= 0) return "not convex";
-    // Convex, not a star: each corner lies on the inner side of the first edge of every other.
+    // The loop must be convex, not a star: every corner lies on the inner side of every edge.
     for (std::size_t j = 0; j < n; ++j) {
       const WideVector side = cross(minus(loop[(i + 1) % n], loop[i]), minus(loop[j], loop[i]));
       if (dot(normal, side) < 0) return "not convex";
@@ -278,7 +279,7 @@ TEST(City, PathKeepsClearOfEverythingAndFollowsTheGround) {
       double ground = -1e30;
       for (const std::size_t p : grid.around(eye)) {
         nearest = std::min(nearest, distance_to_polygon(eye, city.soup, p));
-        // Height of what lies right under the eye.
+        // The height of what lies directly under the eye.
         const auto loop = city.soup.loop(p);
         const auto at = [&](std::size_t i) { return city.soup.vertices[loop[i % loop.size()]]; };
         const glm::dvec3 normal = cross(at(1) - at(0), at(2) - at(0));

@@ -25,9 +25,9 @@ TEST(Printable, ControlCharactersAndBrokenUtf8AreNamed) {
   EXPECT_EQ(printable("odd\xff.ply"), "odd\\xff.ply");
   EXPECT_EQ(printable("\xc3"), "\\xc3");  // the end is missing
   EXPECT_EQ(printable("\xc3("), "\\xc3(");
-  EXPECT_EQ(printable("\xc1\xbf"), "\\xc1\\xbf");  // longer than need be
+  EXPECT_EQ(printable("\xc1\xbf"), "\\xc1\\xbf");  // an overlong form
   EXPECT_EQ(printable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");
-  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a pair
+  EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a surrogate pair
   EXPECT_EQ(printable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");
   EXPECT_EQ(printable("\x80"), "\\x80");
   EXPECT_EQ(printable("\xf8\x88\x80\x80\x80"), "\\xf8\\x88\\x80\\x80\\x80");

@@ -116,7 +116,7 @@ TEST_F(SceneRendererTest, BothSidesAreOpaque) {
 }
 
 TEST_F(SceneRendererTest, ItemsAreExactToTheLastNumber) {
-  // More polygons than a float counts in steps of one; all but the last few lie in a point.
+  // More polygons than 16 bits can number. All but the last few are degenerate, at one point.
   PolygonSoup soup;
   const std::uint32_t point = soup.add_vertex({5, 0, 0});
   const std::array<std::uint32_t, 3> degenerate = {point, point, point};
@@ -229,7 +229,8 @@ TEST_F(SceneRendererTest, OrthographicSizesDoNotShrinkWithDistance) {
   EXPECT_EQ(pixels(items_of(soup, camera), 0), 0U);
 }
 
-/// Reads the polygon at each pixel out of pictures in which it is red where a bit of its index is set and blue where not.
+/// For each bit of the polygons' indices, draws those with the bit set in red and the others in blue. Together the pictures
+/// name the polygon at each pixel.
 TEST_F(SceneRendererTest, PictureAndItemBufferShowTheSamePolygons) {
   constexpr Rgba kRed{255, 0, 0, 255}, kBlue{0, 0, 255, 255};
   constexpr std::uint32_t kBits = 12;
@@ -324,11 +325,11 @@ TEST_F(SceneRendererTest, AnOffsetMovesItemBuffersByPartsOfAPixel) {
   EXPECT_FALSE(shows({0, 0.375}, right + 1, above));  // its lower side at 0.3 is above the centre
 }
 
-/// Thinner than the grid that vertices are rounded to: their depth at a pixel would be any.
+/// Polygons thinner than the grid to which vertices are rounded would have an arbitrary depth at a pixel.
 TEST_F(SceneRendererTest, NothingHiddenShowsWhereItIsSeenEdgeOn) {
   PolygonSoup soup;
-  // A wall askew, and behind it, each nearer to the eye than the far end of the wall, strips in planes almost through the
-  // eye.
+  // A slanted wall, and behind it strips in planes that almost pass through the eye. Each strip begins nearer to the eye
+  // than the far end of the wall.
   const std::array<std::uint32_t, 4> wall = {soup.add_vertex({10, 8, -8}), soup.add_vertex({30, -24, -8}),
                                              soup.add_vertex({30, -24, 8}), soup.add_vertex({10, 8, 8})};
   soup.add_polygon(wall);

@@ -40,7 +40,7 @@ std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
   return name;
 }
 
-/// Where eyes are put: anywhere about the scene, and on planes, edges and vertices of its polygons.
+/// Places for eyes: anywhere around the scene, and on planes, edges and vertices of its polygons.
 class Eyes {
  public:
   Eyes(const PolygonSoup& soup, std::uint64_t seed) : soup_(soup), random_(seed) {
@@ -79,7 +79,7 @@ class Eyes {
     const auto loop = soup_.loop(random_.index(soup_.size()));
     const auto corner = [&](std::size_t i) { return soup_.vertices[loop[i % loop.size()]]; };
     const std::size_t i = random_.index(loop.size());
-    // Eighths and quarters: exact where the coordinates are short, so that the eye is on the plane and not near it.
+    // Quarters are exact where the coordinates are short, so that the eye is exactly on the plane.
     const auto factor = [&] { return random_.integer(-12, 12) / 4.0; };
     switch (random_.index(6)) {
       case 0:
@@ -88,7 +88,7 @@ class Eyes {
         return corner(i) + factor() * (corner(i + 1) - corner(i));
       case 2:
         return corner(i) + factor() * (corner(i + 1) - corner(i)) + factor() * (corner(i + 2) - corner(i));
-      case 3:  // before the scene, as the paths of viewers are
+      case 3:  // in front of the scene, as on the paths of viewers
         return {low_.x - random_.real(0, 0.5) * (high_.x - low_.x), random_.real(low_.y, high_.y),
                 random_.real(low_.z, high_.z)};
       default:
@@ -148,7 +148,7 @@ TEST_P(Scenes, NothingThatShowsIsCulled) {
     const Camera camera = eyes.next();
     const std::size_t which = frame % cullers.size();
     const Culler& culler = cullers[which];
-    // Every other frame depends on those before.
+    // Half of the frames depend on those before them.
     const CullResult alone = culler.cull(camera, options_of(frame));
     const CullResult& result = frame / 4 % 2 == 0 ? alone : culler.cull(camera, options_of(frame), views[which]);
     const std::vector<bool> drawn = drawn_triangles(culler, result);

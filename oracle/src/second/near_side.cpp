@@ -11,10 +11,10 @@ bool is_farther(const Viewpoint& view, const Point& a, const Point& b) {
   return CGAL::compare_distance_to_point(exact(view.value), exact(a), exact(b)) == CGAL::LARGER;
 }
 
-/// The silhouette vertex farthest from the viewpoint; of equally far ones the first. Of a polytope it is the farthest vertex
-/// that the polytope does not hide: such a vertex is on a face turned to the viewpoint, and when it is not on the border of
-/// all of these together, it lies on or before a point of the hull of that border, of which some vertex is at least as far
-/// (farther for an eye).
+/// The silhouette vertex farthest from the viewpoint; on a tie the first. For a polytope this is the farthest vertex that
+/// the polytope does not hide. Such a vertex v is on a face turned to the viewpoint. Suppose v is not on the border of the
+/// union of these faces. Then v lies on or in front of a point of the hull of that border, and some vertex of the border is
+/// at least as far as v (farther, for an eye).
 Point farthest(const Viewpoint& view, const Occluder& occluder, const Triangles& triangles) {
   std::vector<Point> vertices = vertices_of(occluder);
   std::ranges::stable_sort(vertices, [&](const Point& a, const Point& b) { return is_farther(view, a, b); });

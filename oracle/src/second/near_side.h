@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The near side of a shadow where it is a plane across: `farthest` or a given one.
+// The near side of a shadow that begins at a single plane: `farthest`, or a given plane.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct NearSide {
   Point from, to, point;
 };
 
-/// None for `surface`, where the shadow begins at the occluder. REQUIRES: `triangles` are the occluder's.
+/// Empty for `surface`, where the shadow begins at the occluder. REQUIRES: `triangles` are those of the occluder.
 [[nodiscard]] std::optional<NearSide> near_side(const Viewpoint& view, const Occluder& occluder, const Near& near,
                                                 const Triangles& triangles);
 

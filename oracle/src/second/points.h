@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and predicates of the library's exact kernel, and what a viewpoint makes of them.
+// Points and predicates of CGAL's exact kernel, and the translation from the oracle's types.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kCorners = 8;
 
-/// Corner `index` of the box: bit k tells its end in the box's own coordinate k.
+/// Corner `index` of the box: bit k is set at the high end of the box's own coordinate k.
 ExactPoint corner(const Box& box, int index) {
   const auto is_high = [&](int k) { return (index >> k & 1) != 0; };
   if (const Aabb* aabb = std::get_if<Aabb>(&box)) {

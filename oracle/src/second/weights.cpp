@@ -13,10 +13,10 @@ namespace {
 using Number = CGAL::Gmpzf;
 using Programme = CGAL::Quadratic_program<Number>;
 
-/// The rows of a programme: the coordinates of x, the sum of the weights, the near side.
+/// The rows of a programme: the three coordinates of x, the sum of the weights, the near side.
 constexpr int kSum = 3, kNear = 4;
 
-/// A box as start + sum u_k directions[k], low <= u <= high.
+/// A box as {start + sum u_k directions[k] : low <= u <= high}.
 struct OwnCoordinates {
   Point start;
   std::array<Point, 3> directions;
@@ -36,12 +36,12 @@ Number scalar_product(const Point& from, const Point& to, const Point& a, const 
   return sum;
 }
 
-/// `sign` times the point in the coordinates of column `column`.
+/// Sets the coordinates in column `column` to `sign` times the point.
 void set_coordinates(Programme& programme, int column, const Point& point, int sign) {
   for (int k = 0; k < 3; ++k) programme.set_a(column, k, Number(sign * point[static_cast<std::size_t>(k)]));
 }
 
-/// The equations of x, without x. Columns 0 to n - 1 are the weights, column n is t.
+/// The equations for x, without the columns of x. Columns 0 to n - 1 are the weights, column n is t.
 Programme programme_of(const Viewpoint& view, std::span<const Point> vertices) {
   Programme programme(CGAL::EQUAL, true, 0, false, 0);
   const int t = static_cast<int>(vertices.size());
@@ -57,7 +57,7 @@ Programme programme_of(const Viewpoint& view, std::span<const Point> vertices) {
 
 bool has_solution(const Programme& programme) {
   CGAL::Quadratic_program_options options;
-  options.set_pricing_strategy(CGAL::QP_BLAND);  // it cannot cycle, however degenerate the case
+  options.set_pricing_strategy(CGAL::QP_BLAND);  // Bland's rule cannot cycle, even in degenerate cases
   return !CGAL::solve_linear_program(programme, Number(), options).is_infeasible();
 }
 
@@ -77,7 +77,7 @@ bool share_a_point(const Viewpoint& view, std::span<const Point> vertices, const
     if (near) programme.set_a(t + 1 + k, kNear, scalar_product(near->from, near->to, {}, own.directions[i]));
   }
   if (near) {
-    programme.set_l(t, false);  // x may lie before the occluder
+    programme.set_l(t, false);  // x may be in front of the occluder
     programme.set_b(kNear, scalar_product(near->from, near->to, own.start, near->point));
     programme.set_r(kNear, CGAL::LARGER);
   }

@@ -56,7 +56,7 @@ class Builder {
 
   /// A vertical rectangle facing `out`.
   void facing(const Frame& f, Length along0, Length along1, Length up0, Length up1, Length out);
-  /// A vertical rectangle across: it faces `along`.
+  /// A vertical rectangle that faces `along`.
   void across(const Frame& f, Length along, Length out0, Length out1, Length up0, Length up1);
   /// A level rectangle.
   void level(const Frame& f, Length along0, Length along1, Length out0, Length out1, Length up);

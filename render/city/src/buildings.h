@@ -14,7 +14,7 @@ void build_church_shell(Builder& b, const Rect& yard);
 /// Windows, buttresses, the yard's wall and its gravestones.
 void build_church_details(Builder& b, const Rect& yard, Random random);
 
-/// Walls and deck of a viaduct `length` long; its front face starts in the origin of the frame and faces `out`.
+/// Walls and deck of a viaduct `length` long. Its front face starts at the origin of the frame and faces `out`.
 void build_viaduct_shell(Builder& b, const Frame& f, Length length);
 
 /// Bricked-up arches, piers, cornice and parapet.

@@ -16,7 +16,7 @@ constexpr Length kTowerWidth = m(8);
 constexpr Length kTowerWall = m(24);
 constexpr Length kSpire = m(42);
 
-/// Nave along x, its west end in the origin, tower west of it.
+/// The frame of the church. The nave runs along x, with its west end at the origin; the tower is west of it.
 Frame site(const Rect& yard) {
   return {{(yard.x0 + yard.x1) / 2 - kNaveLength / 2 + kTowerWidth / 2, (yard.y0 + yard.y1) / 2, 0}, 1, 0};
 }

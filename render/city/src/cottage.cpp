@@ -58,7 +58,7 @@ void build_cottage_details(Builder& b, const Frame& f, Random random) {
          f.at(kHalfLength + m(2.7), -m(2.2), m(2.1)));
   b.box(f, {-kHalfLength + m(0.2), -kHalfLength + m(0.8), kHalfDepth + m(0.15), kHalfDepth + m(0.8), -m(0.5), m(1)},
         kOnGround);
-  // Courses of thatch battens along the roof, a hand above it.
+  // Thatch battens in rows along the roof, 10 cm above it.
   for (Length i = 1; i < 6; ++i) {
     for (const Length side : {Length{1}, Length{-1}}) {
       const Length out = side * (kHalfDepth + m(0.4)) * i / 6;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Length kRoot = m(2.5);  // the faces reach this far down, over dips between their ends
 
-/// The vector of `length` square to the left of a -> b.
+/// The level vector of this length, at right angles to a -> b, to its left.
 Point left_of(const Point& a, const Point& b, Length length) {
   const Length dx = b.x - a.x;
   const Length dy = b.y - a.y;
@@ -19,7 +19,7 @@ Point left_of(const Point& a, const Point& b, Length length) {
 Point plus(const Point& p, const Point& d) { return {p.x + d.x, p.y + d.y, p.z + d.z}; }
 Point lifted(const Point& p, Length up) { return {p.x, p.y, p.z + up}; }
 
-/// The point `part` of `whole` along a -> b.
+/// The point at part / whole of the way from a to b.
 Point along(const Point& a, const Point& b, Length part, Length whole) {
   return {a.x + (b.x - a.x) * part / whole, a.y + (b.y - a.y) * part / whole, a.z + (b.z - a.z) * part / whole};
 }
@@ -41,7 +41,7 @@ void build_boundary_details(Builder& builder, const Boundary& w, Random random) 
   const Length reach = integer_sqrt((w.b.x - w.a.x) * (w.b.x - w.a.x) + (w.b.y - w.a.y) * (w.b.y - w.a.y));
   const Point across = left_of(w.a, w.b, w.thickness);
   for (const bool left : {false, true}) {
-    // Faces proud of the core on either side: 4 cm for stones; leaves stick out from there on.
+    // The faces are 4 cm outside the core on either side. Stones lie in them, and leaves stick out from there.
     const Point proud = left ? plus(across, left_of(w.a, w.b, m(0.04))) : left_of(w.b, w.a, m(0.04));
     const Point a = plus(w.a, proud);
     const Point b = plus(w.b, proud);
@@ -76,7 +76,7 @@ void build_boundary_details(Builder& builder, const Boundary& w, Random random) 
       builder.triangle(base, plus(base, step), tip);
       builder.triangle(lifted(base, m(0.1)), plus(lifted(base, rise / 2), step), plus(tip, step));
     }
-    // And some on top.
+    // More twigs on top.
     for (Length i = 0; i < sprays / 3; ++i) {
       const Point p = lifted(plus(along(a, b, random.below(1000), 1024), left ? outwards : Point{}), w.height - m(0.05));
       const Point q = along(a, b, 20, 1024);

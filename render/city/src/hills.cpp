@@ -19,7 +19,7 @@ constexpr std::uint64_t kWoodKind = 32;
 
 constexpr Length kField = m(57);  // pitch of the fields; a whole number of them fits the hills
 constexpr Length kLaneHalfWidth = m(2.6);
-constexpr Length kFineGround = m(11);  // ground is cut finely this near to the camera's way
+constexpr Length kFineGround = m(11);  // within this distance of the camera's route, the ground is cut finely
 
 Point on_ground(const Terrain& t, Length x, Length y) { return {x, y, t.height(x, y)}; }
 
@@ -190,7 +190,8 @@ void build_trees(Builder& b, const Field& field, const Terrain& t, const Route& 
 Terrain make_terrain(std::uint64_t seed, std::size_t polygons) {
   const Length cell = polygons >= 300'000 ? m(8) : polygons >= 80'000 ? m(12) : m(24);
   Rect extent = kHills;
-  // Beyond the size of the paper's model the hills grow, evenly to the north, east and south: polygons go with area.
+  // In models larger than the paper's the hills grow to the north, east and south. Their number of polygons is proportional
+  // to their area.
   constexpr std::size_t kPaper = 500'000;
   if (polygons > kPaper) {
     const Length scale = integer_sqrt(static_cast<Length>(polygons / 100) * 1024 * 1024 / static_cast<Length>(kPaper / 100));

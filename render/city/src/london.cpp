@@ -18,8 +18,8 @@ constexpr std::uint64_t kTerraceKind = 1;
 constexpr std::uint64_t kBlockKind = 2;
 constexpr std::uint64_t kOrderKind = 3;
 
-/// Sizes of the pieces of ground. Large pieces near the camera would displace walls as occluders, so they are small; a small
-/// model cannot afford that.
+/// Sizes of the pieces of ground. Large pieces near the camera would be chosen as occluders instead of walls, so the pieces
+/// are small. A small model cannot afford that.
 struct Paving {
   Length flags, street, garden;
   Length parts;  ///< cuts of a piece of street near the camera
@@ -37,7 +37,7 @@ struct BuiltBlock {
   std::vector<Terrace> terraces;
 };
 
-/// Inside of the pavement.
+/// The land inside the pavement.
 Rect plot(const Block& block) { return block.land.inset(kPavement); }
 
 /// The terraces of one side of a block. A side of more than 84 m gets two, some with an alley between them.
@@ -115,7 +115,7 @@ void build_base(Builder& b, const BuiltBlock& block, const Paving& paving, const
   const Rect r = plot(block.plan);
   switch (block.plan.use) {
     case BlockUse::terraces:
-      b.ground(r, m(0.06), paving.garden);  // under the houses too: alleys lead through between them
+      b.ground(r, m(0.06), paving.garden);  // also under the houses, because alleys lead between them
       for (const Terrace& t : block.terraces) build_shell(b, t);
       break;
     case BlockUse::garden_square:
@@ -181,7 +181,7 @@ void build_garden(Builder& b, const Rect& r, const Route& route, Random random) 
   }
 }
 
-/// Lamps at the kerb, the furniture of squares and churchyards.
+/// Lamps at the kerb, and the furniture of squares and churchyards.
 void build_street_details(Builder& b, const BuiltBlock& block, const Route& route, std::uint64_t seed) {
   const Rect kerb = block.plan.land.inset(m(0.35));
   const Length spacing = m(22);
@@ -238,7 +238,8 @@ std::array<Viaduct, 2> viaducts() {
   return {{{{{r.x0, r.y1, 0}, 1, 0}, length}, {{{kQuayEast, r.y0, 0}, -1, 0}, length}}};
 }
 
-/// Enough suburbs for `budget` polygons: twice what they would take at 9000 polygons a block, in about a square.
+/// A plan with enough suburbs for `budget` polygons: twice the blocks that they need at 9000 polygons per block, in about a
+/// square.
 LondonPlan plan_for(std::size_t budget) {
   constexpr std::size_t kPolygonsPerBlock = 9000;
   const auto blocks = static_cast<Length>(2 * budget / kPolygonsPerBlock);
@@ -262,7 +263,7 @@ void build_london(Builder& b, std::uint64_t seed, const Route& route, std::size_
   for (const BuiltBlock& block : core) build_base(b, block, paving, route);
   for (const Viaduct& v : viaducts()) build_viaduct_shell(b, v.frame, v.length);
 
-  // Each layer of detail is spread over the whole town, wherever it stops.
+  // Each layer of detail goes to the houses in random order, so that it is spread over the whole town wherever it stops.
   struct HouseOf {
     const Terrace* terrace;
     const House* house;

@@ -8,14 +8,14 @@
 
 namespace occlude::render::city {
 
-/// A tree standing at `foot`, from 4 to 9 m high: a trunk, a crown of low-poly cones, loose sprays of leaves as crossed
-/// quads.
+/// A tree standing at `foot`, from 5 to 9 m high: a trunk, a crown of two low-poly cones, and `leaves` upright
+/// parallelograms as sprays of leaves.
 void add_tree(Builder& b, const Point& foot, Length leaves, Random random);
 
 /// A gas lamp, 3.6 m high.
 void add_lamp(Builder& b, const Point& foot);
 
-/// A bench along a frame.
+/// A bench in the frame, which runs along it.
 void add_bench(Builder& b, const Frame& f);
 
 /// A straight piece of boundary from `a` to `b` (on the ground), `thickness` to its left, `height` high.

@@ -40,7 +40,7 @@ void add_column(LondonPlan& plan, const Rect& column, std::span<const Length> cu
 LondonPlan plan_london(Length extra_columns, Length extra_rows) {
   LondonPlan plan;
   const Rect all = kLondon;
-  // Neighbouring columns are out of step by some way: no cross street goes on beyond an avenue.
+  // The cross streets of neighbouring columns are offset, so that none continues beyond an avenue.
   constexpr std::array<Length, 3> kFarWest{m(-80), m(30), m(140)};
   constexpr std::array<Length, 3> kWest{m(-110), m(0), m(110)};
   constexpr std::array<Length, 4> kMiddle{m(-165), m(-55), m(55), m(165)};
@@ -62,7 +62,7 @@ LondonPlan plan_london(Length extra_columns, Length extra_rows) {
   plan.carriageways.push_back({all.x1, all.y0, kQuayEast, all.y1});
 
   // Garden squares and churchyards take the place of some blocks. The columns have 4, 8, 10 and 8 blocks.
-  plan.blocks[12 + 2 * 3].use = BlockUse::garden_square;  // in the middle column, on the camera's way
+  plan.blocks[12 + 2 * 3].use = BlockUse::garden_square;  // in the middle column, on the camera's route
   plan.blocks[4 + 2 * 3].use = BlockUse::garden_square;
   plan.blocks[4 + 2 * 1 + 1].use = BlockUse::church;
   plan.blocks[22 + 1].use = BlockUse::church;

@@ -9,7 +9,7 @@ namespace {
 constexpr Length kBatter = m(0.8);  // how far a tier's wall leans back
 constexpr Length kLedge = m(1.9);
 constexpr Length kSetback = kBatter + kLedge;
-constexpr Length kProud = m(2.5);  // the stairs stand this much before the slope through the tiers' edges
+constexpr Length kProud = m(2.5);  // the stairs stand this far in front of the slope through the edges of the tiers
 constexpr Length kBalustrade = m(0.9);
 
 /// Where the stairs end, at the edge of the topmost level.

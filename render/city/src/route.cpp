@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kFrames = 2748;  // the paper's
 constexpr Length kEyeHeight = m(1.7);
 constexpr Length kKeyframeSpacing = m(3);  // short enough that straight lines between keyframes keep to the bends
-constexpr Length kLookAhead = m(11);       // the camera looks at where it will be then, which turns it ahead of a bend
+constexpr Length kLookAhead = m(11);       // the camera looks this far ahead along the route, so that it turns before a bend
 constexpr Length kBendRadius = m(6);       // corners are rounded from this far before to this far after
 
 Length distance(const Point& a, const Point& b) {
@@ -25,7 +25,7 @@ Point between(const Point& a, const Point& b, Length part, Length whole) {
   return {a.x + (b.x - a.x) * part / whole, a.y + (b.y - a.y) * part / whole, a.z + (b.z - a.z) * part / whole};
 }
 
-/// The corners of the way up to the lane. Streets are those of plan.cpp; some stretches keep to a pavement.
+/// The corners of the route up to the lane. The streets are those of plan.cpp; some stretches run along a pavement.
 std::vector<Point> corners() {
   const Length pave = kPavementLevel;
   return {
@@ -87,7 +87,7 @@ const std::vector<Point>& lane() {
 Route::Route(const Terrain& terrain) {
   std::vector<Point> chain = corners();
   chain.insert(chain.end(), lane().begin(), lane().end());
-  // Rounded: a quadratic curve in place of each corner.
+  // A quadratic curve replaces each corner.
   std::vector<Point> rounded{chain.front()};
   for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
     const Length before = distance(chain[i - 1], chain[i]);
@@ -101,7 +101,7 @@ Route::Route(const Terrain& terrain) {
     }
   }
   rounded.push_back(chain.back());
-  // Cut finely, and laid on the ground.
+  // The chain is cut finely and laid on the ground.
   for (std::size_t i = 0; i + 1 < rounded.size(); ++i) {
     const Length pieces = std::max<Length>(1, distance(rounded[i], rounded[i + 1]) / m(1));
     for (Length s = 0; s < pieces; ++s) points_.push_back(between(rounded[i], rounded[i + 1], s, pieces));
@@ -158,7 +158,7 @@ bool Route::crosses(const Rect& rect) const { return crosses(rect, kClearance); 
 CameraPath film(const Route& route, const Terrain& terrain) {
   CameraPath path;
   path.frames = kFrames;
-  // The last stretch of the way is only looked at.
+  // The camera only looks at the last stretch of the route.
   const Length walked = route.length() - 2 * kLookAhead;
   const Length pieces = walked / kKeyframeSpacing;
   const auto metres = [](const Point& p) {
@@ -169,7 +169,8 @@ CameraPath film(const Route& route, const Terrain& terrain) {
     const Length along = walked * i / pieces;
     Point eye = route.point(along);
     Point target = route.point(along + kLookAhead);
-    // Every 150 m a look to one side, then to the other: the target swings out by up to 8 m and back within 30 m.
+    // Every 150 m the camera looks to one side, alternately left and right: within 30 m the target swings out by up to 8 m
+    // and back.
     constexpr Length kEvery = m(150);
     constexpr Length kSwing = m(30);
     const Length phase = along % kEvery;

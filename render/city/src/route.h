@@ -20,9 +20,9 @@ class Route {
   [[nodiscard]] Length length() const { return at_.back(); }
   /// The ground under the route, `distance` along it (clamped to its ends).
   [[nodiscard]] Point point(Length distance) const;
-  /// Whether something standing on `rect` would be within `kClearance` (in plan) of the way.
+  /// Whether something standing on `rect` would be within `kClearance` (in plan) of the route.
   [[nodiscard]] bool crosses(const Rect& rect) const;
-  /// As above with a margin of the caller's.
+  /// The same with another margin.
   [[nodiscard]] bool crosses(const Rect& rect, Length margin) const;
 
   static constexpr Length kClearance = m(1.5);
@@ -36,7 +36,7 @@ class Route {
 };
 
 /// Level ground in pieces of about `cell`, each cut into `parts` x `parts` where the camera passes within 9 m. Large pieces
-/// near the camera would displace walls as occluders.
+/// near the camera would be chosen as occluders instead of walls.
 void build_pavement(Builder& b, const Route& route, const Rect& rect, Length z, Length cell, Length parts);
 
 /// The camera path of 2748 frames (as many as the paper's) along `route`.

@@ -54,14 +54,15 @@ void build_water(Builder& b, const Route& route, const Cells& cells) {
   b.ground({kIsland.x0, -kLakeHalfDepth, kIsland.x1, kIsland.y0}, kLakeLevel, cells.far_water);
 }
 
-/// An island's ground and its bank.
+/// The bank of an island.
 void build_island(Builder& b, const Rect& r, Length cell) {
   const Length low = kLakeLevel - m(0.3);
   const std::array corner{Point{r.x0, r.y0, low}, Point{r.x1, r.y0, low}, Point{r.x1, r.y1, low}, Point{r.x0, r.y1, low}};
   for (std::size_t i = 0; i < 4; ++i) b.band(corner[i], corner[(i + 1) % 4], -low, cell);
 }
 
-/// The four sides of the precinct wall, `out` outwards, as runs between gates: along0 .. along1 of a frame.
+/// A straight piece of the precinct wall, `length` long. `along` of its frame runs along the wall, `out` points away from
+/// the precinct.
 struct Run {
   Frame frame;
   Length length;
@@ -141,7 +142,7 @@ void build_aqueducts(Builder& b) {
   }
 }
 
-/// Pyramids by their foot and the side they face (quarter turns from south).
+/// The pyramid on this foot. It faces south, turned by `quarters` quarter turns counter-clockwise.
 Pyramid pyramid_on(const Rect& foot, int quarters, Length tiers, Length tier_height, Length flights) {
   const Point middle{(foot.x0 + foot.x1) / 2, (foot.y0 + foot.y1) / 2, 0};
   const bool turned = quarters % 2 != 0;
@@ -285,7 +286,7 @@ void build_maize(Builder& b, const Point& foot, Random random) {
 
 constexpr Length kAdobePitch = m(11);
 
-/// Places on `land` at the pitch of houses.
+/// Places for houses on `land`, at equal distances with some variation.
 std::vector<Adobe> places_on(const Rect& land, std::uint64_t seed, std::uint64_t first) {
   std::vector<Adobe> places;
   for (Length y = land.y0 + m(6); y <= land.y1 - m(6); y += kAdobePitch) {

@@ -25,7 +25,7 @@ Length floor_level(const Terrace& t, Length storey) {
 
 Length eaves_of(const Terrace& t, Length storeys) { return floor_level(t, storeys) + kParapet; }
 
-/// Height of the roof line of a house over the street wall, in the middle of its depth and so the top of its party walls.
+/// The height of a house's roof in the middle of its depth, which is the top of its party walls.
 Length ridge_of(const House& h) {
   switch (h.roof) {
     case House::Roof::pitched:
@@ -85,7 +85,7 @@ void roof(Builder& b, const Terrace& t, const House& h) {
       break;
     }
     case House::Roof::butterfly: {
-      // London's: two slopes down to a valley from front to back, hidden behind the parapet.
+      // The London roof: two slopes down to a valley that runs from front to back, hidden behind the parapet.
       const Length middle = (a0 + a1) / 2;
       const Length valley = h.eaves - m(1.2);
       const Length rim = h.eaves - m(0.2);
@@ -101,7 +101,7 @@ Length bay_left(const House& h, Length bay, Length width) {
   return h.along0 + span * bay + (span - width) / 2;
 }
 
-/// Windows get lower from floor to floor.
+/// Windows from the second upper floor on are lower.
 WindowStyle style_of(const Terrace& t, const House& h, Length storey) {
   WindowStyle s = t.windows;
   if (storey >= 2) s.height = s.height * 4 / 5;
@@ -146,7 +146,7 @@ void surrounds(Builder& b, const Terrace& t, const House& h) {
   front_windows(b, t, h, WindowPart::surround);
   const Length door = bay_left(h, h.door_bay, kDoorWidth);
   add_door(b, t.frame, door, kGroundFloor, true);
-  // Cornice and string course, with their ends, so that neighbours of other heights are closed.
+  // A cornice and a string course. The cornice has end faces, which show beside a lower neighbour.
   b.box(t.frame, {h.along0, h.along1, 0, m(0.3), h.eaves - m(0.6), h.eaves - m(0.32)}, kOnWall);
   const Length course = kGroundFloor + t.ground_storey - m(0.15);
   b.box(t.frame, {h.along0, h.along1, 0, m(0.08), course, course + m(0.2)}, kFront | kTop | kBottom);

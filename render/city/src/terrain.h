@@ -16,7 +16,7 @@ class Terrain {
   [[nodiscard]] const Rect& extent() const { return extent_; }
   [[nodiscard]] Length columns() const { return columns_; }
   [[nodiscard]] Length rows() const { return rows_; }
-  /// Grid lines.
+  /// The positions of the grid lines.
   [[nodiscard]] Length x(Length column) const { return extent_.x0 + cell_ * column; }
   [[nodiscard]] Length y(Length row) const { return extent_.y0 + cell_ * row; }
   [[nodiscard]] Length cell() const { return cell_; }

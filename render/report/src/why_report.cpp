@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -75,6 +74,14 @@ std::string text_of_plane(const kernel::ShadowFrustum& shadow, std::size_t plane
   const auto edge = edge_of(shadow, plane);
   return edge ? fmt::format("the side through its edge {} - {}", text_of((*edge)[0]), text_of((*edge)[1]))
               : std::string("its near side");
+}
+
+/// Where a box is, with the plane of the shadow that decides it.
+std::string text_of_clearance(const kernel::ShadowFrustum& shadow, const kernel::Clearance& clearance) {
+  const std::string plane = text_of_plane(shadow, clearance.plane);
+  return clearance.distance < 0
+             ? fmt::format("the box sticks out of its shadow by {:.6g}, at {}", -clearance.distance, plane)
+             : fmt::format("the box is inside its shadow by {:.6g}, nearest to {}", clearance.distance, plane);
 }
 
 const char* why_missed(culler::Missed reason) {
@@ -162,16 +169,11 @@ class Text {
 
   void add_culling(const AgainstShadow& s) {
     const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
-    const std::string plane = text_of_plane(occluder.frustum, s.clearance.plane);
-    const double apart = s.clearance.distance;
     add("  by occluder {}: {}; it hides {} polygons in this frame", s.occluder, text_of_occluder(culler_, occluder.index),
         occluder.hidden);
-    if (account_.shadows.size() == 1) {
-      add("  the box is inside its shadow by {:.6g}, nearest to {}", s.clearance.distance, plane);
-    } else {
-      add("  the box {} {:.6g} {} {}; the two shadows together contain it", apart < 0 ? "sticks out by" : "is inside by",
-          std::fabs(apart), apart < 0 ? "of" : "from", plane);
-    }
+    const bool is_alone = account_.shadows.size() == 1;
+    add("  {}{}", text_of_clearance(occluder.frustum, s.clearance),
+        is_alone ? "" : "; the two shadows together contain the box");
   }
 
   void add_cover() {
@@ -198,10 +200,8 @@ class Text {
     for (std::size_t i = 0; i < std::min(account_.shadows.size(), kNearest); ++i) {
       const AgainstShadow& s = account_.shadows[i];
       const culler::Occluder& occluder = frame_.result().occluders[s.occluder];
-      const double apart = s.clearance.distance;
-      add("    occluder {} ({}): {} {:.6g} {} {}", s.occluder, text_of_occluder(culler_, occluder.index),
-          apart < 0 ? "sticks out by" : "inside by", std::fabs(apart), apart < 0 ? "of" : "from",
-          text_of_plane(occluder.frustum, s.clearance.plane));
+      add("    occluder {} ({}): {}", s.occluder, text_of_occluder(culler_, occluder.index),
+          text_of_clearance(occluder.frustum, s.clearance));
     }
   }
 

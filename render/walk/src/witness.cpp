@@ -111,11 +111,14 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
   const std::string viewpoint = camera.projection == culler::Projection::perspective
                                     ? fmt::format(R"("eye":{})", triple(camera.eye))
                                     : fmt::format(R"("direction":{})", triple(camera.axes().forward));
+  const std::string leaf = hierarchy.leaf_size() == culler::leaf_size_for(culler::Method::frusta)
+                               ? ""
+                               : fmt::format(R"("leaf":{},)", hierarchy.leaf_size());
   const auto append = [&](const culler::PolygonRange& range, const std::string& box, const std::string& reason) {
     const std::size_t first = hierarchy.first_triangle(range.first);
     const std::size_t count = hierarchy.first_triangle(range.first + range.count) - first;
-    lines.push_back(
-        fmt::format(R"({{"frame":{},{},"box":{},"triangles":[{},{}],{}}})", frame, viewpoint, box, first, count, reason));
+    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},{}"triangles":[{},{}],{}}})", frame, viewpoint, box, leaf, first,
+                                count, reason));
   };
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);

@@ -56,8 +56,8 @@ class Hierarchy {
   /// REQUIRES: soup is well formed and not empty, and its coordinates are in the kernel's legal range.
   [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint = {});
 
-  /// The same tree from its layout; config.leaf_size is not used. Throws std::invalid_argument when it cannot be the layout
-  /// of a tree of so many polygons. REQUIRES as build().
+  /// The same tree from its layout; of config.leaf_size only leaf_size() depends. Throws std::invalid_argument when it
+  /// cannot be the layout of a tree of so many polygons. REQUIRES as build().
   [[nodiscard]] static Hierarchy restore(const PolygonSoup& soup, const Config& config, const Layout& layout,
                                          const Checkpoint& checkpoint = {});
   [[nodiscard]] Layout layout() const;
@@ -65,6 +65,8 @@ class Hierarchy {
   /// The polygons in the order of the leaves.
   [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }
   [[nodiscard]] const std::shared_ptr<const PolygonSoup>& shared_soup() const { return soup_; }
+  /// Config::leaf_size. With the input it fixes the order of the polygons, whatever the bounding volumes are.
+  [[nodiscard]] std::uint32_t leaf_size() const { return leaf_size_; }
   /// Index in the input of polygon p of soup().
   [[nodiscard]] std::uint32_t original(std::size_t p) const { return order_[p]; }
   /// Number of fan triangles in polygons [0, p) of soup(); p may be soup().size().
@@ -94,6 +96,7 @@ class Hierarchy {
   void fit_oriented_boxes(const Checkpoint& checkpoint);
 
   std::shared_ptr<const PolygonSoup> soup_;
+  std::uint32_t leaf_size_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
   std::vector<kernel::Obb> oriented_boxes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fuzzer makes cases: their words (oracle/cases) are its own.
+// The fuzzer makes cases, so it uses the names of oracle/cases as its own.
 #pragma once
 
 #include "cases/case.h"

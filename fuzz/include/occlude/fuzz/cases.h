@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cases of the kernel's question, made from a seed, in families that each aim at one way of being wrong.
+// Cases of the kernel's question, made from a seed. Each family of cases aims at one way of being wrong.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace occlude::fuzz {
 
-/// What each is: fuzz/README.md. The name tells the kind: with `obb` the box is oriented, with `polytope` the occluder is
-/// one, with `orthographic` the viewpoint is a direction.
+/// fuzz/README.md describes the families. The name says what kind a family is: with `obb` the box is oriented, with
+/// `polytope` the occluder is a polytope, with `orthographic` the viewpoint is a direction.
 enum class Family {
   random,
   lattice,
@@ -118,7 +118,7 @@ enum class Family {
 
 [[nodiscard]] std::string_view name(Family family);
 
-/// The same case for the same arguments, on every machine. A few in a hundred are not legal (see the README).
+/// Makes a case. The same arguments give the same case on every machine. A few in a hundred are not legal (README.md).
 [[nodiscard]] Case make_case(Family family, std::uint64_t seed);
 
 }  // namespace occlude::fuzz

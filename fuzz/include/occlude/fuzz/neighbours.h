@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes near a box: touching much of what it touches, or missing it by the least there is.
+// Neighbours of a box. They touch much of what the box touches, or miss it by the smallest possible amount.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace occlude::fuzz {
 
-/// The same box for the same arguments, on every machine. One to three changes: a bound or half edge moved to the next
-/// double, or by one unit of the coarsest grid of powers of two that holds the box; a side collapsed, halved or doubled; the
-/// box slid along itself. It may leave the legal range.
+/// Makes one to three changes to the box: moves a bound or half edge to the next double, or by one unit of the coarsest grid
+/// of powers of two that holds the box; collapses, halves or doubles a side; slides the box along itself. The same arguments
+/// give the same box on every machine. The box may leave the legal range.
 [[nodiscard]] Box neighbour(const Box& box, std::uint64_t seed);
 
 }  // namespace occlude::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The project's random numbers: splitmix64, written out so that a seed means the same everywhere.
+// Random numbers by splitmix64. It is written out here so that a seed means the same everywhere.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,16 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// In [low, high], every integer about as likely as the others.
+  /// An integer in [low, high]. All are nearly equally likely.
   int integer(int low, int high) {
     const auto span = static_cast<std::uint64_t>(static_cast<std::int64_t>(high) - low + 1);
     return static_cast<int>(low + static_cast<std::int64_t>(bits() % span));
   }
 
-  /// In [0, count).
+  /// An index in [0, count).
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
 
-  /// In [low, high).
+  /// A number in [low, high).
   double real(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
 
   bool chance(double probability) { return real(0, 1) < probability; }

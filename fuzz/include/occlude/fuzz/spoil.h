@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cases that ought to be refused, and cases that only just ought not to.
+// Cases that should be refused, and cases that only just should not.
 #pragma once
 
 #include "occlude/fuzz/case.h"
@@ -7,10 +7,10 @@
 
 namespace occlude::fuzz {
 
-/// Damages the case in one way: a number at or beyond the border of the legal range, min above max, the eye in the occluder
-/// or in its plane, a loop out of order, wound twice, spiked or cut short, faces missing, doubled, dented, patched or wrong,
-/// no direction. What comes out may still be legal. REQUIRES: the case has vertices and, of a polytope, faces of existing
-/// ones.
+/// Damages the case in one way: a number at or beyond the border of the legal range; min above max; the eye in the occluder
+/// or in its plane; a loop out of order, wound twice, with a spike or cut short; faces missing, doubled, dented, patched or
+/// wrong; a direction of zero. The result may still be legal. REQUIRES: the case has vertices. A polytope has faces, and
+/// they name existing vertices.
 void spoil(Random& random, Case& c);
 
 }  // namespace occlude::fuzz

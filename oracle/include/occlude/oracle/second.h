@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A second judge, to judge the first: the same relation found another way, with which it shares nothing but the types of
-// oracle.h. It knows no side planes and no silhouette: only triangles and weights of vertices. A program that links it
+// A second judge, which checks the first. It finds the same relation in another way and shares only the types of oracle.h.
+// It has no side planes and no silhouette, only triangles and weights of vertices. A program that links it
 // (occlude::second_oracle) is GPL-3.0-or-later as a whole (README.md, Licences).
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace occlude::oracle::second {
 
-/// Relation of `box` to the shadow frustum of the occluder; never a refusal. REQUIRES: the question is legal, which the
+/// Relation of `box` to the shadow frustum of the occluder. It never refuses. REQUIRES: the question is legal, which the
 /// first oracle decides: its relation() of the same arguments has no refusal.
 [[nodiscard]] Answer relation(const Viewpoint& view, const Occluder& occluder, const Near& near, const Box& box);
 

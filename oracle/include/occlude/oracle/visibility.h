@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact visibility: which triangles of a small scene show in a picture of any resolution. The ground truth for a culler,
-// that no sampling of rays or pixels can miss.
+// Exact visibility: which triangles of a small scene show in a picture of any resolution. This is the ground truth for a
+// culler. Unlike a sampling of rays or pixels, it misses nothing.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ namespace occlude::oracle {
 
 using Triangle = std::array<Point, 3>;
 
-/// What a picture has of a scene.
+/// The part of a scene that a picture shows.
 struct Picture {
-  /// The near and the far plane. What is outside of one of these, or lies in its plane, neither shows nor hides.
+  /// The near and the far plane. What is outside one of these, or in its plane, neither shows nor hides.
   std::vector<HalfSpaceCoefficients> depth;
-  /// What is outside of one of these shows nothing, but may hide: the sides of the picture, which in doubles hardly ever
-  /// pass through the viewpoint exactly, and would cut what hides a hair's breadth more than what is hidden.
+  /// The sides of the picture. What is outside one of these does not show but may hide. A side given in doubles hardly ever
+  /// passes through the viewpoint exactly. If the sides clipped what hides, they could clip slightly more of it than of what
+  /// it hides.
   std::vector<HalfSpaceCoefficients> sides;
 };
 
-/// Of each triangle whether any of it shows: whether the rays from the viewpoint that meet it before all others, in the
-/// picture, fill an open set. All triangles are opaque from both sides. One seen edge-on shows nothing; of those in one
-/// plane none hides another. The time grows with the square of their number, and with the pieces that what is hidden
-/// is cut into. REQUIRES: all
-/// numbers are finite, and a direction is not zero.
+/// For each triangle, whether any of it shows: whether the rays from the viewpoint that meet it first, in the picture, fill
+/// an open set. All triangles are opaque from both sides. A triangle seen edge-on does not show. Triangles in one plane do
+/// not hide each other. The time grows with the square of the number of triangles, and with the number of pieces into which
+/// the hidden parts are cut. REQUIRES: all numbers are finite; a direction is not zero.
 [[nodiscard]] std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles,
                                                   const Picture& picture);
 

@@ -58,7 +58,7 @@ struct WalkOptions {
 /// InputError if there are none.
 [[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
 
-/// The distance of the reference frames in a walk of `frames` frames. On these the whole model is drawn for reference, and
+/// The step between the reference frames in a walk of `frames` frames. On these the whole model is drawn for reference, and
 /// operations and reasons are counted.
 [[nodiscard]] std::size_t reference_step(std::size_t frames);
 

@@ -11,7 +11,8 @@
 namespace occlude::render {
 
 /// Appends one line, without line break, for each culled subtree of a frame that was culled with these options. A cover of
-/// more than kMostCoverVertices vertices is written as covers of smaller subtrees, or of single polygons.
+/// more than kMostCoverVertices vertices is written as covers of smaller subtrees, or of single polygons. If the leaves of
+/// the tree are not of the size that is best for frusta, each line has their size: the order of the triangles depends on it.
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options);
 
