@@ -24,8 +24,8 @@ struct Space {
   std::uint32_t root = 0;
 };
 
-/// Regions are the leaves of a binary tree of cells. The first cell is a box that holds the space, and a plane across an
-/// axis divides each other cell from its two parts.
+/// Regions are the leaves of a binary tree of cells. The first cell is a box that holds the space. A cell that is no region
+/// is divided in two by a plane across an axis.
 /// 1. Each point is in exactly one region: a point on a plane is in the upper cell. A point outside the box is in the region
 ///    of the point of the box that is nearest to it, which is the nearest region.
 /// 2. The boxes of the regions, which are closed, fill the box. They have no more than faces in common.
@@ -37,12 +37,9 @@ class Partition {
     /// Cubes of one size, in a box that may be larger than the space. The grid is halved across its longest side until each
     /// cell is one cube.
     grid,
-    /// Nodes of the hierarchy, so that one structure divides space and holds what is drawn. The boxes of nodes leave gaps
-    /// and
-    /// overlap, so they cannot be regions themselves. Instead the cell of each node is divided by a plane between the boxes
-    /// of
-    /// its two children: across the axis on which these overlap least, as a share of the node, and in the middle of what
-    /// they
+    /// Nodes of the hierarchy, so that one structure divides space and holds what is drawn. Boxes of nodes leave gaps and
+    /// overlap, so they cannot be regions themselves. Instead a plane between the boxes of its two children divides the
+    /// cell of a node: across the axis on which they overlap least, as a share of the node, and in the middle of what they
     /// have in common, or of the gap between them. A plane that misses the cell does not divide it: all of it goes to the
     /// child on its side, and the other child has no cell. The cell with the largest volume is divided first, until there
     /// are as many regions as wanted, or all nodes with a cell are leaves. So regions are small where polygons are many,
