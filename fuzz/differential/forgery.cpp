@@ -88,7 +88,7 @@ class Forger {
   explicit Forger(Random& random)
       : random_(random),
         input_(some_soup(random)),
-        culler_(input_, {.hierarchy = {.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4))}, .grid = {}}),
+        culler_(input_, {.hierarchy = {.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4))}, .lists = {}}),
         prover_(culler_.hierarchy(), {kFrames, [this](std::size_t frame) { return cameras_[frame]; }}) {
     for (Camera& camera : cameras_) {
       camera = forged_camera(random, soup());

@@ -91,7 +91,7 @@ void run_joined(std::uint64_t seed, Report& report) {
   for (int walls = random.integer(1, 3); walls > 0; --walls) add_panels(random, soup, camera);
   culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
-  config.grid.regions = 1;  // covers need no regions, and to make many would take longer than the rest
+  config.lists.regions = 1;  // covers need no regions, and to make many would take longer than the rest
   const Culler culler(soup, config);
   const culler::CullOptions options = some_options(random);
   for (int frame = 0; frame < 3; ++frame) {
