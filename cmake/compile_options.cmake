@@ -24,6 +24,15 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 endif()
 
+if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC keeps vectors of 32 bytes on a stack that Windows aligns to 16, and moves them as if it were aligned to 32 (GCC bug
+  # 54412). The assembler turns these moves into those that ask for no alignment and cost the same.
+  target_compile_options(occlude_options INTERFACE -Wa,-muse-unaligned-vector-move)
+  # Of an inline function each object file has a copy, and the linker takes one. For Windows GCC 12 believes that the copy it
+  # sees will run, and keeps values in registers that this copy leaves alone and another does not: exact signs came out wrong.
+  target_compile_options(occlude_options INTERFACE -fno-ipa-ra)
+endif()
+
 set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined, thread or several with commas")
 if(OCCLUDE_SANITIZE)
   target_compile_options(occlude_options INTERFACE

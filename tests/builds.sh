@@ -1,35 +1,67 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Checks that every build gives the same answers bit for bit: g++ and clang++, -O0 and -O3, without and with FMA, and batches
-# on every instruction set of this machine. Prints one line per build. Exit code 1 if one differs. Usage: bash
-# tests/builds.sh (x86-64, minutes).
+# Checks that every build gives the same answers bit for bit. On this machine: g++ and clang++, -O0 and -O3, without and with
+# FMA, and batches on every instruction set. On others: all tests of the kernel and the culler, on 64-bit ARM and a big-endian
+# machine (IBM Z) under QEMU, and on Windows under Wine. Prints one line per build, with a hash of its answers. Exit code 1 if
+# one fails.
+# Usage: bash tests/builds.sh [g++|clang++|aarch64|s390x|windows]... (default: all; x86-64, Debian 12, as root or with sudo)
 set -euo pipefail
 cd "$(dirname "$0")/.."
+builds=("$@")
+[ $# -gt 0 ] || builds=(g++ clang++ aarch64 s390x windows)
 
-# build_and_test COMPILER FLAGS...: prints "passed" or "FAILED" and how many tests; the log stays beside the build.
+# build_and_test FOLDER: builds `targets` with the CMake `options` and runs the tests that `chosen` selects. Prints "passed" or
+# "FAILED", how many tests, and a hash of the answers to the million cases. The logs stay in the folder.
 build_and_test() {
-  local compiler=$1 flags=${*:2}
-  local folder=build/answers/$compiler${flags// /}
+  local folder=$1 result=passed count hash
   mkdir -p "$folder"
-  {
-    cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" \
-      -DOCCLUDE_TOOLS=OFF
-    cmake --build "$folder" --target kernel_tests
-  } >"$folder/log.txt" 2>&1 || { echo "FAILED to build: $folder/log.txt"; return 1; }
-  local result=passed
-  ctest --test-dir "$folder" --parallel "$(nproc)" --tests-regex 'Answers|Batch' >>"$folder/log.txt" 2>&1 || result=FAILED
-  echo "$result, $(grep -o '[0-9]* tests failed out of [0-9]*' "$folder/log.txt" || echo "see $folder/log.txt")"
+  { cmake -S . -B "$folder" -G Ninja -DOCCLUDE_TOOLS=OFF "${options[@]}" && cmake --build "$folder" --target "${targets[@]}"; } \
+    >"$folder/log.txt" 2>&1 || { echo "FAILED to build: $folder/log.txt"; return 1; }
+  ctest --test-dir "$folder" --parallel "$(nproc)" --verbose "${chosen[@]}" >"$folder/tests.txt" 2>&1 ||
+    result="FAILED ($folder/tests.txt)"
+  count=$(grep -c '\[       OK \]' "$folder/tests.txt")
+  hash=$(grep -o '{0x[0-9a-f]*, 0x[0-9a-f]*}' "$folder/tests.txt" | sort | sha256sum)
+  echo "$result: $count tests passed, answers ${hash:0:16}"
   [[ $result == passed ]]
 }
 
+# on_this_machine COMPILER FLAGS: the million cases, and the batches.
+on_this_machine() {
+  local options=(-DCMAKE_BUILD_TYPE= "-DCMAKE_CXX_COMPILER=$1" "-DCMAKE_CXX_FLAGS=$2")
+  local targets=(kernel_tests) chosen=(--tests-regex 'Answers|Batch')
+  build_and_test "build/answers/$1${2// /}"
+}
+
+# on_platform NAME: all tests of the kernel and the culler, and the examples.
+on_platform() {
+  local folder=$PWD/build/platforms/$1
+  bash tests/platforms/libraries.sh "$1" "$folder" || { echo "FAILED to build libraries: $folder/libraries.txt"; return 1; }
+  local options=("-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$1.cmake" "-DCMAKE_PREFIX_PATH=$folder/prefix"
+    -DCMAKE_BUILD_TYPE=Release)
+  local targets=(kernel_tests culler_tests model_example scene_example) chosen=(--label-regex '^(kernel|culler)$')
+  build_and_test "$folder/build"
+}
+
 status=0
-for compiler in g++ clang++; do
-  for level in -O0 -O3; do
-    for fma in '' ' -mfma'; do
-      start=$SECONDS
-      result=$(build_and_test "$compiler" "$level$fma") || status=1
-      printf '%-8s %-10s %s, %d s\n' "$compiler" "$level$fma" "$result" $((SECONDS - start))
-    done
-  done
+# report NAME COMMAND...: a line of what the command says and how long it took.
+report() {
+  local start=$SECONDS result
+  result=$("${@:2}") || status=1
+  printf '%-18s %s, %d s\n' "$1" "$result" $((SECONDS - start))
+}
+
+for name in "${builds[@]}"; do
+  case $name in
+    g++ | clang++)
+      for flags in -O0 '-O0 -mfma' -O3 '-O3 -mfma'; do
+        report "$name $flags" on_this_machine "$name" "$flags"
+      done
+      ;;
+    aarch64 | s390x | windows) report "$name" on_platform "$name" ;;
+    *)
+      echo "There is no build $name" >&2
+      exit 2
+      ;;
+  esac
 done
 exit $status

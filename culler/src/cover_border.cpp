@@ -20,8 +20,6 @@
 namespace occlude::culler {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "the first byte of a row is its lowest");
-
 /// The tiles that a border is drawn into.
 struct BorderTiles {
   BorderTile* tiles;
@@ -90,6 +88,8 @@ HWY_INLINE void touch_rows(const BorderTiles& tiles, int y, Integers x0, Integer
     std::uint8_t row_bytes[kTile] = {};
     hn::StoreU(hn::U8FromU32(bits), bytes, row_bytes);
     std::memcpy(&rows, row_bytes, sizeof rows);
+    // The first row is the lowest byte, which a big-endian machine reads as the highest.
+    if constexpr (std::endian::native == std::endian::big) rows = __builtin_bswap64(rows);
     tiles.at(x / kTile, y / kTile).touched |= rows << (y % kTile * kTile);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A million cases of all families and the hash of their answers: the same bit for bit whatever compiled the kernel.
-// tests/builds.sh runs this in builds by other compilers, at other levels of optimisation, with and without FMA.
+// tests/builds.sh runs this by other compilers, at other levels of optimisation, with and without FMA, on other platforms.
 #include <gtest/gtest.h>
 
 #include <cinttypes>

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace {
@@ -28,8 +30,11 @@ TEST(BigInteger, LowestBitOfADouble) {
 }
 
 TEST(BigInteger, SmallNumbersAndTheirSums) {
-  for (const std::int64_t a : {-3L, 0L, 7L, (1L << 31U) - 1, 1L << 31U, -(1L << 31U), (1L << 62U) - 1, 1L << 62U}) {
-    for (const std::int64_t b : {-1L, 0L, 2L, 1L << 31U, -(1L << 62U), (1L << 62U) + 1}) {
+  constexpr std::int64_t k31 = std::int64_t{1} << 31U, k62 = std::int64_t{1} << 62U;
+  constexpr std::array<std::int64_t, 8> kLeft{-3, 0, 7, k31 - 1, k31, -k31, k62 - 1, k62};
+  constexpr std::array<std::int64_t, 6> kRight{-1, 0, 2, k31, -k62, k62 + 1};
+  for (const std::int64_t a : kLeft) {
+    for (const std::int64_t b : kRight) {
       const auto exactly = [](std::int64_t x) {
         return BigInteger::scaled(static_cast<double>(x >> 32U), 32) + BigInteger(x & 0xffffffff);
       };
