@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Checks that every build gives the same answers bit for bit. On this machine: g++ and clang++, -O0 and -O3, without and with
-# FMA, and batches on every instruction set. On other platforms: all tests of the kernel and the culler, on 64-bit ARM and on a
-# big-endian machine (IBM Z) under QEMU, and on Windows under Wine. Prints one line per build, with a hash of its answers. Exit
-# code 1 if one fails. Installs the compilers and emulators that are missing.
+# FMA, and batches on every instruction set. On others: all tests of the kernel and the culler, on 64-bit ARM and a big-endian
+# machine (IBM Z) under QEMU, and on Windows under Wine. Prints one line per build, with a hash of its answers. Exit code 1 if
+# one fails.
 # Usage: bash tests/builds.sh [g++|clang++|aarch64|s390x|windows]... (default: all; x86-64, Debian 12, as root or with sudo)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
 [ $# -gt 0 ] || builds=(g++ clang++ aarch64 s390x windows)
 
-# build_and_test FOLDER: builds `targets` with the CMake options in `options`, and runs the tests that `chosen` selects.
-# Prints "passed" or "FAILED", how many tests passed, and a hash of the answers to the million cases. The logs stay in FOLDER.
+# build_and_test FOLDER: builds `targets` with the CMake `options` and runs the tests that `chosen` selects. Prints "passed" or
+# "FAILED", how many tests, and a hash of the answers to the million cases. The logs stay in the folder.
 build_and_test() {
   local folder=$1 result=passed count hash
   mkdir -p "$folder"
@@ -25,14 +25,14 @@ build_and_test() {
   [[ $result == passed ]]
 }
 
-# on_this_machine COMPILER FLAGS: runs the million cases, and the batches.
+# on_this_machine COMPILER FLAGS: the million cases, and the batches.
 on_this_machine() {
   local options=(-DCMAKE_BUILD_TYPE= "-DCMAKE_CXX_COMPILER=$1" "-DCMAKE_CXX_FLAGS=$2")
   local targets=(kernel_tests) chosen=(--tests-regex 'Answers|Batch')
   build_and_test "build/answers/$1${2// /}"
 }
 
-# on_platform NAME: runs all tests of the kernel and the culler, and the examples.
+# on_platform NAME: all tests of the kernel and the culler, and the examples.
 on_platform() {
   local folder=$PWD/build/platforms/$1
   bash tests/platforms/libraries.sh "$1" "$folder" || { echo "FAILED to build libraries: $folder/libraries.txt"; return 1; }
@@ -43,7 +43,7 @@ on_platform() {
 }
 
 status=0
-# report NAME COMMAND...: prints a line of what the command printed and how long it took.
+# report NAME COMMAND...: a line of what the command says and how long it took.
 report() {
   local start=$SECONDS result
   result=$("${@:2}") || status=1

@@ -25,14 +25,15 @@ namespace {
 struct Arguments {
   std::string model, out, pattern = "even", seed = "1";
   BuildArguments build;
-  culler::BuildConfig grid;
+  culler::OccluderLists::Config lists;
   culler::SampleConfig samples;
   bool json = false;
 };
 
 void preprocess(Arguments& arguments) {
   culler::BuildConfig config = arguments.build.config();
-  config.grid = arguments.grid.grid;
+  arguments.lists.kind = config.lists.kind;
+  config.lists = arguments.lists;
   arguments.samples.seed = whole_number("--seed", arguments.seed);
   arguments.samples.pattern =
       arguments.pattern == "random" ? culler::SampleConfig::Pattern::random : culler::SampleConfig::Pattern::even;
@@ -48,7 +49,7 @@ void preprocess(Arguments& arguments) {
   render::write_preprocess(file, soup, result);
   render::check_interrupt();
   file.commit();
-  const culler::OccluderGrid::Lists& lists = result.lists;
+  const culler::OccluderLists::Stored& lists = result.lists;
   const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
   if (arguments.json) {
     const nlohmann::ordered_json summary{
@@ -83,12 +84,14 @@ void add_preprocess(Command app, int&) {
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   add_output(command, "--out", a->out, "file to write").required();
   a->build.add_to(command);
-  command.add("--regions", a->grid.grid.regions, "regions of space aimed at").show_default().in_range(1.0, 1e7);
-  command.add("--threshold", a->grid.grid.threshold, "steradians above which a region lists an occluder")
+  command.add("--region-count", a->lists.regions, "number of regions aimed at; of a tree the most")
+      .show_default()
+      .in_range(1.0, 1e7);
+  command.add("--threshold", a->lists.threshold, "steradians above which a region lists an occluder")
       .show_default()
       .in_range(1e-6, 10.0);
   command
-      .add("--entries", a->grid.grid.entries,
+      .add("--entries", a->lists.entries,
            "most entries of all lists together; where there would be more, the longest keep what looks largest")
       .show_default()
       .in_range(std::size_t{1}, std::size_t{1} << 30U);

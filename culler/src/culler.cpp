@@ -23,6 +23,8 @@ const PolygonSoup& checked(const PolygonSoup& soup) {
   return soup;
 }
 
+Space space_of(const Hierarchy& hierarchy) { return {hierarchy.nodes()[0].box, hierarchy.nodes()}; }
+
 auto volumes_of(const Hierarchy& hierarchy) {
   return [&](std::uint32_t node, auto&& question) { return hierarchy.ask(node, question); };
 }
@@ -42,15 +44,15 @@ auto parts_in(const Hierarchy& hierarchy, const OccluderSet& occluders) {
 Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
     : config_(config),
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
-      occluders_(OccluderSet::build(hierarchy_.shared_soup(), hierarchy_.nodes()[0].box, config.occluders, config.grid,
-                                    checkpoint)),
+      occluders_(
+          OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config.occluders, config.lists, checkpoint)),
       triangles_(std::make_shared<LazyTriangles>()) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
-      occluders_(OccluderSet::restore(hierarchy_.shared_soup(), hierarchy_.nodes()[0].box, preprocess.config.occluders,
-                                      preprocess.config.grid, std::move(preprocess.lists), checkpoint)),
+      occluders_(OccluderSet::restore(hierarchy_.shared_soup(), space_of(hierarchy_), preprocess.config.occluders,
+                                      preprocess.config.lists, std::move(preprocess.lists), checkpoint)),
       triangles_(std::make_shared<LazyTriangles>()) {}
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {

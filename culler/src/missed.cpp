@@ -53,7 +53,7 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 void MissedReasons::keep_others(const Camera& camera, const CullOptions& options) {
   const FrameView view(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
   std::vector<kernel::Vec3> vertices;
-  for (const std::uint32_t i : largest_of(occluders_.grid().list(camera.eye).occluders, occluders_, camera.eye)) {
+  for (const std::uint32_t i : largest_of(occluders_.lists().list(camera.eye).occluders, occluders_, camera.eye)) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
     occluders_.vertices(i, vertices);
     if (view.may_clip(vertices)) continue;

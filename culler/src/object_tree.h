@@ -34,6 +34,8 @@ class ObjectTree {
 
   /// Empty without objects.
   [[nodiscard]] std::span<const HierarchyNode> nodes() const { return tree_.nodes; }
+  /// The root of the static objects' part of nodes(). REQUIRES: there are static objects.
+  [[nodiscard]] std::uint32_t static_root() const { return dynamics() == 0 ? 0 : 1; }
   /// The items in the order of the leaves: first the static ones, then the dynamic ones.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return tree_.order; }
   /// Calls question(box) with the bounding volume of the node.

@@ -58,7 +58,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   const std::size_t all = occluders.size(), used = std::min(all, options.occluders + options.probes);
   const std::size_t remembered = std::min(all, (OccluderHistory::kFrames + 1) * used);  // with those about to be forgotten
   memory.history.reserve(all, remembered);
-  const std::size_t candidates = std::max({occluders.grid().longest(), remembered, kPool});
+  const std::size_t candidates = std::max({occluders.lists().longest(), remembered, kPool});
   memory.order.reserve(candidates, all);
   memory.candidates.reserve(candidates);
   memory.result.occluders.reserve(std::min(all, options.occluders));
@@ -77,7 +77,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
 OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.taken(); }
 
 void OccluderChoice::sort_candidates() {
-  const auto [listed, hidden] = occluders_.grid().list(view_.camera.eye);
+  const auto [listed, hidden] = occluders_.lists().list(view_.camera.eye);
   const Objective& objective = options_.objective;
   std::vector<Candidate>& candidates = memory_.candidates;
   candidates.clear();

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "bounds.h"
 #include "depth_complexity.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/parallel.h"
@@ -41,11 +42,13 @@ glm::dvec3 viewpoint(const SampleConfig& samples, std::size_t region, std::size_
 /// What the occluders listed by a region hide on average, in the order of its list.
 void sample(const Culler& culler, const SampleConfig& samples, std::size_t region, std::span<float> hidden,
             const Checkpoint& checkpoint) {
-  const OccluderGrid& grid = culler.occluders().grid();
-  const auto listed = grid.list(region).occluders;
+  const OccluderLists& lists = culler.occluders().lists();
+  const auto listed = lists.list(region).occluders;
+  const kernel::Aabb box = lists.partition().box(region);
+  const glm::dvec3 corner = to_glm(box.min), size = to_glm(box.max) - corner;
   for (std::size_t n = 0; n < samples.viewpoints; ++n) {
     checkpoint();
-    const glm::dvec3 eye = grid.corner(region) + grid.edge() * viewpoint(samples, region, n);
+    const glm::dvec3 eye = corner + size * viewpoint(samples, region, n);
     for (const auto& [occluder, polygons] : best_together(culler.hierarchy(), culler.occluders(), listed, eye)) {
       const auto at = static_cast<std::size_t>(std::ranges::lower_bound(listed, occluder) - listed.begin());
       hidden[at] += static_cast<float>(polygons) / static_cast<float>(samples.viewpoints);
@@ -58,18 +61,18 @@ void sample(const Culler& culler, const SampleConfig& samples, std::size_t regio
 Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
                       const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
   const Culler culler(soup, config, checkpoint);
-  const OccluderGrid& grid = culler.occluders().grid();
-  Preprocess result{config, culler.hierarchy().layout(), grid.lists()};
+  Preprocess result{config, culler.hierarchy().layout(), culler.occluders().lists().stored()};
   if (samples.viewpoints == 0) return result;
   result.lists.hidden.assign(result.lists.occluders.size(), 0);
   std::mutex mutex;
   std::size_t done = 0;
-  parallel_for(grid.regions(), [&](std::size_t region) {
+  const std::size_t regions = culler.occluders().lists().partition().regions();
+  parallel_for(regions, [&](std::size_t region) {
     const std::size_t first = result.lists.first[region], count = result.lists.first[region + 1] - first;
     if (count != 0) sample(culler, samples, region, std::span(result.lists.hidden).subspan(first, count), checkpoint);
     if (!progress) return;
     const std::lock_guard lock(mutex);
-    progress(++done, grid.regions());
+    progress(++done, regions);
   });
   return result;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which occluders each region of a grid lists.
+// Which occluders each region of a partition lists.
 #pragma once
 
 #include "occlude/culler/checkpoint.h"
-#include "occlude/culler/occluder_grid.h"
+#include "occlude/culler/occluder_lists.h"
 
 namespace occlude::culler {
 
-/// The lists of a grid that has none yet, without what occluders hide. On all processors; the same for any number of them.
-[[nodiscard]] OccluderGrid::Lists list_occluders(const OccluderGrid& grid, const PotentialOccluders& occluders,
-                                                 const OccluderGrid::Config& config, const Checkpoint& checkpoint);
+/// The lists without what occluders hide. On all processors; the same for any number of them.
+[[nodiscard]] OccluderLists::Stored list_occluders(const Partition& partition, const PotentialOccluders& occluders,
+                                                   const OccluderLists::Config& config, const Checkpoint& checkpoint);
 
 }  // namespace occlude::culler

@@ -32,9 +32,14 @@ kernel::Aabb extent(std::span<const Box> statics, const PolygonSoup& soup) {
   return box;
 }
 
-OccluderSet set_of(const std::shared_ptr<const PolygonSoup>& soup, std::span<const Box> statics, const SceneConfig& config,
-                   const Checkpoint& checkpoint) {
-  return OccluderSet::build(soup, extent(statics, *soup), config.occluders, config.grid, checkpoint);
+OccluderSet set_of(const std::shared_ptr<const PolygonSoup>& soup, std::span<const Box> statics, const ObjectTree& objects,
+                   const SceneConfig& config, const Checkpoint& checkpoint) {
+  Space space{extent(statics, *soup)};
+  if (!statics.empty()) {
+    space.nodes = objects.nodes();
+    space.root = objects.static_root();
+  }
+  return OccluderSet::build(soup, space, config.occluders, config.lists, checkpoint);
 }
 
 /// Turns ranges of drawn items into the ids of objects.
@@ -76,7 +81,7 @@ class CoverOccluders : public Lazy<OccluderTree> {};
 
 Scene::Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config, const Checkpoint& checkpoint)
     : objects_(std::make_unique<ObjectTree>(objects.statics, objects.dynamics, checkpoint)),
-      occluders_(set_of(checked(std::move(occluders)), objects.statics, config, checkpoint)),
+      occluders_(set_of(checked(std::move(occluders)), objects.statics, *objects_, config, checkpoint)),
       cover_(std::make_unique<CoverOccluders>()) {}
 
 Scene::~Scene() = default;

@@ -156,13 +156,14 @@ constexpr const char* kExpect = "expect";
 /// Judges the case on a line of a case file, and compares it with the answer that the line expects.
 fuzz::Report judge_line(const cases::CaseLine& line, const std::string& name, std::size_t number) {
   fuzz::Report report;
-  fuzz::judge_overlap(line.question, {&line.question.box, 1}, name, number, report);
+  fuzz::judge_overlap(line.question, {&line.question.box, 1}, number, report);
   const std::string judged = fuzz::judged_answer(line.question);
-  if (!line.expect || *line.expect == judged) return report;
-  report.tally.disagreements = 1;
-  report.findings.push_back({name, number, kExpect,
-                             fmt::format("{}, the oracle: {}", *line.expect, judged.empty() ? "none" : judged),
-                             line.question, *line.expect});
+  if (line.expect && *line.expect != judged) {
+    report.tally.disagreements = 1;
+    report.findings.push_back({kExpect, fmt::format("{}, the oracle: {}", *line.expect, judged.empty() ? "none" : judged),
+                               line.question, *line.expect});
+  }
+  fuzz::sign(report, name, number);
   return report;
 }
 

@@ -105,8 +105,9 @@ Tally tally(const nlohmann::json& row) {
 }
 
 Finding finding(const nlohmann::json& object) {
-  Finding result{word(object, "family"), count(object, "seed"), word(object, "kind"),
-                 word(object, "what"),   std::nullopt,          ""};
+  Finding result{word(object, "kind"), word(object, "what")};
+  result.family = word(object, "family");
+  result.seed = count(object, "seed");
   if (object.contains("case")) {
     cases::CaseLine line = cases::read_case(object.at("case"));
     result.question = std::move(line.question);

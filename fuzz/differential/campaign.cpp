@@ -23,8 +23,9 @@ void run_one(const Experiment& experiment, std::uint64_t seed, Report& report) {
     experiment.run(seed, report);
   } catch (const std::exception& error) {
     ++report.tally.disagreements;
-    report.findings.push_back({experiment.name, seed, "exception", error.what(), std::nullopt, ""});
+    report.findings.push_back({"exception", error.what()});
   }
+  sign(report, experiment.name, seed);
 }
 
 }  // namespace

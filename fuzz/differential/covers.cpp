@@ -211,13 +211,13 @@ void run_covers(std::uint64_t seed, Report& report) {
     const Box box = i == 0 ? question.box : legal_neighbour(random, question.box);
     const kernel::Decision decision =
         std::visit([&](const auto& kind) { return kernel::overlap_certified(cover, kind); }, box);
-    judge(report, "cover", seed, "box " + std::to_string(i), decision.relation, decision.stage,
+    judge(report, "box " + std::to_string(i), decision.relation, decision.stage,
           oracle::relation_to_cover(to_oracle(question.viewpoint), polygons, to_oracle(box), coefficients(question.drawn)));
     const auto* const aabb = std::get_if<kernel::Aabb>(&box);
     if (aabb == nullptr || is_unlike || decision.relation != kernel::Relation::inside || !is_judged_twice(seed * kGroup + i))
       continue;
     ++report.tally.judged_twice;
-    if (shows(question, *aabb)) add_finding(report, "cover", seed, "second oracle", "box " + std::to_string(i) + " shows");
+    if (shows(question, *aabb)) add_finding(report, "second oracle", "box " + std::to_string(i) + " shows");
   }
 }
 

@@ -65,7 +65,10 @@ culler::BuildConfig some_config(Random& random) {
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
   if (random.chance(0.5)) config.hierarchy.bounds = culler::Bounds::obb;
   config.occluders.shells = random.chance(0.8);
-  config.grid.regions = std::array{1.0, 8.0, 64.0}[random.index(3)];
+  using Kind = culler::Partition::Kind;
+  const std::size_t regions = random.index(6);
+  config.lists.kind = regions < 3 ? Kind::grid : Kind::tree;
+  config.lists.regions = std::array{1.0, 8.0, 64.0}[regions % 3];
   return config;
 }
 
@@ -236,7 +239,7 @@ void run_culling(std::uint64_t seed, Report& report) {
   report.tally.stages[stats.exact_shadow_tests != 0 ? 1 : 0] += soup.size();
   const std::string wrong = fault_of_frame(culler, camera, options, view);
   if (wrong.empty()) return;
-  add_finding(report, "culler", seed, "frame", wrong);
+  add_finding(report, "frame", wrong);
 }
 
 }  // namespace occlude::fuzz

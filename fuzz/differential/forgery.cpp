@@ -88,7 +88,7 @@ class Forger {
   explicit Forger(Random& random)
       : random_(random),
         input_(some_soup(random)),
-        culler_(input_, {.hierarchy = {.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4))}, .grid = {}}),
+        culler_(input_, {.hierarchy = {.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4))}, .lists = {}}),
         prover_(culler_.hierarchy(), {kFrames, [this](std::size_t frame) { return cameras_[frame]; }}) {
     for (Camera& camera : cameras_) {
       camera = forged_camera(random, soup());
@@ -376,10 +376,10 @@ void run_forgeries(std::uint64_t seed, Report& report) {
     ++report.tally
           .relations[static_cast<std::size_t>(outcome.is_taken ? kernel::Relation::inside : kernel::Relation::outside)];
     if (outcome.is_honest && !outcome.is_taken) {
-      add_finding(report, "forgery", seed, "honest", "what the culler culls is not proved: " + outcome.line);
+      add_finding(report, "honest", "what the culler culls is not proved: " + outcome.line);
     }
     if (outcome.shows) {
-      add_finding(report, "forgery", seed, "proof",
+      add_finding(report, "proof",
                   "triangle " + std::to_string(*outcome.shows) + " shows and is proved to be culled: " + outcome.line);
     }
   }

@@ -83,8 +83,8 @@ void run_frustum_batch(std::uint64_t seed, Report& report) {
     }
     if (fault.empty()) continue;
     ++report.tally.disagreements;
-    report.findings.push_back({"frustum_batch", seed, kind, "number " + std::to_string(i) + ": " + fault, std::move(c),
-                               answer.refusal.empty() ? text(truth) : ""});
+    report.findings.push_back(
+        {kind, "number " + std::to_string(i) + ": " + fault, std::move(c), answer.refusal.empty() ? text(truth) : ""});
   }
 }
 

@@ -91,7 +91,7 @@ void run_joined(std::uint64_t seed, Report& report) {
   for (int walls = random.integer(1, 3); walls > 0; --walls) add_panels(random, soup, camera);
   culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
-  config.grid.regions = 1;  // covers need no regions, and to make many would take longer than the rest
+  config.lists.regions = 1;  // covers need no regions, and to make many would take longer than the rest
   const Culler culler(soup, config);
   const culler::CullOptions options = some_options(random);
   for (int frame = 0; frame < 3; ++frame) {
@@ -102,7 +102,7 @@ void run_joined(std::uint64_t seed, Report& report) {
     report.tally.relations[2] += result.stats.view_culled_polygons;
     report.tally.stages[0] += soup.size();
     const std::string wrong = fault_of(culler, camera, options, result);
-    if (!wrong.empty()) return add_finding(report, "joined", seed, "frame", wrong);
+    if (!wrong.empty()) return add_finding(report, "frame", wrong);
     camera.eye += 0.25 * lattice_point(random, 2);
     camera.target += 0.125 * lattice_point(random, 2);
     if (!culler::fault(camera).empty()) return;

@@ -34,13 +34,8 @@ oracle::Shadow shadow_of(const Case& c, const kernel::ShadowFrustumResult& made)
 /// One shadow, and the judgement of the boxes that are asked about it.
 class Judgement {
  public:
-  Judgement(const Case& question, const std::string& family, std::uint64_t seed, Report& report)
-      : question_(question),
-        family_(family),
-        seed_(seed),
-        report_(report),
-        made_(make_frustum(question)),
-        shadow_(shadow_of(question, made_)) {}
+  Judgement(const Case& question, Report& report)
+      : question_(question), report_(report), made_(make_frustum(question)), shadow_(shadow_of(question, made_)) {}
 
   void judge(const Box& box, bool twice) {
     ++report_.tally.cases;
@@ -164,12 +159,10 @@ class Judgement {
     if (!std::exchange(is_wrong_, true)) ++report_.tally.disagreements;
     Case found{question_.viewpoint, question_.occluder, question_.near, box};
     std::string expect = judged_answer(found);
-    report_.findings.push_back({family_, seed_, kind, what, std::move(found), std::move(expect)});
+    report_.findings.push_back({kind, what, std::move(found), std::move(expect)});
   }
 
   const Case& question_;
-  const std::string& family_;
-  std::uint64_t seed_;
   Report& report_;
   kernel::ShadowFrustumResult made_;
   oracle::Shadow shadow_;
@@ -186,9 +179,8 @@ class Judgement {
 
 }  // namespace
 
-void judge_overlap(const Case& question, std::span<const Box> boxes, const std::string& family, std::uint64_t seed,
-                   Report& report) {
-  Judgement judgement(question, family, seed, report);
+void judge_overlap(const Case& question, std::span<const Box> boxes, std::uint64_t seed, Report& report) {
+  Judgement judgement(question, report);
   for (std::size_t i = 0; i < boxes.size(); ++i) judgement.judge(boxes[i], is_judged_twice(seed * kGroup + i));
   judgement.judge_batches();
 }
@@ -197,7 +189,7 @@ void run_overlap(Family family, std::uint64_t seed, Report& report) {
   const Case question = make_case(family, seed);
   std::vector<Box> boxes{question.box};
   while (boxes.size() < kGroup) boxes.push_back(neighbour(question.box, seed * kGroup + boxes.size()));
-  judge_overlap(question, boxes, std::string(name(family)), seed, report);
+  judge_overlap(question, boxes, seed, report);
 }
 
 std::string judged_answer(const Case& question) {
@@ -210,8 +202,7 @@ std::string judged_answer(const Case& question) {
 
 std::optional<Finding> find_again(const Case& question, const std::string& kind) {
   Report report;
-  const std::string nameless;
-  Judgement judgement(question, nameless, 0, report);
+  Judgement judgement(question, report);
   judgement.judge(question.box, kind == kSecondOracle);
   judgement.judge_batches();
   const auto same = std::ranges::find(report.findings, kind, &Finding::kind);

@@ -13,10 +13,9 @@
 namespace occlude::fuzz {
 
 /// Compares the answers about `boxes` and the shadow of the question's occluder with the oracle: certified and conservative,
-/// one by one and in batches, with near planes closed and open, plain and the rivals. Some boxes are asked of the second
-/// oracle too. The box of `question` is not used. `family` and `seed` name the findings.
-void judge_overlap(const Case& question, std::span<const Box> boxes, const std::string& family, std::uint64_t seed,
-                   Report& report);
+/// one by one and in batches, with near planes closed and open, plain and the rivals. Some boxes, which the seed chooses,
+/// are asked of the second oracle too. The box of `question` is not used.
+void judge_overlap(const Case& question, std::span<const Box> boxes, std::uint64_t seed, Report& report);
 
 /// Judges a case of the family and its neighbours.
 void run_overlap(Family family, std::uint64_t seed, Report& report);

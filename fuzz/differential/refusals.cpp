@@ -13,7 +13,7 @@ void run_refusals(std::uint64_t seed, Report& report) {
   for (std::uint64_t i = 0; i < kGroup; ++i) {
     Case question = any_case(random);
     spoil(random, question);
-    judge_overlap(question, {&question.box, 1}, "spoiled", seed, report);
+    judge_overlap(question, {&question.box, 1}, seed, report);
   }
 }
 

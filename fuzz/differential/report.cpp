@@ -22,6 +22,13 @@ Tally& Tally::operator+=(const Tally& other) {
   return *this;
 }
 
+void sign(Report& report, const std::string& family, std::uint64_t seed) {
+  for (Finding& finding : report.findings) {
+    finding.family = family;
+    finding.seed = seed;
+  }
+}
+
 void add(Report& whole, Report&& part) {
   whole.tally += part.tally;
   whole.core_seconds += part.core_seconds;

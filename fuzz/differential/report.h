@@ -51,12 +51,12 @@ struct Tally {
 
 /// A disagreement, and how to make it again.
 struct Finding {
-  std::string family;
+  std::string kind;                ///< who was wrong about what; a smaller case must show the same
+  std::string what;                ///< one line: who said what
+  std::optional<Case> question{};  ///< when a case file can hold it
+  std::string expect{};            ///< the oracle's answer to it
+  std::string family{};            ///< together with the seed it makes the finding again
   std::uint64_t seed = 0;
-  std::string kind;              ///< who was wrong about what; a smaller case must show the same
-  std::string what;              ///< one line: who said what
-  std::optional<Case> question;  ///< when a case file can hold it
-  std::string expect;            ///< the oracle's answer to it
 };
 
 struct Report {
@@ -67,6 +67,9 @@ struct Report {
 
 /// The number of findings that are kept of many reports: those with the lowest seeds.
 inline constexpr std::size_t kKeptFindings = 3;
+
+/// Sets the family and the seed of all findings.
+void sign(Report& report, const std::string& family, std::uint64_t seed);
 
 /// Adds `part` to `whole`. The sum does not depend on the order of the parts.
 void add(Report& whole, Report&& part);

@@ -107,19 +107,19 @@ void run_cones(std::uint64_t seed, Report& report) {
   Random random(seed);
   const Case c = any_legal_case(random);
   const std::optional<ViewCone> occluder = cone_of(c.viewpoint, c.occluder);
-  if (!occluder) return add_finding(report, "cones", seed, "refusal", "a cone is refused, its frustum is not");
+  if (!occluder) return add_finding(report, "refusal", "a cone is refused, its frustum is not");
   const std::string fault = silhouette_fault(c, *occluder);
-  if (!fault.empty()) add_finding(report, "cones", seed, "silhouette", fault);
+  if (!fault.empty()) add_finding(report, "silhouette", fault);
   for (std::uint64_t i = 0, tries = 0; i < kGroup && tries < kMostTries; ++tries) {
     const Occluder object = some_occludee(random, c);
     const oracle::Answer truth = oracle::cone_relation(to_oracle(c.viewpoint), to_oracle(c.occluder), to_oracle(object));
     const std::optional<ViewCone> occludee = cone_of(c.viewpoint, object);
     if (occludee.has_value() != truth.refusal.empty()) {
-      add_finding(report, "cones", seed, "refusal", "the oracle: " + (occludee ? truth.refusal : "none"));
+      add_finding(report, "refusal", "the oracle: " + (occludee ? truth.refusal : "none"));
     }
     if (!occludee) continue;
     const kernel::ConeOverlap answer = kernel::overlap_certified(*occluder, *occludee);
-    judge(report, "cones", seed, "occludee " + std::to_string(i++), answer.relation, answer.stage, truth);
+    judge(report, "occludee " + std::to_string(i++), answer.relation, answer.stage, truth);
   }
 }
 
@@ -135,11 +135,11 @@ void run_occludees(std::uint64_t seed, Report& report) {
     const oracle::Answer truth = shadow.relation(to_oracle(*given));
     const auto occludee = kernel::ConvexPolytope::make(*given);
     if (occludee.polytope.has_value() != truth.refusal.empty()) {
-      add_finding(report, "occludees", seed, "refusal", "the oracle: " + (occludee.polytope ? truth.refusal : "none"));
+      add_finding(report, "refusal", "the oracle: " + (occludee.polytope ? truth.refusal : "none"));
     }
     if (!occludee.polytope) continue;
     const kernel::Decision answer = kernel::overlap_certified(*made.frustum, *occludee.polytope);
-    judge(report, "occludees", seed, "occludee " + std::to_string(i++), answer.relation, answer.stage, truth);
+    judge(report, "occludee " + std::to_string(i++), answer.relation, answer.stage, truth);
   }
 }
 

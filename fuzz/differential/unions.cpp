@@ -96,11 +96,10 @@ void run_unions(std::uint64_t seed, Report& report) {
     };
     const std::string what = "box " + std::to_string(i);
     const kernel::Decision decision = ask(kernel::NearBoundary::closed);
-    judge(report, "union", seed, what, decision.relation, decision.stage, first.relation_to_union(second, to_oracle(box)));
+    judge(report, what, decision.relation, decision.stage, first.relation_to_union(second, to_oracle(box)));
     if (ask(kernel::NearBoundary::open).relation != kernel::Relation::inside) continue;
     const std::string refuted = first.refute_union_cull(second, to_oracle(box));
-    if (!refuted.empty())
-      add_finding(report, "union", seed, "certified, near plane open", what + ": inside, but " + refuted);
+    if (!refuted.empty()) add_finding(report, "certified, near plane open", what + ": inside, but " + refuted);
   }
 }
 

@@ -87,10 +87,10 @@ void run_view_frusta(std::uint64_t seed, Report& report) {
     const auto ask_all = [&](const auto& kind) { return kernel::overlap_certified(view, kind); };
     const auto ask_one = [&](const auto& kind) { return kernel::relation(view[one], kind, kernel::Arithmetic::certified); };
     const kernel::Decision all = std::visit(ask_all, box);
-    judge(report, "view_frustum", seed, "box " + std::to_string(i), all.relation, all.stage,
+    judge(report, "box " + std::to_string(i), all.relation, all.stage,
           oracle::relation_to_half_spaces(judged, to_oracle(box)));
-    judge(report, "view_frustum", seed, "box " + std::to_string(i) + ", half-space " + std::to_string(one),
-          std::visit(ask_one, box), std::nullopt, oracle::relation_to_half_spaces({&judged[one], 1}, to_oracle(box)));
+    judge(report, "box " + std::to_string(i) + ", half-space " + std::to_string(one), std::visit(ask_one, box), std::nullopt,
+          oracle::relation_to_half_spaces({&judged[one], 1}, to_oracle(box)));
   }
 }
 

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<fuzz::Box> boxes;
   for (std::size_t i = 0, count = 1 + decoder.below(6); i < count; ++i) boxes.push_back(decoder.box());
   fuzz::Report report;
-  fuzz::judge_overlap(question, boxes, "harness", 0, report);
+  fuzz::judge_overlap(question, boxes, 0, report);
   if (report.findings.empty()) return 0;
   const fuzz::Finding& first = report.findings[0];
   harness::finding(first.what + ": " + cases::write_case("overlap", *first.question, first.expect));

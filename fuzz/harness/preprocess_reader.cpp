@@ -41,7 +41,7 @@ std::vector<std::uint8_t> sound_file(const culler::PolygonSoup& soup) {
   const ScratchFile file({}, ".pre");
   {
     render::OutputFile output(file.path());
-    write_preprocess(output, soup, culler::preprocess(soup, {.grid = {.threshold = 0.1, .regions = 8}}, {}));
+    write_preprocess(output, soup, culler::preprocess(soup, {.lists = {.threshold = 0.1, .regions = 8}}, {}));
     output.commit();
   }
   std::ifstream in(file.path(), std::ios::binary);

@@ -67,7 +67,10 @@ culler::BuildConfig config_of(Decoder& decoder) {
   constexpr std::array<double, 4> kRegions = {1, 8, 64, 1000};
   culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(decoder.below(4));
-  config.grid = {decoder.flag() ? 0.03 : 1e-6, kRegions[decoder.below(kRegions.size())]};
+  config.lists.threshold = decoder.flag() ? 0.03 : 1e-6;
+  const std::size_t regions = decoder.below(2 * kRegions.size());
+  config.lists.regions = kRegions[regions % kRegions.size()];
+  if (regions >= kRegions.size()) config.lists.kind = culler::Partition::Kind::tree;
   return config;
 }
 

@@ -173,7 +173,7 @@ def make_seeds(occlude, folder):
     (folder / "path.json").write_text(json.dumps(PATH))
     ask("walk", "model.ply", "--path", "path.json", "--no-render", "--out", "seed", "--witness", "witness.jsonl",
         "--cases", "cases.jsonl")
-    ask("preprocess", "model.ply", "--out", "model.pre", "--regions", "8", "--samples", "1")
+    ask("preprocess", "model.ply", "--out", "model.pre", "--region-count", "8", "--samples", "1")
     ask("fuzz", "--family", "lattice", "polytope_box", "obb_random", "--cases", "48", "--out", "part.json")
     cases = (folder / "cases.jsonl").read_bytes().splitlines(True)[:20]
     polytope = (b'{"id":"block","eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],'

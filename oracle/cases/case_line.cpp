@@ -3,79 +3,21 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <variant>
-
 #include "occlude/render/errors.h"
+#include "occlude/render/json_text.h"
 #include "occlude/render/line_reader.h"
 #include "occlude/render/progress.h"
 
 namespace occlude::cases {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-kernel::Near near_of(const nlohmann::json& object) {
-  if (!object.contains("near")) return kernel::Near::farthest;
-  if (object["near"] == "farthest") return kernel::Near::farthest;
-  if (object["near"] == "surface") return kernel::Near::surface;
-  throw LineError("\"near\": expected \"farthest\" or \"surface\"");
-}
-
-std::optional<std::string> expect_of(const nlohmann::json& object) {
-  if (!object.contains("expect")) return std::nullopt;
-  const auto& expect = object["expect"];
-  if (expect != "inside" && expect != "partial" && expect != "outside") {
-    throw LineError("\"expect\": expected \"inside\", \"partial\" or \"outside\"");
+nlohmann::json parse_object(std::string_view line) {
+  try {
+    nlohmann::json object = render::parse_json(line);
+    if (!object.is_object()) throw LineError("not a JSON object");
+    return object;
+  } catch (const render::JsonError& error) {
+    throw LineError(fmt::format("{}, near column {}", error.what(), error.at + 1));
   }
-  return expect.get<std::string>();
-}
-
-/// JSON has no NaN and no infinity. They become strings, as json_input.h reads them.
-Json json(double x) {
-  if (std::isfinite(x)) return x;
-  return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
-}
-
-Json json(const kernel::Vec3& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
-
-template <class Points>
-Json json_of_all(const Points& points) {
-  Json result = Json::array();
-  for (const kernel::Vec3& point : points) result.push_back(json(point));
-  return result;
-}
-
-Json json(const Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
-Json json(const kernel::Polytope& polytope) {
-  return {{"vertices", json_of_all(polytope.vertices)}, {"faces", polytope.faces}};
-}
-Json json(const kernel::Aabb& box) { return {{"min", json(box.min)}, {"max", json(box.max)}}; }
-Json json(const kernel::Obb& box) { return {{"center", json(box.center)}, {"half_edges", json_of_all(box.half_edges)}}; }
-
-}  // namespace
-
-Json case_id(const nlohmann::json& object) {
-  if (!object.contains("id")) return nullptr;
-  if (!object["id"].is_string() && !object["id"].is_number()) throw LineError("\"id\": expected a string or a number");
-  return object["id"];
-}
-
-CaseLine read_case(const nlohmann::json& object) {
-  return {{viewpoint(object), occluder(member(object, "occluder")), near_of(object), box(object)}, expect_of(object)};
-}
-
-bool is_cover(const nlohmann::json& object) {
-  const auto occluder = object.find("occluder");
-  return occluder != object.end() && occluder->is_object() && occluder->contains("cover");
-}
-
-CoverLine read_cover(const nlohmann::json& object) {
-  const nlohmann::json& occluder = object["occluder"];
-  for (const char* other : {"polygon", "vertices", "faces"}) {
-    if (occluder.contains(other)) throw LineError(fmt::format("both \"cover\" and \"{}\"", other));
-  }
-  return {viewpoint(object), cover(occluder["cover"]), box(object), expect_of(object)};
 }
 
 void for_each_case(const std::string& file, bool silence,
@@ -91,17 +33,6 @@ void for_each_case(const std::string& file, bool silence,
       throw render::InputError(fmt::format("{}:{}: {}", lines.name(), lines.number(), error.what()));
     }
   }
-}
-
-std::string write_case(const std::string& id, const Case& question, const std::string& expect) {
-  const auto write = [](const auto& kind) { return json(kind); };
-  Json line{{"id", id}};
-  line[question.viewpoint.is_eye() ? "eye" : "direction"] = json(question.viewpoint.value);
-  line["occluder"] = std::visit(write, question.occluder);
-  line["near"] = question.near == kernel::Near::farthest ? "farthest" : "surface";
-  line["box"] = std::visit(write, question.box);
-  if (!expect.empty()) line["expect"] = expect;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace occlude::cases

@@ -5,45 +5,21 @@
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "cases/json_input.h"
+#include "cases/case_json.h"
 
 namespace occlude::cases {
 
-/// A question, and the right answer if the line has one.
-struct CaseLine {
-  Case question;
-  std::optional<std::string> expect;
-};
-
-/// The member "id", or null when there is none. Like the functions below it throws LineError.
-[[nodiscard]] nlohmann::ordered_json case_id(const nlohmann::json& object);
-
-[[nodiscard]] CaseLine read_case(const nlohmann::json& object);
-
-/// A question about the joined shadow of several polygons. Its answers are "inside" and "partial".
-struct CoverLine {
-  kernel::Viewpoint viewpoint;
-  std::vector<Polygon> polygons;
-  Box box;
-  std::optional<std::string> expect;
-};
-
-/// Whether the object's occluder is a "cover".
-[[nodiscard]] bool is_cover(const nlohmann::json& object);
-
-[[nodiscard]] CoverLine read_cover(const nlohmann::json& object);
+/// The object on a line, read by render::parse_json. NaN, Infinity and numbers beyond the range of doubles are accepted as
+/// such, so that the case is refused for them and not the line. Throws LineError.
+[[nodiscard]] nlohmann::json parse_object(std::string_view line);
 
 /// Calls `take` with the number and the object of every line that is not blank, in order. "-" is standard input. Throws
 /// InputError, with file and line, for what cannot be read and for the LineErrors of `take`. Throws Interrupted. With
 /// `silence` no progress is shown, for callers that print while they work.
 void for_each_case(const std::string& file, bool silence,
                    const std::function<void(std::size_t number, const nlohmann::json&)>& take);
-
-/// The line that reads back as the same case, without a line break. An empty `expect` is left out.
-[[nodiscard]] std::string write_case(const std::string& id, const Case& question, const std::string& expect);
 
 }  // namespace occlude::cases

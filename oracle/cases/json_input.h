@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "cases/case.h"
@@ -16,10 +15,6 @@ namespace occlude::cases {
 struct LineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// The object on a line, read by render::parse_json. NaN, Infinity and numbers beyond the range of doubles are accepted as
-/// such, so that the case is refused for them and not the line.
-[[nodiscard]] nlohmann::json parse_object(std::string_view line);
 
 [[nodiscard]] const nlohmann::json& member(const nlohmann::json& object, const char* name);
 

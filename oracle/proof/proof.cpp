@@ -11,6 +11,7 @@
 
 #include "border.h"
 #include "camera_picture.h"
+#include "cases/case_line.h"
 #include "cases/to_oracle.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/oracle/cover.h"

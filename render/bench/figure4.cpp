@@ -67,11 +67,11 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   const render::Stopwatch stopwatch;
   const bool are_sampled = options.samples != 0;
   culler::BuildConfig config = options.walk.build;
-  config.grid.regions = static_cast<double>(options.regions);
+  config.lists.regions = static_cast<double>(options.regions);
   // One culler for all curves: those without depth complexity give it no weight.
   const culler::Culler culler =
       are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config, render::check_interrupt);
-  figure.regions = culler.occluders().grid().regions();
+  figure.regions = culler.occluders().lists().partition().regions();
   if (are_sampled) figure.sampling_s = stopwatch.seconds();
 
   const double in_view = polygons_in_view(culler, subject.path, options.walk);

@@ -23,7 +23,7 @@ struct Curve {
 };
 
 struct Figure4 {
-  std::size_t regions = 0;  ///< of the grid
+  std::size_t regions = 0;
   std::vector<Curve> curves;
   std::optional<double> sampling_s;  ///< time of the preprocess that samples depth complexity, seconds
 };

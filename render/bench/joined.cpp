@@ -35,7 +35,7 @@ struct Trial {
 void run(Trial& trial, const Subject& subject, const Options& options) {
   render::WalkOptions walk = options.walk;
   walk.build.hierarchy.leaf_size = trial.point.leaf;
-  walk.build.grid.regions = 1;  // no list is used
+  walk.build.lists.regions = 1;  // no list is used
   walk.cull.method = culler::Method::cover;
   walk.cull.cover_width = trial.point.width;
   walk.cull.cover_height = trial.point.height;

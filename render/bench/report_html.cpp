@@ -65,8 +65,8 @@ std::string sweep_figures(const std::string& varied, const std::vector<double>& 
 }
 
 std::string sweeps_section(const Sweeps& sweeps) {
-  const auto regions = values(sweeps.regions, [](const SweepPoint& p) { return p.grid.regions; });
-  const auto thresholds = values(sweeps.threshold, [](const SweepPoint& p) { return p.grid.threshold; });
+  const auto regions = values(sweeps.regions, [](const SweepPoint& p) { return p.lists.regions; });
+  const auto thresholds = values(sweeps.threshold, [](const SweepPoint& p) { return p.lists.threshold; });
   const Table by_regions = regions_table(sweeps), by_threshold = threshold_table(sweeps);
   return section(by_regions.title, sweep_figures("regions", regions, sweeps.regions) + html_of(by_regions)) +
          section(by_threshold.title, sweep_figures("steradians", thresholds, sweeps.threshold) + html_of(by_threshold));

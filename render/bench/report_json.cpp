@@ -71,8 +71,8 @@ Json figure4_json(const Figure4& figure) {
 Json sweep_json(const std::vector<SweepPoint>& points) {
   Json json = Json::array();
   for (const SweepPoint& p : points) {
-    json.push_back({{"regions", p.grid.regions},
-                    {"threshold", p.grid.threshold},
+    json.push_back({{"regions", p.lists.regions},
+                    {"threshold", p.lists.threshold},
                     {"culled_share", p.culled_share},
                     {"listed", p.listed},
                     {"entries", p.entries},

@@ -22,8 +22,8 @@ struct Subject {
 struct Options {
   /// Frames, pictures, hierarchy and culling of all experiments, except what each experiment varies.
   render::WalkOptions walk;
-  /// Regions of the grid for figure 4. Sampling time is proportional to it: minutes for the default grid, seconds for this
-  /// one, whose regions are twice as long.
+  /// Regions for figure 4. Sampling time is proportional to it: minutes for the default of a preprocess, seconds for this
+  /// one, whose cubes are twice as long.
   std::size_t regions = 4096;
   std::size_t samples = 1;          ///< viewpoints per region to sample depth complexity; 0: none
   std::size_t repetitions = 3;      ///< rounds of all timings

@@ -26,7 +26,7 @@ struct Candidate {
 std::vector<Candidate> candidates_of(const culler::Culler& culler, const culler::Camera& camera,
                                      const culler::CullResult& culled) {
   std::vector<Candidate> candidates;
-  for (const std::uint32_t i : culler.occluders().grid().list(camera.eye).occluders) {
+  for (const std::uint32_t i : culler.occluders().lists().list(camera.eye).occluders) {
     const culler::PotentialOccluder& occluder = culler.occluders()[i];
     const auto is_beyond = [&](const culler::HalfSpace& h) {
       return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius;
@@ -97,7 +97,7 @@ Sorting measure_sorting(const Subject& subject, const Options& options) {
   render::Progress progress("sort: lists", kThresholds.size());
   for (const double threshold : kThresholds) {
     culler::BuildConfig config = options.walk.build;
-    config.grid.threshold = threshold;
+    config.lists.threshold = threshold;
     const culler::Culler culler(subject.soup, config, render::check_interrupt);
     Counter counter;
     static_cast<void>(pass_along(culler, subject.path, options.walk, cull,

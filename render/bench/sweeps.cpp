@@ -13,14 +13,14 @@
 namespace occlude::experiments {
 namespace {
 
-using Grid = culler::OccluderGrid::Config;
+using Lists = culler::OccluderLists::Config;
 
-/// The edge of a region halves from one to the next.
+/// The edge of a cube of a grid halves from one to the next.
 constexpr std::array<double, 4> kRegions{512, 4096, 32768, 262144};
 /// Steps of about half a decade, steradians.
 constexpr std::array<double, 5> kThresholds{0.003, 0.01, 0.03, 0.1, 0.3};
 
-/// A grid and its timings, one number per round.
+/// A point and its timings, one number per round.
 struct Trial {
   SweepPoint point;
   std::vector<double> preprocess_s, cull_ms;
@@ -28,13 +28,13 @@ struct Trial {
 
 void run(Trial& trial, const Subject& subject, const Options& options) {
   culler::BuildConfig config = options.walk.build;
-  config.grid = trial.point.grid;
+  config.lists = trial.point.lists;
   const render::Stopwatch stopwatch;
   const culler::Culler culler(subject.soup, config, render::check_interrupt);
   trial.preprocess_s.push_back(stopwatch.seconds());
   const Pass pass = pass_along(culler, subject.path, options.walk, options.walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);
-  trial.point.entries = culler.occluders().grid().lists().occluders.size();
+  trial.point.entries = culler.occluders().lists().stored().occluders.size();
   trial.point.listed = pass.listed;
   trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
 }
@@ -54,12 +54,18 @@ SweepPoint point_of(const Trial& trial, const Trial& standard) {
 }  // namespace
 
 Sweeps measure_sweeps(const Subject& subject, const Options& options) {
-  const Grid standard = options.walk.build.grid;
-  std::vector<Trial> trials{{{standard}, {}, {}}};
-  for (const double regions : kRegions) trials.push_back({{Grid{standard.threshold, regions}}, {}, {}});
-  for (const double threshold : kThresholds) trials.push_back({{Grid{threshold, standard.regions}}, {}, {}});
+  const Lists standard = options.walk.build.lists;
+  std::vector<Trial> trials;
+  const auto add = [&](const auto& change) {
+    Lists lists = standard;
+    change(lists);
+    trials.push_back({{lists}, {}, {}});
+  };
+  add([](Lists&) {});
+  for (const double regions : kRegions) add([&](Lists& lists) { lists.regions = regions; });
+  for (const double threshold : kThresholds) add([&](Lists& lists) { lists.threshold = threshold; });
 
-  run_in_rounds("sweeps: grids", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
+  run_in_rounds("sweeps: lists", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
   Sweeps sweeps;
   for (std::size_t i = 1; i < trials.size(); ++i) {
     (i <= kRegions.size() ? sweeps.regions : sweeps.threshold).push_back(point_of(trials[i], trials[0]));

@@ -83,21 +83,21 @@ Table figure4_table(const Figure4& figure) {
   table.notes.emplace_back("Knee: the smallest number of occluders that culls 90 % of what 64 cull. The paper: about 8.");
   note_gain(figure, "area_angle_coherence", "area-angle and coherence (the default)", table);
   note_gain(figure, "all_three", "all three criteria", table);
-  std::string grid = fmt::format("A grid of {} regions", grouped(static_cast<double>(figure.regions)));
+  std::string lists = fmt::format("Lists of {} regions", grouped(static_cast<double>(figure.regions)));
   if (figure.sampling_s)
-    grid += fmt::format("; depth complexity was sampled in a preprocess of {:.1f} s", *figure.sampling_s);
-  table.notes.push_back(grid + ".");
+    lists += fmt::format("; depth complexity was sampled in a preprocess of {:.1f} s", *figure.sampling_s);
+  table.notes.push_back(lists + ".");
   return table;
 }
 
 Table regions_table(const Sweeps& sweeps) {
-  return sweep_table("Number of grid regions", "regions", sweeps.regions,
-                     [](const SweepPoint& p) { return grouped(p.grid.regions); });
+  return sweep_table("Number of regions", "regions", sweeps.regions,
+                     [](const SweepPoint& p) { return grouped(p.lists.regions); });
 }
 
 Table threshold_table(const Sweeps& sweeps) {
   return sweep_table("Threshold of the lists", "steradians", sweeps.threshold,
-                     [](const SweepPoint& p) { return fmt::format("{:g}", p.grid.threshold); });
+                     [](const SweepPoint& p) { return fmt::format("{:g}", p.lists.threshold); });
 }
 
 Table sort_table(const Sorting& sorting) {

@@ -105,7 +105,7 @@ void add_bench_culler(Command bench, int&) {
       .one_of(std::vector<std::string>(experiments::kExperiments.begin(), experiments::kExperiments.end()));
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
-  command.add("--regions", a->options.regions, "grid regions of figure 4; each takes time to sample")
+  command.add("--region-count", a->options.regions, "number of regions in figure 4; each takes time to sample")
       .show_default()
       .in_range(std::size_t{1}, std::size_t{1} << 24U);
   command.add("--samples", a->options.samples, "viewpoints per region for depth complexity; 0 leaves its curves out")

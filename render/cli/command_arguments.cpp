@@ -75,7 +75,9 @@ std::vector<Option> BuildArguments::add_to(Command command) {
           command.add("--leaf", leaf_, "most polygons in a leaf of the hierarchy (default: 16 for frusta, 4 for cover)")
               .in_range(std::size_t{1}, std::size_t{4096}),
           choice(command, "--shapes", shapes_, {"polytope", "polygon"},
-                 "shapes of occluders: closed convex shells and flat polygons, or flat polygons only")};
+                 "shapes of occluders: closed convex shells and flat polygons, or flat polygons only"),
+          choice(command, "--regions", regions_, {"grid", "tree"},
+                 "regions of space that list occluders: cubes of one size, or the nodes of the hierarchy")};
 }
 
 culler::BuildConfig BuildArguments::config(culler::Method method) const {
@@ -83,6 +85,7 @@ culler::BuildConfig BuildArguments::config(culler::Method method) const {
   config.hierarchy.leaf_size = leaf_ != 0 ? leaf_ : culler::leaf_size_for(method);
   config.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
   config.occluders.shells = shapes_ == "polytope";
+  config.lists.kind = regions_ == "tree" ? culler::Partition::Kind::tree : culler::Partition::Kind::grid;
   return config;
 }
 

@@ -22,7 +22,7 @@ class BuildArguments {
 
  private:
   std::uint32_t leaf_ = 0;
-  std::string bounds_ = "aabb", shapes_ = "polytope";
+  std::string bounds_ = "aabb", shapes_ = "polytope", regions_ = "grid";
 };
 
 /// The options of a walk: its frames, pictures and culling.

@@ -22,7 +22,7 @@ expect_error "--repetitions" "$occlude" bench kernel --repetitions many
 expect_error "--seed" "$occlude" bench kernel --seed -1
 
 # bench culler: every experiment is there, and the files contain what it prints.
-"$occlude" bench culler --polygons 20000 --frames 0:8 --no-render --regions 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
+"$occlude" bench culler --polygons 20000 --frames 0:8 --no-render --region-count 64 --repetitions 1 --largest 50000 --json --out bench >bench.json 2>stderr ||
   fail "bench culler: $(cat stderr)"
 cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"
 for member in model polygons frames options table2 methods mean culled_share speedup_limit figures_2_and_3 view_frustum_polygons figure4 knee \
@@ -33,7 +33,7 @@ grep -q '"speedup": null' bench/culler.json || fail "bench culler --no-render: a
 [ "$(grep -o '<svg' bench/culler.html | wc -l)" -eq 13 ] || fail "bench culler: $(grep -o '<svg' bench/culler.html | wc -l) charts"
 grep -q '<script\|src="http\|href="http\|nan\|inf"' bench/culler.html && fail "bench culler: scripts, addresses or no numbers in the page"
 "$occlude" bench culler good.ply --path path.json --frames 0:4 --size 64x36 --samples 0 --repetitions 1 >stdout || fail "bench culler MODEL"
-for title in 'Table 2' 'Figure 4' 'grid regions' 'Threshold' 'Sort from' 'coarse picture' 'size of the leaves'; do
+for title in 'Table 2' 'Figure 4' 'Number of regions' 'Threshold' 'Sort from' 'coarse picture' 'size of the leaves'; do
   grep -q "$title" stdout || fail "bench culler MODEL: no $title"
 done
 grep -q 'Growth with the number of polygons' stdout && fail "bench culler MODEL: cities"

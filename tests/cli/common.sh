@@ -69,9 +69,9 @@ slanting_wall() {
   ply slanting.ply 260 65 "$vertices$faces"
 }
 
-# hand_cases: writes cases.jsonl, three cases of one wall. $case has the wall, without a box.
+# three_cases: writes cases.jsonl, three cases of one wall. $case has the wall, without a box.
 case='"eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface"'
-hand_cases() {
+three_cases() {
   cat >cases.jsonl <<END
 {"id":"inside",$case,"box":{"min":[4,-2,-2],"max":[4,2,2]},"expect":"inside"}
 {"id":"reversed",$case,"box":{"min":[4,2,-2],"max":[4,1,2]}}

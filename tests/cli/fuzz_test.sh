@@ -6,7 +6,7 @@ set -uo pipefail
 . "$(dirname "$0")/common.sh"
 walk_of_squares
 
-hand_cases
+three_cases
 
 # Nothing is wrong, and neither the number of jobs nor the division into shards changes the result.
 "$occlude" fuzz --cases 20000 --seed 7 >table || fail "fuzz: $(tail -3 table)"

@@ -8,7 +8,7 @@ set -uo pipefail
 walls good.ply
 echo '{"frames":4,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye":[0.5,0,0],"target":[1.5,0,0]}]}' >path.json
 "$occlude" walk good.ply --path path.json --out walked --size 64x36 --witness witness.jsonl >/dev/null || fail "walk"
-"$occlude" preprocess good.ply --out good.pre --regions 64 >/dev/null || fail "preprocess"
+"$occlude" preprocess good.ply --out good.pre --region-count 64 >/dev/null || fail "preprocess"
 sed 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128]/' witness.jsonl >lie.jsonl # says that the visible wall is culled
 echo '{"id":"a","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"box":{"min":[4,0,0],"max":[5,1,1]}}' >cases.jsonl
 sed 's/}}$/},"expect":"outside"}/' cases.jsonl >untrue.jsonl
@@ -195,7 +195,7 @@ exit_code 1 validate --witness broken.jsonl
 # Every command reports that it cannot print. A message that cannot be written does not change the exit code.
 commands=("--help" "--version" "walk --help" "bench kernel --help" "walk good.ply --path path.json --size 64x36 --no-render --out out"
   "validate good.ply --path path.json --witness witness.jsonl" "classify cases.jsonl" "fuzz --cases 1 --family lattice --findings ="
-  "fuzz cases.jsonl" "fuzz --merge part.json --findings =" "preprocess good.ply --out out.pre --regions 64 --json"
+  "fuzz cases.jsonl" "fuzz --merge part.json --findings =" "preprocess good.ply --out out.pre --region-count 64 --json"
   "generate city --polygons 20000 --out out.ply --path out.json"
   "why good.ply --path path.json --size 64x36 --frame 0 --polygon 0 --out why"
   "bench kernel --boxes 16 --repetitions 1" "bench culler good.ply --path path.json --only sort --repetitions 1 --frames 0:2 --no-render")

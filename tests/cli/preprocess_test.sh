@@ -19,12 +19,24 @@ grep -qF '<h1>A walk through odd\xff.ply</h1>' odd/report.html || fail "walk: a 
 "$occlude" validate $'odd\377.ply' --path path.json --witness $'odd\377.jsonl' >stdout 2>&1 || fail "odd: $(cat stdout)"
 
 # A preprocess is used, and is refused where it does not fit.
-"$occlude" preprocess slanting.ply --out slanting.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 >stdout ||
+"$occlude" preprocess slanting.ply --out slanting.pre --bounds obb --region-count 64 --threshold 0.01 --samples 2 >stdout ||
   fail "preprocess: $(cat stdout)"
-"$occlude" preprocess slanting.ply --out again.pre --bounds obb --regions 64 --threshold 0.01 --samples 2 --json >/dev/null
-"$occlude" preprocess good.ply --out good.pre --regions 64 --json >stdout || fail "preprocess --json"
+"$occlude" preprocess slanting.ply --out again.pre --bounds obb --region-count 64 --threshold 0.01 --samples 2 --json >/dev/null
+for kind in grid tree; do
+  for run in one two; do
+    "$occlude" preprocess slanting.ply --out $run.pre --leaf 1 --regions $kind --region-count 8 --samples 1 >stdout || fail "--regions $kind"
+  done
+  cmp -s one.pre two.pre || fail "preprocess --regions $kind: two runs differ"
+  "$occlude" walk slanting.ply --path path.json --out $kind --no-render --preprocess one.pre --witness $kind.jsonl >/dev/null ||
+    fail "walk --preprocess: $kind"
+  grep -q '"regions": "'$kind'"' $kind/summary.json || fail "walk --preprocess: the regions are not those of the file"
+  "$occlude" validate slanting.ply --path path.json --witness $kind.jsonl >stdout 2>&1 || fail "$kind: $(cat stdout)"
+done
+expect_error "--regions" "$occlude" preprocess good.ply --out good.pre --regions octree
+expect_error "--region-count" "$occlude" preprocess good.ply --out good.pre --region-count 0
+"$occlude" preprocess good.ply --out good.pre --region-count 64 --json >stdout || fail "preprocess --json"
 grep -q '"found_to_hide": null' stdout || fail "preprocess samples unasked: $(cat stdout)"
-"$occlude" preprocess good.ply --out good.pre --regions 64 --samples 1 --json >stdout || fail "preprocess --samples --json"
+"$occlude" preprocess good.ply --out good.pre --region-count 64 --samples 1 --json >stdout || fail "preprocess --samples --json"
 grep -q '"found_to_hide": [1-9]' stdout || fail "preprocess sampled nothing: $(cat stdout)"
 cmp -s slanting.pre again.pre || fail "preprocess: two runs differ"
 "$occlude" walk slanting.ply --path path.json --out prepared --no-render --preprocess slanting.pre --witness prepared.jsonl \
@@ -36,16 +48,20 @@ grep -q '"preprocess": "slanting.pre"' prepared/summary.json || fail "walk --pre
 expect_error "slanting.pre: made from another model" "$occlude" walk good.ply --path path.json --out out --preprocess slanting.pre
 head -c 300 slanting.pre >short.pre
 expect_error "short.pre: the file ends" "$occlude" walk slanting.ply --path path.json --out out --preprocess short.pre
+printf '\001' | dd of=one.pre bs=1 seek=19 conv=notrunc status=none
+expect_error "one.pre: format version 1, but this program reads version 2: preprocess the model again" \
+  "$occlude" walk slanting.ply --path path.json --out out --preprocess one.pre
 expect_error "good.ply: not a file of occlude preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess good.ply
 expect_error "missing.pre" "$occlude" walk slanting.ply --path path.json --out out --preprocess missing.pre
 expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --bounds aabb
+expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --regions grid
 expect_error "named twice" "$occlude" preprocess good.ply --out good.ply
 
 # When interrupted, it leaves the old file. The lists here take many times as long as usual.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 echo old >city.pre
 for signal in INT TERM; do
-  interrupt $signal "$occlude" preprocess city.ply --regions 1e6 --threshold 1e-6 --out city.pre
+  interrupt $signal "$occlude" preprocess city.ply --region-count 1e6 --threshold 1e-6 --out city.pre
   [ "$(cat city.pre)" = old ] || fail "preprocess: SIG$signal did not spare the file that was there"
 done
 

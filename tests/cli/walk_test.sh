@@ -74,6 +74,8 @@ echo '{"frames":2,"near":0.1,"keyframes":[{"eye":[0,0,0],"target":[1,0,0]},{"eye
 "$occlude" walk deep.ply --path still.json --out deep --size 64x64 >stdout || fail "walk deep.ply"
 grep -q 'false culls 0, wrong pixels 0' stdout || fail "walk deep.ply said: $(cat stdout)"
 
+"$occlude" walk deep.ply --path still.json --out deep --no-render --regions tree --leaf 1 >/dev/null || fail "walk deep.ply --regions tree"
+
 # A wall, and a slanting one behind it, in a tree of oriented boxes.
 slanting_wall
 "$occlude" walk slanting.ply --path path.json --out oriented --no-render --bounds obb --witness oriented.jsonl >/dev/null ||
@@ -84,8 +86,9 @@ grep -q '"bounds": "obb"' oriented/summary.json || fail "walk --bounds obb: not 
 "$occlude" validate slanting.ply --path path.json --bounds obb >stdout 2>&1 || fail "oriented: $(cat stdout)"
 grep -q 'tree of OBBs' oriented/report.html || fail "walk --bounds obb: not in the report"
 
+expect_error "--regions" "$occlude" walk good.ply --path path.json --out out --regions octree
 expect_error "--weight-coherence" "$occlude" walk good.ply --path path.json --out out --weight-coherence -1
-for options in "--shapes polygon" "--probes 0" "--solid-angle exact --weight-coherence 0" "--weight-solid-angle 0"; do
+for options in "--shapes polygon" "--regions tree" "--probes 0" "--solid-angle exact --weight-coherence 0" "--weight-solid-angle 0"; do
   "$occlude" walk good.ply --path path.json --out weighed --no-render $options --witness weighed.jsonl >/dev/null ||
     fail "walk $options"
   "$occlude" validate good.ply --path path.json --witness weighed.jsonl >stdout 2>&1 || fail "walk $options: $(cat stdout)"

@@ -49,7 +49,7 @@ void expect_stops_anywhere(const Prepare& prepare) {
 TEST(Checkpoint, StopsACuller) {
   const PolygonSoup soup = random_town_of_houses(3, 500);
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
-    const BuildConfig config{.hierarchy = {.bounds = bounds}, .grid = {.regions = 64}};
+    const BuildConfig config{.hierarchy = {.bounds = bounds}, .lists = {.regions = 64}};
     expect_stops_anywhere([&](const Checkpoint& checkpoint) { const Culler culler(soup, config, checkpoint); });
     expect_stops_anywhere([&](const Checkpoint& checkpoint) {
       static_cast<void>(preprocess(soup, config, {.viewpoints = 1}, {}, checkpoint));
@@ -65,7 +65,7 @@ TEST(Checkpoint, StopsAScene) {
   std::vector<Box> boxes;
   for (std::size_t p = 0; p < soup.size(); ++p) boxes.emplace_back(soup.box(p));
   expect_stops_anywhere([&](const Checkpoint& checkpoint) {
-    const Scene scene({.statics = boxes, .dynamics = boxes}, soup, {.grid = {.regions = 64}}, checkpoint);
+    const Scene scene({.statics = boxes, .dynamics = boxes}, soup, {.lists = {.regions = 64}}, checkpoint);
   });
 }
 

@@ -402,7 +402,7 @@ PolygonSoup corner() {
 }
 
 TEST(Culler, TwoHideTogetherWhereAsked) {
-  const Culler culler(corner(), {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+  const Culler culler(corner(), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
   Camera camera;
   camera.target = {1, 0, 0};
   camera.fov_y_deg = 120;
@@ -453,7 +453,7 @@ TEST(Culler, TheWorkOfPairsIsBounded) {
   constexpr std::size_t kPlanesOfATriangle = 4;
   constexpr std::size_t kMost = kPairWorkOfEach * 8 / (kPlanesOfATriangle * kPlanesOfATriangle);
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
-    const Culler culler(book(4000), {.hierarchy = {.leaf_size = 1, .bounds = bounds}, .grid = {.regions = 1}});
+    const Culler culler(book(4000), {.hierarchy = {.leaf_size = 1, .bounds = bounds}, .lists = {.regions = 1}});
     EXPECT_EQ(look(culler, {.unions = true}).stats.union_tests, kMost);
   }
 }
@@ -474,7 +474,7 @@ TEST(Culler, PartsHideWhereTheirWholeCannot) {
   camera.fov_y_deg = 120;
   camera.near = 1;
   for (const double nearest : {5.0, 0.5}) {
-    const Culler culler(wall_of_two(nearest), {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+    const Culler culler(wall_of_two(nearest), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
     ASSERT_EQ(culler.occluders().size(), 4U);
     const CullResult frame = culler.cull(camera);
     EXPECT_FALSE(is_drawn(culler, frame, 2)) << "nearest " << nearest;
@@ -489,7 +489,7 @@ TEST(Culler, HistoryFindsWhatHides) {
   for (int i = 0; i < 4; ++i) add(soup, {{i, -9, -1}, {i + 1, -9, -1}, {i + 1, 9, -1}, {i, 9, -1}});
   add_wall(soup, 8, -1, 1, -0.5, 1);
   for (int i = 0; i < 100; ++i) add_wall(soup, 10 + i, -0.5, 0.5, -0.2, 0.5);
-  const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+  const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
   Camera camera;
   camera.target = {1, 0, 0};
   camera.fov_y_deg = 120;

@@ -49,7 +49,7 @@ std::vector<bool> drawn_of(const Culler& culler, const CullResult& frame) {
 }
 
 Culler far_reaching(const PolygonSoup& soup) {
-  return Culler(soup, {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+  return Culler(soup, {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
 }
 
 std::size_t shells_in_use(const Culler& culler, const CullResult& frame) {

@@ -28,7 +28,7 @@ PolygonSoup one_wall_before(std::size_t hidden) {
 }
 
 /// A culler with the whole soup in one list.
-Culler listing_all(const PolygonSoup& soup) { return Culler(soup, {.grid = {.threshold = 1e-12, .regions = 1}}); }
+Culler listing_all(const PolygonSoup& soup) { return Culler(soup, {.lists = {.threshold = 1e-12, .regions = 1}}); }
 
 TEST(OccluderChoice, WorkIsBoundedWhereOneWallHidesAllOtherCandidates) {
   constexpr std::size_t kHidden = 20000;

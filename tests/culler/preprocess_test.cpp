@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -23,9 +24,14 @@ namespace {
 
 using namespace occlude::culler;
 
-BuildConfig small_config(Bounds bounds) {
-  return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .grid = {.threshold = 0.05, .regions = 48}};
+using Kind = Partition::Kind;
+
+BuildConfig small_config(Bounds bounds, Kind kind = Kind::grid) {
+  return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .lists = {.kind = kind, .threshold = 0.05, .regions = 48}};
 }
+
+/// Both bounds, each with another kind of regions.
+const std::array kConfigs{small_config(Bounds::aabb, Kind::tree), small_config(Bounds::obb, Kind::grid)};
 
 bool are_same(const CullResult& a, const CullResult& b) {
   const auto same_cull = [](const Culled& x, const Culled& y) {
@@ -39,11 +45,10 @@ bool are_same(const CullResult& a, const CullResult& b) {
 /// If the samples have no weight, a prepared model is culled frame by frame like one that was not prepared.
 TEST(Preprocess, APreparedModelIsTheSame) {
   const PolygonSoup soup = random_town_of_houses(6, 1000);
-  for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
-    const BuildConfig config = small_config(bounds);
+  for (const BuildConfig& config : kConfigs) {
     const Culler fresh(soup, config), prepared(soup, preprocess(soup, config, {.viewpoints = 1}));
     EXPECT_EQ(prepared.hierarchy().oriented(), fresh.hierarchy().oriented());
-    EXPECT_EQ(prepared.hierarchy().oriented() > 0, bounds == Bounds::obb);
+    EXPECT_EQ(prepared.hierarchy().oriented() > 0, config.hierarchy.bounds == Bounds::obb);
     for (std::size_t p = 0; p < soup.size(); ++p) {
       ASSERT_EQ(prepared.hierarchy().original(p), fresh.hierarchy().original(p));
     }
@@ -77,7 +82,7 @@ PolygonSoup pavement_and_walls() {
 /// If what occluders hide has weight, they are chosen by it.
 TEST(Preprocess, WhatOccludersHideChoosesThem) {
   const PolygonSoup soup = pavement_and_walls();
-  const BuildConfig config{.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}};
+  const BuildConfig config{.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}};
   Preprocess known = preprocess(soup, config, {});
   const Culler fresh(soup, config);
   for (const std::uint32_t i : known.lists.occluders) {
@@ -114,8 +119,8 @@ TEST(DepthComplexity, CountsWhatOthersLeave) {
 /// threads is that of the machine; repeated runs show that their timing does not matter.
 TEST(Preprocess, IsTheSameInEveryRun) {
   const PolygonSoup soup = random_town_of_houses(7, 800);
-  const BuildConfig config = small_config(Bounds::aabb);
   for (const auto pattern : {SampleConfig::Pattern::even, SampleConfig::Pattern::random}) {
+    const BuildConfig config = small_config(Bounds::aabb, pattern == SampleConfig::Pattern::even ? Kind::grid : Kind::tree);
     const SampleConfig samples{.pattern = pattern, .viewpoints = 2, .seed = 5};
     const Preprocess first = preprocess(soup, config, samples);
     EXPECT_EQ(first.lists.hidden.size(), first.lists.occluders.size());
@@ -212,7 +217,7 @@ TEST(Preprocess, RefusesWhatCannotBeOfThisModel) {
   EXPECT_EQ(refusal([](Preprocess& p) { p.lists.first[0] = 1; }), lists);
   EXPECT_EQ(refusal([](Preprocess& p) { p.lists.first.back() += 1; }), lists);
   EXPECT_EQ(refusal([](Preprocess& p) { p.lists.first[1] = p.lists.first.back() + 1; }), lists) << "not ascending";
-  EXPECT_EQ(refusal([](Preprocess& p) { p.config.grid.regions *= 8; }), lists) << "of another grid";
+  EXPECT_EQ(refusal([](Preprocess& p) { p.config.lists.regions *= 8; }), lists) << "of another partition";
   const auto long_list = [](Preprocess& p) {
     std::size_t r = 0;
     while (p.lists.first[r + 1] < p.lists.first[r] + 2) ++r;
@@ -233,14 +238,14 @@ TEST(Preprocess, RefusesTreesDeeperThanAStack) {
   EXPECT_THROW(static_cast<void>(Hierarchy::restore(soup, {}, chain)), std::invalid_argument);
 }
 
-TEST(OccluderGrid, RefusesGridsThatCannotBe) {
+TEST(OccluderLists, RefusesWhatCannotBe) {
   const PolygonSoup soup = random_town(9, 20);
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   for (const double regions : {0.0, -8.0, 0.5, 1e30, nan, infinity}) {
-    EXPECT_THROW(Culler(soup, {.grid = {.threshold = 0.03, .regions = regions}}), std::invalid_argument);
+    EXPECT_THROW(Culler(soup, {.lists = {.threshold = 0.03, .regions = regions}}), std::invalid_argument);
   }
   for (const double threshold : {0.0, -1.0, nan}) {
-    EXPECT_THROW(Culler(soup, {.grid = {.threshold = threshold}}), std::invalid_argument);
+    EXPECT_THROW(Culler(soup, {.lists = {.threshold = threshold}}), std::invalid_argument);
   }
 }
 
@@ -250,7 +255,7 @@ TEST(Preprocess, RefusesAnotherModel) {
   EXPECT_THROW(Culler(random_town_of_houses(9, 320), of_soup), std::invalid_argument);
   PolygonSoup stretched = soup;
   for (glm::dvec3& v : stretched.vertices) v.z *= 3;
-  EXPECT_THROW(Culler(stretched, of_soup), std::invalid_argument) << "its grid has other regions";
+  EXPECT_THROW(Culler(stretched, of_soup), std::invalid_argument) << "it has other regions";
   PolygonSoup broken = soup;
   broken.vertices[3].x = std::nan("");
   EXPECT_THROW(Culler(broken, of_soup), std::invalid_argument);
@@ -261,28 +266,29 @@ TEST(Preprocess, RefusesAnotherModel) {
 /// Whatever the lists and the samples say, every cull is right.
 TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
   const PolygonSoup soup = random_town_of_houses(10, 600);
-  const BuildConfig config = small_config(Bounds::obb);
-  Preprocess prepared = preprocess(soup, config, {.viewpoints = 1});
-  std::mt19937 random(3);
-  std::ranges::shuffle(prepared.lists.hidden, random);
-  const std::size_t all = Culler(soup, config).occluders().size();
-  for (std::size_t r = 0; r + 1 < prepared.lists.first.size(); ++r) {  // other occluders in the lists, too
-    const auto begin = prepared.lists.occluders.begin() + static_cast<std::ptrdiff_t>(prepared.lists.first[r]);
-    const auto end = prepared.lists.occluders.begin() + static_cast<std::ptrdiff_t>(prepared.lists.first[r + 1]);
-    std::for_each(begin, end, [&](std::uint32_t& i) { i = static_cast<std::uint32_t>((i + 17) % all); });
-    std::sort(begin, end);
-  }
-  const Culler culler(soup, prepared);
-  for (int frame = 0; frame < 30; ++frame) {
-    const CullResult result = culler.cull(random_camera(random));
-    for (const Culled& culled : result.culled) {
-      if (culled.by != Culled::By::shadow) continue;
-      const auto inside = [&](const auto& box) {
-        return occlude::kernel::overlap_certified(result.occluders[culled.index].frustum, box,
-                                                  occlude::kernel::NearBoundary::open)
-                   .relation == occlude::kernel::Relation::inside;
-      };
-      ASSERT_TRUE(culler.hierarchy().ask(culled.node, inside));
+  for (const BuildConfig& config : kConfigs) {
+    Preprocess prepared = preprocess(soup, config, {.viewpoints = 1});
+    std::mt19937 random(3);
+    std::ranges::shuffle(prepared.lists.hidden, random);
+    const std::size_t all = Culler(soup, config).occluders().size();
+    for (std::size_t r = 0; r + 1 < prepared.lists.first.size(); ++r) {  // other occluders in the lists, too
+      const auto begin = prepared.lists.occluders.begin() + static_cast<std::ptrdiff_t>(prepared.lists.first[r]);
+      const auto end = prepared.lists.occluders.begin() + static_cast<std::ptrdiff_t>(prepared.lists.first[r + 1]);
+      std::for_each(begin, end, [&](std::uint32_t& i) { i = static_cast<std::uint32_t>((i + 17) % all); });
+      std::sort(begin, end);
+    }
+    const Culler culler(soup, prepared);
+    for (int frame = 0; frame < 30; ++frame) {
+      const CullResult result = culler.cull(random_camera(random));
+      for (const Culled& culled : result.culled) {
+        if (culled.by != Culled::By::shadow) continue;
+        const auto inside = [&](const auto& box) {
+          return occlude::kernel::overlap_certified(result.occluders[culled.index].frustum, box,
+                                                    occlude::kernel::NearBoundary::open)
+                     .relation == occlude::kernel::Relation::inside;
+        };
+        ASSERT_TRUE(culler.hierarchy().ask(culled.node, inside));
+      }
     }
   }
 }

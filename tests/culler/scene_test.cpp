@@ -134,6 +134,22 @@ TEST(Scene, DrawsWhatBruteForceDraws) {
   EXPECT_GT(hidden, 10000U);
 }
 
+/// The nodes of the static objects alone are regions; what moves has none.
+TEST(Scene, RegionsMayBeNodesOfItsTree) {
+  std::mt19937 random(kSeed);
+  const std::vector<Box> statics = random_boxes(random, 400), dynamics = random_boxes(random, 100);
+  const SceneConfig config{.lists = {.kind = Partition::Kind::tree, .regions = 64}};
+  const Scene of_both({.statics = statics, .dynamics = dynamics}, random_town(1, 1000), config);
+  const Scene of_statics({.statics = statics}, random_town(1, 1000), config);
+  const Scene of_dynamics({.dynamics = dynamics}, random_town(1, 1000), config);
+  EXPECT_EQ(of_both.occluders().lists().partition().regions(), 64U);
+  EXPECT_EQ(of_dynamics.occluders().lists().partition().regions(), 1U);
+  EXPECT_EQ(of_both.occluders().lists().stored().first, of_statics.occluders().lists().stored().first);
+  SceneView view;
+  of_both.cull(random_camera(random), {}, view);
+  expect_as_brute_force(of_both, view, statics, dynamics, {});
+}
+
 TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
   std::mt19937 random(kSeed);
   const auto statics = random_boxes(random, 1000), dynamics = random_boxes(random, 300);

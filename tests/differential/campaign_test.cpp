@@ -19,7 +19,7 @@ const std::vector<Experiment> kExperiments{
        report.tally.relations[seed % 3] += seed;
        if (seed % 3 != 0) return;
        ++report.tally.disagreements;
-       report.findings.push_back({"some", seed, "certified", "a finding", std::nullopt, ""});
+       report.findings.push_back({"certified", "a finding"});
      }},
     {"none", [](std::uint64_t, Report& report) { report.tally.cases += kGroup; }},
 };
@@ -40,6 +40,7 @@ TEST(Campaign, CountsEveryRoundOfEveryExperiment) {
   EXPECT_EQ(reports[0].tally.disagreements, 33U);
   ASSERT_EQ(reports[0].findings.size(), kKeptFindings);
   EXPECT_EQ(reports[0].findings.front().seed, 6U);
+  EXPECT_EQ(reports[0].findings.front().family, "some");
   EXPECT_EQ(reports[0].findings.back().seed, 6U + 3 * (kKeptFindings - 1));
 }
 

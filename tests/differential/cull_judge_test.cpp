@@ -59,7 +59,7 @@ class CullJudgeTest : public testing::Test {
 
   std::size_t polygons(const Culled& culled) const { return culler_.hierarchy().nodes()[culled.node].count; }
 
-  Culler culler_{scene(), {.hierarchy = {.leaf_size = 1}, .grid = {}}};
+  Culler culler_{scene(), {.hierarchy = {.leaf_size = 1}, .lists = {}}};
   Camera camera_;
   CullOptions options_;
 };
@@ -171,7 +171,7 @@ TEST_F(CullJudgeTest, NamesAnOccluderThatTheNearPlaneClips) {
   culler::PolygonSoup soup;
   culler::add(soup, {{5, -4, -4}, {5, 4, -4}, {6, 4, 4}, {6, -4, 4}});
   add_triangle(soup, {20, 0, 0});
-  const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .grid = {}});
+  const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .lists = {}});
   const CullResult result = culler.cull(camera_, options_);
   EXPECT_EQ(result.stats.shadow_culled_polygons, 1U);
   camera_.near = 5.5;
@@ -198,7 +198,7 @@ class UnionJudgeTest : public testing::Test {
   }
 
   static Culler culler_of(double high) {
-    return Culler(corner(high), {.hierarchy = {.leaf_size = 1}, .grid = {.threshold = 1e-6, .regions = 1}});
+    return Culler(corner(high), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
   }
 
   CullResult cull(const Culler& culler) const { return culler.cull(camera_, options_); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cube as an occluder, in several spellings that mean the same.
+// A cube as an occluder, in two spellings that mean the same.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace occlude {
 
 /// The ways to write one cube from `min`, of side 2.
-enum class CubeForm { quadrilaterals, triangles, with_t_junction };
+enum class CubeForm { quadrilaterals, triangles };
 
 inline kernel::Polytope cube(const kernel::Vec3& min, CubeForm form = CubeForm::quadrilaterals) {
   kernel::Polytope result;
@@ -27,11 +27,6 @@ inline kernel::Polytope cube(const kernel::Vec3& min, CubeForm form = CubeForm::
       triangles.push_back({f[0], f[2], f[3]});
     }
     result.faces = std::move(triangles);
-  } else if (form == CubeForm::with_t_junction) {
-    // The face at the lower x in two halves; the middle of its edge 0 - 2 is no vertex of the face beyond that edge.
-    result.vertices.push_back({min.x, min.y + 1, min.z});
-    result.faces[0] = {0, 8, 6};
-    result.faces.push_back({8, 2, 4, 6});
   }
   return result;
 }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cases/ask.h"
+#include "hand_cases.h"
 #include "kernel/cube.h"
-#include "kernel/degenerate_rows.h"
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/shadow_frustum.h"
 
@@ -19,7 +19,9 @@ namespace {
 
 using namespace occlude;
 using namespace occlude::kernel;
-using degenerate::down, degenerate::up;
+
+double up(double x) { return std::nextafter(x, HUGE_VAL); }
+double down(double x) { return std::nextafter(x, -HUGE_VAL); }
 
 const Vec3 kMin{2, -1, -1};
 
@@ -210,14 +212,18 @@ TEST(PolytopeRefusal, NumbersOfViewpoints) {
   EXPECT_EQ(from(Viewpoint::direction({0, 0, 0x1p-100})), Refusal::none);
 }
 
-/// The cube's degenerate rows with its polytope written otherwise.
+/// The hand cases of the cube, with its polytope written otherwise.
 template <class Rewrite>
 void expect_same_answers(const Rewrite& rewrite) {
-  for (DegenerateRow row : degenerate::cube_rows("cube", CubeForm::quadrilaterals)) {
-    rewrite(std::get<Polytope>(row.scene.occluder));
-    const auto made = fuzz::make_frustum(row.scene);
-    ASSERT_TRUE(made.frustum) << row.name << ": " << to_string(made.refusal);
-    EXPECT_EQ(to_string(fuzz::overlap(*made.frustum, row.scene.box).relation), to_string(row.relation)) << row.name;
+  for (const char* place : {"cube_ahead", "cube_across", "cube_eye", "cube_along"}) {
+    const std::vector<HandCase> rows = hand_cases(place);
+    EXPECT_FALSE(rows.empty()) << place;
+    for (HandCase row : rows) {
+      rewrite(std::get<Polytope>(row.question.occluder));
+      const auto made = cases::make_frustum(row.question);
+      ASSERT_TRUE(made.frustum) << row.id << ": " << to_string(made.refusal);
+      EXPECT_EQ(to_string(cases::overlap(*made.frustum, row.question.box).relation), to_string(row.relation)) << row.id;
+    }
   }
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "oracle/cuboid.h"
-#include "oracle/hand_cases.h"
+#include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
 namespace {

@@ -9,7 +9,7 @@
 #include "cases/to_oracle.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/oracle/oracle.h"
-#include "oracle/hand_cases.h"
+#include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/oracle.h"
-#include "oracle/hand_cases.h"
+#include "oracle/vocabulary.h"
 #include "oracle/whole_numbers.h"
 
 namespace occlude::oracle {

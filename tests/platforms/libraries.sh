@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the libraries that the kernel, the culler and their tests need on a platform, once, from Debian's sources into
-# FOLDER/prefix: Debian has Highway and GoogleTest for this machine alone. Installs the compiler and the emulator.
+# What the kernel, the culler and their tests need on a platform, from Debian's sources into FOLDER/prefix, once: Debian has
+# Highway and GoogleTest for this machine alone. Installs the compiler and what runs its programs.
 # Usage: bash tests/platforms/libraries.sh aarch64|s390x|windows FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -17,7 +17,7 @@ esac
 bash .ci/packages.sh "${packages[@]}"
 [ -e "$folder/prefix/complete" ] && exit
 
-# get_highway: downloads Debian's sources, whether or not this machine lists them.
+# Debian's sources, whether or not this machine lists them.
 get_highway() {
   local apt=(apt-get -o "Dir::Etc::sourcelist=$PWD/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$PWD/lists")
   mkdir -p lists/partial highway
@@ -27,7 +27,7 @@ get_highway() {
   tar -xf highway_*.orig.tar.* -C highway --strip-components 1
 }
 
-# install_library SOURCE NAME OPTIONS...: builds in FOLDER/NAME with these CMake options.
+# install_library SOURCE NAME OPTIONS...
 install_library() {
   cmake -S "$1" -B "$folder/$2" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$platform.cmake" \
     -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF "-DCMAKE_INSTALL_PREFIX=$folder/prefix" "${@:3}"
@@ -37,11 +37,11 @@ install_library() {
 (cd "$folder" && get_highway)
 install_library "$folder/highway" highway-build -DBUILD_TESTING=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
 install_library /usr/src/googletest googletest-build -DBUILD_GMOCK=OFF
-# GLM is headers only. They are copied because /usr/include must not be searched for this platform.
+# GLM and the JSON parser are headers. The folder that holds them, /usr/include, must not be searched for this platform.
 cmake_files=$folder/prefix/lib/cmake
 mkdir -p "$cmake_files/hwy"
-cp -r /usr/include/glm "$folder/prefix/include/"
-cp -r /usr/share/cmake/glm "$cmake_files/"
+cp -r /usr/include/{glm,nlohmann} "$folder/prefix/include/"
+cp -r /usr/share/cmake/{glm,nlohmann_json} "$cmake_files/"
 cat >"$cmake_files/hwy/hwy-config.cmake" <<'END'
 add_library(hwy::hwy STATIC IMPORTED)
 set_target_properties(hwy::hwy PROPERTIES IMPORTED_LOCATION "${CMAKE_CURRENT_LIST_DIR}/../../libhwy.a"

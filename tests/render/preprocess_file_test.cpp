@@ -68,7 +68,7 @@ class PreprocessFileTest : public testing::Test {
 
   culler::PolygonSoup soup_ = walls(40);
   culler::Preprocess preprocess_ = culler::preprocess(
-      soup_, {.hierarchy = {.leaf_size = 2, .bounds = culler::Bounds::obb}, .grid = {.threshold = 0.1, .regions = 64}},
+      soup_, {.hierarchy = {.leaf_size = 2, .bounds = culler::Bounds::obb}, .lists = {.threshold = 0.1, .regions = 64}},
       {.viewpoints = 1});
   std::filesystem::path folder_;
 };
@@ -77,8 +77,8 @@ TEST_F(PreprocessFileTest, IsReadBackAsWritten) {
   const culler::Preprocess read = read_preprocess(file(), soup_);
   EXPECT_EQ(read.config.hierarchy.leaf_size, 2U);
   EXPECT_EQ(read.config.hierarchy.bounds, culler::Bounds::obb);
-  EXPECT_EQ(read.config.grid.threshold, 0.1);
-  EXPECT_EQ(read.config.grid.regions, 64);
+  EXPECT_EQ(read.config.lists.threshold, 0.1);
+  EXPECT_EQ(read.config.lists.regions, 64);
   EXPECT_TRUE(read.config.occluders.shells);
   EXPECT_EQ(read.layout.order, preprocess_.layout.order);
   EXPECT_EQ(read.layout.left, preprocess_.layout.left);
@@ -94,7 +94,9 @@ TEST_F(PreprocessFileTest, WhatIsRefused) {
   EXPECT_EQ(refusal([](std::string& bytes) { bytes.clear(); }), "not a file of occlude preprocess");
   EXPECT_EQ(refusal([](std::string& bytes) { bytes = "ply\n" + bytes; }), "not a file of occlude preprocess");
   EXPECT_EQ(refusal([](std::string& bytes) { bytes[19] = 7; }),
-            "format version 7, but this program reads version 1: preprocess the model again");
+            "format version 7, but this program reads version 2: preprocess the model again");
+  EXPECT_EQ(refusal([](std::string& bytes) { bytes[19] = 1; }),
+            "format version 1, but this program reads version 2: preprocess the model again");
   EXPECT_EQ(refusal([](std::string& bytes) { bytes += 'x'; }), "there is data after the checksum");
   for (std::size_t at = 23; at < 4000; at += 61) {
     EXPECT_NE(refusal([&](std::string& bytes) { bytes.at(at) = static_cast<char>(bytes[at] ^ 4); }), "") << at;
@@ -133,11 +135,11 @@ TEST_F(PreprocessFileTest, WhatCannotBeOfTheModel) {
   wrong.layout.order[3] = wrong.layout.order[4];
   EXPECT_EQ(refusal(wrong), file().string() + ": the order is not one of this model");
   wrong = preprocess_;
-  wrong.config.grid.threshold = std::nan("");
-  EXPECT_EQ(refusal(wrong), file().string() + ": the threshold of the grid must be above 0");
+  wrong.config.lists.threshold = std::nan("");
+  EXPECT_EQ(refusal(wrong), file().string() + ": the threshold of the lists must be above 0");
   for (const double regions : {0.0, 0x1p31, std::nan(""), HUGE_VAL}) {
     wrong = preprocess_;
-    wrong.config.grid.regions = regions;
+    wrong.config.lists.regions = regions;
     EXPECT_EQ(refusal(wrong), file().string() + ": the number of regions must be from 1 to 2^30");
   }
 }

@@ -138,7 +138,7 @@ TEST_P(Scenes, NothingThatShowsIsCulled) {
     for (const std::uint32_t leaf : {1U, 4U}) {
       cullers.emplace_back(soup, BuildConfig{.hierarchy = {.leaf_size = leaf, .bounds = bounds},
                                              .occluders = {.shells = leaf == 1},
-                                             .grid = {.threshold = 1e-3, .regions = 64}});
+                                             .lists = {.threshold = 1e-3, .regions = 64}});
     }
   }
   std::vector<View> views(cullers.size());

@@ -109,8 +109,9 @@ void write_preprocess(OutputFile& file, const culler::PolygonSoup& soup, const c
   writer.put(config.hierarchy.leaf_size);
   writer.put(std::uint32_t{config.hierarchy.bounds == culler::Bounds::obb});
   writer.put(std::uint32_t{config.occluders.shells});
-  writer.put(config.grid.threshold);
-  writer.put(config.grid.regions);
+  writer.put(std::uint32_t{config.lists.kind == culler::Partition::Kind::tree});
+  writer.put(config.lists.threshold);
+  writer.put(config.lists.regions);
   writer.put(layout.order);
   writer.put(layout.left);
   writer.put(lists.first);
@@ -133,11 +134,12 @@ culler::Preprocess read_preprocess(const std::filesystem::path& file, const cull
   culler::Preprocess result;
   auto& [config, layout, lists] = result;
   config.hierarchy.leaf_size = reader.get<std::uint32_t>();
-  const auto bounds = reader.get<std::uint32_t>(), shells = reader.get<std::uint32_t>();
+  const auto bounds = reader.get<std::uint32_t>(), shells = reader.get<std::uint32_t>(), kind = reader.get<std::uint32_t>();
   config.hierarchy.bounds = bounds == 0 ? culler::Bounds::aabb : culler::Bounds::obb;
   config.occluders.shells = shells != 0;
-  config.grid.threshold = reader.get<double>();
-  config.grid.regions = reader.get<double>();
+  config.lists.kind = kind == 0 ? culler::Partition::Kind::grid : culler::Partition::Kind::tree;
+  config.lists.threshold = reader.get<double>();
+  config.lists.regions = reader.get<double>();
   layout.order = reader.get_all<std::uint32_t>();
   layout.left = reader.get_all<std::uint32_t>();
   lists.first = reader.get_all<std::uint64_t>();
@@ -145,7 +147,7 @@ culler::Preprocess read_preprocess(const std::filesystem::path& file, const cull
   lists.hidden = reader.get_all<float>();
   reader.end();
   if (model != fingerprint(soup)) reader.fail("made from another model: preprocess this one");
-  if (bounds > 1 || shells > 1) reader.fail("invalid setting");
+  if (bounds > 1 || shells > 1 || kind > 1) reader.fail("invalid setting");
   return result;
 }
 

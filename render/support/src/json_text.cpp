@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -141,14 +140,6 @@ Json read_json(const std::filesystem::path& file) {
     const std::size_t column = before.size() - (before.rfind('\n') + 1);  // npos + 1 is 0
     throw InputError(fmt::format("{}:{}: {}, near column {}", file.string(), line, error.what(), column + 1));
   }
-}
-
-std::optional<double> number_of(const Json& value) {
-  if (value.is_number()) return value.get<double>();
-  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (value == "inf") return std::numeric_limits<double>::infinity();
-  if (value == "-inf") return -std::numeric_limits<double>::infinity();
-  return std::nullopt;
 }
 
 }  // namespace occlude::render

@@ -23,7 +23,7 @@ class Culler {
  public:
   /// Copies the soup. Takes seconds for millions of polygons, on all processors. Throws
   /// 1. std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
-  ///    (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a config.grid
+  ///    (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a config.lists
   ///    out of range;
   /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
   /// 3. what `checkpoint` throws.

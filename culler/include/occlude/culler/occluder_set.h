@@ -7,42 +7,40 @@
 #include <utility>
 
 #include "occlude/culler/checkpoint.h"
-#include "occlude/culler/occluder_grid.h"
+#include "occlude/culler/occluder_lists.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/culler/potential_occluders.h"
-#include "occlude/kernel/types.h"
 
 namespace occlude::culler {
 
 /// Const calls may run on several threads at once. Copies share the soup.
 class OccluderSet : public PotentialOccluders {
  public:
-  /// The potential occluders of the soup, and a grid of regions over `space`, which is about where the viewpoints are.
-  /// REQUIRES and throws as PotentialOccluders::find() and OccluderGrid::build().
-  [[nodiscard]] static OccluderSet build(std::shared_ptr<const PolygonSoup> soup, const kernel::Aabb& space,
-                                         const Config& config, const OccluderGrid::Config& grid,
-                                         const Checkpoint& checkpoint = {}) {
+  /// The potential occluders of the soup, and the lists of the regions of `space`. REQUIRES and throws as
+  /// PotentialOccluders::find() and OccluderLists::build().
+  [[nodiscard]] static OccluderSet build(std::shared_ptr<const PolygonSoup> soup, const Space& space, const Config& config,
+                                         const OccluderLists::Config& of_lists, const Checkpoint& checkpoint = {}) {
     PotentialOccluders potential = find(std::move(soup), config, checkpoint);
-    OccluderGrid lists = OccluderGrid::build(potential, space, grid, checkpoint);
+    OccluderLists lists = OccluderLists::build(potential, space, of_lists, checkpoint);
     return {std::move(potential), std::move(lists)};
   }
 
-  /// The same with the lists of a grid that was built before. REQUIRES as build(); throws as OccluderGrid::restore().
-  [[nodiscard]] static OccluderSet restore(std::shared_ptr<const PolygonSoup> soup, const kernel::Aabb& space,
-                                           const Config& config, const OccluderGrid::Config& grid, OccluderGrid::Lists lists,
+  /// The same with lists that were stored. REQUIRES as build(); throws as OccluderLists::restore().
+  [[nodiscard]] static OccluderSet restore(std::shared_ptr<const PolygonSoup> soup, const Space& space, const Config& config,
+                                           const OccluderLists::Config& of_lists, OccluderLists::Stored stored,
                                            const Checkpoint& checkpoint = {}) {
     PotentialOccluders potential = find(std::move(soup), config, checkpoint);
-    OccluderGrid restored = OccluderGrid::restore(potential, space, grid, std::move(lists));
-    return {std::move(potential), std::move(restored)};
+    OccluderLists lists = OccluderLists::restore(potential, space, of_lists, std::move(stored), checkpoint);
+    return {std::move(potential), std::move(lists)};
   }
 
-  [[nodiscard]] const OccluderGrid& grid() const { return grid_; }
+  [[nodiscard]] const OccluderLists& lists() const { return lists_; }
 
  private:
-  OccluderSet(PotentialOccluders potential, OccluderGrid grid)
-      : PotentialOccluders(std::move(potential)), grid_(std::move(grid)) {}
+  OccluderSet(PotentialOccluders potential, OccluderLists lists)
+      : PotentialOccluders(std::move(potential)), lists_(std::move(lists)) {}
 
-  OccluderGrid grid_;
+  OccluderLists lists_;
 };
 
 }  // namespace occlude::culler

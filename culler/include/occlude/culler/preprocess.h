@@ -18,7 +18,7 @@ namespace occlude::culler {
 struct BuildConfig {
   Hierarchy::Config hierarchy = {};
   OccluderSet::Config occluders = {};
-  OccluderGrid::Config grid = {};
+  OccluderLists::Config lists = {};
 };
 
 /// How depth complexity is sampled (section 4, criterion 2). The same seed gives the same samples.
@@ -38,7 +38,7 @@ struct SampleConfig {
 struct Preprocess {
   BuildConfig config;
   Hierarchy::Layout layout;
-  OccluderGrid::Lists lists;
+  OccluderLists::Stored lists;
 };
 
 /// Prepares the model and samples what its occluders hide. Runs on all processors; the result does not depend on their

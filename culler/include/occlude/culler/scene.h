@@ -30,7 +30,7 @@ struct SceneObjects {
 /// How the occluders are prepared.
 struct SceneConfig {
   OccluderSet::Config occluders = {};
-  OccluderGrid::Config grid = {};
+  OccluderLists::Config lists = {};  ///< the nodes of Partition::Kind::tree are those of the static objects
 };
 
 /// What to draw: the ids of objects, each once, in no order that means anything.
@@ -84,7 +84,7 @@ class Scene {
   /// Statics, dynamics and occluders may each be empty. Throws
   /// 1. std::invalid_argument, with the place and the reason, for a soup that is not well formed (polygon_soup.h), for a
   ///    vertex that is not legal, for a box that is not legal, for an oriented box whose axis-aligned bounding box is not
-  ///    legal, and for a config.grid out of range;
+  ///    legal, and for a config.lists out of range;
   /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
   /// 3. what `checkpoint` throws.
   Scene(const SceneObjects& objects, PolygonSoup occluders, const Config& config = {}, const Checkpoint& checkpoint = {});

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -26,6 +27,12 @@ struct JsonError : std::runtime_error {
 [[nodiscard]] nlohmann::json read_json(const std::filesystem::path& file);
 
 /// The number that `value` holds, also as one of those strings; nothing if it is not a number.
-[[nodiscard]] std::optional<double> number_of(const nlohmann::json& value);
+[[nodiscard]] inline std::optional<double> number_of(const nlohmann::json& value) {
+  if (value.is_number()) return value.get<double>();
+  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (value == "inf") return std::numeric_limits<double>::infinity();
+  if (value == "-inf") return -std::numeric_limits<double>::infinity();
+  return std::nullopt;
+}
 
 }  // namespace occlude::render

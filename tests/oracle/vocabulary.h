@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Building blocks of cases worked out by hand.
+// Short names for what the oracle is asked and answers, and two occluders.
 #pragma once
 
 #include <cmath>

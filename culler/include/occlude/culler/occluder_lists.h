@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The preprocess of section 4.1: space divided into regions, each with its list of potential occluders.
+// Reading order: 7.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/partition.h"
+#include "occlude/culler/potential_occluders.h"
+
+namespace occlude::culler {
+
+/// Const calls may run on several threads at once. Region numbers are not checked.
+class OccluderLists {
+ public:
+  struct Config {
+    /// What the regions are. The choice of occluders does not depend on it otherwise.
+    Partition::Kind kind = Partition::Kind::grid;
+    /// An occluder is listed in every region that holds a viewpoint from which its area-angle exceeds this: steradians,
+    /// above 0.
+    double threshold = 0.01;
+    /// About how many regions to make, from 1 to 2^30; of a tree no more.
+    double regions = 32768;
+    /// The most entries of all lists together. If there would be more, the longest lists are cut to a common length; they
+    /// keep the occluders that look largest from their regions. 2^25 entries take 128 MiB. No list of a grid is cut in the
+    /// models tried (README.md).
+    std::size_t entries = std::size_t{1} << 25U;
+    /// A second limit, so that small models cost less: kEntriesOfEach entries for each occluder, but never less than
+    /// kEntriesOfFew in all, so that a few occluders that look large from everywhere are not cut. The lists of real models
+    /// have 13 to 116 entries for each polygon, those of a city of 20,010 polygons 560.
+    static constexpr std::size_t kEntriesOfEach = 1024, kEntriesOfFew = std::size_t{1} << 22U;
+  };
+
+  /// The lists of all regions, one after another, each ascending: what a preprocess stores.
+  struct Stored {
+    std::vector<std::uint64_t> first = {0};  ///< region r has the entries [first[r], first[r + 1])
+    std::vector<std::uint32_t> occluders;
+    /// For each entry, the mean number of polygons that the occluder hides as seen from the region. Empty if not sampled.
+    std::vector<float> hidden;
+  };
+
+  /// The list of one region.
+  struct List {
+    std::span<const std::uint32_t> occluders;  ///< ascending indices in PotentialOccluders
+    std::span<const float> hidden;             ///< for each, as in Stored; or empty
+  };
+
+  /// A partition of `space`, and its lists of the occluders that have an area.
+  /// 1. Unless lists are cut, they are conservative: over the box of each region the area-angle is bounded from above.
+  /// 2. The work is on all processors; the lists do not depend on their number.
+  /// Throws std::invalid_argument for a threshold or a number of regions out of range, and what `checkpoint` throws.
+  /// REQUIRES as Partition::make().
+  [[nodiscard]] static OccluderLists build(const PotentialOccluders& occluders, const Space& space, const Config& config,
+                                           const Checkpoint& checkpoint = {});
+
+  /// The same with lists that were stored. Throws std::invalid_argument for a config out of range, and for lists that cannot
+  /// be of these occluders and regions. REQUIRES as build().
+  [[nodiscard]] static OccluderLists restore(const PotentialOccluders& occluders, const Space& space, const Config& config,
+                                             Stored stored, const Checkpoint& checkpoint = {});
+
+  [[nodiscard]] const Partition& partition() const { return partition_; }
+  [[nodiscard]] const Stored& stored() const { return stored_; }
+  /// The list of the region that the point is in. REQUIRES: the point is finite.
+  [[nodiscard]] List list(const glm::dvec3& point) const { return list(partition_.region_at(point)); }
+  [[nodiscard]] List list(std::size_t region) const;
+  /// Entries of the longest list.
+  [[nodiscard]] std::size_t longest() const { return longest_; }
+
+ private:
+  OccluderLists(Partition partition, Stored stored);
+
+  Partition partition_;
+  Stored stored_;
+  std::size_t longest_ = 0;
+};
+
+}  // namespace occlude::culler

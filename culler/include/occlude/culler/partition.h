@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The spatial partition of section 3.1: every point of space maps to one of finitely many regions, which are boxes. It
+// serves the choice of occluders alone. Reading order: 7.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/hierarchy.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+/// Where viewpoints are, about, and what stands there.
+struct Space {
+  kernel::Aabb box;
+  /// A hierarchy of what stands in it, and the node from which on it counts. Without nodes it is taken for empty.
+  std::span<const HierarchyNode> nodes = {};
+  std::uint32_t root = 0;
+};
+
+/// Regions are the leaves of a binary tree of cells. The first cell is a box that holds the space. A cell that is no region
+/// is divided in two by a plane across an axis.
+/// 1. Each point is in exactly one region: a point on a plane is in the upper cell. A point outside the box is in the region
+///    of the point of the box that is nearest to it, which is the nearest region.
+/// 2. The boxes of the regions, which are closed, fill the box. They have no more than faces in common.
+/// 3. The same space, kind and number always give the same regions.
+/// Const calls may run on several threads at once. Numbers of regions and cells are not checked.
+class Partition {
+ public:
+  enum class Kind {
+    /// Cubes of one size, in a box that may be larger than the space. The grid is halved across its longest side until each
+    /// cell is one cube.
+    grid,
+    /// Nodes of the hierarchy, so that one structure divides space and holds what is drawn. Boxes of nodes leave gaps and
+    /// overlap, so they cannot be regions themselves. Instead a plane between the boxes of its two children divides the
+    /// cell of a node: across the axis on which they overlap least, as a share of the node, and in the middle of what they
+    /// have in common, or of the gap between them. A plane that misses the cell does not divide it: all of it goes to the
+    /// child on its side, and the other child has no cell. The cell with the largest volume is divided first, until there
+    /// are as many regions as wanted, or all nodes with a cell are leaves. So regions are small where polygons are many,
+    /// and large where there are none.
+    tree,
+  };
+
+  /// A region, or a plane and the cells on both sides. The lower one is the next cell. The cells are in depth-first order.
+  struct Cell {
+    double plane = 0;
+    std::uint32_t axis = 0;
+    std::uint32_t upper = 0;  ///< the cell on the upper side; 0 for a region
+
+    [[nodiscard]] bool is_region() const { return upper == 0; }
+  };
+
+  /// About as many regions as wanted; of a tree no more. Takes no part of `space` with it. Throws std::invalid_argument if
+  /// `regions` is not from 1 to 2^30, and what `checkpoint` throws. REQUIRES: kernel::check(space.box) == Refusal::none, and
+  /// space.box holds the nodes.
+  [[nodiscard]] static Partition make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint = {});
+
+  /// Number of regions. They are numbered in the order of their cells.
+  [[nodiscard]] std::size_t regions() const { return (cells_.size() + 1) / 2; }
+  /// The region that a point is in. REQUIRES: the point is finite.
+  [[nodiscard]] std::size_t region_at(const glm::dvec3& point) const;
+  [[nodiscard]] kernel::Aabb box(std::size_t region) const;
+
+  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
+  [[nodiscard]] kernel::Aabb cell_box(std::size_t cell) const;
+
+ private:
+  Partition(const kernel::Aabb& box, std::vector<Cell> cells) : box_(box), cells_(std::move(cells)) {}
+
+  /// How many of the cells from `first` to before `end`, which are all of a subtree: half of them and one half.
+  [[nodiscard]] std::size_t regions_between(std::size_t first, std::size_t end) const { return (end - first + 1) / 2; }
+
+  kernel::Aabb box_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace occlude::culler

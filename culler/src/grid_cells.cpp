@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The cells of a grid: cubes of one size.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "bounds.h"
+#include "occlude/kernel/validity.h"
+#include "partition_cells.h"
+
+namespace occlude::culler {
+namespace {
+
+using Index = std::array<std::uint32_t, 3>;
+
+/// Cubes from `low` to before `high`.
+struct Block {
+  Index low, high;
+};
+
+}  // namespace
+
+PartitionCells cells_of_grid(const kernel::Aabb& space, double regions) {
+  const glm::dvec3 origin = to_glm(space.min), extent = to_glm(space.max) - origin;
+  // Cubes of one edge with about `regions` of them in the box; a flat box counts as at least 1/1000 thick so that the edge
+  // stays in proportion to the model.
+  const double largest = std::max({extent.x, extent.y, extent.z, kernel::kMinMagnitude});
+  const glm::dvec3 solid = glm::max(extent, largest / 1000);
+  const double edge = largest * std::cbrt(solid.x / largest * (solid.y / largest) * (solid.z / largest) / regions);
+  const auto place = [&](int axis, std::uint32_t index) { return origin[axis] + edge * index; };
+
+  Block all{};
+  kernel::Aabb box = space;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    all.high[a] = static_cast<std::uint32_t>(extent[axis] / edge) + 1;
+    box.max[axis] = std::max(space.max[axis], place(axis, all.high[a]));
+  }
+  PartitionCells result{box};
+  result.append(all, [&](const Block& block) -> std::optional<Divided<Block>> {
+    const Index size{block.high[0] - block.low[0], block.high[1] - block.low[1], block.high[2] - block.low[2]};
+    const auto axis = static_cast<std::uint32_t>(std::ranges::max_element(size) - size.begin());
+    if (size[axis] == 1) return std::nullopt;
+    const std::uint32_t middle = block.low[axis] + size[axis] / 2;
+    Divided<Block> halves{place(static_cast<int>(axis), middle), axis, block, block};
+    halves.lower.high[axis] = halves.upper.low[axis] = middle;
+    return halves;
+  });
+  return result;
+}
+
+}  // namespace occlude::culler
