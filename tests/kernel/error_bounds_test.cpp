@@ -11,8 +11,8 @@
 #include <functional>
 #include <random>
 
-#include "batch_values-inl.h"
 #include "box_frame.h"
+#include "lanes-inl.h"
 #include "occlude/kernel/half_space.h"
 #include "rounded_plane.h"
 
@@ -157,13 +157,10 @@ TEST(ErrorBounds, PlaneErrorHoldsForOrientedBoxes) {
 /// Where the offset is all there is, in batches: three terms too small for its last place, each lost in an addition, and the
 /// spread, lost in a fourth. Fused operations lose the same.
 TEST(ErrorBounds, OffsetErrorHoldsInBatchesAndIsNotTwiceTooLarge) {
-  namespace batch = HWY_NAMESPACE;
   const double term = std::nextafter(kUnitRoundoff, 0.0);  // next to half a place of 1
   const FilterPlane plane{.normal = {term, term, term}, .magnitudes = {term, term, term}, .offset = 0.5, .farther = {}};
-  const batch::Doubles d;
-  const auto one = batch::hn::Set(d, 1.0), zero = batch::hn::Zero(d);
-  const batch::Values twice = batch::values({one, one, one, one, zero, zero}, plane);
-  const double value = batch::hn::GetLane(batch::hn::Add(twice.center, twice.spread));
+  const AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(Aabb{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, Vec3{});
+  const double value = HWY_NAMESPACE::hn::GetLane(frame.extremes(plane).high().v);
   const Expansion truth = Expansion(1) + Expansion(term) * Expansion(4);
   const double worst = share(truth - Expansion(value), kOffsetError);
   EXPECT_LE(worst, 1);
