@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "covers.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -18,6 +16,7 @@
 #include "occlude/kernel/cover.h"
 #include "occlude/oracle/cover.h"
 #include "occlude/oracle/visibility.h"
+#include "rows.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "culling.h"
-
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -16,6 +14,7 @@
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_union.h"
 #include "picture_margin.h"
+#include "rows.h"
 #include "small_scenes.h"
 #include "verdict.h"
 

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiment.h"
 
-#include "covers.h"
-#include "culling.h"
-#include "forgery.h"
-#include "frustum_batches.h"
-#include "joined.h"
 #include "overlap.h"
-#include "refusals.h"
-#include "seen.h"
-#include "unions.h"
-#include "view_frusta.h"
+#include "rows.h"
 
 namespace occlude::fuzz {
 

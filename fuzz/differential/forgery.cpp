@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "forgery.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +16,7 @@
 #include "experiment.h"
 #include "occlude/culler/culler.h"
 #include "proof.h"
+#include "rows.h"
 #include "small_scenes.h"
 #include "verdict.h"
 

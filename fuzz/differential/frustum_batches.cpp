@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "frustum_batches.h"
-
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,6 +10,7 @@
 #include "cases/to_oracle.h"
 #include "experiment.h"
 #include "occlude/kernel/batch.h"
+#include "rows.h"
 
 namespace occlude::fuzz {
 namespace {

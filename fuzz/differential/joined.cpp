@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "joined.h"
-
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +10,7 @@
 #include "any_case.h"
 #include "cull_judge.h"
 #include "occlude/culler/culler.h"
+#include "rows.h"
 #include "small_scenes.h"
 #include "verdict.h"
 

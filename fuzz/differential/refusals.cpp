@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "refusals.h"
-
 #include "any_case.h"
 #include "experiment.h"
 #include "occlude/fuzz/spoil.h"
 #include "overlap.h"
+#include "rows.h"
 
 namespace occlude::fuzz {
 

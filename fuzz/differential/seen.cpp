@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "seen.h"
-
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "occlude/kernel/polytope_overlap.h"
 #include "occlude/kernel/view_cone.h"
 #include "occlude/oracle/questions.h"
+#include "rows.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "unions.h"
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -16,6 +14,7 @@
 #include "nudge.h"
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/shadow_union.h"
+#include "rows.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "view_frusta.h"
-
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -13,6 +11,7 @@
 #include "occlude/fuzz/neighbours.h"
 #include "occlude/kernel/view_frustum.h"
 #include "occlude/oracle/questions.h"
+#include "rows.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {

@@ -12,6 +12,7 @@
 #include "error_bounds.h"
 #include "rounded_plane.h"
 #include "running_error.h"
+#include "traced_lane.h"
 #include "traced_number.h"
 
 namespace occlude::bound_check {
@@ -76,11 +77,13 @@ Exact needed_for(const Frame& frame, const BoundedPlane& p, double true_low, dou
   return std::max(needed(extremes.low(), true_low, error), needed(extremes.high(), true_high, error));
 }
 
+/// `Tracing` is the arithmetic of single boxes or that of lanes.
+template <class Tracing>
 Exact needed_by_aabb(const BoundedPlane& p) {
   Exact most = 0;
   const auto& [n, magnitudes, offset, farther] = p.filter;
   for (const auto& [low, high] : kIntervals) {
-    const kernel::AabbFrame<A> frame({uniform(low), uniform(high)}, {});
+    const kernel::AabbFrame<Tracing> frame({uniform(low), uniform(high)}, {});
     const double at_low = sum(n) * low, at_high = sum(n) * high;
     most = std::max(
         most, needed_for(frame, p, 2 * (std::min(at_low, at_high) + offset), 2 * (std::max(at_low, at_high) + offset)));
@@ -118,8 +121,7 @@ void for_each_order(const Numbers& terms, const std::function<void(const TracedN
   }
 }
 
-/// The same values with their sums in any order, as batches and compilers may have it. `center` and `extent` are those of
-/// AabbFrame.
+/// The same values with their sums in any order. `center` and `extent` are those of AabbFrame.
 Exact needed_in_any_order(const BoundedPlane& p) {
   Exact most = 0;
   const auto& [normal, magnitudes, offset, farther] = p.filter;
@@ -131,7 +133,7 @@ Exact needed_in_any_order(const BoundedPlane& p) {
       spread.push_back(magnitudes[k] * extent);
     }
     const double truth = 2 * (offset + std::max(sum(normal) * low, sum(normal) * high));
-    const TracedNumber error = p.bound.slope * (fabs(center) + extent) + 2 * p.bound.base;
+    const TracedNumber error = kernel::AabbFrame<A>({uniform(low), uniform(high)}, {}).error(p.bound);
     for_each_order(middle, [&](const TracedNumber& m) {
       for_each_order(spread, [&](const TracedNumber& s) { most = std::max(most, needed(m + s, truth, error)); });
     });
@@ -304,10 +306,12 @@ Constant recomputed(BoundOf bound) {
 std::vector<Constant> recomputed_constants() {
   const Exact plane_error(kernel::kPlaneError), offset_error(kernel::kOffsetError);
   std::vector<Constant> constants{
-      {"kPlaneError", "values over axis-aligned boxes", over_normals(needed_by_aabb), plane_error, 1},
+      {"kPlaneError", "values over axis-aligned boxes", over_normals(needed_by_aabb<A>), plane_error, 1},
+      {"kPlaneError", "the same in batches", over_normals(needed_by_aabb<TracingLaneArithmetic>), plane_error, 1},
       {"kPlaneError", "the same, summed in any order", over_normals(needed_in_any_order), plane_error, 1},
       {"kPlaneError", "values over oriented boxes", over_normals(needed_by_obb), plane_error, 1},
-      {"kOffsetError", "values over axis-aligned boxes", over_offsets(needed_by_aabb), offset_error, 1},
+      {"kOffsetError", "values over axis-aligned boxes", over_offsets(needed_by_aabb<A>), offset_error, 1},
+      {"kOffsetError", "the same in batches", over_offsets(needed_by_aabb<TracingLaneArithmetic>), offset_error, 1},
       {"kOffsetError", "the same, summed in any order", over_offsets(needed_in_any_order), offset_error, 1},
       {"kOffsetError", "values over oriented boxes", over_offsets(needed_by_obb), offset_error, 1},
       {"kRefinedError", "values of refined planes", needed_by_refined(), Exact(kernel::kRefinedError), 2},

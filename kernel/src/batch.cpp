@@ -13,7 +13,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "batch_values-inl.h"
+#include "aabb_frame-inl.h"
+#include "lanes-inl.h"
 #include "occlude/kernel/batch.h"
 
 #ifndef OCCLUDE_BATCH_ONCE
@@ -30,8 +31,6 @@ struct Undecided {
   std::size_t count = 0;
 };
 
-double twice_error(const FilterBound& bound, double reach) { return 2 * (bound.slope * reach + bound.base); }
-
 static_assert(sizeof(Relation) == sizeof(std::int32_t));
 
 }  // namespace
@@ -40,32 +39,44 @@ static_assert(sizeof(Relation) == sizeof(std::int32_t));
 
 HWY_BEFORE_NAMESPACE();
 namespace occlude::kernel {
-namespace {
 namespace HWY_NAMESPACE {
+namespace {
 
 using Mask = hn::Mask<Doubles>;
+using Frame = AabbFrame<LaneArithmetic>;
+using LaneVector = Vector3<Lanes>;
 
 /// What the filter knows of the tests in the lanes of a vector: inside when none of these is set.
-struct Lanes {
+struct Known {
   Mask outside, straddling, unknown;
 };
 
-/// From the least values of all planes at the extremal vertices of the boxes, nearest and farthest. One bound serves all
-/// planes of a frustum: these two are all that the filter needs.
-HWY_INLINE Lanes classify(Vector least_low, Vector least_high, Vector error) {
-  const Vector minus_error = hn::Neg(error);
-  const Mask outside = hn::Lt(least_high, minus_error);
-  const Mask straddling = hn::And(hn::Lt(least_low, minus_error), hn::Gt(least_high, error));
-  return {outside, straddling, hn::Not(hn::Or(hn::Or(outside, straddling), hn::Gt(least_low, error)))};
+/// The least values of planes at the extremal vertices of the boxes, nearest and farthest. One bound serves all planes of a
+/// frustum: these two are all that the filter needs.
+struct Least {
+  Lanes low, high;
+
+  HWY_INLINE Least() : low(HUGE_VAL), high(HUGE_VAL) {}
+  HWY_INLINE void include(const Extremes<Lanes>& extremes) {
+    low = min(low, extremes.low());
+    high = min(high, extremes.high());
+  }
+};
+
+HWY_INLINE Known classify(const Least& least, Lanes error) {
+  const auto minus_error = hn::Neg(error.v);
+  const Mask outside = hn::Lt(least.high.v, minus_error);
+  const Mask straddling = hn::And(hn::Lt(least.low.v, minus_error), hn::Gt(least.high.v, error.v));
+  return {outside, straddling, hn::Not(hn::Or(hn::Or(outside, straddling), hn::Gt(least.low.v, error.v)))};
 }
 
 /// Writes the relations of the first `count` lanes to `out`, and lists those that are not known.
-HWY_INLINE void store(const Lanes& lanes, std::size_t first, std::size_t count, Relation* out, Undecided& undecided) {
+HWY_INLINE void store(const Known& known, std::size_t first, std::size_t count, Relation* out, Undecided& undecided) {
   const Doubles d;
   const hn::Rebind<std::int32_t, Doubles> d32;
   const auto code = [&](Relation relation) { return hn::Set(d, static_cast<double>(static_cast<int>(relation))); };
-  const Vector within = hn::IfThenElse(lanes.straddling, code(Relation::partial), code(Relation::inside));
-  const auto codes = hn::DemoteTo(d32, hn::IfThenElse(lanes.outside, code(Relation::outside), within));
+  const auto within = hn::IfThenElse(known.straddling, code(Relation::partial), code(Relation::inside));
+  const auto codes = hn::DemoteTo(d32, hn::IfThenElse(known.outside, code(Relation::outside), within));
   if (count >= hn::Lanes(d)) {
     hn::StoreU(codes, d32, reinterpret_cast<std::int32_t*>(out + first));
   } else {
@@ -73,85 +84,70 @@ HWY_INLINE void store(const Lanes& lanes, std::size_t first, std::size_t count, 
     hn::StoreU(codes, d32, all.data());
     std::memcpy(out + first, all.data(), count * sizeof(std::int32_t));
   }
-  if (HWY_LIKELY(hn::AllFalse(d, lanes.unknown))) return;
+  if (HWY_LIKELY(hn::AllFalse(d, known.unknown))) return;
   std::array<double, kMaxLanes> is_left;
-  hn::StoreU(hn::IfThenElseZero(lanes.unknown, hn::Set(d, 1.0)), d, is_left.data());
+  hn::StoreU(hn::IfThenElseZero(known.unknown, hn::Set(d, 1.0)), d, is_left.data());
   for (std::size_t i = 0; i < std::min(count, hn::Lanes(d)); ++i) {
     if (is_left[i] != 0) undecided.index[undecided.count++] = first + i;
   }
 }
 
-HWY_INLINE Block load_block(const BoxBatch& boxes, std::size_t first, const Vec3& origin) {
-  const Doubles d;
-  const auto relative = [&](std::size_t k, double o) {
-    return hn::Sub(hn::LoadU(d, boxes.coordinate(k) + first), hn::Set(d, o));
-  };
-  const Vector x0 = relative(0, origin.x), y0 = relative(1, origin.y), z0 = relative(2, origin.z);
-  const Vector x1 = relative(3, origin.x), y1 = relative(4, origin.y), z1 = relative(5, origin.z);
-  return {hn::Add(x0, x1), hn::Add(y0, y1), hn::Add(z0, z1), hn::Sub(x1, x0), hn::Sub(y1, y0), hn::Sub(z1, z0)};
+/// Three neighbouring rows of a batch from `first` on: `row(k)` is the beginning of row k.
+template <class Row>
+HWY_INLINE LaneVector load(const Row& row, std::size_t first, std::size_t k) {
+  return {Lanes::load(row(k) + first), Lanes::load(row(k + 1) + first), Lanes::load(row(k + 2) + first)};
 }
 
 /// Moves the boxes that planes of the profile part from the frustum from straddling to outside.
-HWY_INLINE void part_by_profile(const ShadowFrustum& frustum, const Block& block, double reach, Lanes& lanes) {
-  const Doubles d;
-  Vector least_high = hn::Set(d, HUGE_VAL);
+HWY_INLINE void part_by_profile(const ShadowFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
+  Least least;
   for (const FilterPlane& plane : frustum.filter_planes().subspan(frustum.plane_count())) {
-    const Values twice = values(block, plane);
-    least_high = hn::Min(least_high, hn::Add(twice.center, twice.spread));
+    least.include(frame.extremes(plane));
   }
-  const Vector error = hn::Set(d, twice_error(frustum.profile_bound(), reach));
-  const Mask parted = hn::And(lanes.straddling, hn::Lt(least_high, hn::Neg(error)));
-  lanes.outside = hn::Or(lanes.outside, parted);
-  lanes.unknown = hn::Or(lanes.unknown, hn::AndNot(parted, hn::AndNot(hn::Gt(least_high, error), lanes.straddling)));
+  const Lanes error = bounds.error(frustum.profile_bound());
+  const Mask parted = hn::And(known.straddling, hn::Lt(least.high.v, hn::Neg(error.v)));
+  known.outside = hn::Or(known.outside, parted);
+  known.unknown = hn::Or(known.unknown, hn::AndNot(parted, hn::AndNot(hn::Gt(least.high.v, error.v), known.straddling)));
 }
 
-HWY_ATTR void BoxesAgainstFrustum(const ShadowFrustum& frustum, const BoxBatch& boxes, Test test, double reach,
-                                  std::size_t begin, std::size_t end, Relation* out, Undecided& undecided) {
-  const Doubles d;
+HWY_ATTR void BoxesAgainstFrustum(const ShadowFrustum& frustum, const BoxBatch& boxes, Test test, std::size_t begin,
+                                  std::size_t end, Relation* out, Undecided& undecided) {
   const auto planes = frustum.filter_planes().first(frustum.plane_count());
-  const Vector error = hn::Set(d, twice_error(frustum.filter_bound(), reach));
-  for (std::size_t first = begin; first < end; first += hn::Lanes(d)) {
-    const Block block = load_block(boxes, first, frustum.origin());
-    Vector low = hn::Set(d, HUGE_VAL), high = low;
-    for (const FilterPlane& plane : planes) {
-      const Values twice = values(block, plane);
-      low = hn::Min(low, hn::Sub(twice.center, twice.spread));
-      high = hn::Min(high, hn::Add(twice.center, twice.spread));
-    }
-    Lanes lanes = classify(low, high, error);
-    if (test == Test::overlap && !hn::AllFalse(d, lanes.straddling)) part_by_profile(frustum, block, reach, lanes);
-    store(lanes, first, end - first, out, undecided);
+  const auto origin = constants<LaneArithmetic>(frustum.origin());
+  const auto row = [&](std::size_t k) { return boxes.coordinate(k); };
+  const Frame bounds(boxes.bounds(), frustum.origin());
+  const Lanes error = bounds.error(frustum.filter_bound());
+  for (std::size_t first = begin; first < end; first += hn::Lanes(Doubles())) {
+    const Frame frame(load(row, first, 0) - origin, load(row, first, 3) - origin);
+    Least least;
+    for (const FilterPlane& plane : planes) least.include(frame.extremes(plane));
+    Known known = classify(least, error);
+    if (test == Test::overlap && !hn::AllFalse(Doubles(), known.straddling)) part_by_profile(frustum, frame, bounds, known);
+    store(known, first, end - first, out, undecided);
   }
 }
 
 HWY_ATTR void FrustaAgainstBox(const FrustumBatch& frusta, const Aabb& box, std::size_t begin, std::size_t end,
                                Relation* out, Undecided& undecided) {
-  const Doubles d;
-  for (std::size_t first = begin; first < end; first += hn::Lanes(d)) {
-    const auto frame = [&](std::size_t k) { return hn::LoadU(d, frusta.frame(k) + first); };
-    const auto relative = [&](double x, std::size_t k) { return hn::Sub(hn::Set(d, x), frame(k)); };
-    const Vector x0 = relative(box.min.x, 0), y0 = relative(box.min.y, 1), z0 = relative(box.min.z, 2);
-    const Vector x1 = relative(box.max.x, 0), y1 = relative(box.max.y, 1), z1 = relative(box.max.z, 2);
-    const auto larger = [](Vector a, Vector b) { return hn::Max(hn::Abs(a), hn::Abs(b)); };
-    const Vector reach = hn::Max(hn::Max(larger(x0, x1), larger(y0, y1)), larger(z0, z1));
-    Vector low = hn::Set(d, HUGE_VAL), high = low;
+  const auto box_min = constants<LaneArithmetic>(box.min), box_max = constants<LaneArithmetic>(box.max);
+  const auto row_of_frame = [&](std::size_t k) { return frusta.frame(k); };
+  for (std::size_t first = begin; first < end; first += hn::Lanes(Doubles())) {
+    const LaneVector origin = load(row_of_frame, first, 0);
+    const Frame frame(box_min - origin, box_max - origin);
+    Least least;
     for (std::size_t i = 0; i < frusta.plane_count(); ++i) {
-      const auto row = [&](FrustumBatch::Row which) { return hn::LoadU(d, frusta.row(i, which) + first); };
-      const Vector nx = row(FrustumBatch::normal_x), ny = row(FrustumBatch::normal_y), nz = row(FrustumBatch::normal_z);
-      // The normals differ from lane to lane: so do the extremal vertices.
-      const Vector ax = hn::Mul(nx, x0), ay = hn::Mul(ny, y0), az = hn::Mul(nz, z0);
-      const Vector bx = hn::Mul(nx, x1), by = hn::Mul(ny, y1), bz = hn::Mul(nz, z1);
-      const Vector offset = row(FrustumBatch::offset);
-      low = hn::Min(low, hn::Add(hn::Add(hn::Min(ax, bx), hn::Min(ay, by)), hn::Add(hn::Min(az, bz), offset)));
-      high = hn::Min(high, hn::Add(hn::Add(hn::Max(ax, bx), hn::Max(ay, by)), hn::Add(hn::Max(az, bz), offset)));
+      const auto row_of_plane = [&](std::size_t k) { return frusta.row(i, static_cast<FrustumBatch::Row>(k)); };
+      const LaneVector normal = load(row_of_plane, first, FrustumBatch::normal_x);
+      const Lanes offset = Lanes::load(row_of_plane(FrustumBatch::offset) + first);
+      least.include(frame.extremes(normal, magnitudes(normal), offset + offset));
     }
-    const Vector error = hn::Add(hn::Mul(frame(3), reach), frame(4));
-    store(classify(low, high, error), first, end - first, out, undecided);
+    const BasicFilterBound<Lanes> bound{Lanes::load(frusta.frame(3) + first), Lanes::load(frusta.frame(4) + first)};
+    store(classify(least, frame.error(bound)), first, end - first, out, undecided);
   }
 }
 
-}  // namespace HWY_NAMESPACE
 }  // namespace
+}  // namespace HWY_NAMESPACE
 }  // namespace occlude::kernel
 HWY_AFTER_NAMESPACE();
 
@@ -163,14 +159,6 @@ HWY_EXPORT(BoxesAgainstFrustum);
 HWY_EXPORT(FrustaAgainstBox);
 
 std::size_t padded(std::size_t size) { return size + kMaxLanes; }
-
-double reach_of(const Aabb& bounds, const Vec3& origin) {
-  double reach = 0;
-  for (int k = 0; k < 3; ++k) {
-    reach = std::max({reach, std::fabs(bounds.min[k] - origin[k]), std::fabs(bounds.max[k] - origin[k])});
-  }
-  return reach;
-}
 
 /// Calls `run(begin, end, undecided)` for parts of [0, size), and `decide(i)` for what each leaves.
 template <class Run, class Decide>
@@ -185,11 +173,10 @@ void in_chunks(std::size_t size, std::span<Relation> out, const Run& run, const 
 
 void relate(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near, Test test, std::span<Relation> out) {
   if (frustum.is_none()) return static_cast<void>(std::ranges::fill(out, Relation::partial));
-  const double reach = reach_of(boxes.bounds(), frustum.origin());
   in_chunks(
       boxes.size(), out,
       [&](std::size_t begin, std::size_t end, Undecided& undecided) {
-        HWY_DYNAMIC_DISPATCH(BoxesAgainstFrustum)(frustum, boxes, test, reach, begin, end, out.data(), undecided);
+        HWY_DYNAMIC_DISPATCH(BoxesAgainstFrustum)(frustum, boxes, test, begin, end, out.data(), undecided);
       },
       [&](std::size_t i) { return decide(frustum, boxes.box(i), Arithmetic::certified, test, near).relation; });
 }

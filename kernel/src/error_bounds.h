@@ -53,7 +53,7 @@ constexpr int roundings(BoundOf bound) {
     case BoundOf::running_product:
       return 1 + 2 + 1 + 1 + 1;
     // rounded_plane.h: the uncertainty of a component, |low| + error; the sum of three; the sum with kPlaneError times the
-    // magnitudes; inflation. Then, in box_frame.h, the product with the reach and the sum with the base. The reach is that
+    // magnitudes; inflation. Then, in its frame, the product with the reach and the sum with the base. The reach is that
     // of an oriented box at most, whose centre is rounded once and takes three additions; that of an axis-aligned box takes
     // three roundings: a bound relative to the origin, the sum or difference of two, the sum of these.
     case BoundOf::slope:
@@ -98,8 +98,8 @@ template <BoundOf of, class Real>
 ///   (g(7) sum_k |n_k| + sum_k e_k) R + (g(4) |w| + e_w) = slope * R + base.
 /// Of an oriented box the centre is given, and the half edges h_j: on n_k c_k one rounding of c_k, the product, three
 /// additions and the last, on n_k h_j,k the product, two additions within n . h_j, two among the three |n . h_j| and the
-/// last: six at most. The same bound holds with R = max_k |c_k| + sum_j max_k |h_j,k|. Many frusta against one box
-/// (batch.cpp) take the vertex itself: one rounding of y_k, the product, three additions.
+/// last: six at most. The same bound holds with R = max_k |c_k| + sum_j max_k |h_j,k|. Many boxes or frusta at once
+/// (batch.cpp) take the same values, of the same template (aabb_frame-inl.h).
 inline constexpr double kPlaneError = rounding_error(1 + 1 + 1 + 3 + 1);
 inline constexpr double kOffsetError = rounding_error(3 + 1);
 

@@ -39,6 +39,11 @@ template <class Number>
 }
 
 template <class Number>
+[[nodiscard]] Number dot(const Vector3<Number>& a, const Vector3<Number>& b, const Number& plus) {
+  return dot(a, b) + plus;
+}
+
+template <class Number>
 [[nodiscard]] Vector3<Number> cross(const Vector3<Number>& a, const Vector3<Number>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

@@ -11,8 +11,8 @@
 #include <functional>
 #include <random>
 
-#include "batch_values-inl.h"
 #include "box_frame.h"
+#include "lanes-inl.h"
 #include "occlude/kernel/half_space.h"
 #include "rounded_plane.h"
 
@@ -156,11 +156,8 @@ TEST(ErrorBounds, PlaneErrorHoldsForOrientedBoxes) {
 
 /// Twice the greatest value of a plane over the points (x, 1/2, 1/2), x from 0 to 1, as batches compute it.
 HWY_ATTR double highest_in_batches(const FilterPlane& plane) {
-  namespace batch = HWY_NAMESPACE;
-  const batch::Doubles d;
-  const auto one = batch::hn::Set(d, 1.0), zero = batch::hn::Zero(d);
-  const batch::Values twice = batch::values({one, one, one, one, zero, zero}, plane);
-  return batch::hn::GetLane(batch::hn::Add(twice.center, twice.spread));
+  const AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(Aabb{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, Vec3{});
+  return HWY_NAMESPACE::hn::GetLane(frame.extremes(plane).high().v);
 }
 
 /// Where the offset is all there is, in batches: three terms too small for its last place, each lost in an addition, and the

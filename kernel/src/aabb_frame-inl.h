@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// An axis-aligned box as the filter sees it: relative to the origin of a frustum. One template for all who ask: a box in
+// doubles, many boxes or many frusta in the lanes of vectors (lanes-inl.h), and arithmetics that count or trace. Compiled
+// for every instruction set of those who include it.
+#if defined(OCCLUDE_AABB_FRAME_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCCLUDE_AABB_FRAME_INL_H
+#undef OCCLUDE_AABB_FRAME_INL_H
+#else
+#define OCCLUDE_AABB_FRAME_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "occlude/kernel/planes.h"
+#include "occlude/kernel/types.h"
+#include "vector3.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace occlude::kernel {
+namespace HWY_NAMESPACE {
+
+/// What the numbers of an arithmetic are rounded to: themselves, unless they count operations.
+template <class A>
+using Real = decltype(A::rounded(std::declval<typename A::Number>()));
+
+template <class A>
+[[nodiscard]] HWY_INLINE Real<A> product(const Real<A>& a, const Real<A>& b) {
+  return A::rounded(A::constant(a) * A::constant(b));
+}
+
+/// Values of a plane over a box: at its centre, and what they gain from there to a vertex at most.
+template <class Real>
+struct Extremes {
+  Real middle, spread;
+  [[nodiscard]] HWY_INLINE Real low() const { return middle - spread; }
+  [[nodiscard]] HWY_INLINE Real high() const { return middle + spread; }
+};
+
+/// Sums and differences of the bounds of an axis-aligned box relative to the origin of a frustum, twice its centre and half
+/// extents: in them both extremal vertices of every plane are alike to find, without asking for signs. Values and errors are
+/// twice those of the planes. `A` is an arithmetic of which no sign is asked (arithmetic.h).
+template <class A>
+class AabbFrame {
+ public:
+  using Vector = Vector3<typename A::Number>;
+
+  /// The bounds are relative to the origin.
+  HWY_INLINE AabbFrame(const Vector& min, const Vector& max) { set(min, max); }
+  HWY_INLINE AabbFrame(const Aabb& box, const Vec3& origin) {
+    const auto min = difference<A>(box.min, origin), max = difference<A>(box.max, origin);
+    set(min, max);
+  }
+
+  [[nodiscard]] HWY_INLINE Extremes<Real<A>> extremes(const Vector& normal, const Vector& magnitudes,
+                                                      const Real<A>& twice_offset) const {
+    return {A::rounded(dot(normal, sum_, A::constant(twice_offset))), A::rounded(dot(magnitudes, extent_))};
+  }
+  [[nodiscard]] HWY_INLINE Extremes<Real<A>> extremes(const FilterPlane& p) const {
+    return extremes(constants<A>(p.normal), constants<A>(p.magnitudes), p.offset + p.offset);
+  }
+  /// What rounding can do to the values of planes with this bound, here and over every box within this one.
+  template <class Bound>
+  [[nodiscard]] HWY_INLINE Real<A> error(const Bound& bound) const {
+    return product<A>(bound.slope, twice_reach_) + (bound.base + bound.base);
+  }
+  [[nodiscard]] HWY_INLINE Real<A> reach() const { return 0.5 * twice_reach_; }
+
+ private:
+  HWY_INLINE void set(const Vector& min, const Vector& max) {
+    sum_ = max + min;
+    extent_ = max - min;
+    twice_reach_ = farthest();
+  }
+  HWY_INLINE Real<A> farthest() const {
+    using std::max;
+    return max(max(farthest(sum_.x, extent_.x), farthest(sum_.y, extent_.y)), farthest(sum_.z, extent_.z));
+  }
+  HWY_INLINE static Real<A> farthest(const typename A::Number& sum, const typename A::Number& extent) {
+    return A::rounded(A::magnitude(sum)) + A::rounded(extent);
+  }
+
+  Vector sum_, extent_;
+  Real<A> twice_reach_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace occlude::kernel
+HWY_AFTER_NAMESPACE();
+
+#endif

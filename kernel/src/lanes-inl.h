@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// As many doubles as a vector has lanes, as a number of arithmetic.h. Compiled for every instruction set of those who
+// include it.
+#if defined(OCCLUDE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef OCCLUDE_LANES_INL_H
+#undef OCCLUDE_LANES_INL_H
+#else
+#define OCCLUDE_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+#include "vector3.h"
+
+#ifndef OCCLUDE_MAX_LANES
+#define OCCLUDE_MAX_LANES
+namespace occlude::kernel {
+
+/// No vector is taken longer, so that what is read and written beyond the end is bounded.
+inline constexpr std::size_t kMaxLanes = 32;
+
+}  // namespace occlude::kernel
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace occlude::kernel {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, kMaxLanes>;
+
+struct Lanes {
+  hn::Vec<Doubles> v;
+
+  Lanes() = default;
+  HWY_INLINE Lanes(hn::Vec<Doubles> vector) : v(vector) {}  // NOLINT(google-explicit-constructor): it is this number
+  HWY_INLINE Lanes(double x) : v(hn::Set(Doubles(), x)) {}  // NOLINT(google-explicit-constructor): in every lane
+  HWY_INLINE static Lanes load(const double* from) { return hn::LoadU(Doubles(), from); }
+
+  friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
+  friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
+  friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
+  /// a b + c.
+  friend HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return hn::MulAdd(a.v, b.v, c.v); }
+  friend HWY_INLINE Lanes min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
+  friend HWY_INLINE Lanes max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
+};
+
+HWY_INLINE Vector3<Lanes> operator+(const Vector3<Lanes>& a, const Vector3<Lanes>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Vector3<Lanes> operator-(const Vector3<Lanes>& a, const Vector3<Lanes>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+/// Sums in an order in which each product can be fused with the addition that follows it, which rounds less often. `Number`
+/// is Lanes or a number that traces its roundings.
+template <class Number>
+HWY_INLINE Number fused_dot(const Vector3<Number>& a, const Vector3<Number>& b) {
+  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
+}
+template <class Number>
+HWY_INLINE Number fused_dot(const Vector3<Number>& a, const Vector3<Number>& b, const Number& plus) {
+  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, multiply_add(a.z, b.z, plus)));
+}
+HWY_INLINE Lanes dot(const Vector3<Lanes>& a, const Vector3<Lanes>& b) { return fused_dot(a, b); }
+HWY_INLINE Lanes dot(const Vector3<Lanes>& a, const Vector3<Lanes>& b, const Lanes& plus) { return fused_dot(a, b, plus); }
+HWY_INLINE Vector3<Lanes> magnitudes(const Vector3<Lanes>& a) { return {hn::Abs(a.x.v), hn::Abs(a.y.v), hn::Abs(a.z.v)}; }
+
+struct LaneArithmetic {
+  using Number = Lanes;
+  HWY_INLINE static Lanes constant(Lanes x) { return x; }
+  HWY_INLINE static Lanes difference(Lanes a, Lanes b) { return a - b; }
+  HWY_INLINE static Lanes magnitude(Lanes x) { return hn::Abs(x.v); }
+  HWY_INLINE static Lanes rounded(Lanes x) { return x; }
+};
+
+}  // namespace HWY_NAMESPACE
+
+// Functions of vector3.h would be compiled for the machine that everything is compiled for.
+template <>
+[[nodiscard]] HWY_INLINE Vector3<HWY_NAMESPACE::Lanes> constants<HWY_NAMESPACE::LaneArithmetic>(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+template <>
+[[nodiscard]] HWY_INLINE Vector3<HWY_NAMESPACE::Lanes> difference<HWY_NAMESPACE::LaneArithmetic>(const Vec3& to,
+                                                                                                 const Vec3& from) {
+  return constants<HWY_NAMESPACE::LaneArithmetic>(to) - constants<HWY_NAMESPACE::LaneArithmetic>(from);
+}
+
+}  // namespace occlude::kernel
+HWY_AFTER_NAMESPACE();
+
+#endif
