@@ -17,6 +17,7 @@
 #include "occlude/kernel/shadow_union.h"
 #include "picture_margin.h"
 #include "small_scenes.h"
+#include "stored_frustum.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {
@@ -157,7 +158,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
   const kernel::ShadowFrustumResult fresh = culler.occluders().shadow(occluder.index, viewpoint, options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
-         std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());
+         kernel::stored(*fresh.frustum)->cap_vertices == kernel::stored(occluder.frustum)->cap_vertices;
 }
 
 /// How far from the eye the model reaches.

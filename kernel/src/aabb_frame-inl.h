@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "occlude/kernel/planes.h"
 #include "occlude/kernel/types.h"
+#include "planes.h"
 #include "vector3.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "aabb_frame-inl.h"
-#include "occlude/kernel/planes.h"
 #include "occlude/kernel/types.h"
+#include "planes.h"
 #include "vector3.h"
 
 namespace occlude::kernel {
