@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "aabb_frame-inl.h"
 #include "lanes-inl.h"
 #include "occlude/kernel/batch.h"
 #include "stored_frustum.h"

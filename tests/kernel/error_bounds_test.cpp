@@ -154,13 +154,18 @@ TEST(ErrorBounds, PlaneErrorHoldsForOrientedBoxes) {
   EXPECT_GT(worst, 0.3);
 }
 
+/// Twice the greatest value of a plane over the points (x, 1/2, 1/2), x from 0 to 1, as batches compute it.
+HWY_ATTR double highest_in_batches(const FilterPlane& plane) {
+  const HWY_NAMESPACE::AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(Aabb{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, Vec3{});
+  return HWY_NAMESPACE::hn::GetLane(frame.extremes(plane).high().v);
+}
+
 /// Where the offset is all there is, in batches: three terms too small for its last place, each lost in an addition, and the
 /// spread, lost in a fourth. Fused operations lose the same.
 TEST(ErrorBounds, OffsetErrorHoldsInBatchesAndIsNotTwiceTooLarge) {
   const double term = std::nextafter(kUnitRoundoff, 0.0);  // next to half a place of 1
   const FilterPlane plane{.normal = {term, term, term}, .magnitudes = {term, term, term}, .offset = 0.5, .farther = {}};
-  const AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(Aabb{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, Vec3{});
-  const double value = HWY_NAMESPACE::hn::GetLane(frame.extremes(plane).high().v);
+  const double value = highest_in_batches(plane);
   const Expansion truth = Expansion(1) + Expansion(term) * Expansion(4);
   const double worst = share(truth - Expansion(value), kOffsetError);
   EXPECT_LE(worst, 1);
