@@ -33,14 +33,15 @@ bool ShadowMargin::keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& b
   if (shadow.is_none()) return false;
   if (is_none()) return true;
   const double size = this->size(shadow);
+  const kernel::Vec3 origin = shadow.origin();
   const auto keeps_to = [&](const kernel::HalfSpace& plane) {
     const glm::dvec3 normal = to_glm(plane.normal);
     const double margin = size * glm::length(normal - glm::dot(normal, forward_) * forward_);
     const double enough = 2 * rounding_ * glm::length(normal) - plane.offset;
-    return is_perspective_ ? least(normal - margin * forward_, shadow.origin(), box) >= enough
-                           : least(normal, shadow.origin(), box) >= enough + margin;
+    return is_perspective_ ? least(normal - margin * forward_, origin, box) >= enough
+                           : least(normal, origin, box) >= enough + margin;
   };
-  for (std::size_t i = 0; i < shadow.plane_count(); ++i) {
+  for (std::size_t i = 0, count = shadow.plane_count(); i < count; ++i) {
     if (!keeps_to(shadow.rounded_plane(i))) return false;
   }
   return true;

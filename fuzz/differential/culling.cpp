@@ -16,6 +16,7 @@
 #include "picture_margin.h"
 #include "rows.h"
 #include "small_scenes.h"
+#include "stored_frustum.h"
 #include "verdict.h"
 
 namespace occlude::fuzz {
@@ -159,7 +160,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
   const kernel::ShadowFrustumResult fresh = culler.occluders().shadow(occluder.index, viewpoint, options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
-         std::ranges::equal(fresh.frustum->cap_vertices(), occluder.frustum.cap_vertices());
+         kernel::stored(*fresh.frustum)->cap_vertices == kernel::stored(occluder.frustum)->cap_vertices;
 }
 
 /// The distance from the eye to the farthest vertex.

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "occlude/kernel/overlap.h"
+#include "stored_frustum.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -97,7 +98,7 @@ Real PictureMargin::move(const kernel::ShadowFrustum& shadow, Real depth) const 
 Real PictureMargin::slack(const kernel::ShadowFrustum& shadow, const std::vector<Vector>& corners) const {
   Real least = std::numeric_limits<Real>::infinity();
   for (std::size_t i = 0; i < shadow.plane_count(); ++i) {
-    const auto [normal, point] = plane_of(std::get<kernel::ExactPlane>(shadow.recipes()[i]));
+    const auto [normal, point] = plane_of(std::get<kernel::ExactPlane>(kernel::stored(shadow)->recipes[i]));
     const Vector across = glm::dot(normal, right_) * right_ + glm::dot(normal, up_) * up_;
     const Real length = std::sqrt(glm::dot(across, across));
     for (const Vector& corner : corners) {

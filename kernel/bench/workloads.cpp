@@ -19,7 +19,7 @@ using kernel::Aabb;
 kernel::ShadowFrustum shadow_of(const Vec3& eye, const Vec3& corner, const Vec3& u, const Vec3& v) {
   const std::array loop{corner, corner + u, corner + u + v, corner + v};
   auto result = kernel::ShadowFrustum::make(kernel::Viewpoint::eye(eye), loop, kernel::Near::surface);
-  if (!result.frustum || result.frustum->is_cut()) throw std::logic_error("the benchmark's occluder is not plane");
+  if (!result.frustum || result.frustum->support_plane()) throw std::logic_error("the benchmark's occluder is not plane");
   return *std::move(result.frustum);
 }
 

@@ -58,14 +58,14 @@ double share(const kernel::DoubleDouble& x, const Exact& truth) {
 template <class Box>
 class Measurement {
  public:
-  Measurement(const kernel::ShadowFrustum& frustum, const Box& box, fuzz::Random& random, Shares& shares)
+  Measurement(const kernel::StoredFrustum& frustum, const Box& box, fuzz::Random& random, Shares& shares)
       : frustum_(frustum), box_(box), random_(random), shares_(shares) {}
 
   void run() {
-    const std::size_t planes = frustum_.plane_count(), stored = frustum_.recipes().size();
+    const std::size_t planes = frustum_.plane_count, stored = frustum_.recipes.size();
     const std::size_t i = random_.index(planes);
     measure_stored(i, Kind::frustum_plane);
-    measure_half_space(frustum_.filter_planes()[i]);
+    measure_half_space(frustum_.filter_planes[i]);
     measure_pair(i, random_.index(planes));
     if constexpr (kIsAligned) {
       if (stored > planes) measure_stored(planes + random_.index(stored - planes), Kind::profile_plane);
@@ -81,14 +81,14 @@ class Measurement {
 
   /// A plane that the frustum holds in doubles, by the filter and by what comes after it.
   void measure_stored(std::size_t i, Kind kind) {
-    const PlaneRecipe& recipe = frustum_.recipes()[i];
+    const PlaneRecipe& recipe = frustum_.recipes[i];
     const TruePlane truth = true_plane(frustum_, recipe);
     const Range range = values(truth, box_);
     measure_expression(recipe, range.high);
-    const kernel::FilterPlane& filter = frustum_.filter_planes()[i];
+    const kernel::FilterPlane& filter = frustum_.filter_planes[i];
     const auto twice = kernel::coefficients<Twice>(frustum_, recipe);
     const Exact scale = scale_of(filter, twice);
-    const Frame frame(box_, frustum_.origin());
+    const Frame frame(box_, frustum_.origin);
     const auto extremes = frame.extremes(filter);
     // Its own bound: the frustum's is the largest of all planes.
     const double error = frame.error(kernel::rounded(twice).bound);
@@ -99,14 +99,14 @@ class Measurement {
   }
 
   void measure_refined(std::size_t i, const TruePlane& truth, const Exact& scale, double reach) {
-    const kernel::FilterPlane& filter = frustum_.filter_planes()[i];
-    const kernel::RefinedPlane& tail = frustum_.refined_planes()[i];
+    const kernel::FilterPlane& filter = frustum_.filter_planes[i];
+    const kernel::RefinedPlane& tail = frustum_.refined_planes[i];
     const auto bit = [&] { return random_.chance(0.5); };
     const bool x = bit(), y = bit(), z = bit();
     const Vec3 vertex = kernel::extremal_vertex(box_, x, y, z);
     const auto real = [](const Vec3& v) { return kernel::constants<kernel::PlainArithmetic>(v); };
     const auto refined = kernel::refined_value(real(filter.normal), filter.offset, real(tail.normal), tail.offset,
-                                               tail.uncertainty, reach, real(vertex), real(frustum_.origin()));
+                                               tail.uncertainty, reach, real(vertex), real(frustum_.origin));
     // The last rounding does not change the sign.
     const Exact off = distance(Exact(refined.value), scale * truth.at(vertex)) - kRoundoff * CGAL::abs(Exact(refined.value));
     shares_.note(Kind::refined, share(off, refined.is_exact ? 0 : refined.error));
@@ -122,7 +122,7 @@ class Measurement {
   void note(Kind kind, const PlaneRecipe& recipe, const Exact& truth) {
     A arithmetic;
     const auto plane = kernel::coefficients<A>(frustum_, recipe);
-    static_cast<void>(kernel::extremal_sign(arithmetic, plane, frustum_.origin(), box_, 1));
+    static_cast<void>(kernel::extremal_sign(arithmetic, plane, frustum_.origin, box_, 1));
     // In doubt about the normal it may have asked about another vertex.
     if (kIsAligned && arithmetic.failed()) return;
     shares_.note(kind, share(arithmetic.last, truth));
@@ -132,7 +132,7 @@ class Measurement {
     if constexpr (!kIsAligned) {
       std::vector<PlaneRecipe> recipes;
       const auto sign_along = [&](std::size_t plane, std::size_t k) {  // rounded: which planes come of it is no matter
-        const Vec3 &n = frustum_.filter_planes()[plane].normal, &h = box_.half_edges[k];
+        const Vec3 &n = frustum_.filter_planes[plane].normal, &h = box_.half_edges[k];
         return kernel::PlainArithmetic::sign(n.x * h.x + n.y * h.y + n.z * h.z);
       };
       const auto keep = [&](const PlaneRecipe& recipe) {
@@ -148,7 +148,7 @@ class Measurement {
 
   /// Degree six: where two planes' values at two points are compared.
   void measure_pair(std::size_t i, std::size_t j) {
-    const PlaneRecipe &f = frustum_.recipes()[i], &g = frustum_.recipes()[j];
+    const PlaneRecipe &f = frustum_.recipes[i], &g = frustum_.recipes[j];
     const TruePlane true_f = true_plane(frustum_, f), true_g = true_plane(frustum_, g);
     const auto [p, q] = two_points(box_);
     const Exact truth = true_f.at(p) * true_g.at(q) - true_f.at(q) * true_g.at(p);
@@ -160,7 +160,7 @@ class Measurement {
   [[nodiscard]] typename A::Number crossed(const PlaneRecipe& f, const PlaneRecipe& g, const Vec3& p, const Vec3& q) const {
     const auto at = [&](const PlaneRecipe& recipe, const Vec3& x) {
       const auto plane = kernel::coefficients<A>(frustum_, recipe);
-      return dot(plane.normal, kernel::difference<A>(x, frustum_.origin())) + plane.offset;
+      return dot(plane.normal, kernel::difference<A>(x, frustum_.origin)) + plane.offset;
     };
     return at(f, p) * at(g, q) - at(f, q) * at(g, p);
   }
@@ -176,7 +176,7 @@ class Measurement {
     shares_.note(Kind::half_space, share(off, kernel::kHalfSpaceError * (std::fabs(px) + std::fabs(py) + std::fabs(pz))));
   }
 
-  const kernel::ShadowFrustum& frustum_;
+  const kernel::StoredFrustum& frustum_;
   const Box& box_;
   fuzz::Random& random_;
   Shares& shares_;
@@ -202,7 +202,7 @@ Shares measure(fuzz::Family family, int cases, std::uint64_t seed) {
     const auto result = fuzz::make_frustum(made);
     if (!result.frustum || fuzz::check(made.box) != kernel::Refusal::none) continue;
     ++shares.legal_cases;
-    std::visit([&](const auto& box) { Measurement(*result.frustum, box, random, shares).run(); }, made.box);
+    std::visit([&](const auto& box) { Measurement(*kernel::stored(*result.frustum), box, random, shares).run(); }, made.box);
   }
   return shares;
 }

@@ -128,8 +128,8 @@ class Survey {
   void include(const fuzz::Case& made) {
     const auto result = fuzz::make_frustum(made);
     if (!result.frustum) return;
-    const kernel::ShadowFrustum& frustum = *result.frustum;
-    for (const PlaneRecipe& recipe : frustum.recipes()) {
+    const kernel::StoredFrustum& frustum = *kernel::stored(*result.frustum);
+    for (const PlaneRecipe& recipe : frustum.recipes) {
       Coefficients plane;
       survey(coefficients_, [&] { plane = kernel::coefficients<A>(frustum, recipe); });
       survey(stored_, [&] { plane = stored(plane); });
@@ -157,12 +157,12 @@ class Survey {
     into.include(seen);
   }
 
-  void include_values(const kernel::ShadowFrustum& frustum, const kernel::Aabb& box) {
+  void include_values(const kernel::StoredFrustum& frustum, const kernel::Aabb& box) {
     survey(values_, [&] {
-      for (const PlaneRecipe& recipe : frustum.recipes()) value_over(frustum, recipe, box);
+      for (const PlaneRecipe& recipe : frustum.recipes) value_over(frustum, recipe, box);
     });
   }
-  void include_values(const kernel::ShadowFrustum& frustum, const kernel::Obb& box) {
+  void include_values(const kernel::StoredFrustum& frustum, const kernel::Obb& box) {
     survey(values_, [&] {
       const auto sign_along = [&](std::size_t, std::size_t) { return arithmetic_.sign({}); };
       const auto look = [&](const PlaneRecipe& recipe) {
@@ -173,16 +173,16 @@ class Survey {
     });
   }
   template <class Box>
-  void value_over(const kernel::ShadowFrustum& frustum, const PlaneRecipe& recipe, const Box& box) {
+  void value_over(const kernel::StoredFrustum& frustum, const PlaneRecipe& recipe, const Box& box) {
     const auto plane = kernel::coefficients<A>(frustum, recipe);
-    static_cast<void>(kernel::extremal_sign(arithmetic_, plane, frustum.origin(), box, 1));
+    static_cast<void>(kernel::extremal_sign(arithmetic_, plane, frustum.origin, box, 1));
   }
 
   /// An edge clipped by the planes of a polytope: where degree six is reached, as for the union of two shadows.
-  void compare_clips(const kernel::ShadowFrustum& frustum) {
+  void compare_clips(const kernel::StoredFrustum& frustum) {
     kernel::SegmentClip<A> left(arithmetic_);
-    for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
-      const auto value = at_any_point(kernel::coefficients<A>(frustum, frustum.recipes()[i]));
+    for (std::size_t i = 0; i < frustum.plane_count; ++i) {
+      const auto value = at_any_point(kernel::coefficients<A>(frustum, frustum.recipes[i]));
       left.clip(value, value + value);
       static_cast<void>(left.empty());
     }

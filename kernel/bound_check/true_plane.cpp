@@ -13,22 +13,21 @@ Vector normal_of(const kernel::ExactPlane& plane) {
   return plane.direct ? a : CGAL::cross_product(a, vector_of(plane.b_to) - vector_of(plane.b_from));
 }
 
-TruePlane build(const kernel::ShadowFrustum&, const kernel::ExactPlane& plane) {
+TruePlane build(const kernel::StoredFrustum&, const kernel::ExactPlane& plane) {
   return through(vector_of(plane.origin), normal_of(plane));
 }
 
-TruePlane build(const kernel::ShadowFrustum& frustum, const kernel::CutEdgePlane& plane) {
-  const TruePlane near = true_plane(frustum, frustum.recipes()[0]),
-                  side = true_plane(frustum, frustum.recipes()[plane.side]);
+TruePlane build(const kernel::StoredFrustum& frustum, const kernel::CutEdgePlane& plane) {
+  const TruePlane near = true_plane(frustum, frustum.recipes[0]), side = true_plane(frustum, frustum.recipes[plane.side]);
   const Vector axis = vector_of(plane.axis);
   const TruePlane a = scaled(near, CGAL::abs(side.normal * axis)), b = scaled(side, CGAL::abs(near.normal * axis));
   return {a.normal + b.normal, a.offset + b.offset};
 }
 
-TruePlane build(const kernel::ShadowFrustum& frustum, const kernel::CutVertexPlane& plane) {
-  const kernel::Viewpoint& viewpoint = frustum.viewpoint();
-  const TruePlane near = true_plane(frustum, frustum.recipes()[0]);
-  const kernel::Vec3& corner = frustum.silhouette()[plane.corner];
+TruePlane build(const kernel::StoredFrustum& frustum, const kernel::CutVertexPlane& plane) {
+  const kernel::Viewpoint& viewpoint = frustum.viewpoint;
+  const TruePlane near = true_plane(frustum, frustum.recipes[0]);
+  const kernel::Vec3& corner = frustum.silhouette[plane.corner];
   const Vector ray = vector_of(viewpoint.value);
   const Vector along = viewpoint.is_eye() ? vector_of(corner) - ray : ray;
   const Exact speed = near.normal * along;
@@ -40,7 +39,7 @@ TruePlane build(const kernel::ShadowFrustum& frustum, const kernel::CutVertexPla
 
 Vector vector_of(const kernel::Vec3& v) { return {Exact(v.x), Exact(v.y), Exact(v.z)}; }
 
-TruePlane true_plane(const kernel::ShadowFrustum& frustum, const kernel::PlaneRecipe& recipe) {
+TruePlane true_plane(const kernel::StoredFrustum& frustum, const kernel::PlaneRecipe& recipe) {
   return std::visit([&](const auto& plane) { return build(frustum, plane); }, recipe);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The planes of a frustum as exact numbers, from their definitions (kernel/include/occlude/kernel/planes.h).
+// The planes of a frustum as exact numbers, from their definitions (kernel/src/planes.h).
 #pragma once
 
 #include <CGAL/Simple_cartesian.h>
 
 #include "exact.h"
-#include "occlude/kernel/shadow_frustum.h"
+#include "stored_frustum.h"
 
 namespace occlude::bound_check {
 
@@ -21,7 +21,7 @@ struct TruePlane {
   [[nodiscard]] Exact at(const kernel::Vec3& x) const { return normal * vector_of(x) + offset; }
 };
 
-[[nodiscard]] TruePlane true_plane(const kernel::ShadowFrustum& frustum, const kernel::PlaneRecipe& recipe);
+[[nodiscard]] TruePlane true_plane(const kernel::StoredFrustum& frustum, const kernel::PlaneRecipe& recipe);
 
 /// The same plane in other units.
 [[nodiscard]] TruePlane scaled(const TruePlane& plane, const Exact& factor);

@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: MIT
 // An axis-aligned box as the filter sees it: relative to the origin of a frustum. One template for all who ask: a box in
-// doubles, many boxes or many frusta in the lanes of vectors (lanes-inl.h), and arithmetics that count or trace. Compiled
-// for every instruction set of those who include it.
-#if defined(OCCLUDE_AABB_FRAME_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef OCCLUDE_AABB_FRAME_INL_H
-#undef OCCLUDE_AABB_FRAME_INL_H
-#else
-#define OCCLUDE_AABB_FRAME_INL_H
-#endif
+// doubles, many boxes or many frusta in the lanes of vectors, and arithmetics that count or trace. Included by box_frame.h
+// for the machine that everything is compiled for, by lanes-inl.h for every instruction set; they name the namespace.
 
-#include <hwy/highway.h>
-
-#include <algorithm>
-#include <utility>
-
-#include "occlude/kernel/planes.h"
-#include "occlude/kernel/types.h"
-#include "vector3.h"
-
-HWY_BEFORE_NAMESPACE();
 namespace occlude::kernel {
-namespace HWY_NAMESPACE {
+namespace OCCLUDE_FRAME_NAMESPACE {
 
 /// What the numbers of an arithmetic are rounded to: themselves, unless they count operations.
 template <class A>
@@ -86,8 +70,5 @@ class AabbFrame {
   Real<A> twice_reach_;
 };
 
-}  // namespace HWY_NAMESPACE
+}  // namespace OCCLUDE_FRAME_NAMESPACE
 }  // namespace occlude::kernel
-HWY_AFTER_NAMESPACE();
-
-#endif

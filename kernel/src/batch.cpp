@@ -13,9 +13,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "aabb_frame-inl.h"
 #include "lanes-inl.h"
 #include "occlude/kernel/batch.h"
+#include "stored_frustum.h"
 
 #ifndef OCCLUDE_BATCH_ONCE
 #define OCCLUDE_BATCH_ONCE
@@ -34,6 +34,17 @@ struct Undecided {
 static_assert(sizeof(Relation) == sizeof(std::int32_t));
 
 }  // namespace
+
+/// What the tests read of batches.
+struct BatchRows {
+  static const double* of(const BoxBatch& boxes, std::size_t k) { return boxes.row(k); }
+  static const double* of_frame(const FrustumBatch& frusta, std::size_t k) { return frusta.frame(k); }
+  static const double* of_plane(const FrustumBatch& frusta, std::size_t plane, std::size_t k) {
+    return frusta.plane(plane, k);
+  }
+  static std::size_t plane_count(const FrustumBatch& frusta) { return frusta.plane_count(); }
+};
+
 }  // namespace occlude::kernel
 #endif
 
@@ -99,24 +110,24 @@ HWY_INLINE LaneVector load(const Row& row, std::size_t first, std::size_t k) {
 }
 
 /// Moves the boxes that planes of the profile part from the frustum from straddling to outside.
-HWY_INLINE void part_by_profile(const ShadowFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
+HWY_INLINE void part_by_profile(const StoredFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
   Least least;
-  for (const FilterPlane& plane : frustum.filter_planes().subspan(frustum.plane_count())) {
+  for (const FilterPlane& plane : frustum.profile_planes()) {
     least.include(frame.extremes(plane));
   }
-  const Lanes error = bounds.error(frustum.profile_bound());
+  const Lanes error = bounds.error(frustum.profile_bound);
   const Mask parted = hn::And(known.straddling, hn::Lt(least.high.v, hn::Neg(error.v)));
   known.outside = hn::Or(known.outside, parted);
   known.unknown = hn::Or(known.unknown, hn::AndNot(parted, hn::AndNot(hn::Gt(least.high.v, error.v), known.straddling)));
 }
 
-HWY_ATTR void BoxesAgainstFrustum(const ShadowFrustum& frustum, const BoxBatch& boxes, Test test, std::size_t begin,
+HWY_ATTR void BoxesAgainstFrustum(const StoredFrustum& frustum, const BoxBatch& boxes, Test test, std::size_t begin,
                                   std::size_t end, Relation* out, Undecided& undecided) {
-  const auto planes = frustum.filter_planes().first(frustum.plane_count());
-  const auto origin = constants<LaneArithmetic>(frustum.origin());
-  const auto row = [&](std::size_t k) { return boxes.coordinate(k); };
-  const Frame bounds(boxes.bounds(), frustum.origin());
-  const Lanes error = bounds.error(frustum.filter_bound());
+  const auto planes = frustum.own_planes();
+  const auto origin = constants<LaneArithmetic>(frustum.origin);
+  const auto row = [&](std::size_t k) { return BatchRows::of(boxes, k); };
+  const Frame bounds(boxes.bounds(), frustum.origin);
+  const Lanes error = bounds.error(frustum.filter_bound);
   for (std::size_t first = begin; first < end; first += hn::Lanes(Doubles())) {
     const Frame frame(load(row, first, 0) - origin, load(row, first, 3) - origin);
     Least least;
@@ -130,18 +141,18 @@ HWY_ATTR void BoxesAgainstFrustum(const ShadowFrustum& frustum, const BoxBatch& 
 HWY_ATTR void FrustaAgainstBox(const FrustumBatch& frusta, const Aabb& box, std::size_t begin, std::size_t end,
                                Relation* out, Undecided& undecided) {
   const auto box_min = constants<LaneArithmetic>(box.min), box_max = constants<LaneArithmetic>(box.max);
-  const auto row_of_frame = [&](std::size_t k) { return frusta.frame(k); };
+  const auto row_of_frame = [&](std::size_t k) { return BatchRows::of_frame(frusta, k); };
   for (std::size_t first = begin; first < end; first += hn::Lanes(Doubles())) {
     const LaneVector origin = load(row_of_frame, first, 0);
     const Frame frame(box_min - origin, box_max - origin);
     Least least;
-    for (std::size_t i = 0; i < frusta.plane_count(); ++i) {
-      const auto row_of_plane = [&](std::size_t k) { return frusta.row(i, static_cast<FrustumBatch::Row>(k)); };
-      const LaneVector normal = load(row_of_plane, first, FrustumBatch::normal_x);
-      const Lanes offset = Lanes::load(row_of_plane(FrustumBatch::offset) + first);
+    for (std::size_t i = 0; i < BatchRows::plane_count(frusta); ++i) {
+      const auto row_of_plane = [&](std::size_t k) { return BatchRows::of_plane(frusta, i, k); };
+      const LaneVector normal = load(row_of_plane, first, 0);
+      const Lanes offset = Lanes::load(row_of_plane(3) + first);
       least.include(frame.extremes(normal, magnitudes(normal), offset + offset));
     }
-    const BasicFilterBound<Lanes> bound{Lanes::load(frusta.frame(3) + first), Lanes::load(frusta.frame(4) + first)};
+    const BasicFilterBound<Lanes> bound{Lanes::load(row_of_frame(3) + first), Lanes::load(row_of_frame(4) + first)};
     store(classify(least, frame.error(bound)), first, end - first, out, undecided);
   }
 }
@@ -172,11 +183,12 @@ void in_chunks(std::size_t size, std::span<Relation> out, const Run& run, const 
 }
 
 void relate(const ShadowFrustum& frustum, const BoxBatch& boxes, NearBoundary near, Test test, std::span<Relation> out) {
-  if (frustum.is_none()) return static_cast<void>(std::ranges::fill(out, Relation::partial));
+  const StoredFrustum* const planes = stored(frustum);
+  if (!planes) return static_cast<void>(std::ranges::fill(out, Relation::partial));
   in_chunks(
       boxes.size(), out,
       [&](std::size_t begin, std::size_t end, Undecided& undecided) {
-        HWY_DYNAMIC_DISPATCH(BoxesAgainstFrustum)(frustum, boxes, test, begin, end, out.data(), undecided);
+        HWY_DYNAMIC_DISPATCH(BoxesAgainstFrustum)(*planes, boxes, test, begin, end, out.data(), undecided);
       },
       [&](std::size_t i) { return decide(frustum, boxes.box(i), Arithmetic::certified, test, near).relation; });
 }
@@ -205,26 +217,28 @@ BoxBatch::BoxBatch(std::span<const Aabb> boxes)
 }
 
 Aabb BoxBatch::box(std::size_t i) const {
-  const auto at = [&](std::size_t k) { return coordinate(k)[i]; };
+  const auto at = [&](std::size_t k) { return row(k)[i]; };
   return {{at(0), at(1), at(2)}, {at(3), at(4), at(5)}};
 }
 
 FrustumBatch::FrustumBatch(std::span<const ShadowFrustum> frusta) : frusta_(frusta), stride_(padded(frusta.size())) {
   for (const ShadowFrustum& frustum : frusta) plane_count_ = std::max(plane_count_, frustum.plane_count());
-  planes_.resize(plane_count_ * rows * stride_);
+  planes_.resize(plane_count_ * kRows * stride_);
   frames_.resize(5 * stride_);
   for (std::size_t i = 0; i < frusta.size(); ++i) {
-    const Vec3& origin = frusta[i].origin();
-    const auto& [slope, base] = frusta[i].filter_bound();
+    const StoredFrustum* const frustum = stored(frusta[i]);
+    const auto planes = frustum ? frustum->own_planes() : std::span<const FilterPlane>();
+    const Vec3 origin = frustum ? frustum->origin : Vec3{};
     // Of a frustum that was never made no value is known: it is left to the test of a single box.
-    const std::array frame{origin.x, origin.y, origin.z, slope, frusta[i].is_none() ? HUGE_VAL : base};
+    const auto& [slope, base] = frustum ? frustum->filter_bound : FilterBound{0, HUGE_VAL};
+    const std::array frame{origin.x, origin.y, origin.z, slope, base};
     for (std::size_t k = 0; k < frame.size(); ++k) frames_[k * stride_ + i] = frame[k];
     // Beyond every bound: a plane that no box reaches.
     const FilterPlane none{.normal = {}, .magnitudes = {}, .offset = HUGE_VAL, .farther = {}};
     for (std::size_t j = 0; j < plane_count_; ++j) {
-      const FilterPlane& plane = j < frusta[i].plane_count() ? frusta[i].filter_planes()[j] : none;
-      const std::array<double, rows> values{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
-      for (std::size_t r = 0; r < rows; ++r) planes_[(j * rows + r) * stride_ + i] = values[r];
+      const FilterPlane& plane = j < planes.size() ? planes[j] : none;
+      const std::array<double, kRows> values{plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+      for (std::size_t r = 0; r < kRows; ++r) planes_[(j * kRows + r) * stride_ + i] = values[r];
     }
   }
 }

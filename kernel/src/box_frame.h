@@ -2,22 +2,27 @@
 // A box as the filter sees it: in doubles, relative to the origin of a frustum.
 #pragma once
 
+#include <hwy/base.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
-#include "aabb_frame-inl.h"
-#include "occlude/kernel/planes.h"
 #include "occlude/kernel/types.h"
+#include "planes.h"
 #include "vector3.h"
+
+#define OCCLUDE_FRAME_NAMESPACE one_box
+#include "aabb_frame-inl.h"
+#undef OCCLUDE_FRAME_NAMESPACE
 
 namespace occlude::kernel {
 
-// Those of the instruction set that everything is compiled for.
-using HWY_NAMESPACE::AabbFrame;
-using HWY_NAMESPACE::Extremes;
-using HWY_NAMESPACE::product;
-using HWY_NAMESPACE::Real;
+using one_box::AabbFrame;
+using one_box::Extremes;
+using one_box::product;
+using one_box::Real;
 
 /// The centre of an oriented box, rounded once, its half edges, and how far it can reach.
 template <class A>

@@ -16,23 +16,22 @@ bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
 
 }  // namespace
 
-int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {
+int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {
   // The rounded normal picks the vertex: should a component's sign be in doubt, so is the value within the same bound.
-  const FilterPlane& plane = frustum.filter_planes()[i];
+  const FilterPlane& plane = frustum.filter_planes[i];
   const auto positive = [&](std::size_t k) { return (plane.farther[k] >= 4) == (direction > 0); };
   const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));
-  const CertainSign refined = refined_sign(plane, frustum.refined_planes()[i], vertex, frustum.origin(), reach);
+  const CertainSign refined = refined_sign(plane, frustum.refined_planes[i], vertex, frustum.origin, reach);
   if (refined.is_certain) return refined.sign;
-  const auto* laid = std::get_if<ExactPlane>(&frustum.recipes()[i]);
-  if (laid && has_certain_signs(plane, frustum.refined_planes()[i]) && is_defined_by(*laid, vertex)) return 0;
+  const auto* laid = std::get_if<ExactPlane>(&frustum.recipes[i]);
+  if (laid && has_certain_signs(plane, frustum.refined_planes[i]) && is_defined_by(*laid, vertex)) return 0;
   ExactArithmetic exact;
-  return extremal_sign(exact, coefficients<ExactArithmetic>(frustum, frustum.recipes()[i]), frustum.origin(), box,
-                       direction);
+  return extremal_sign(exact, coefficients<ExactArithmetic>(frustum, frustum.recipes[i]), frustum.origin, box, direction);
 }
 
-int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Obb& box, double, int direction) {
+int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Obb& box, double, int direction) {
   return exactly([&]<class A>(A& arithmetic) {
-    return extremal_sign(arithmetic, coefficients<A>(frustum, frustum.recipes()[i]), frustum.origin(), box, direction);
+    return extremal_sign(arithmetic, coefficients<A>(frustum, frustum.recipes[i]), frustum.origin, box, direction);
   });
 }
 

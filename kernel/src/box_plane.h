@@ -40,25 +40,25 @@ template <class A>
 }
 
 /// Exact sign of plane `i` of the frustum at the extremal vertex of the box, where the filter could not tell.
-[[nodiscard]] int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Aabb& box, double reach,
+[[nodiscard]] int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb& box, double reach,
                                       int direction);
-[[nodiscard]] int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Obb& box, double reach,
+[[nodiscard]] int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Obb& box, double reach,
                                       int direction);
 
 /// The stage from plane `first` on, where the filter cannot tell; what came before is known to be inner or `straddling`.
 /// Apart from the filter's own loop, which it would slow down.
 template <class Box, class Frame>
-[[nodiscard, gnu::noinline]] Decision box_planes_resolved(const ShadowFrustum& frustum, const Box& box, const Frame& frame,
+[[nodiscard, gnu::noinline]] Decision box_planes_resolved(const StoredFrustum& frustum, const Box& box, const Frame& frame,
                                                           NearBoundary near, std::size_t first, bool straddling) {
-  const double error = frame.error(frustum.filter_bound());
-  for (std::size_t i = first; i < frustum.plane_count(); ++i) {
-    const auto extremes = frame.extremes(frustum.filter_planes()[i]);
+  const double error = frame.error(frustum.filter_bound);
+  for (std::size_t i = first; i < frustum.plane_count; ++i) {
+    const auto extremes = frame.extremes(frustum.filter_planes[i]);
     const double high = extremes.high(), low = extremes.low();
     if (high < -error) return {Relation::outside, Stage::exact};
     if (low > error) continue;
     if (high <= error && exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0)
       return {Relation::outside, Stage::exact};
-    const int least_inner = near == NearBoundary::open && i < frustum.near_count() ? 1 : 0;
+    const int least_inner = near == NearBoundary::open && i < frustum.near_count ? 1 : 0;
     straddling = straddling || low < -error || exact_extremal_sign(frustum, i, box, frame.reach(), -1) < least_inner;
   }
   return {straddling ? Relation::partial : Relation::inside, Stage::exact};
@@ -66,10 +66,10 @@ template <class Box, class Frame>
 
 /// The whole stage, certified: true answers, by the filter where its error bounds suffice. `frame` is the box's.
 template <class Box, class Frame>
-[[nodiscard, gnu::always_inline]] inline Decision box_planes_certified(const ShadowFrustum& frustum, const Box& box,
+[[nodiscard, gnu::always_inline]] inline Decision box_planes_certified(const StoredFrustum& frustum, const Box& box,
                                                                        const Frame& frame, NearBoundary near) {
-  const auto planes = frustum.filter_planes().first(frustum.plane_count());
-  const double error = frame.error(frustum.filter_bound());
+  const auto planes = frustum.own_planes();
+  const double error = frame.error(frustum.filter_bound);
   double least_low = HUGE_VAL;  // inner or straddling no branch predictor can know: no branch
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto extremes = frame.extremes(planes[i]);

@@ -11,18 +11,18 @@ namespace occlude::kernel {
 
 /// Whether a plane of the frustum's profile along the coordinate axes parts it from the box.
 template <class Frame>
-[[nodiscard]] bool is_parted_by_profile(const ShadowFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
-  const auto planes = frustum.filter_planes();
-  const double error = frame.error(frustum.profile_bound());
+[[nodiscard]] bool is_parted_by_profile(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
+  const auto& planes = frustum.filter_planes;
+  const double error = frame.error(frustum.profile_bound);
   bool unknown = false;
-  for (std::size_t i = frustum.plane_count(); i < planes.size(); ++i) {
+  for (std::size_t i = frustum.plane_count; i < planes.size(); ++i) {
     const double high = frame.extremes(planes[i]).high();
     if (high < -error) return true;
     unknown = unknown || high <= error;
   }
   if (!unknown) return false;
   stage = Stage::exact;
-  for (std::size_t i = frustum.plane_count(); i < planes.size(); ++i) {
+  for (std::size_t i = frustum.plane_count; i < planes.size(); ++i) {
     if (frame.extremes(planes[i]).high() > error) continue;
     if (exact_extremal_sign(frustum, i, box, frame.reach(), 1) < 0) return true;
   }
@@ -31,7 +31,7 @@ template <class Frame>
 
 /// The same for the profile along the edges of the box.
 template <class Frame>
-[[nodiscard]] bool is_parted_by_profile(const ShadowFrustum& frustum, const Obb& box, const Frame&, Stage& stage) {
+[[nodiscard]] bool is_parted_by_profile(const StoredFrustum& frustum, const Obb& box, const Frame&, Stage& stage) {
   const auto sign_along = [&](std::size_t plane, std::size_t k) {
     const auto question = [&]<class A>(A& arithmetic) {
       return arithmetic.sign(dot(normal<A>(plane_of(frustum, plane)), constants<A>(box.half_edges[k])));
@@ -40,7 +40,7 @@ template <class Frame>
   };
   const auto parts = [&](const PlaneRecipe& recipe) {
     const auto question = [&]<class A>(A& arithmetic) {
-      return extremal_sign(arithmetic, coefficients<A>(frustum, recipe), frustum.origin(), box, 1) < 0;
+      return extremal_sign(arithmetic, coefficients<A>(frustum, recipe), frustum.origin, box, 1) < 0;
     };
     return certified(question, &stage);
   };
@@ -51,22 +51,24 @@ template <class Frame>
 inline constexpr Decision kNotKnown{Relation::partial, Stage::filter};
 
 template <class A, class Box>
-[[nodiscard]] Decision certified_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  if (frustum.is_none()) [[unlikely]]
+[[nodiscard]] Decision certified_overlap(const ShadowFrustum& shadow, const Box& box, NearBoundary near) {
+  const StoredFrustum* const frustum = stored(shadow);
+  if (!frustum) [[unlikely]]
     return kNotKnown;
-  const auto frame = frame_of<A>(box, frustum.origin());
-  Decision decision = box_planes_certified(frustum, box, frame, near);
-  if (decision.relation == Relation::partial && is_parted_by_profile(frustum, box, frame, decision.stage)) {
+  const auto frame = frame_of<A>(box, frustum->origin);
+  Decision decision = box_planes_certified(*frustum, box, frame, near);
+  if (decision.relation == Relation::partial && is_parted_by_profile(*frustum, box, frame, decision.stage)) {
     decision.relation = Relation::outside;
   }
   return decision;
 }
 
 template <class A, class Box>
-[[nodiscard]] Decision certified_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  if (frustum.is_none()) [[unlikely]]
+[[nodiscard]] Decision certified_conservative(const ShadowFrustum& shadow, const Box& box, NearBoundary near) {
+  const StoredFrustum* const frustum = stored(shadow);
+  if (!frustum) [[unlikely]]
     return kNotKnown;
-  return box_planes_certified(frustum, box, frame_of<A>(box, frustum.origin()), near);
+  return box_planes_certified(*frustum, box, frame_of<A>(box, frustum->origin), near);
 }
 
 }  // namespace occlude::kernel

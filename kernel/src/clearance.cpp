@@ -6,6 +6,7 @@
 
 #include "arithmetic.h"
 #include "box_frame.h"
+#include "stored_frustum.h"
 
 namespace occlude::kernel {
 namespace {
@@ -35,11 +36,12 @@ double squared_length(const FilterPlane& plane) { return dot(vector(plane.normal
 
 template <class AnyBox>
 Clearance clearance_of(const ShadowFrustum& shadow, const AnyBox& box) {
-  if (shadow.is_none()) return {-kInfinity, 0};
+  const StoredFrustum* const frustum = stored(shadow);
+  if (!frustum) return {-kInfinity, 0};
   Clearance result{kInfinity, 0};
-  for (std::size_t i = 0; i < shadow.plane_count(); ++i) {
-    const FilterPlane& plane = shadow.filter_planes()[i];
-    const double distance = least(plane, shadow.origin(), box) / std::sqrt(squared_length(plane));
+  for (std::size_t i = 0; i < frustum->plane_count; ++i) {
+    const FilterPlane& plane = frustum->filter_planes[i];
+    const double distance = least(plane, frustum->origin, box) / std::sqrt(squared_length(plane));
     if (distance < result.distance) result = {distance, i};
   }
   return result;
@@ -50,17 +52,18 @@ Clearance clearance_of(const ShadowFrustum& shadow, const AnyBox& box) {
 /// inequality of the means below (1 + t) |n|^2 + (1 + 1/t) (2 slope)^2, t the share that is given away.
 template <class AnyBox>
 double certain(const ShadowFrustum& shadow, const AnyBox& box) {
-  if (shadow.is_none()) return 0;
+  const StoredFrustum* const frustum = stored(shadow);
+  if (!frustum) return 0;
   constexpr double kGiven = 0x1p-20;
   // What a few more roundings, of lengths and quotients, can do to a distance is far less than this share of it.
   constexpr double kRounding = 0x1p-40;
-  const FilterBound& bound = shadow.filter_bound();
-  const double reach = frame_of<PlainArithmetic>(box, shadow.origin()).reach();
+  const FilterBound& bound = frustum->filter_bound;
+  const double reach = frame_of<PlainArithmetic>(box, frustum->origin).reach();
   const double error = 2 * (bound.slope * reach + bound.base);  // twice, for its second order
   const double uncertain = (1 + 1 / kGiven) * 4 * bound.slope * bound.slope;
   double value = kInfinity, square = 1;  // of the nearest plane
-  for (const FilterPlane& plane : shadow.filter_planes().first(shadow.plane_count())) {
-    const double own = least(plane, shadow.origin(), box) - error;
+  for (const FilterPlane& plane : frustum->own_planes()) {
+    const double own = least(plane, frustum->origin, box) - error;
     if (!(own > 0)) return 0;
     const double own_square = (1 + kGiven) * squared_length(plane) + uncertain;
     if (own * own * square >= value * value * own_square) continue;

@@ -10,8 +10,11 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
+#include "planes.h"
 #include "vector3.h"
 
 #ifndef OCCLUDE_MAX_LANES
@@ -91,6 +94,9 @@ template <>
 }
 
 }  // namespace occlude::kernel
+#define OCCLUDE_FRAME_NAMESPACE HWY_NAMESPACE
+#include "aabb_frame-inl.h"
+#undef OCCLUDE_FRAME_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "occlude/kernel/shadow_frustum.h"
+#include "planes.h"
 
 namespace occlude::kernel {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "arithmetic.h"
-#include "occlude/kernel/shadow_frustum.h"
+#include "stored_frustum.h"
 #include "vector3.h"
 
 namespace occlude::kernel {
@@ -42,24 +42,24 @@ struct PlaneCoefficients {
 
 /// The direction of the frustum's edge through a corner of the silhouette, away from the viewpoint.
 template <class A>
-[[nodiscard]] Vector3<typename A::Number> ray(const ShadowFrustum& frustum, std::size_t corner) {
-  const Viewpoint& viewpoint = frustum.viewpoint();
-  return viewpoint.is_eye() ? difference<A>(frustum.silhouette()[corner], viewpoint.value) : constants<A>(viewpoint.value);
+[[nodiscard]] Vector3<typename A::Number> ray(const StoredFrustum& frustum, std::size_t corner) {
+  const Viewpoint& viewpoint = frustum.viewpoint;
+  return viewpoint.is_eye() ? difference<A>(frustum.silhouette[corner], viewpoint.value) : constants<A>(viewpoint.value);
 }
 
 template <class A>
-[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const ExactPlane& plane) {
+[[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const ExactPlane& plane) {
   const auto n = normal<A>(plane);
-  return {n, -dot(n, difference<A>(plane.origin, frustum.origin()))};
+  return {n, -dot(n, difference<A>(plane.origin, frustum.origin))};
 }
 
 /// The plane of the near side of a frustum that is cut, and side planes.
-[[nodiscard]] inline const ExactPlane& plane_of(const ShadowFrustum& frustum, std::size_t plane) {
-  return std::get<ExactPlane>(frustum.recipes()[plane]);
+[[nodiscard]] inline const ExactPlane& plane_of(const StoredFrustum& frustum, std::size_t plane) {
+  return std::get<ExactPlane>(frustum.recipes[plane]);
 }
 
 template <class A>
-[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const CutEdgePlane& plane) {
+[[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const CutEdgePlane& plane) {
   const auto near = coefficients<A>(frustum, plane_of(frustum, 0));
   const auto side = coefficients<A>(frustum, plane_of(frustum, plane.side));
   const auto axis = constants<A>(plane.axis);
@@ -70,7 +70,7 @@ template <class A>
 /// Along the edge, corner + t d, the near plane has the value f_near(corner) + t N . d, so that it meets the plane in
 /// corner - f_near(corner) / (N . d) d: times N . d, which is positive.
 template <class A>
-[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const CutVertexPlane& plane) {
+[[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const CutVertexPlane& plane) {
   const ExactPlane& near = plane_of(frustum, 0);
   const auto near_normal = normal<A>(near);
   const auto d = ray<A>(frustum, plane.corner);
@@ -81,7 +81,7 @@ template <class A>
 }
 
 template <class A>
-[[nodiscard]] PlaneCoefficients<A> coefficients(const ShadowFrustum& frustum, const PlaneRecipe& recipe) {
+[[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const PlaneRecipe& recipe) {
   return std::visit([&](const auto& plane) { return coefficients<A>(frustum, plane); }, recipe);
 }
 

@@ -20,7 +20,7 @@ ExactPlane inner_plane(const ConvexPolytope& polytope, std::uint32_t face) {
 }
 
 void append_cap_edges(const ConvexPolytope& polytope, const PolytopeSilhouette& seen, std::span<const Vec3> corners,
-                      std::vector<ShadowFrustum::CapEdge>& edges) {
+                      std::vector<CapEdge>& edges) {
   const auto v = polytope.vertices();
   const auto turned = seen.turned_faces();
   const auto loop = seen.loop();

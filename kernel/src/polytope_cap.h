@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "occlude/kernel/polytope_silhouette.h"
-#include "occlude/kernel/shadow_frustum.h"
+#include "stored_frustum.h"
 
 namespace occlude::kernel {
 
@@ -22,6 +22,6 @@ namespace occlude::kernel {
 /// Appends the edges of the near side of a frustum whose planes are those of the turned faces, then those of the sides of
 /// `corners`.
 void append_cap_edges(const ConvexPolytope& polytope, const PolytopeSilhouette& seen, std::span<const Vec3> corners,
-                      std::vector<ShadowFrustum::CapEdge>& edges);
+                      std::vector<CapEdge>& edges);
 
 }  // namespace occlude::kernel

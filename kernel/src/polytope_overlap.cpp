@@ -23,9 +23,9 @@ struct NearSide {
   int least = 1;           ///< the least sign of a near plane at a vertex: 1 when all of it is strictly beyond all planes
 };
 
-NearSide near_side(const ShadowFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
+NearSide near_side(const StoredFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
   NearSide result;
-  for (std::size_t plane = 0; plane < frustum.near_count(); ++plane) {
+  for (std::size_t plane = 0; plane < frustum.near_count; ++plane) {
     int greatest = -1;
     for (const Vec3& v : occludee.vertices()) {
       const int sign = sign_at(plane_of(frustum, plane), v, &stage);
@@ -59,9 +59,9 @@ bool meets(A& arithmetic, const Edge<A>& edge, std::span<const ExactPlane> plane
   return true;
 }
 
-std::vector<ExactPlane> planes_of(const ShadowFrustum& frustum) {
+std::vector<ExactPlane> planes_of(const StoredFrustum& frustum) {
   std::vector<ExactPlane> planes;
-  for (std::size_t i = 0; i < frustum.plane_count(); ++i) planes.push_back(plane_of(frustum, i));
+  for (std::size_t i = 0; i < frustum.plane_count; ++i) planes.push_back(plane_of(frustum, i));
   return planes;
 }
 
@@ -71,7 +71,7 @@ std::vector<ExactPlane> planes_of(const ConvexPolytope& polytope) {
   return planes;
 }
 
-bool edge_meets_frustum(const ShadowFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
+bool edge_meets_frustum(const StoredFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
   const std::vector<ExactPlane> planes = planes_of(frustum);
   const auto v = occludee.vertices();
   return std::any_of(occludee.edges().begin(), occludee.edges().end(), [&](const ConvexPolytope::Edge& edge) {
@@ -85,10 +85,10 @@ bool edge_meets_frustum(const ShadowFrustum& frustum, const ConvexPolytope& occl
 /// Whether an edge of the frustum meets the occludee, when none of the occludee meets the frustum: then each face's plane
 /// cuts the frustum, if at all within that face, in a polygon whose corners lie on edges of the frustum. Where one plane
 /// cuts the near side, the polygon has a corner on a ray; else edges of the near side are edges of the occluder.
-bool edge_meets_occludee(const ShadowFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
+bool edge_meets_occludee(const StoredFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
   const std::vector<ExactPlane> faces = planes_of(occludee);
-  const auto cap_edges = frustum.cap_edges();
-  const bool cap_meets = std::any_of(cap_edges.begin(), cap_edges.end(), [&](const ShadowFrustum::CapEdge& edge) {
+  const auto& cap_edges = frustum.cap_edges;
+  const bool cap_meets = std::any_of(cap_edges.begin(), cap_edges.end(), [&](const CapEdge& edge) {
     const auto question = [&]<class A>(A& arithmetic) {
       return meets<A>(arithmetic, {edge.from, difference<A>(edge.to, edge.from)}, faces);
     };
@@ -98,10 +98,10 @@ bool edge_meets_occludee(const ShadowFrustum& frustum, const ConvexPolytope& occ
 
   // A corner of the silhouette is never beyond the near side: the ray of the frustum starts there or later.
   std::vector<ExactPlane> planes = faces;
-  for (std::size_t i = 0; i < frustum.near_count(); ++i) planes.push_back(plane_of(frustum, i));
-  for (std::size_t corner = 0; corner < frustum.silhouette().size(); ++corner) {
+  for (std::size_t i = 0; i < frustum.near_count; ++i) planes.push_back(plane_of(frustum, i));
+  for (std::size_t corner = 0; corner < frustum.silhouette.size(); ++corner) {
     const auto question = [&]<class A>(A& arithmetic) {
-      return meets<A>(arithmetic, {frustum.silhouette()[corner], ray<A>(frustum, corner), true}, planes);
+      return meets<A>(arithmetic, {frustum.silhouette[corner], ray<A>(frustum, corner), true}, planes);
     };
     if (certified(question, &stage)) return true;
   }
@@ -110,20 +110,21 @@ bool edge_meets_occludee(const ShadowFrustum& frustum, const ConvexPolytope& occ
 
 }  // namespace
 
-Decision overlap_certified(const ShadowFrustum& frustum, const ConvexPolytope& occludee, NearBoundary near) {
+Decision overlap_certified(const ShadowFrustum& shadow, const ConvexPolytope& occludee, NearBoundary near) {
   Stage stage = Stage::filter;
-  if (frustum.is_none()) return {Relation::partial, stage};
-  const NearSide side = near_side(frustum, occludee, stage);
+  const StoredFrustum* const frustum = stored(shadow);
+  if (!frustum) return {Relation::partial, stage};
+  const NearSide side = near_side(*frustum, occludee, stage);
   if (side.is_before) return {Relation::outside, stage};
-  if (const auto seen = ViewCone::make(frustum.viewpoint(), occludee).cone) {
-    const ConeOverlap cones = overlap_certified(ViewCone(frustum), *seen);
+  if (const auto seen = ViewCone::make(frustum->viewpoint, occludee).cone) {
+    const ConeOverlap cones = overlap_certified(ViewCone(shadow), *seen);
     if (cones.stage == Stage::exact) stage = Stage::exact;
     if (cones.relation == Relation::outside) return {Relation::outside, stage};
     const int least_inner = near == NearBoundary::open ? 1 : 0;
     if (cones.relation == Relation::inside && side.least >= least_inner) return {Relation::inside, stage};
     if (side.least >= 0) return {Relation::partial, stage};
   }
-  const bool meet = edge_meets_frustum(frustum, occludee, stage) || edge_meets_occludee(frustum, occludee, stage);
+  const bool meet = edge_meets_frustum(*frustum, occludee, stage) || edge_meets_occludee(*frustum, occludee, stage);
   return {meet ? Relation::partial : Relation::outside, stage};
 }
 

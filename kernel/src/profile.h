@@ -51,12 +51,12 @@ struct BoxAxes {
 /// Visits the planes of the profile along axis k until `visit(recipe)` is true; returns whether it was.
 /// `sign_along(plane, k)` is the exact sign with which the normal of a plane of the frustum goes along axis k.
 template <class SignAlong, class Visit>
-[[nodiscard]] bool visit_outline(const ShadowFrustum& frustum, const BoxAxes& axes, std::size_t k,
+[[nodiscard]] bool visit_outline(const StoredFrustum& frustum, const BoxAxes& axes, std::size_t k,
                                  const SignAlong& sign_along, const Visit& visit) {
   const Vec3& axis = axes.directions[k];
-  const auto corners = frustum.silhouette();
-  const std::size_t sides = frustum.near_count(), n = corners.size();
-  const Viewpoint& viewpoint = frustum.viewpoint();
+  const auto& corners = frustum.silhouette;
+  const std::size_t sides = frustum.near_count, n = corners.size();
+  const Viewpoint& viewpoint = frustum.viewpoint;
   for (std::size_t i = 0; i < n; ++i) {
     const int before = sign_along(sides + (i + n - 1) % n, k), after = sign_along(sides + i, k);
     if (before * after >= 0) continue;
@@ -65,7 +65,7 @@ template <class SignAlong, class Visit>
       return true;
     }
   }
-  for (const auto& [from, to, left, right] : frustum.cap_edges()) {
+  for (const auto& [from, to, left, right] : frustum.cap_edges) {
     const int sign = sign_along(left, k);
     if (sign * sign_along(right, k) < 0 && visit(outline_plane(from, to, axis, sign, from))) return true;
   }
@@ -77,15 +77,15 @@ template <class SignAlong, class Visit>
 }
 
 /// Whether the normal of `face` goes along the ray of a corner, or across it.
-[[nodiscard]] inline bool goes_along(const ShadowFrustum& frustum, const ExactPlane& face, std::size_t corner) {
+[[nodiscard]] inline bool goes_along(const StoredFrustum& frustum, const ExactPlane& face, std::size_t corner) {
   return certified(
       [&]<class A>(A& arithmetic) { return arithmetic.sign(dot(normal<A>(face), ray<A>(frustum, corner))) >= 0; });
 }
 
 /// Whether the frustum has a vertex on the ray of a corner at which the near plane cuts it, and its normal goes along the
 /// two edges of the near side that leave from there.
-[[nodiscard]] inline bool is_lowest_cut_vertex(const ShadowFrustum& frustum, const ExactPlane& face, std::size_t corner) {
-  const std::size_t sides = frustum.near_count(), n = frustum.silhouette().size();
+[[nodiscard]] inline bool is_lowest_cut_vertex(const StoredFrustum& frustum, const ExactPlane& face, std::size_t corner) {
+  const std::size_t sides = frustum.near_count, n = frustum.silhouette.size();
   return certified([&]<class A>(A& arithmetic) {
     const auto near = normal<A>(plane_of(frustum, 0)), m = normal<A>(face);
     if (arithmetic.sign(dot(near, ray<A>(frustum, corner))) <= 0) return false;
@@ -96,8 +96,8 @@ template <class SignAlong, class Visit>
 }
 
 /// The plane with the normal of `face` on which the frustum stands, if it is bounded that way.
-[[nodiscard]] inline std::optional<PlaneRecipe> standing_plane(const ShadowFrustum& frustum, ExactPlane face) {
-  const auto corners = frustum.silhouette();
+[[nodiscard]] inline std::optional<PlaneRecipe> standing_plane(const StoredFrustum& frustum, ExactPlane face) {
+  const auto& corners = frustum.silhouette;
   if (frustum.is_cut()) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (!goes_along(frustum, face, i) || !is_lowest_cut_vertex(frustum, face, i)) continue;
@@ -109,8 +109,8 @@ template <class SignAlong, class Visit>
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!goes_along(frustum, face, i)) return std::nullopt;
   }
-  face.origin = frustum.cap_vertices()[0];
-  for (const Vec3& v : frustum.cap_vertices()) {
+  face.origin = frustum.cap_vertices[0];
+  for (const Vec3& v : frustum.cap_vertices) {
     if (sign_at(face, v) < 0) face.origin = v;
   }
   return face;
@@ -118,11 +118,11 @@ template <class SignAlong, class Visit>
 
 /// Visits all planes of the profile, as visit_outline().
 template <class SignAlong, class Visit>
-[[nodiscard]] bool visit_profile(const ShadowFrustum& frustum, const BoxAxes& axes, const SignAlong& sign_along,
+[[nodiscard]] bool visit_profile(const StoredFrustum& frustum, const BoxAxes& axes, const SignAlong& sign_along,
                                  const Visit& visit) {
   for (std::size_t k = 0; k < 3; ++k) {
     for (const int sign : {1, -1}) {
-      const auto plane = standing_plane(frustum, face_plane(axes, k, sign, frustum.silhouette()[0]));
+      const auto plane = standing_plane(frustum, face_plane(axes, k, sign, frustum.silhouette[0]));
       if (plane && visit(*plane)) return true;
     }
     if (visit_outline(frustum, axes, k, sign_along, visit)) return true;

@@ -2,8 +2,8 @@
 // A plane's coefficients rounded to doubles, and to twice their precision, with bounds on what rounding does to its values.
 #pragma once
 
-#include "occlude/kernel/planes.h"
 #include "plane_coefficients.h"
+#include "planes.h"
 
 namespace occlude::kernel {
 

@@ -36,10 +36,10 @@ template <class A>
 using CornerValues = std::array<typename A::Number, 8>;
 
 template <class A, class Box>
-CornerValues<A> values_at_corners(const ShadowFrustum& frustum, std::size_t plane, const Box& box) {
-  const auto f = coefficients<A>(frustum, frustum.recipes()[plane]);
+CornerValues<A> values_at_corners(const StoredFrustum& frustum, std::size_t plane, const Box& box) {
+  const auto f = coefficients<A>(frustum, frustum.recipes[plane]);
   CornerValues<A> values;
-  for (std::size_t i = 0; i < 8; ++i) values[i] = dot(f.normal, corner<A>(box, i, frustum.origin())) + f.offset;
+  for (std::size_t i = 0; i < 8; ++i) values[i] = dot(f.normal, corner<A>(box, i, frustum.origin)) + f.offset;
   return values;
 }
 
@@ -69,18 +69,19 @@ bool is_cut_off_by(A& arithmetic, const CornerValues<A>& values, int least_inner
   return false;
 }
 
+/// REQUIRES: neither shadow is none.
 template <class Box>
 bool is_covered(const ShadowUnion& shadows, const Box& box, NearBoundary near, Stage& stage) {
   // No structured binding: clang 14 captures none.
-  const ShadowFrustum &first = shadows.first, &second = shadows.second;
-  const auto least = [&](const ShadowFrustum& frustum, std::size_t plane) {
-    return near == NearBoundary::open && plane < frustum.near_count() ? 1 : 0;
+  const StoredFrustum &first = *stored(shadows.first), &second = *stored(shadows.second);
+  const auto least = [&](const StoredFrustum& frustum, std::size_t plane) {
+    return near == NearBoundary::open && plane < frustum.near_count ? 1 : 0;
   };
   const auto question = [&]<class A>(A& arithmetic) {
-    for (std::size_t i = 0; i < first.plane_count(); ++i) {
+    for (std::size_t i = 0; i < first.plane_count; ++i) {
       const auto cut = values_at_corners<A>(first, i, box);
       if (!is_cut_off_by(arithmetic, cut, least(first, i))) continue;
-      for (std::size_t j = 0; j < second.plane_count(); ++j) {
+      for (std::size_t j = 0; j < second.plane_count; ++j) {
         if (!is_inner(arithmetic, cut, values_at_corners<A>(second, j, box), least(second, j))) return false;
       }
     }

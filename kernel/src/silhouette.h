@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "occlude/kernel/shadow_frustum.h"
+#include "occlude/kernel/types.h"
+#include "occlude/kernel/validity.h"
+#include "planes.h"
 
 namespace occlude::kernel {
 

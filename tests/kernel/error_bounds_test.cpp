@@ -156,7 +156,7 @@ TEST(ErrorBounds, PlaneErrorHoldsForOrientedBoxes) {
 
 /// Twice the greatest value of a plane over the points (x, 1/2, 1/2), x from 0 to 1, as batches compute it.
 HWY_ATTR double highest_in_batches(const FilterPlane& plane) {
-  const AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(Aabb{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, Vec3{});
+  const HWY_NAMESPACE::AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(Aabb{{0, 0.5, 0.5}, {1, 0.5, 0.5}}, Vec3{});
   return HWY_NAMESPACE::hn::GetLane(frame.extremes(plane).high().v);
 }
 

@@ -174,7 +174,7 @@ Relation by_brute_force(const ShadowFrustum& frustum, const ConvexPolytope& occl
   std::vector<Plane> planes;
   bool inside = true;
   for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
-    planes.push_back(Plane::of(plane_of(frustum, i)));
+    planes.push_back(Plane::of(plane_of(*stored(frustum), i)));
     const lattice::Integer least = near == NearBoundary::open && i < frustum.near_count() ? 1 : 0;
     for (const Vec3& v : occludee.vertices()) inside = inside && planes[i].at(v) >= least;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "occlude/kernel/shadow_frustum.h"
+#include "stored_frustum.h"
 
 namespace {
 
@@ -90,21 +91,21 @@ TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
   PolytopeSilhouette seen;
   ShadowFrustum frustum;
   const auto expect_same_as = [&](const ShadowFrustumResult& made) {
-    const auto same = [](auto a, auto b) { return std::ranges::equal(a, b); };
-    EXPECT_EQ(frustum.viewpoint().kind, made.frustum->viewpoint().kind);
-    EXPECT_EQ(frustum.viewpoint().value, made.frustum->viewpoint().value);
-    EXPECT_EQ(frustum.origin(), made.frustum->origin());
-    EXPECT_TRUE(same(frustum.silhouette(), made.frustum->silhouette()));
-    EXPECT_TRUE(same(frustum.recipes(), made.frustum->recipes()));
-    EXPECT_TRUE(same(frustum.filter_planes(), made.frustum->filter_planes()));
-    EXPECT_TRUE(same(frustum.refined_planes(), made.frustum->refined_planes()));
-    EXPECT_TRUE(same(frustum.cap_edges(), made.frustum->cap_edges()));
-    EXPECT_TRUE(same(frustum.cap_vertices(), made.frustum->cap_vertices()));
-    EXPECT_EQ(frustum.filter_bound(), made.frustum->filter_bound());
-    EXPECT_EQ(frustum.profile_bound(), made.frustum->profile_bound());
-    EXPECT_EQ(frustum.support_plane(), made.frustum->support_plane());
-    EXPECT_EQ(frustum.plane_count(), made.frustum->plane_count());
-    EXPECT_EQ(frustum.near_count(), made.frustum->near_count());
+    const StoredFrustum &here = *stored(frustum), &there = *stored(*made.frustum);
+    EXPECT_EQ(here.viewpoint.kind, there.viewpoint.kind);
+    EXPECT_EQ(here.viewpoint.value, there.viewpoint.value);
+    EXPECT_EQ(here.origin, there.origin);
+    EXPECT_EQ(here.silhouette, there.silhouette);
+    EXPECT_EQ(here.recipes, there.recipes);
+    EXPECT_EQ(here.filter_planes, there.filter_planes);
+    EXPECT_EQ(here.refined_planes, there.refined_planes);
+    EXPECT_EQ(here.cap_edges, there.cap_edges);
+    EXPECT_EQ(here.cap_vertices, there.cap_vertices);
+    EXPECT_EQ(here.filter_bound, there.filter_bound);
+    EXPECT_EQ(here.profile_bound, there.profile_bound);
+    EXPECT_EQ(here.support_plane, there.support_plane);
+    EXPECT_EQ(here.plane_count, there.plane_count);
+    EXPECT_EQ(here.near_count, there.near_count);
   };
   for (const Near near : {Near::surface, Near::farthest}) {
     for (int round = 0; round < 2; ++round) {

@@ -72,7 +72,7 @@ TEST(ViewFrustum, EdgeAgainstEdge) {
 std::optional<std::vector<HalfSpace>> planes_of(const ShadowFrustum& frustum) {
   std::vector<HalfSpace> planes;
   for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
-    const ExactPlane& laid = plane_of(frustum, i);
+    const ExactPlane& laid = plane_of(*stored(frustum), i);
     const auto n = normal<PlainArithmetic>(laid);
     const HalfSpace h{{n.x, n.y, n.z}, -(n.x * laid.origin.x + n.y * laid.origin.y + n.z * laid.origin.z)};
     const auto exact = normal<ExactArithmetic>(laid);

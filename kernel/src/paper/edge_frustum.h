@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "arithmetic.h"
-#include "occlude/kernel/shadow_frustum.h"
 #include "segment_clip.h"
+#include "stored_frustum.h"
 #include "vector3.h"
 
 namespace occlude::kernel {
@@ -48,12 +48,12 @@ class BoxEdges {
 
 /// Whether the edge from `start` along `edge` shares a point with the frustum.
 template <class A>
-[[nodiscard]] bool is_in_frustum(const ShadowFrustum& frustum, const Vector3<typename A::Number>& start,
+[[nodiscard]] bool is_in_frustum(const StoredFrustum& frustum, const Vector3<typename A::Number>& start,
                                  const Vector3<typename A::Number>& edge) {
   A arithmetic;
   SegmentClip<A> left(arithmetic);
-  for (std::size_t p = 0; p < frustum.plane_count(); ++p) {
-    const FilterPlane& plane = frustum.filter_planes()[p];
+  for (std::size_t p = 0; p < frustum.plane_count; ++p) {
+    const FilterPlane& plane = frustum.filter_planes[p];
     const auto normal = constants<A>(plane.normal);
     const auto at_start = dot(normal, start) + A::constant(plane.offset);
     left.clip(at_start, at_start + dot(normal, edge));
@@ -64,8 +64,8 @@ template <class A>
 
 /// Whether an edge of the box shares a point with the frustum.
 template <class A, class Box>
-[[nodiscard]] bool edge_frustum(const ShadowFrustum& frustum, const Box& box) {
-  const BoxEdges<A> box_edges(box, frustum.origin());
+[[nodiscard]] bool edge_frustum(const StoredFrustum& frustum, const Box& box) {
+  const BoxEdges<A> box_edges(box, frustum.origin);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t corner = 0; corner < 8; ++corner) {
       if (corner >> axis & 1U) continue;

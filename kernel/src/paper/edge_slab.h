@@ -94,8 +94,8 @@ template <class A>
 
 /// Whether an edge of the frustum shares a point with the box.
 template <class A, class Box>
-[[nodiscard]] bool edge_slab(const ShadowFrustum& frustum, const Box& box) {
-  const auto slabs = slabs_of<A>(box, frustum.origin());
+[[nodiscard]] bool edge_slab(const StoredFrustum& frustum, const Box& box) {
+  const auto slabs = slabs_of<A>(box, frustum.origin);
   A arithmetic;
   return visit_edges(frustum, [&](const FrustumEdge& edge) {
     const auto from = slabs.at_point(edge.from), to = edge.is_ray ? slabs.at_direction(edge.to) : slabs.at_point(edge.to);

@@ -25,10 +25,10 @@ struct CutRay {
   double speed;  ///< of the near plane's value along the ray; it is cut when positive
 };
 
-[[nodiscard]] inline CutRay cut_ray(const ShadowFrustum& frustum, const PlaneCoefficients<PlainArithmetic>& near,
+[[nodiscard]] inline CutRay cut_ray(const StoredFrustum& frustum, const PlaneCoefficients<PlainArithmetic>& near,
                                     std::size_t corner) {
   const auto d = ray<PlainArithmetic>(frustum, corner);
-  const auto s = difference<PlainArithmetic>(frustum.silhouette()[corner], frustum.origin());
+  const auto s = difference<PlainArithmetic>(frustum.silhouette[corner], frustum.origin);
   const double speed = dot(near.normal, d);
   return {d, s - (dot(near.normal, s) + near.offset) / speed * d, speed};
 }
@@ -42,9 +42,9 @@ struct CutRay {
 }
 
 template <class Visit>
-[[nodiscard]] bool visit_cut_edges(const ShadowFrustum& frustum, const Visit& visit) {
+[[nodiscard]] bool visit_cut_edges(const StoredFrustum& frustum, const Visit& visit) {
   const auto near = coefficients<PlainArithmetic>(frustum, plane_of(frustum, 0));
-  const std::size_t n = frustum.silhouette().size();
+  const std::size_t n = frustum.silhouette.size();
   const CutRay first = cut_ray(frustum, near, 0);
   CutRay a = first;
   for (std::size_t i = 0; i < n; ++i) {
@@ -57,12 +57,12 @@ template <class Visit>
 }
 
 template <class Visit>
-[[nodiscard]] bool visit_uncut_edges(const ShadowFrustum& frustum, const Visit& visit) {
-  const auto relative = [&](const Vec3& v) { return difference<PlainArithmetic>(v, frustum.origin()); };
-  for (std::size_t i = 0; i < frustum.silhouette().size(); ++i) {
-    if (visit(frustum_edge(relative(frustum.silhouette()[i]), ray<PlainArithmetic>(frustum, i), true))) return true;
+[[nodiscard]] bool visit_uncut_edges(const StoredFrustum& frustum, const Visit& visit) {
+  const auto relative = [&](const Vec3& v) { return difference<PlainArithmetic>(v, frustum.origin); };
+  for (std::size_t i = 0; i < frustum.silhouette.size(); ++i) {
+    if (visit(frustum_edge(relative(frustum.silhouette[i]), ray<PlainArithmetic>(frustum, i), true))) return true;
   }
-  for (const auto& edge : frustum.cap_edges()) {
+  for (const auto& edge : frustum.cap_edges) {
     if (visit(frustum_edge(relative(edge.from), relative(edge.to), false))) return true;
   }
   return false;
@@ -70,7 +70,7 @@ template <class Visit>
 
 /// Visits the edges until `visit(edge)` is true; returns whether it was.
 template <class Visit>
-[[nodiscard]] bool visit_edges(const ShadowFrustum& frustum, const Visit& visit) {
+[[nodiscard]] bool visit_edges(const StoredFrustum& frustum, const Visit& visit) {
   return frustum.is_cut() ? visit_cut_edges(frustum, visit) : visit_uncut_edges(frustum, visit);
 }
 

@@ -15,30 +15,32 @@ namespace occlude::kernel {
 
 /// Stage 1: the box against each plane by its two extremal vertices.
 template <class Frame>
-[[nodiscard]] Relation box_planes_plain(const ShadowFrustum& frustum, const Frame& frame, NearBoundary near) {
-  const auto planes = frustum.filter_planes().first(frustum.plane_count());
+[[nodiscard]] Relation box_planes_plain(const StoredFrustum& frustum, const Frame& frame, NearBoundary near) {
+  const auto planes = frustum.own_planes();
   bool inside = true;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto extremes = frame.extremes(planes[i]);
     if (extremes.high() < 0) return Relation::outside;
     const double low = extremes.low();
-    const bool must_be_beyond = near == NearBoundary::open && i < frustum.near_count();
+    const bool must_be_beyond = near == NearBoundary::open && i < frustum.near_count;
     inside = inside && (must_be_beyond ? low > 0 : low >= 0);
   }
   return inside ? Relation::inside : Relation::partial;
 }
 
 template <class A, class Box>
-[[nodiscard]] Relation plain_conservative(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  if (frustum.is_none()) return Relation::partial;
-  return box_planes_plain(frustum, plain_frame_of<A>(box, frustum.origin()), near);
+[[nodiscard]] Relation plain_conservative(const ShadowFrustum& shadow, const Box& box, NearBoundary near) {
+  const StoredFrustum* const frustum = stored(shadow);
+  return frustum ? box_planes_plain(*frustum, plain_frame_of<A>(box, frustum->origin), near) : Relation::partial;
 }
 
 template <class A, class Box>
-[[nodiscard]] Relation plain_overlap(const ShadowFrustum& frustum, const Box& box, NearBoundary near) {
-  const Relation by_planes = plain_conservative<A>(frustum, box, near);
-  if (by_planes != Relation::partial || frustum.is_none()) return by_planes;
-  return edge_frustum<A>(frustum, box) || edge_slab<A>(frustum, box) ? Relation::partial : Relation::outside;
+[[nodiscard]] Relation plain_overlap(const ShadowFrustum& shadow, const Box& box, NearBoundary near) {
+  const StoredFrustum* const frustum = stored(shadow);
+  if (!frustum) return Relation::partial;
+  const Relation by_planes = box_planes_plain(*frustum, plain_frame_of<A>(box, frustum->origin), near);
+  if (by_planes != Relation::partial) return by_planes;
+  return edge_frustum<A>(*frustum, box) || edge_slab<A>(*frustum, box) ? Relation::partial : Relation::outside;
 }
 
 }  // namespace occlude::kernel

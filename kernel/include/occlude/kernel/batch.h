@@ -23,10 +23,13 @@ class BoxBatch {
   [[nodiscard]] Aabb box(std::size_t i) const;
   /// The smallest box that contains all boxes; the point (0, 0, 0) if there are none.
   [[nodiscard]] const Aabb& bounds() const { return bounds_; }
-  /// Coordinate k of all boxes: k = 0 to 2 are the minima, 3 to 5 the maxima. Readable past size() by one SIMD vector.
-  [[nodiscard]] const double* coordinate(std::size_t k) const { return coordinates_.data() + k * stride_; }
 
  private:
+  friend struct BatchRows;
+
+  /// Coordinate k of all boxes: k = 0 to 2 are the minima, 3 to 5 the maxima. Readable past size() by one SIMD vector.
+  [[nodiscard]] const double* row(std::size_t k) const { return coordinates_.data() + k * stride_; }
+
   std::size_t size_, stride_;
   std::vector<double> coordinates_;
   Aabb bounds_;
@@ -44,23 +47,24 @@ class FrustumBatch {
  public:
   explicit FrustumBatch(std::span<const ShadowFrustum> frusta);
 
-  /// The numbers of a filter plane; `rows` is how many there are.
-  enum Row : std::size_t { normal_x, normal_y, normal_z, offset, rows };
-
   [[nodiscard]] std::size_t size() const { return frusta_.size(); }
   [[nodiscard]] std::span<const ShadowFrustum> frusta() const { return frusta_; }
-  /// The greatest plane_count() of the frusta.
-  [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
-  /// One number of plane `plane` of every frustum, size() of them, readable past the end by one SIMD vector. A frustum with
-  /// fewer planes has a dummy there, which contains every box. REQUIRES: plane < plane_count().
-  [[nodiscard]] const double* row(std::size_t plane, Row row) const {
-    return planes_.data() + (plane * rows + row) * stride_;
-  }
-  /// Of every frustum: the coordinates of its origin (k = 0 to 2), the slope (3) and the base (4) of its filter_bound();
-  /// readable past the end as a row is. The base is infinite for a frustum that is_none().
-  [[nodiscard]] const double* frame(std::size_t k) const { return frames_.data() + k * stride_; }
 
  private:
+  friend struct BatchRows;
+
+  /// The greatest plane_count() of the frusta.
+  [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
+  /// Of one plane of every frustum: its normal (k = 0 to 2) and offset (3), size() of them, readable past the end by one
+  /// SIMD vector. A frustum with fewer planes has a dummy there, which contains every box. REQUIRES: plane < plane_count().
+  [[nodiscard]] const double* plane(std::size_t plane, std::size_t k) const {
+    return planes_.data() + (plane * kRows + k) * stride_;
+  }
+  /// Of every frustum: the coordinates of its origin (k = 0 to 2), the slope (3) and the base (4) of its error bound;
+  /// readable past the end likewise. The base is infinite for a frustum that is_none().
+  [[nodiscard]] const double* frame(std::size_t k) const { return frames_.data() + k * stride_; }
+
+  static constexpr std::size_t kRows = 4;  ///< numbers of a plane
   std::span<const ShadowFrustum> frusta_;
   std::size_t stride_, plane_count_ = 0;
   std::vector<double> planes_, frames_;

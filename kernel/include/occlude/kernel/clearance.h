@@ -12,7 +12,7 @@ namespace occlude::kernel {
 /// The least signed distance of a box from the planes of a shadow, and the plane that has it.
 struct Clearance {
   double distance = 0;    ///< rounded; negative: how far the box sticks out beyond `plane`
-  std::size_t plane = 0;  ///< index in ShadowFrustum::recipes(), less than plane_count()
+  std::size_t plane = 0;  ///< its number, less than ShadowFrustum::plane_count()
 };
 
 /// The clearance of the box, in doubles: not a proof. {-infinity, 0} if shadow.is_none(). REQUIRES, here and below (not

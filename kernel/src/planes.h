@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a shadow frustum holds its planes: in input coordinates, which are exact, and in doubles, which are fast. Reading
-// order: 6.
+// The forms in which a shadow frustum stores its planes: in input coordinates, which are exact, and in doubles, which are
+// fast. Reading order: 6.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct ExactPlane {
 /// The plane through the edge in which a side plane meets the near plane (plane 0, the only one), parallel to `axis`. Its
 /// value is |N_side . axis| f_near + |N_near . axis| f_side, in which `axis` cancels.
 struct CutEdgePlane {
-  std::uint32_t side;  ///< index of the side plane in ShadowFrustum::recipes()
+  std::uint32_t side;  ///< index of the side plane in StoredFrustum::recipes
   Vec3 axis;
 
   friend bool operator==(const CutEdgePlane&, const CutEdgePlane&) = default;
@@ -32,7 +32,7 @@ struct CutEdgePlane {
 /// The plane parallel to `face` through a vertex of the near side: the point in which the ray through a silhouette corner
 /// meets the near plane (plane 0, the only one). REQUIRES: face.origin is that corner.
 struct CutVertexPlane {
-  std::uint32_t corner;  ///< index in ShadowFrustum::silhouette()
+  std::uint32_t corner;  ///< index in StoredFrustum::silhouette
   ExactPlane face;
 
   friend bool operator==(const CutVertexPlane&, const CutVertexPlane&) = default;

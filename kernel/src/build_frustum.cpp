@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "build_frustum.h"
+
+#include <algorithm>
+#include <memory_resource>
+
+#include "near_plane.h"
+#include "polytope_cap.h"
+#include "profile.h"
+#include "rounded_plane.h"
+#include "scratch.h"
+#include "silhouette.h"
+
+namespace occlude::kernel {
+namespace {
+
+/// Where equally far vertices of a silhouette are told apart by their index.
+std::pmr::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
+                                         std::pmr::memory_resource& memory) {
+  std::pmr::vector<std::uint32_t> indices(&memory);
+  for (const auto& step : seen.loop()) indices.push_back(step.vertex);
+  std::sort(indices.begin(), indices.end());
+  std::pmr::vector<Vec3> vertices(&memory);
+  for (const std::uint32_t i : indices) vertices.push_back(polytope.vertices()[i]);
+  return vertices;
+}
+
+void begin(StoredFrustum& frustum, const Viewpoint& viewpoint, std::span<const Vec3> corners) {
+  clear(frustum);
+  frustum.viewpoint = viewpoint;
+  frustum.silhouette.assign(corners.begin(), corners.end());
+}
+
+/// After the planes of the near side.
+void add_sides(StoredFrustum& frustum) {
+  const auto& corners = frustum.silhouette;
+  const std::size_t n = corners.size();
+  frustum.origin = frustum.viewpoint.is_eye() ? frustum.viewpoint.value : corners[0];
+  frustum.near_count = frustum.recipes.size();
+  frustum.plane_count = frustum.near_count + n;
+  for (std::size_t i = 0; i < n; ++i) {
+    frustum.recipes.push_back(side_plane(frustum.viewpoint, corners[i], corners[(i + 1) % n]));
+  }
+}
+
+void add_profile(StoredFrustum& frustum) {
+  const auto sign_along = [&](std::size_t plane, std::size_t axis) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return arithmetic.sign(normal<A>(plane_of(frustum, plane))[static_cast<int>(axis)]);
+    };
+    return certified(question);
+  };
+  const auto keep = [&](const PlaneRecipe& recipe) {
+    frustum.recipes.push_back(recipe);
+    return false;
+  };
+  static_cast<void>(visit_profile(frustum, BoxAxes{}, sign_along, keep));
+}
+
+void round_planes(StoredFrustum& frustum) {
+  frustum.filter_planes.reserve(frustum.recipes.size());
+  frustum.refined_planes.reserve(frustum.recipes.size());
+  for (const PlaneRecipe& recipe : frustum.recipes) {
+    const auto [filter, bound, refined] = rounded(coefficients<DoubleDoubleArithmetic>(frustum, recipe));
+    const bool is_own = frustum.filter_planes.size() < frustum.plane_count;
+    FilterBound& common = is_own ? frustum.filter_bound : frustum.profile_bound;
+    common = {std::max(common.slope, bound.slope), std::max(common.base, bound.base)};
+    frustum.filter_planes.push_back(filter);
+    frustum.refined_planes.push_back(refined);
+  }
+}
+
+}  // namespace
+
+void clear(StoredFrustum& frustum) {
+  frustum.viewpoint = {};
+  frustum.origin = {};
+  frustum.near_count = frustum.plane_count = 0;
+  frustum.silhouette.clear();
+  frustum.recipes.clear();
+  frustum.filter_planes.clear();
+  frustum.refined_planes.clear();
+  frustum.filter_bound = frustum.profile_bound = {};
+  frustum.cap_edges.clear();
+  frustum.cap_vertices.clear();
+  frustum.support_plane.reset();
+}
+
+Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return refusal;
+  if (const Refusal refusal = check(loop); refusal != Refusal::none) return refusal;
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refusal;
+  Scratch scratch;
+  const Silhouette outline = silhouette(viewpoint, loop, scratch.memory());
+  if (outline.refusal != Refusal::none) return outline.refusal;
+
+  begin(frustum, viewpoint, outline.corners);
+  if (near == Near::farthest) {
+    frustum.recipes.push_back(farthest_plane(viewpoint, loop));
+  } else if (const auto own = polygon_plane(frustum.silhouette, loop)) {
+    frustum.recipes.push_back(*own);
+    const auto& corners = frustum.cap_vertices = frustum.silhouette;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      frustum.cap_edges.push_back({corners[i], corners[(i + 1) % corners.size()], static_cast<std::uint32_t>(i + 1), 0});
+    }
+  } else {
+    frustum.support_plane = support_plane(viewpoint, frustum.silhouette, loop);
+    frustum.recipes.push_back(exact_plane(*frustum.support_plane));
+  }
+  add_sides(frustum);
+  add_profile(frustum);
+  round_planes(frustum);
+  return Refusal::none;
+}
+
+Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
+              PolytopeSilhouette& seen) {
+  if (const Refusal refusal = check_rounding(); refusal != Refusal::none) return refusal;
+  if (const Refusal refusal = check(viewpoint); refusal != Refusal::none) return refusal;
+  seen.update(viewpoint, polytope);
+  if (seen.loop().empty()) return Refusal::eye_in_polytope;
+  Scratch scratch;
+  const auto loop = loop_of(polytope, seen, scratch.memory());
+  const Silhouette outline = silhouette(viewpoint, loop, scratch.memory());
+  if (outline.refusal != Refusal::none) return outline.refusal;
+
+  begin(frustum, viewpoint, outline.corners);
+  if (near == Near::farthest) {
+    frustum.recipes.push_back(farthest_plane(viewpoint, in_order_of_input(polytope, seen, scratch.memory())));
+    add_sides(frustum);
+  } else {
+    for (const std::uint32_t face : seen.turned_faces()) frustum.recipes.push_back(inner_plane(polytope, face));
+    add_sides(frustum);
+    frustum.cap_vertices.assign(polytope.vertices().begin(), polytope.vertices().end());
+    append_cap_edges(polytope, seen, frustum.silhouette, frustum.cap_edges);
+  }
+  add_profile(frustum);
+  round_planes(frustum);
+  return Refusal::none;
+}
+
+}  // namespace occlude::kernel

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// How a shadow frustum is built (section 5).
+#pragma once
+
+#include <span>
+
+#include "occlude/kernel/convex_polytope.h"
+#include "occlude/kernel/polytope_silhouette.h"
+#include "stored_frustum.h"
+
+namespace occlude::kernel {
+
+/// As ShadowFrustum::assign(), into a frustum as it is stored.
+[[nodiscard]] Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near);
+[[nodiscard]] Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
+                            PolytopeSilhouette& seen);
+
+/// Takes all away but the memory: there is no frustum any more.
+void clear(StoredFrustum& frustum);
+
+}  // namespace occlude::kernel
