@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The planes of a frustum as exact numbers, from their definitions (kernel/include/occlude/kernel/planes.h).
+// The planes of a frustum in exact numbers, from their definitions (kernel/include/occlude/kernel/planes.h).
 #pragma once
 
 #include <CGAL/Simple_cartesian.h>
@@ -23,10 +23,10 @@ struct TruePlane {
 
 [[nodiscard]] TruePlane true_plane(const kernel::ShadowFrustum& frustum, const kernel::PlaneRecipe& recipe);
 
-/// The same plane in other units.
+/// The same plane with its values multiplied by `factor`.
 [[nodiscard]] TruePlane scaled(const TruePlane& plane, const Exact& factor);
 
-/// Its least and its greatest value over a box.
+/// The least and the greatest value of a plane over a box.
 struct Range {
   Exact low, high;
 };

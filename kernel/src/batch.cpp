@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for every instruction set, chosen at run time. Boxes that the filter cannot decide are left to the test of a
-// single box.
+// This file is compiled once for every instruction set; the one that runs is chosen at run time. Boxes that the filter
+// cannot decide are left to the test of a single box.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch.cpp"
 #include <hwy/foreach_target.h>
-// foreach_target.h goes first.
+// foreach_target.h must come first.
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -22,10 +22,10 @@
 namespace occlude::kernel {
 namespace {
 
-/// So many tests run between two rounds of finishing what is left.
+/// The number of tests that run before the undecided ones among them are finished.
 constexpr std::size_t kChunk = 1024;
 
-/// Indices of the tests that the filter leaves.
+/// Indices of the tests that the filter leaves undecided.
 struct Undecided {
   std::array<std::size_t, kChunk> index;
   std::size_t count = 0;
@@ -46,13 +46,13 @@ using Mask = hn::Mask<Doubles>;
 using Frame = AabbFrame<LaneArithmetic>;
 using LaneVector = Vector3<Lanes>;
 
-/// What the filter knows of the tests in the lanes of a vector: inside when none of these is set.
+/// What the filter knows about the tests in the lanes of a vector. A test of which none of these is set is inside.
 struct Known {
   Mask outside, straddling, unknown;
 };
 
-/// The least values of planes at the extremal vertices of the boxes, nearest and farthest. One bound serves all planes of a
-/// frustum: these two are all that the filter needs.
+/// The least value over all planes at the nearest vertex of each box, and at the farthest. One bound serves all planes of a
+/// frustum, so the filter needs no more than these two.
 struct Least {
   Lanes low, high;
 
@@ -92,13 +92,13 @@ HWY_INLINE void store(const Known& known, std::size_t first, std::size_t count, 
   }
 }
 
-/// Three neighbouring rows of a batch from `first` on: `row(k)` is the beginning of row k.
+/// Loads three neighbouring rows of a batch, k to k + 2, from column `first` on. `row(k)` is the beginning of row k.
 template <class Row>
 HWY_INLINE LaneVector load(const Row& row, std::size_t first, std::size_t k) {
   return {Lanes::load(row(k) + first), Lanes::load(row(k + 1) + first), Lanes::load(row(k + 2) + first)};
 }
 
-/// Moves the boxes that planes of the profile part from the frustum from straddling to outside.
+/// Changes boxes from straddling to outside where a plane of the profile separates them from the frustum.
 HWY_INLINE void part_by_profile(const ShadowFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
   Least least;
   for (const FilterPlane& plane : frustum.filter_planes().subspan(frustum.plane_count())) {
@@ -160,7 +160,8 @@ HWY_EXPORT(FrustaAgainstBox);
 
 std::size_t padded(std::size_t size) { return size + kMaxLanes; }
 
-/// Calls `run(begin, end, undecided)` for parts of [0, size), and `decide(i)` for what each leaves.
+/// Calls `run(begin, end, undecided)` for one chunk of [0, size) after another, and `decide(i)` for each test that a chunk
+/// leaves.
 template <class Run, class Decide>
 void in_chunks(std::size_t size, std::span<Relation> out, const Run& run, const Decide& decide) {
   Undecided undecided;
@@ -216,10 +217,10 @@ FrustumBatch::FrustumBatch(std::span<const ShadowFrustum> frusta) : frusta_(frus
   for (std::size_t i = 0; i < frusta.size(); ++i) {
     const Vec3& origin = frusta[i].origin();
     const auto& [slope, base] = frusta[i].filter_bound();
-    // Of a frustum that was never made no value is known: it is left to the test of a single box.
+    // A frustum that was never made has no known values. The infinite bound leaves it to the test of a single box.
     const std::array frame{origin.x, origin.y, origin.z, slope, frusta[i].is_none() ? HUGE_VAL : base};
     for (std::size_t k = 0; k < frame.size(); ++k) frames_[k * stride_ + i] = frame[k];
-    // Beyond every bound: a plane that no box reaches.
+    // A plane with an infinite value decides nothing: every box is on its inner side, beyond every bound.
     const FilterPlane none{.normal = {}, .magnitudes = {}, .offset = HUGE_VAL, .farther = {}};
     for (std::size_t j = 0; j < plane_count_; ++j) {
       const FilterPlane& plane = j < frusta[i].plane_count() ? frusta[i].filter_planes()[j] : none;

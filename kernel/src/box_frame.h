@@ -13,13 +13,13 @@
 
 namespace occlude::kernel {
 
-// Those of the instruction set that everything is compiled for.
+// These are the versions for the instruction set that the whole library is compiled for.
 using HWY_NAMESPACE::AabbFrame;
 using HWY_NAMESPACE::Extremes;
 using HWY_NAMESPACE::product;
 using HWY_NAMESPACE::Real;
 
-/// The centre of an oriented box, rounded once, its half edges, and how far it can reach.
+/// The centre of an oriented box relative to the origin, rounded once, its half edges, and an upper bound on its reach.
 template <class A>
 class ObbFrame {
  public:
@@ -32,7 +32,7 @@ class ObbFrame {
     for (const Vec3& half_edge : half_edges_) reach_ = reach_ + largest(constants<A>(half_edge));
   }
 
-  /// Three more dot products per plane (section 5.3).
+  /// An oriented box takes three more dot products per plane (section 5.3).
   [[nodiscard]] Extremes<Real<A>> extremes(const FilterPlane& p) const {
     const auto normal = constants<A>(p.normal);
     const auto spread_along = [&](int k) {

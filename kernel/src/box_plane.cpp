@@ -17,7 +17,8 @@ bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
 }  // namespace
 
 int exact_extremal_sign(const ShadowFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {
-  // The rounded normal picks the vertex: should a component's sign be in doubt, so is the value within the same bound.
+  // The rounded normal picks the vertex. Where the sign of a component is in doubt, the value at this vertex is still within
+  // the same bound of the true extreme.
   const FilterPlane& plane = frustum.filter_planes()[i];
   const auto positive = [&](std::size_t k) { return (plane.farther[k] >= 4) == (direction > 0); };
   const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));

@@ -45,20 +45,21 @@ Clearance clearance_of(const ShadowFrustum& shadow, const AnyBox& box) {
   return result;
 }
 
-/// The least of value^2 / |normal|^2 over the planes, each rounded down. The bound of the filter is what its values,
-/// computed as here, are out by, and its slope what a normal n is: its square is below (|n| + 2 slope)^2, and that by the
-/// inequality of the means below (1 + t) |n|^2 + (1 + 1/t) (2 slope)^2, t the share that is given away.
+/// A lower bound on the distance to the nearest plane: finds the least value^2 / |normal|^2 over the planes, each rounded
+/// down. A value computed as here is off by at most the filter's bound, and a normal n by at most the slope of that bound.
+/// The square of the true normal is below (|n| + 2 slope)^2. By the inequality of the means this is below (1 + t) |n|^2 + (1
+/// + 1/t) (2 slope)^2, where t is the share that is given away.
 template <class AnyBox>
 double certain(const ShadowFrustum& shadow, const AnyBox& box) {
   if (shadow.is_none()) return 0;
   constexpr double kGiven = 0x1p-20;
-  // What a few more roundings, of lengths and quotients, can do to a distance is far less than this share of it.
+  // The few remaining roundings, of lengths and quotients, change a distance by far less than this share of it.
   constexpr double kRounding = 0x1p-40;
   const FilterBound& bound = shadow.filter_bound();
   const double reach = frame_of<PlainArithmetic>(box, shadow.origin()).reach();
-  const double error = 2 * (bound.slope * reach + bound.base);  // twice, for its second order
+  const double error = 2 * (bound.slope * reach + bound.base);  // doubled to cover second-order terms
   const double uncertain = (1 + 1 / kGiven) * 4 * bound.slope * bound.slope;
-  double value = kInfinity, square = 1;  // of the nearest plane
+  double value = kInfinity, square = 1;  // of the nearest plane so far
   for (const FilterPlane& plane : shadow.filter_planes().first(shadow.plane_count())) {
     const double own = least(plane, shadow.origin(), box) - error;
     if (!(own > 0)) return 0;

@@ -14,7 +14,8 @@
 namespace occlude::kernel {
 namespace {
 
-/// Where equally far vertices of a silhouette are told apart by their index.
+/// The vertices of the silhouette in the order of their indices. Of equally far vertices the one with the lowest index then
+/// counts as the farthest.
 std::pmr::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
                                          std::pmr::memory_resource& memory) {
   std::pmr::vector<std::uint32_t> indices(&memory);
