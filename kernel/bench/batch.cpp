@@ -16,7 +16,7 @@ using kernel::BoxBatch;
 using kernel::NearBoundary;
 using kernel::ShadowFrustum;
 
-/// Lets Highway choose among these targets alone while it lives.
+/// While this object lives, Highway chooses only among these targets.
 class OnlyTargets {
  public:
   explicit OnlyTargets(std::int64_t targets) {
@@ -25,7 +25,7 @@ class OnlyTargets {
   }
   ~OnlyTargets() {
     hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();  // the next call chooses anew
+    hwy::GetChosenTarget().DeInit();  // the next call chooses again
   }
   OnlyTargets(const OnlyTargets&) = delete;
   OnlyTargets& operator=(const OnlyTargets&) = delete;
@@ -36,12 +36,12 @@ struct InstructionSet {
   std::int64_t targets;
 };
 
-/// Highway 1.0 has no target below SSSE3, which has the same two doubles a vector as SSE2.
+/// SSSE3 stands for SSE2: it is the lowest target of Highway 1.0, and also has two doubles per vector.
 constexpr std::array kInstructionSets{InstructionSet{"batch_conservative_sse2", HWY_SSSE3},
                                       InstructionSet{"batch_conservative_avx2", HWY_AVX2},
                                       InstructionSet{"batch_conservative_avx512", HWY_AVX3 | HWY_AVX3_DL}};
 
-/// A pass that gives all boxes at once, made a batch beforehand, to `test`.
+/// A pass that gives all boxes to `test` at once, as a batch made beforehand.
 template <class Test>
 Pass batch_pass(const Workload& workload, Test test) {
   return [&workload, test, batch = std::make_shared<const BoxBatch>(workload.boxes)](std::span<kernel::Relation> answers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's batches, by each instruction set.
+// The kernel's batches, for each instruction set.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace occlude::bench {
 
-/// Both tests as the kernel dispatches them, `batch_overlap` and `batch_conservative`; and the plane stage by each
-/// instruction set that this machine has, `batch_conservative_sse2`, `_avx2`, `_avx512`.
+/// Both tests as the kernel dispatches them, `batch_overlap` and `batch_conservative`, and the conservative test with each
+/// instruction set that this machine has: `batch_conservative_sse2`, `_avx2`, `_avx512`.
 [[nodiscard]] std::vector<Subject> batch_subjects();
 
 }  // namespace occlude::bench

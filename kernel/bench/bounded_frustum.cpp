@@ -8,7 +8,7 @@
 namespace occlude::bench {
 namespace {
 
-/// How many times as far from the eye as the near plane the farthest box reaches.
+/// The reach of the farthest box from the eye, as a multiple of the distance of the near plane.
 double farthest(const Workload& workload) {
   const Vec3 eye = workload.frustum.viewpoint().value;
   const kernel::HalfSpace near = workload.frustum.rounded_plane(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's own tests, and the one that the paper sets out from.
+// The kernel's own tests, and the naive test that the paper starts from.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace occlude::bench {
 
 [[nodiscard]] std::vector<Subject> kernel_subjects();
 
-/// The certified overlap test under the name by which peers are compared to it.
+/// The certified overlap test, under the name that comparisons with peers use.
 [[nodiscard]] Subject reference_subject();
 
 }  // namespace occlude::bench

@@ -19,7 +19,7 @@ void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// Starts the program with its standard output going to `output`.
+/// Starts the program with its standard output connected to `output`.
 pid_t spawn(std::vector<std::string> command, int output) {
   std::vector<char*> arguments;
   for (std::string& word : command) arguments.push_back(word.data());

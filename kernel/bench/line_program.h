@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Another program, and the lines that it prints.
+// Runs another program and reads the lines that it prints.
 #pragma once
 
 #include <sys/types.h>
@@ -13,19 +13,20 @@
 
 namespace occlude::bench {
 
-/// Runs until it ends or this does.
+/// The program runs until it ends by itself, or until this object is destroyed.
 class LineProgram {
  public:
-  /// The path of the program, and its arguments. Throws std::system_error.
+  /// `command` is the path of the program and its arguments. Throws std::system_error.
   explicit LineProgram(const std::vector<std::string>& command);
   ~LineProgram();
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
 
-  /// The next line, without its break; none at the end. Calls `on_signal` when one comes meanwhile; it may throw.
+  /// The next line without its line break, or nothing at the end. Calls `on_signal` when a signal arrives while it waits.
+  /// `on_signal` may throw.
   [[nodiscard]] std::optional<std::string> next(const std::function<void()>& on_signal);
 
-  /// Waits for the end; whether the exit code is 0.
+  /// Waits for the program to end. Returns whether its exit code is 0.
   [[nodiscard]] bool ends_well();
 
  private:
@@ -34,7 +35,7 @@ class LineProgram {
   };
 
   std::unique_ptr<std::FILE, Close> lines_;
-  pid_t process_ = 0;  ///< 0 once it has ended
+  pid_t process_ = 0;  ///< 0 after the program has ended
 };
 
 }  // namespace occlude::bench

@@ -10,10 +10,11 @@
 namespace occlude::bench {
 namespace {
 
-/// How long a trial is to run in a round: long beside the clock's resolution, short beside the machine's changes of mood.
+/// How long a trial runs in a round: long compared with the clock's resolution, short compared with changes in the speed of
+/// the machine.
 constexpr double kSeconds = 0.01;
 
-/// Hands each trial's time to whom it may concern. A benchmark is named by the index of its trial.
+/// Reports the time of each trial to `sink`. A benchmark is named by the index of its trial.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   using Sink = std::function<void(std::size_t trial, double seconds_a_pass)>;
@@ -32,7 +33,7 @@ class Collector : public benchmark::BenchmarkReporter {
   Sink sink_;
 };
 
-/// The trials as registered benchmarks, for as long as this lives.
+/// While this object lives, the trials are registered as benchmarks.
 class Registration {
  public:
   explicit Registration(std::span<Trial> trials) {

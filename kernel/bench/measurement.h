@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What subjects cost on workloads, and how often they are wrong.
+// The cost of subjects on workloads, and how often they are wrong.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace occlude::bench {
 
-/// A subject on a workload.
+/// The measurement of a subject on a workload.
 struct Measurement {
   std::string subject, workload;
-  std::vector<double> ns;  ///< a box, one number a round
+  std::vector<double> ns;  ///< time per box, one number per round
   std::size_t wrong = 0;   ///< boxes answered wrongly
-  bool gjk = false;        ///< as of the subject
+  bool gjk = false;        ///< the same as Subject::gjk
 };
 
 /// The exact answer for each of the boxes.
 [[nodiscard]] std::vector<kernel::Relation> exact_answers(const Workload& workload);
 
-/// Every subject on every workload, in the same rounds; workload by workload.
+/// Measures every subject on every workload, all in the same rounds. The result is ordered by workload.
 [[nodiscard]] std::vector<Measurement> measure(std::span<const Workload> workloads, std::span<const Subject> subjects,
                                                std::size_t rounds, const Progress& progress);
 

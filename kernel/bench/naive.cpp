@@ -16,14 +16,14 @@ using kernel::Relation;
 using Corners = std::array<Vec3, 8>;
 using Edge = std::array<std::size_t, 2>;
 
-/// By the corners of corner(box, i).
+/// The edges of a box. The indices are those of corner(box, i).
 constexpr std::array<Edge, 12> kBoxEdges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-/// Two faces an axis, the lower first.
+/// The faces of a box: two per axis, the lower one first.
 constexpr std::array<BoundedFrustum::Face, 6> kBoxFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-/// Round the near and the far face in one sense, so that whichever corner is in a box, an edge leads into the box there or
-/// before.
+/// The edges of a frustum. Those of the near and of the far face run round in the same sense. So whichever corner is in a
+/// box, an edge leads into the box at this corner or before it.
 constexpr std::array<Edge, 12> kFrustumEdges{
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
@@ -40,7 +40,8 @@ NaiveFace make_face(const Corners& corners, const BoundedFrustum::Face& face) {
 
 double height(const NaiveFace& face, const Vec3& x) { return dot(face.normal, x - face.corners[0]); }
 
-/// The edge-face test: where the edge meets the plane, then on which side of the face's four edges that point lies.
+/// The edge-face test: finds the point where the edge meets the plane of the face, then the side of the face's four edges on
+/// which the point lies.
 bool meet(const Vec3& from, const Vec3& to, const NaiveFace& face) {
   const double at_from = height(face, from), at_to = height(face, to);
   if (at_from * at_to > 0 || at_from == at_to) return false;

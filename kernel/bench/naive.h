@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The test that the paper starts from: the first row of its Table 1, for a frustum with a far plane.
+// The test that the paper starts from (the first row of its Table 1), for a frustum with a far plane.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace occlude::bench {
 struct NaiveFace {
   std::array<kernel::Vec3, 4> corners;  ///< counter-clockwise seen from outside
   kernel::Vec3 normal;                  ///< outward
-  int axis;                             ///< on which the normal is longest
+  int axis;                             ///< the axis on which the normal is longest
 };
 
 struct NaiveFrustum {
@@ -23,8 +23,8 @@ struct NaiveFrustum {
   std::array<NaiveFace, 6> faces;
 };
 
-/// In the worst case 54 half-plane tests (8 box vertices on 6 planes, one frustum vertex on 6 box faces) and 108 edge-face
-/// tests (12 box edges on 6 frustum faces, 12 frustum edges on the 3 box faces turned to where they start).
+/// In the worst case this takes 54 half-plane tests (8 box vertices on 6 planes, one frustum vertex on 6 box faces) and 108
+/// edge-face tests (12 box edges on 6 frustum faces, 12 frustum edges on the 3 box faces turned to where they start).
 [[nodiscard]] kernel::Relation naive_overlap(const NaiveFrustum& frustum, const kernel::Aabb& box);
 
 }  // namespace occlude::bench

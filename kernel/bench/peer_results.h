@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Other projects' tests are measured by a program of its own, `occlude_peers`: it is linked with their libraries, and the
-// command with none of them. What it prints is a line of JSON for each peer, round and measurement.
+// Other projects' tests are measured by a separate program, `occlude_peers`. It is linked with their libraries, so that the
+// command is not. It prints a line of JSON for each peer, round and measurement.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace occlude::bench {
 
-/// The kernel's own test as measured in the same rounds as the peers, to which they are compared.
+/// The kernel's own test, measured in the same rounds as the peers. The peers are compared to it.
 inline constexpr const char* kReference = "overlap_certified_with_peers";
 
 struct PeerSummary {
-  std::string name, version;  ///< no version: not installed
+  std::string name, version;  ///< the version is empty when the peer is not installed
 };
 
 struct PeerResults {
@@ -24,7 +24,7 @@ struct PeerResults {
   std::vector<Measurement> measurements;
 };
 
-/// The program does not do what it should.
+/// Thrown when the program does not do what it should.
 struct PeersFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -33,8 +33,8 @@ struct PeersFault : std::runtime_error {
 [[nodiscard]] std::string round_line(std::size_t round);
 [[nodiscard]] std::string measurement_line(const Measurement& measurement);
 
-/// What the command line `command` prints. Throws PeersFault, and what `progress` throws, which is asked after each round
-/// and when a signal comes; the program is then ended.
+/// Runs the command line `command` and returns what it prints. Calls `progress` after each round and when a signal arrives.
+/// Throws PeersFault, and whatever `progress` throws; the program is then ended.
 [[nodiscard]] PeerResults run_peers(const std::vector<std::string>& command, const Progress& progress);
 
 }  // namespace occlude::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures that the benchmark is for.
+// The ratios of times that are the results of the benchmark.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace occlude::bench {
 
-/// How many times as long `slow` takes as `fast` on a workload.
+/// The time of `slow` on a workload divided by that of `fast`.
 struct Ratio {
-  std::string group, name;  ///< one group of the report; the name is empty for a group of one
+  std::string group, name;  ///< the group in the report; the name is empty for a group of one
   std::string slow, fast;   ///< subjects
   std::string workload;
-  std::optional<double> value;  ///< none where one of the two could not be measured
+  std::optional<double> value;  ///< empty where one of the two could not be measured
 };
 
 [[nodiscard]] std::vector<Ratio> ratios(const Result& result);

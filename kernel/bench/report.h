@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a benchmark found, for people and for programs.
+// The results of a benchmark, as text for people and as JSON for programs.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace occlude::bench {
 
-/// Where it was measured.
+/// The machine on which the benchmark ran.
 struct Machine {
   std::string processor, compiler, flags;
   unsigned threads = 0;
@@ -16,7 +16,7 @@ struct Machine {
 
 [[nodiscard]] std::string report_text(const Result& result, const Machine& machine);
 
-/// One object. What could not be measured here is null.
+/// A single JSON object. What could not be measured on this machine is null.
 [[nodiscard]] std::string report_json(const Result& result, const Machine& machine);
 
 }  // namespace occlude::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured: something that answers for boxes.
+// The subject of a measurement: something that answers a question about boxes.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,9 @@
 
 namespace occlude::bench {
 
-/// What a subject decides: all three relations; only `outside` or not (then `partial` stands for not); only `inside` or not.
-/// `conservative` may answer `partial` where it does not know.
+/// The question that a subject answers. `relation`: all three relations. `overlap`: `outside` or not, where `partial` stands
+/// for not. `containment`: `inside` or not. `conservative`: as `relation`, but it may answer `partial` where it does not
+/// know.
 enum class Question { relation, overlap, containment, conservative };
 
 /// Answers every box of a workload once, in order.
@@ -21,10 +22,10 @@ using Pass = std::function<void(std::span<kernel::Relation>)>;
 struct Subject {
   std::string name;
   Question question = Question::relation;
-  /// Makes whatever the subject would have at hand before it is asked: shapes, centres, batches. Not timed. The workload
+  /// Makes whatever the subject has ready before it is asked: shapes, centres, batches. This is not timed. The workload
   /// outlives the pass.
   std::function<Pass(const Workload&)> prepare;
-  bool gjk = false;  ///< of the kind that the paper compares with: an iterative search over support points
+  bool gjk = false;  ///< an iterative search over support points, the kind of test that the paper compares with
 };
 
 [[nodiscard]] constexpr bool is_wrong(Question question, kernel::Relation answer, kernel::Relation truth) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Table 1 of the paper: what a test costs at worst and at best, in operations.
+// Table 1 of the paper: the cost of a test at worst and at best, in operations.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@
 
 namespace occlude::bench {
 
-/// Of each kind of operation the most and the fewest that any box costs.
+/// For each kind of operation, the most and the fewest that any box takes.
 struct Cost {
   std::string test;
   kernel::Operations worst, best;
 };
 
-/// The paper's rows.
+/// The rows of the paper's table.
 [[nodiscard]] std::vector<Cost> paper_costs();
 
 /// The kernel's tests, counted over all boxes of all workloads. REQUIRES: there is a box.

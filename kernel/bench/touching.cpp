@@ -10,15 +10,15 @@
 namespace occlude::bench {
 namespace {
 
-/// The numbers that place a touching point and size a box, whole or real.
+/// Draws the numbers that place a touching point and size a box. They are whole or real.
 class Draw {
  public:
   Draw(Numbers numbers, fuzz::Random& random) : whole_(numbers == Numbers::whole), random_(random) {}
 
   double in(int low, int high) { return whole_ ? random_.integer(low, high) : random_.real(low, high); }
-  /// A share of an edge of the near face, strictly between 0 and 1.
+  /// A position along an edge of the near face, strictly between 0 and 1.
   double share() { return whole_ ? random_.integer(1, 3) / 4.0 : random_.real(0.05, 0.95); }
-  /// A share of the size of a box, whole with the size.
+  /// A part of the size of a box. It is whole when the size is.
   double part_of(double size) { return whole_ ? random_.integer(0, static_cast<int>(size)) : random_.real(0, size); }
 
  private:
@@ -26,7 +26,7 @@ class Draw {
   fuzz::Random& random_;
 };
 
-/// A point of the frustum's border, and the sum of the inner normals of the planes through it.
+/// A point on the border of the frustum, and the sum of the inner normals of the planes through it.
 struct BorderPoint {
   Vec3 point, inward;
 };
@@ -44,7 +44,7 @@ BorderPoint border_point(const kernel::ShadowFrustum& frustum, Draw& draw, fuzz:
   const Vec3 ray = corners[i] - eye, next_ray = corners[next] - eye;
   const Vec3 edge = corners[next] - corners[i], other_edge = corners[previous] - corners[i];
   const auto feature = static_cast<Feature>(random.index(kFeatures));
-  // Drawn one by one: the order in which the operands of a sum are evaluated is the compiler's choice.
+  // The numbers are drawn one by one because the compiler chooses the order in which operands of a sum are evaluated.
   const double along = draw.in(2, kDepth), across = draw.in(1, 2), share = draw.share(), other_share = draw.share();
   switch (feature) {
     case Feature::side_plane:

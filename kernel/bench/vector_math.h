@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The little vector algebra that workloads and competitors need, in plain doubles.
+// The vector algebra that workloads and peers need, in plain doubles.
 #pragma once
 
 #include "occlude/kernel/types.h"
@@ -19,7 +19,7 @@ using kernel::Vec3;
 [[nodiscard]] inline Vec3 center(const kernel::Aabb& box) { return 0.5 * (box.min + box.max); }
 [[nodiscard]] inline Vec3 half_extents(const kernel::Aabb& box) { return 0.5 * (box.max - box.min); }
 
-/// Corner i of the box takes the maximum on axis k where bit k of i is set.
+/// Corner i of the box has the maximum on axis k when bit k of i is set, else the minimum.
 [[nodiscard]] inline Vec3 corner(const kernel::Aabb& box, unsigned i) {
   return {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z};
 }

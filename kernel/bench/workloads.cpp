@@ -15,7 +15,7 @@ namespace {
 using fuzz::Random;
 using kernel::Aabb;
 
-/// The frustum of the parallelogram at `corner` with these edges.
+/// The shadow frustum of the parallelogram at `corner` with the edges `u` and `v`.
 kernel::ShadowFrustum shadow_of(const Vec3& eye, const Vec3& corner, const Vec3& u, const Vec3& v) {
   const std::array loop{corner, corner + u, corner + u + v, corner + v};
   auto result = kernel::ShadowFrustum::make(kernel::Viewpoint::eye(eye), loop, kernel::Near::surface);
@@ -23,14 +23,14 @@ kernel::ShadowFrustum shadow_of(const Vec3& eye, const Vec3& corner, const Vec3&
   return *std::move(result.frustum);
 }
 
-/// Each coordinate moved by up to `distance`, then rounded to a multiple of 2^-20: sums of such vectors are exact, so that a
+/// Moves each coordinate by up to `distance`, then rounds it to a multiple of 2^-20. Sums of such vectors are exact, so a
 /// parallelogram made of them is exactly coplanar.
 Vec3 jittered(Vec3 v, double distance, Random& random) {
   for (int axis = 0; axis < 3; ++axis) v[axis] = std::round((v[axis] + random.real(-distance, distance)) * 0x1p20) * 0x1p-20;
   return v;
 }
 
-/// An occluder 2 units wide, 5 units before an eye whose coordinates use all their bits.
+/// The frustum of an occluder 2 units wide, 5 units in front of an eye whose coordinates use all their bits.
 kernel::ShadowFrustum generic_frustum(Random& random) {
   const Vec3 eye{random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
   constexpr double kJitter = 0.1;
@@ -41,7 +41,8 @@ kernel::ShadowFrustum generic_frustum(Random& random) {
 
 kernel::ShadowFrustum integer_frustum() { return shadow_of({1, 2, 3}, {7, -2, 1}, {4, 8, 0}, {0, 0, 4}); }
 
-/// A box about the shadow up to five times as far from the eye as the occluder; all orders of size alike.
+/// A box near the shadow, up to five times as far from the eye as the occluder. All orders of magnitude of its size are
+/// equally likely.
 Aabb random_box(const Vec3& eye, Random& random) {
   const Vec3 middle = eye + Vec3{random.real(4, 25), random.real(-5, 5), random.real(-5, 5)};
   Vec3 half;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is measured on: one shadow frustum of five planes and many boxes about it. Same seed, same boxes, on any machine.
+// The workloads of the benchmark: one shadow frustum of five planes and many boxes near it. The same seed gives the same
+// boxes on any machine.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +13,8 @@
 
 namespace occlude::bench {
 
-/// The frustum is that of a parallelogram, exactly coplanar, seen from an eye, with near `surface`: the silhouette is the
-/// border of the near face.
+/// The frustum is the shadow of an exactly coplanar parallelogram, seen from an eye, with near plane `surface`. So the
+/// silhouette is the border of the near face.
 struct Workload {
   std::string name, about;
   kernel::ShadowFrustum frustum;
@@ -23,9 +24,9 @@ struct Workload {
 inline constexpr std::uint64_t kDefaultSeed = 1997;
 
 /// Three workloads of `boxes` boxes each:
-/// `random`: boxes of all sizes strewn about the frustum; nothing touches.
-/// `integer_touching`: all coordinates are whole numbers; every box touches a plane, an edge or a vertex of the frustum.
-/// `ulp_touching`: every box touches in the same ways up to rounding, then moved by -2 to 2 ulps on each axis.
+/// - `random`: boxes of all sizes, scattered about the frustum; none touches it.
+/// - `integer_touching`: all coordinates are whole numbers; every box touches a plane, an edge or a vertex of the frustum.
+/// - `ulp_touching`: every box touches in the same ways up to rounding, and is then moved by -2 to 2 ulps on each axis.
 [[nodiscard]] std::vector<Workload> make_workloads(std::size_t boxes, std::uint64_t seed);
 
 }  // namespace occlude::bench

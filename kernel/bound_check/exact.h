@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact numbers and what every part of the program knows of doubles.
+// Exact numbers, and the roundoff of doubles.
 #pragma once
 
 #include <CGAL/Exact_rational.h>

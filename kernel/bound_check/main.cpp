@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether the kernel's error bounds hold: its constants recomputed from its own code, and the true errors of its values
-// measured against exact ones. Usage: bound_check [CASES], so many of each family.
+// Checks that the kernel's error bounds hold: recomputes its constants from its own code, and measures the true errors of
+// its values against exact numbers. Usage: bound_check [CASES], where CASES is the number of cases per family.
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -53,7 +53,7 @@ bool report_ranges() {
   return all_safe;
 }
 
-/// Of `cases`, of which most must be legal: what is not measured proves nothing.
+/// Most of the `cases` must be legal, because cases that are not measured prove nothing.
 bool report_shares(const std::string& name, const Shares& shares, int cases) {
   std::printf("%-30s %7d", name.c_str(), shares.legal_cases);
   for (const double share : shares.largest) std::printf(" %9.3f", share);

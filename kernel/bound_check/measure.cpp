@@ -21,7 +21,7 @@ namespace {
 using kernel::PlaneRecipe;
 using kernel::Vec3;
 
-/// What is off without a bound is off without end.
+/// An error without a bound is an infinite share.
 double share(const Exact& off, double bound) {
   if (off <= 0 && bound >= 0) return 0;
   return !(bound > 0) ? std::numeric_limits<double>::infinity() : CGAL::to_double(off) / bound;
@@ -31,7 +31,7 @@ Exact distance(const Exact& a, const Exact& b) { return CGAL::abs(a - b); }
 
 using Twice = kernel::DoubleDoubleArithmetic;
 
-/// The power of two by which the kernel has scaled a plane; 0 when nothing of it is left.
+/// The power of two by which the kernel has scaled a plane, or 0 when all its coefficients are zero.
 Exact scale_of(const kernel::FilterPlane& filter, const kernel::PlaneCoefficients<Twice>& plane) {
   for (int k = 0; k < 3; ++k) {
     if (filter.normal[k] != 0) return Exact(filter.normal[k] / plane.normal[k].high);
@@ -39,7 +39,7 @@ Exact scale_of(const kernel::FilterPlane& filter, const kernel::PlaneCoefficient
   return Exact(filter.offset == 0 ? 0 : filter.offset / plane.offset.high);
 }
 
-/// An arithmetic that keeps the last number whose sign was asked for: the value that a question was about.
+/// An arithmetic that keeps the last number whose sign was asked for, which is the value that a question was about.
 template <class A>
 struct Remembering : A {
   typename A::Number last{};
@@ -79,7 +79,8 @@ class Measurement {
   using Frame =
       std::conditional_t<kIsAligned, kernel::AabbFrame<kernel::PlainArithmetic>, kernel::ObbFrame<kernel::PlainArithmetic>>;
 
-  /// A plane that the frustum holds in doubles, by the filter and by what comes after it.
+  /// Measures a plane that the frustum stores in doubles: by the filter, by the arithmetics that bound their errors as they
+  /// go, and by the refined plane.
   void measure_stored(std::size_t i, Kind kind) {
     const PlaneRecipe& recipe = frustum_.recipes[i];
     const TruePlane truth = true_plane(frustum_, recipe);
@@ -90,9 +91,9 @@ class Measurement {
     const Exact scale = scale_of(filter, twice);
     const Frame frame(box_, frustum_.origin);
     const auto extremes = frame.extremes(filter);
-    // Its own bound: the frustum's is the largest of all planes.
+    // The plane's own bound is taken because that of the frustum is the largest of all planes.
     const double error = frame.error(kernel::rounded(twice).bound);
-    const Exact unit = kIsAligned ? 2 * scale : scale;  // AabbFrame doubles
+    const Exact unit = kIsAligned ? 2 * scale : scale;  // AabbFrame doubles all values
     shares_.note(kind, share(distance(Exact(extremes.low()), unit * range.low), error));
     shares_.note(kind, share(distance(Exact(extremes.high()), unit * range.high), error));
     if constexpr (kIsAligned) measure_refined(i, truth, scale, frame.reach());
@@ -112,7 +113,8 @@ class Measurement {
     shares_.note(Kind::refined, share(off, refined.is_exact ? 0 : refined.error));
   }
 
-  /// The value at the vertex of the box farthest along the plane, in the arithmetics that bound it as they go.
+  /// Measures the value at the vertex of the box farthest along the normal, in the arithmetics that bound their errors as
+  /// they go.
   void measure_expression(const PlaneRecipe& recipe, const Exact& truth) {
     note<Remembering<kernel::FilterArithmetic>>(Kind::running_error, recipe, truth);
     note<Remembering<Twice>>(Kind::double_double, recipe, truth);
@@ -146,7 +148,7 @@ class Measurement {
     }
   }
 
-  /// Degree six: where two planes' values at two points are compared.
+  /// An expression of degree six: it compares the values of two planes at two points.
   void measure_pair(std::size_t i, std::size_t j) {
     const PlaneRecipe &f = frustum_.recipes[i], &g = frustum_.recipes[j];
     const TruePlane true_f = true_plane(frustum_, f), true_g = true_plane(frustum_, g);
@@ -168,7 +170,7 @@ class Measurement {
   static std::pair<Vec3, Vec3> two_points(const kernel::Aabb& box) { return {box.min, box.max}; }
   static std::pair<Vec3, Vec3> two_points(const kernel::Obb& box) { return {box.center, box.half_edges[0]}; }
 
-  /// The sum of products of a half-space with the plane's normal, before its offset is added, as half_space.cpp has it.
+  /// The sum of products of a half-space with the plane's normal, before the offset is added, as half_space.cpp computes it.
   void measure_half_space(const kernel::FilterPlane& plane) {
     const Vec3 x = two_points(box_).first;
     const double px = plane.normal.x * x.x, py = plane.normal.y * x.y, pz = plane.normal.z * x.z;

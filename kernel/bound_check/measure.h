@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far off the filter's values are in cases of all families, as parts of the bounds that they are said to keep.
+// Measures how far off the filter's values are in cases of all families, as shares of their bounds.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ enum class Kind { frustum_plane, profile_plane, refined, half_space, running_err
 inline constexpr std::array<std::string_view, 6> kKindNames{"planes",   "profile", "refined",
                                                             "half-sp.", "running", "double2"};
 
-/// For every kind the largest |value - true value| / bound.
+/// For every kind, the largest |value - true value| / bound.
 struct Shares {
   std::array<double, kKindNames.size()> largest{};
   int legal_cases = 0;
@@ -23,7 +23,7 @@ struct Shares {
   void include(const Shares& other);
 };
 
-/// Over `cases` cases of a family.
+/// Measures `cases` cases of a family. Those that are not legal are skipped.
 [[nodiscard]] Shares measure(fuzz::Family family, int cases, std::uint64_t seed);
 
 }  // namespace occlude::bound_check

@@ -22,16 +22,16 @@ constexpr double kLeast = -100, kGreatest = 100;    // legal magnitudes, from th
 constexpr double kUnit = kLeast - (kMantissa - 1);  // the last bit of the smallest
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// All numbers made since it was last cleared.
+/// The extent of all numbers made since it was last cleared.
 Extent seen;
 
-/// 2^a + 2^b.
+/// The exponent of 2^a + 2^b.
 double top_of_sum(double a, double b) {
   const double larger = std::max(a, b);
   return larger == -kInfinity ? larger : larger + std::log2(1 + std::exp2(std::min(a, b) - larger));
 }
 
-/// A number known by exponents of two.
+/// A number of which only exponents of two are known.
 class RangedNumber {
  public:
   RangedNumber() = default;
@@ -49,14 +49,15 @@ class RangedNumber {
     if (a.is_zero()) return b.rounded();
     if (b.is_zero()) return a.rounded();
     const double unit = std::min(a.unit_, b.unit_);
-    // Of two exact numbers only the rounding of the sum is left; else one of them has brought its error.
+    // The sum of two exact numbers has only the error of its own rounding. Otherwise it has at least the error of one of
+    // them.
     const bool are_exact = a.error_ == kInfinity && b.error_ == kInfinity;
     const double brought = are_exact ? -kInfinity : std::min(a.error_alone(), b.error_alone());
     return {{unit, unit, top_of_sum(a.top_, b.top_), std::max(unit - kMantissa, brought),
              std::min({a.error_of_zero_, b.error_of_zero_, a.error_, b.error_})}};
   }
   friend RangedNumber operator-(const RangedNumber& a, const RangedNumber& b) { return a + b; }
-  /// A product is zero only where a factor is, and then off only by that factor's error.
+  /// A product is zero only where a factor is, and then its error comes only from the error of that factor.
   friend RangedNumber operator*(const RangedNumber& a, const RangedNumber& b) {
     const double least = a.least_ + b.least_;
     return {{a.unit_ + b.unit_, least, a.top_ + b.top_, least - kMantissa,
@@ -75,13 +76,15 @@ class RangedNumber {
   [[nodiscard]] bool is_zero() const { return top_ == -kInfinity; }
   [[nodiscard]] double error_alone() const { return error_ == kInfinity ? least_ - kMantissa : error_; }
 
-  double unit_ = kInfinity;                               ///< a multiple of this,
-  double least_ = kInfinity;                              ///< zero or at least this,
+  // All are exponents of two.
+  double unit_ = kInfinity;                               ///< the number is a multiple of this,
+  double least_ = kInfinity;                              ///< zero or at least this in magnitude,
   double top_ = -kInfinity;                               ///< and at most this
-  double error_ = kInfinity, error_of_zero_ = kInfinity;  ///< at least, when it is not zero and when it is; infinite: none
+  double error_ = kInfinity, error_of_zero_ = kInfinity;  ///< the least error when it is not zero and when it is; or none
 };
 
-/// Every coordinate stands for all legal ones, but 0 and 1 for themselves: they are those of the axes. Signs may be any.
+/// Every coordinate stands for all legal ones. Only 0, 1 and -1 stand for themselves, because they are the coordinates of
+/// the axes. Signs are random.
 class RangedArithmetic {
  public:
   using Number = RangedNumber;
@@ -110,8 +113,8 @@ RangedNumber at_any_point(const Coefficients& plane) {
   return dot(plane.normal, {coordinate, coordinate, coordinate}) + plane.offset;
 }
 
-/// As rounded_plane.cpp scales it: a slope is no less than u |n|, nor than the error of a component, and less than 8 u times
-/// the sum of magnitudes.
+/// The plane as rounded_plane.cpp scales it. Its slope is at least u |n|, at least the error of a component, and less than 8
+/// u times the sum of magnitudes.
 Coefficients stored(const Coefficients& plane) {
   const auto& [x, y, z] = plane.normal;
   const Extent n = (x + y + z).extent();
@@ -120,7 +123,7 @@ Coefficients stored(const Coefficients& plane) {
   return {{component(x), component(y), component(z)}, plane.offset.scaled(least, greatest)};
 }
 
-/// What is done with the frustum of a case and its box, each kind of expression on its own.
+/// Evaluates what the kernel computes for the frustum and the box of a case, each kind of expression separately.
 class Survey {
  public:
   explicit Survey(fuzz::Random& random) : arithmetic_(random) {}
@@ -188,7 +191,8 @@ class Survey {
     }
   }
 
-  /// As view_frustum.cpp has it: gains along the half edges of a box, their determinants, times the value at a corner.
+  /// The expressions of view_frustum.cpp: gains along the half edges of a box, and their determinants times the value at a
+  /// corner.
   static void combine_three() {
     const RangedNumber x = A::constant(2);
     const RangedNumber along = kernel::dot<RangedNumber>({x, x, x}, {x, x, x}), gain = along + along;

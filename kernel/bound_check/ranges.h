@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How small and how large the kernel's numbers can become: nothing may underflow or overflow.
+// Finds how small and how large the kernel's numbers can become: nothing may underflow or overflow.
 #pragma once
 
 #include <limits>
@@ -8,9 +8,9 @@
 
 namespace occlude::bound_check {
 
-/// What is known of a number, as exponents of two: it is a multiple of the unit, at most the top in magnitude, and its
-/// running error is zero or at least the error. Unit and error stand for all that rounding leaves, tails included: multiples
-/// of a unit stay so when they are rounded.
+/// What is known about numbers, as exponents of two. They are multiples of 2^unit, at most 2^top in magnitude, and their
+/// running errors are zero or at least 2^error. Unit and error also cover all that rounding leaves, tails included:
+/// multiples of a unit stay multiples when they are rounded.
 struct Extent {
   double unit = std::numeric_limits<double>::infinity();
   double top = -std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ struct Expressions {
   Extent extent;
 };
 
-/// The extents of everything that the kernel's templates come across, for all legal coordinates at once.
+/// The extents of all numbers that the kernel's templates compute, for all legal coordinates at once.
 [[nodiscard]] std::vector<Expressions> ranges();
 
 }  // namespace occlude::bound_check

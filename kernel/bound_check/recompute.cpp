@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Every error here is a sum of magnitudes of expressions that are linear in the coefficients of the plane, and linear in the
-// coordinates; its bound is the product of a norm of each. So the error is a convex function on the set of all planes and
-// boxes of norms at most one, and is largest at a corner of that set: a few planes and boxes are enough.
+// Every error here is a sum of magnitudes of expressions that are linear in the coefficients of the plane and linear in the
+// coordinates. Its bound is the product of a norm of the coefficients and a norm of the coordinates. So the error is a
+// convex function on the set of all planes and boxes of norms at most one, and is largest at a corner of that set. A few
+// planes and boxes are therefore enough.
 #include "recompute.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ Exact largest_error(const TracedNumber& computed, double truth) {
   return TracedNumber::sum(computed, TracedNumber(-truth)).most();
 }
 
-/// By how much a bound must be multiplied to hold: without end when it may be zero.
+/// The factor by which a bound must be multiplied to hold; the largest double when the bound may be zero.
 Exact needed(const TracedNumber& computed, double truth, const TracedNumber& bound) {
   if (bound.least() <= 0) return Exact(std::numeric_limits<double>::max());
   return largest_error(computed, truth) / bound.least();
@@ -62,14 +63,14 @@ void for_each_normal(const std::function<void(const Vec3&)>& use) {
   }
 }
 
-/// Bounds of boxes, the same on each axis, at the corners of the set of those that reach as far as one.
+/// The bounds of boxes, the same on each axis, at the corners of the set of boxes that reach as far as one.
 constexpr std::array<std::array<double, 2>, 3> kIntervals{{{1, 1}, {-1, 1}, {-1, -1}}};
 
 Vec3 uniform(double x) { return {x, x, x}; }
 
 double sum(const Vec3& v) { return v.x + v.y + v.z; }
 
-/// Values of a plane over a box at both extremal vertices; the true ones are known.
+/// The factor needed for the values of a plane at both extremal vertices of a box, whose true values are known.
 template <class Frame>
 Exact needed_for(const Frame& frame, const BoundedPlane& p, double true_low, double true_high) {
   const auto extremes = frame.extremes(p.filter);
@@ -77,7 +78,7 @@ Exact needed_for(const Frame& frame, const BoundedPlane& p, double true_low, dou
   return std::max(needed(extremes.low(), true_low, error), needed(extremes.high(), true_high, error));
 }
 
-/// `Tracing` is the arithmetic of single boxes or that of lanes.
+/// `Tracing` is the arithmetic of single boxes or of lanes.
 template <class Tracing>
 Exact needed_by_aabb(const BoundedPlane& p) {
   Exact most = 0;
@@ -91,7 +92,7 @@ Exact needed_by_aabb(const BoundedPlane& p) {
   return most;
 }
 
-/// All of the reach is that of one half edge, or the centre's.
+/// A box whose whole reach is that of half edge k, or of the centre for k = 3.
 kernel::Obb obb(std::size_t k) {
   kernel::Obb box;
   (k < 3 ? box.half_edges[k] : box.center) = uniform(1);
@@ -108,7 +109,7 @@ Exact needed_by_obb(const BoundedPlane& p) {
   return most;
 }
 
-/// The sums of numbers in all orders.
+/// Calls `use` with the sum of numbers in every order of summation.
 void for_each_order(const Numbers& terms, const std::function<void(const TracedNumber&)>& use) {
   if (terms.size() == 1) return use(terms[0]);
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -121,7 +122,7 @@ void for_each_order(const Numbers& terms, const std::function<void(const TracedN
   }
 }
 
-/// The same values with their sums in any order. `center` and `extent` are those of AabbFrame.
+/// The same for values summed in any order. `center` and `extent` are those of AabbFrame.
 Exact needed_in_any_order(const BoundedPlane& p) {
   Exact most = 0;
   const auto& [normal, magnitudes, offset, farther] = p.filter;
@@ -141,7 +142,7 @@ Exact needed_in_any_order(const BoundedPlane& p) {
   return most;
 }
 
-/// By how much kPlaneError must be multiplied for the planes with a normal, and kOffsetError for those that are all offset.
+/// How large kPlaneError must be for planes with a normal and no offset, and kOffsetError for planes with an offset alone.
 Exact over_normals(const std::function<Exact(const BoundedPlane&)>& use) {
   Exact most = 0;
   for_each_normal([&](const Vec3& n) { most = std::max(most, use({n, 0})); });
@@ -157,10 +158,11 @@ Exact needed_by_refined(const Vec3& n, double w) {
   const TracedNumber offset = w, offset_tail = offset.tail();
   const auto [value, error, is_exact] = kernel::refined_value(normal, offset, normal_tail, offset_tail, Bound{},
                                                               TracedNumber(1), vertex, kernel::constants<A>({}));
-  // The plane is what its parts are together.
+  // The true plane is the sum of its parts.
   TracedNumber truth = TracedNumber::sum(offset, offset_tail);
   for (int k = 0; k < 3; ++k) truth = TracedNumber::sum(truth, TracedNumber::sum(normal[k], normal_tail[k]));
-  // The last rounding leaves the sign alone and, where the value exceeds the bound, one part in 1 / u of it.
+  // The last rounding does not change the sign. Where the value exceeds the bound, it changes the value by a factor of at
+  // most 1 + u.
   const Exact off = TracedNumber::sum(value.unrounded(), -truth).most() * (1 + kRoundoff);
   return off / error.least() * Exact(kernel::kRefinedError);
 }
@@ -188,7 +190,7 @@ Exact needed_by_half_spaces() {
   return most;
 }
 
-/// Operands that are all value or all error, and one in truth.
+/// Operands that are all value or all error, and whose true value is one.
 using Running = kernel::BasicRunningError<TracedNumber>;
 std::array<Running, 2> operands() { return {Running{1, 0}, Running{0, 1}}; }
 
@@ -213,10 +215,11 @@ Exact needed_by_products() {
   return most;
 }
 
-/// Uncertainties of one, as low parts and as errors. Nothing else is left of the number.
+/// Uncertainties of one, as a low part and as an error. The rest of the number is zero.
 constexpr std::array<std::array<double, 2>, 2> kUncertainties{{{1, 0}, {0, 1}}};
 
-/// A plane that is zero as far as is known, and may be one, over boxes that reach as far as one.
+/// The factor needed for a plane whose known coefficients are zero and whose true value may be one, over boxes that reach as
+/// far as one.
 Exact needed_by_uncertain(const Bound& bound) {
   Exact most = 0;
   for (const auto& [low, high] : kIntervals) {
@@ -227,7 +230,7 @@ Exact needed_by_uncertain(const Bound& bound) {
   return most;
 }
 
-/// The normal that is zero but for what may be left of one component.
+/// A normal that is zero except for the uncertain part of one component.
 Normal uncertain_normal(int axis, const Part& left) {
   const auto component = [&](int k) { return k == axis ? left : exactly(0); };
   return {component(0), component(1), component(2)};
@@ -277,7 +280,7 @@ using kernel::BoundOf;
 constexpr std::array kBounds{BoundOf::running_sum, BoundOf::running_product, BoundOf::slope, BoundOf::base,
                              BoundOf::refined_value};
 
-/// Where a bound is computed, and by how much it falls short there.
+/// The place where a bound is computed, and the factor by which it must be multiplied there.
 std::pair<const char*, Exact> needed_by(BoundOf bound) {
   switch (bound) {
     case BoundOf::running_sum:
@@ -294,7 +297,7 @@ std::pair<const char*, Exact> needed_by(BoundOf bound) {
   return {};
 }
 
-/// The roundings that the kernel counts.
+/// Compares the inflation needed for a bound with the roundings that the kernel counts.
 Constant recomputed(BoundOf bound) {
   const auto [where, needed] = needed_by(bound);
   return {"kBoundInflation - 1", where, needed * Exact(kernel::kBoundInflation) - 1,

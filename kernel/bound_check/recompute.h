@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The constants of the kernel's error_bounds.h, worked out anew.
+// Recomputes the constants of the kernel's error_bounds.h.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace occlude::bound_check {
 
-/// A constant and where it is needed to be how large.
+/// A constant, the place where it is needed, and how large it must be there.
 struct Constant {
   std::string name, where;
   Exact needed, in_kernel;
-  int degree;  ///< it is in units of this power of u
+  int degree;  ///< the constant is of the order of this power of u
 };
 
-/// Every constant of the kernel, once for each of its uses.
+/// Every constant of the kernel, once for each use.
 [[nodiscard]] std::vector<Constant> recomputed_constants();
 
 }  // namespace occlude::bound_check

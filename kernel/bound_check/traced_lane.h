@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A traced number that is summed as lanes are.
+// A traced number that is summed in the same order as lanes.
 #pragma once
 
 #include "lanes-inl.h"
@@ -7,10 +7,10 @@
 
 namespace occlude::bound_check {
 
-/// What is fused rounds less often than this, and never otherwise.
+/// multiply_add() rounds twice here. A fused one omits the first rounding and is otherwise the same.
 struct TracedLane : TracedNumber {
   using TracedNumber::TracedNumber;
-  TracedLane(const TracedNumber& x) : TracedNumber(x) {}  // implicit: sums of lanes are lanes
+  TracedLane(const TracedNumber& x) : TracedNumber(x) {}  // implicit, so that sums of lanes are lanes
 
   friend TracedLane multiply_add(const TracedLane& a, const TracedLane& b, const TracedLane& c) { return a * b + c; }
 };

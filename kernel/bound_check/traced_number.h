@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A number that follows its roundings: the kernel's own templates, evaluated in it, tell how far off they can be.
+// A number that traces its roundings. The kernel's own templates, evaluated with such numbers, show how far off they can be.
 //
 // Every rounded operation multiplies its result by 1 + d with a new unknown d, |d| <= u. A number is a polynomial in these
-// unknowns: the terms up to the second degree exactly, the others as a bound. What different operations have in common,
-// such as a coordinate rounded once and used twice, stays in common; what cancels, cancels.
+// unknowns. Terms up to the second degree are exact, and the others are covered by a bound. A rounding that several
+// operations share, such as that of a coordinate used twice, stays the same unknown in all of them, and terms that cancel do
+// cancel.
 #pragma once
 
 #include <array>
@@ -15,15 +16,15 @@ namespace occlude::bound_check {
 
 class TracedNumber {
  public:
-  TracedNumber(double x = 0);  // implicit: the kernel's templates mix numbers and doubles
+  TracedNumber(double x = 0);  // implicit, because the kernel's templates mix numbers and doubles
 
-  /// An unknown part of this number, at most u of it in magnitude: what a double leaves of a number it is nearest to.
+  /// This number times a new unknown: what a number has beyond the double nearest to it is such a tail.
   [[nodiscard]] TracedNumber tail() const;
 
   [[nodiscard]] const Exact& leading() const;
-  /// Its magnitude is at most this.
+  /// An upper bound on the magnitude.
   [[nodiscard]] Exact most() const;
-  /// It is at least this. REQUIRES: a leading term that is not negative.
+  /// A lower bound on the number. REQUIRES: the leading term is not negative.
   [[nodiscard]] Exact least() const;
 
   TracedNumber operator-() const;
@@ -33,15 +34,15 @@ class TracedNumber {
   friend bool operator<(const TracedNumber& a, const TracedNumber& b) { return a.leading() < b.leading(); }
   friend bool operator==(const TracedNumber& a, const TracedNumber& b) { return sum(a, -b).most() == 0; }
 
-  /// Without rounding.
+  /// The sum and the product without rounding.
   static TracedNumber sum(const TracedNumber& a, const TracedNumber& b);
   static TracedNumber product(const TracedNumber& a, const TracedNumber& b);
   [[nodiscard]] TracedNumber rounded() const;
-  /// What it was before its last rounding.
+  /// The number before its last rounding.
   [[nodiscard]] TracedNumber unrounded() const;
 
  private:
-  using Unknowns = std::array<int, 2>;  ///< in descending order; 0 stands for none
+  using Unknowns = std::array<int, 2>;  ///< in descending order; 0 for none
 
   static int degree(const Unknowns& unknowns) { return (unknowns[0] != 0) + (unknowns[1] != 0); }
   static TracedNumber unknown(int number);
@@ -49,12 +50,12 @@ class TracedNumber {
 
   std::map<Unknowns, Exact> terms_;
   int last_ = 0;      ///< the unknown of the last rounding
-  Exact beyond_ = 0;  ///< the terms of higher degree are at most this, in units of u^3
+  Exact beyond_ = 0;  ///< an upper bound on the terms of higher degree, in units of u^3
 };
 
 [[nodiscard]] TracedNumber fabs(const TracedNumber& x);
 
-/// A rounded result and, exactly, what rounding lost: what the transformations of error_free.h promise.
+/// A rounded result and exactly what rounding lost, as the transformations of error_free.h return them.
 struct TracedTerms {
   TracedNumber high, low;
 };

@@ -23,10 +23,10 @@ struct TruePlane {
 
 [[nodiscard]] TruePlane true_plane(const kernel::StoredFrustum& frustum, const kernel::PlaneRecipe& recipe);
 
-/// The same plane in other units.
+/// The same plane with its values multiplied by `factor`.
 [[nodiscard]] TruePlane scaled(const TruePlane& plane, const Exact& factor);
 
-/// Its least and its greatest value over a box.
+/// The least and the greatest value of a plane over a box.
 struct Range {
   Exact low, high;
 };

@@ -26,7 +26,8 @@ struct Arguments {
   bool json = false;
 };
 
-/// The program that measures other projects' tests, where it was built; it lies beside this one.
+/// The path of the program that measures other projects' tests, or empty where it was not built. It is in the same folder as
+/// this program.
 std::string peers_program() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error).replace_filename("occlude_peers");

@@ -6,7 +6,8 @@
 namespace occlude::kernel {
 namespace OCCLUDE_FRAME_NAMESPACE {
 
-/// What the numbers of an arithmetic are rounded to: themselves, unless they count operations.
+/// The type that the numbers of an arithmetic are rounded to. It is the number type itself, unless the numbers count
+/// operations.
 template <class A>
 using Real = decltype(A::rounded(std::declval<typename A::Number>()));
 
@@ -15,7 +16,7 @@ template <class A>
   return A::rounded(A::constant(a) * A::constant(b));
 }
 
-/// Values of a plane over a box: at its centre, and what they gain from there to a vertex at most.
+/// The values of a plane over a box: the value at the centre, and the most that it changes from there to a vertex.
 template <class Real>
 struct Extremes {
   Real middle, spread;
@@ -23,9 +24,10 @@ struct Extremes {
   [[nodiscard]] HWY_INLINE Real high() const { return middle + spread; }
 };
 
-/// Sums and differences of the bounds of an axis-aligned box relative to the origin of a frustum, twice its centre and half
-/// extents: in them both extremal vertices of every plane are alike to find, without asking for signs. Values and errors are
-/// twice those of the planes. `A` is an arithmetic of which no sign is asked (arithmetic.h).
+/// Stores sums and differences of the bounds of an axis-aligned box, relative to the origin of a frustum. They are twice its
+/// centre and twice its half extents. With them, both extremal vertices of every plane are found by the same formula,
+/// without a question about signs. Values and errors are twice those of the planes. `A` is an arithmetic of which no sign is
+/// asked (arithmetic.h).
 template <class A>
 class AabbFrame {
  public:
@@ -45,7 +47,7 @@ class AabbFrame {
   [[nodiscard]] HWY_INLINE Extremes<Real<A>> extremes(const FilterPlane& p) const {
     return extremes(constants<A>(p.normal), constants<A>(p.magnitudes), p.offset + p.offset);
   }
-  /// What rounding can do to the values of planes with this bound, here and over every box within this one.
+  /// The rounding error of the values of planes with this bound is at most this, for this box and for every box within it.
   template <class Bound>
   [[nodiscard]] HWY_INLINE Real<A> error(const Bound& bound) const {
     return product<A>(bound.slope, twice_reach_) + (bound.base + bound.base);

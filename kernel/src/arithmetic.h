@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The arithmetics in which one and the same expression can be evaluated. Reading order: 4.
+// The arithmetics in which the same expression can be evaluated. Reading order: 4.
 //
-// An expression is written once, as a template over an arithmetic A: numbers are A::Number, made from differences of input
-// doubles and combined by + - *; the only question ever asked of a number is its sign, and it is asked of the arithmetic
-// object. An arithmetic that cannot tell a sign answers 0 and remembers: what was computed then means nothing, and failed()
-// says so.
+// An expression is written once, as a template over an arithmetic A. Its numbers are A::Number, made from differences of
+// input doubles and combined by + - *. The only question ever asked of a number is its sign, and the arithmetic object
+// answers it. An arithmetic that cannot tell a sign answers 0 and remembers this. What was computed then means nothing, and
+// failed() says so.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace occlude::kernel {
 
-/// Double operations and their rounding: the paper's (section 6.4).
+/// Plain doubles with their rounding, as in the paper (section 6.4).
 struct PlainArithmetic {
   using Number = double;
   static double constant(double x) { return x; }
@@ -45,7 +45,7 @@ class FilterArithmetic {
   bool failed_ = false;
 };
 
-/// Twice that precision, with a running error bound.
+/// Twice the precision of a double, with a running error bound.
 class DoubleDoubleArithmetic {
  public:
   using Number = DoubleDouble;
@@ -62,7 +62,7 @@ class DoubleDoubleArithmetic {
   bool failed_ = false;
 };
 
-/// Exact.
+/// Exact numbers: every sign is certain.
 struct ExactArithmetic {
   using Number = Expansion;
   static Expansion constant(double x) { return Expansion(x); }
@@ -72,7 +72,7 @@ struct ExactArithmetic {
   static bool failed() { return false; }
 };
 
-/// The result of `question(arithmetic)`, exactly, by the first step of the exact stage that can tell.
+/// The exact result of `question(arithmetic)`, from the first step of the exact stage that can tell.
 template <class Question>
 [[nodiscard]] auto exactly(Question&& question) {
   DoubleDoubleArithmetic twice;
@@ -82,7 +82,8 @@ template <class Question>
   return question(exact);
 }
 
-/// The result of `question(arithmetic)`, by the filter where its bounds suffice, else exactly; `stage` learns which.
+/// The exact result of `question(arithmetic)`: from the filter where its bounds suffice, else from the exact stage. In the
+/// second case `stage` is set to Stage::exact.
 template <class Question>
 [[nodiscard]] auto certified(Question&& question, Stage* stage = nullptr) {
   FilterArithmetic filter;

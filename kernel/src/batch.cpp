@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Compiled once for every instruction set, chosen at run time. Boxes that the filter cannot decide are left to the test of a
-// single box.
+// This file is compiled once for every instruction set; the one that runs is chosen at run time. Boxes that the filter
+// cannot decide are left to the test of a single box.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch.cpp"
 #include <hwy/foreach_target.h>
-// foreach_target.h goes first.
+// foreach_target.h must come first.
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -22,10 +22,10 @@
 namespace occlude::kernel {
 namespace {
 
-/// So many tests run between two rounds of finishing what is left.
+/// The number of tests that run before the undecided ones among them are finished.
 constexpr std::size_t kChunk = 1024;
 
-/// Indices of the tests that the filter leaves.
+/// Indices of the tests that the filter leaves undecided.
 struct Undecided {
   std::array<std::size_t, kChunk> index;
   std::size_t count = 0;
@@ -57,13 +57,13 @@ using Mask = hn::Mask<Doubles>;
 using Frame = AabbFrame<LaneArithmetic>;
 using LaneVector = Vector3<Lanes>;
 
-/// What the filter knows of the tests in the lanes of a vector: inside when none of these is set.
+/// What the filter knows about the tests in the lanes of a vector. A test of which none of these is set is inside.
 struct Known {
   Mask outside, straddling, unknown;
 };
 
-/// The least values of planes at the extremal vertices of the boxes, nearest and farthest. One bound serves all planes of a
-/// frustum: these two are all that the filter needs.
+/// The least value over all planes at the nearest vertex of each box, and at the farthest. One bound serves all planes of a
+/// frustum, so the filter needs no more than these two.
 struct Least {
   Lanes low, high;
 
@@ -103,7 +103,7 @@ HWY_INLINE void store(const Known& known, std::size_t first, std::size_t count, 
   }
 }
 
-/// Three neighbouring rows of a batch from `first` on: `row(k)` is the beginning of row k.
+/// Loads three neighbouring rows of a batch, k to k + 2, from column `first` on. `row(k)` is the beginning of row k.
 template <class Row>
 HWY_INLINE LaneVector load(const Row& row, std::size_t first, std::size_t k) {
   return {Lanes::load(row(k) + first), Lanes::load(row(k + 1) + first), Lanes::load(row(k + 2) + first)};
@@ -171,7 +171,8 @@ HWY_EXPORT(FrustaAgainstBox);
 
 std::size_t padded(std::size_t size) { return size + kMaxLanes; }
 
-/// Calls `run(begin, end, undecided)` for parts of [0, size), and `decide(i)` for what each leaves.
+/// Calls `run(begin, end, undecided)` for one chunk of [0, size) after another, and `decide(i)` for each test that a chunk
+/// leaves.
 template <class Run, class Decide>
 void in_chunks(std::size_t size, std::span<Relation> out, const Run& run, const Decide& decide) {
   Undecided undecided;
@@ -233,7 +234,7 @@ FrustumBatch::FrustumBatch(std::span<const ShadowFrustum> frusta) : frusta_(frus
     const auto& [slope, base] = frustum ? frustum->filter_bound : FilterBound{0, HUGE_VAL};
     const std::array frame{origin.x, origin.y, origin.z, slope, base};
     for (std::size_t k = 0; k < frame.size(); ++k) frames_[k * stride_ + i] = frame[k];
-    // Beyond every bound: a plane that no box reaches.
+    // A plane with an infinite value decides nothing: every box is on its inner side, beyond every bound.
     const FilterPlane none{.normal = {}, .magnitudes = {}, .offset = HUGE_VAL, .farther = {}};
     for (std::size_t j = 0; j < plane_count_; ++j) {
       const FilterPlane& plane = j < planes.size() ? planes[j] : none;

@@ -17,7 +17,7 @@ using Limbs = std::vector<Limb>;
 constexpr int kLimbBits = 32;
 constexpr int kMantissaBits = 53;
 
-/// Leading zeros are allowed.
+/// The numbers may have leading zeros.
 bool is_less(const Limbs& a, const Limbs& b) {
   const auto limb = [](const Limbs& of, std::size_t i) { return i < of.size() ? of[i] : 0; };
   for (std::size_t i = std::max(a.size(), b.size()); i-- > 0;) {
@@ -74,7 +74,8 @@ BigInteger::BigInteger(bool is_negative, Limbs limbs) : is_negative_(is_negative
 
 BigInteger::Limbs BigInteger::magnitude() const {
   if (!is_small()) return limbs_;
-  // -2^63 is never small: the constructor has numbers of 63 bits, and sums of 62 are no longer.
+  // -2^63 is never small: the constructor keeps at most 63 bits in `small_`, and a sum of two numbers of 62 bits has no
+  // more.
   const Wide size = static_cast<Wide>(small_ < 0 ? -small_ : small_);
   return {static_cast<Limb>(size), static_cast<Limb>(size >> unsigned{kLimbBits})};
 }
@@ -84,7 +85,7 @@ BigInteger BigInteger::scaled(double x, int shift) {
   const auto [mantissa, exponent] = odd_mantissa(x);
   const auto bits = static_cast<std::size_t>(exponent + shift);
   const std::size_t whole = bits / kLimbBits, rest = bits % kLimbBits;
-  // At most 53 + 31 bits, in three limbs.
+  // The mantissa shifted by `rest` has at most 53 + 31 bits, which fit in three limbs.
   Limbs limbs(whole + 3);
   const Wide low = mantissa << rest;
   limbs[whole] = static_cast<Limb>(low);

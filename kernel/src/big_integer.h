@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integers of any size: the exact numbers of expressions too long for expansions, which would underflow.
+// Integers of any size: exact numbers for expressions so long that expansions would underflow.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 namespace occlude::kernel {
 
-/// Sign and magnitude, or a small number as it is. Every operation is exact; the time of a product grows with the product of
-/// the lengths.
+/// A small number is stored as it is, any other as sign and magnitude. Every operation is exact. The time of a product grows
+/// with the product of the lengths.
 class BigInteger {
  public:
   BigInteger() = default;
   BigInteger(std::int64_t small) : small_(small) {}  // NOLINT(google-explicit-constructor): numbers like any other
-  /// x 2^shift. REQUIRES: x is finite, and that is an integer.
+  /// x 2^shift. REQUIRES: x is finite, and x 2^shift is an integer.
   static BigInteger scaled(double x, int shift);
 
   [[nodiscard]] int sign() const {
@@ -31,9 +31,9 @@ class BigInteger {
   }
 
  private:
-  using Limbs = std::vector<std::uint32_t>;  ///< the lowest first, the highest not 0; none: a small number
+  using Limbs = std::vector<std::uint32_t>;  ///< lowest first, the highest is not 0; empty for a small number
 
-  /// Below these in magnitude small numbers have a small sum, or product.
+  /// Two small numbers with magnitudes below kSummand have a small sum; with magnitudes below kFactor, a small product.
   static constexpr std::int64_t kSummand = std::int64_t{1} << 62U, kFactor = std::int64_t{1} << 31U;
 
   BigInteger(bool is_negative, Limbs limbs);
@@ -50,7 +50,7 @@ class BigInteger {
   Limbs limbs_;
 };
 
-/// Of a finite x other than 0: the exponent of its lowest bit, so that x 2^-exponent is an odd integer.
+/// The exponent of the lowest bit of x: x 2^-exponent is an odd integer. REQUIRES: x is finite and not 0.
 [[nodiscard]] int lowest_exponent(double x);
 
 }  // namespace occlude::kernel

@@ -24,7 +24,7 @@ using one_box::Extremes;
 using one_box::product;
 using one_box::Real;
 
-/// The centre of an oriented box, rounded once, its half edges, and how far it can reach.
+/// The centre of an oriented box relative to the origin, rounded once, its half edges, and an upper bound on its reach.
 template <class A>
 class ObbFrame {
  public:
@@ -37,7 +37,7 @@ class ObbFrame {
     for (const Vec3& half_edge : half_edges_) reach_ = reach_ + largest(constants<A>(half_edge));
   }
 
-  /// Three more dot products per plane (section 5.3).
+  /// An oriented box takes three more dot products per plane (section 5.3).
   [[nodiscard]] Extremes<Real<A>> extremes(const FilterPlane& p) const {
     const auto normal = constants<A>(p.normal);
     const auto spread_along = [&](int k) {

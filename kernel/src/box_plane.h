@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stage 1 of the overlap test (section 5.3): the box against each plane by its two extremal vertices. Reading order: 7.
 //
-// The normal of a plane picks the vertex of the box farthest along it and the one nearest: two values decide what eight
-// would.
+// The normal of a plane picks the vertex of the box farthest along it and the one nearest. The two values there decide what
+// all eight would.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace occlude::kernel {
   return {positive_x ? box.max.x : box.min.x, positive_y ? box.max.y : box.min.y, positive_z ? box.max.z : box.min.z};
 }
 
-/// Sign of the plane at the extremal vertex of the box, nearest (`direction` = -1) or farthest (1) along its normal.
+/// Sign of the plane at the extremal vertex of the box along its normal: the nearest (`direction` = -1) or the farthest (1).
 template <class A>
 [[nodiscard]] int extremal_sign(A& arithmetic, const PlaneCoefficients<A>& plane, const Vec3& origin, const Aabb& box,
                                 int direction) {
@@ -45,8 +45,8 @@ template <class A>
 [[nodiscard]] int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Obb& box, double reach,
                                       int direction);
 
-/// The stage from plane `first` on, where the filter cannot tell; what came before is known to be inner or `straddling`.
-/// Apart from the filter's own loop, which it would slow down.
+/// The stage from plane `first` on, where the filter cannot tell. Each plane before it has the box on its inner side, or
+/// `straddling` is set. This function is separate from the filter's own loop because it would slow the loop down.
 template <class Box, class Frame>
 [[nodiscard, gnu::noinline]] Decision box_planes_resolved(const StoredFrustum& frustum, const Box& box, const Frame& frame,
                                                           NearBoundary near, std::size_t first, bool straddling) {
@@ -64,7 +64,8 @@ template <class Box, class Frame>
   return {straddling ? Relation::partial : Relation::inside, Stage::exact};
 }
 
-/// The whole stage, certified: true answers, by the filter where its error bounds suffice. `frame` is the box's.
+/// The whole stage, certified: every answer is exact, and comes from the filter where its error bounds suffice. `frame` is
+/// the frame of the box.
 template <class Box, class Frame>
 [[nodiscard, gnu::always_inline]] inline Decision box_planes_certified(const StoredFrustum& frustum, const Box& box,
                                                                        const Frame& frame, NearBoundary near) {

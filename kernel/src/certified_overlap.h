@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The certified overlap test. Planes first, for they decide nearly always (section 5.3): `inside` is all theirs, and a box
-// that one of them parts from the frustum is `outside`. What they leave is asked of the planes of the profile. `A` is that
-// of the filter, PlainArithmetic or CountingArithmetic.
+// The certified overlap test. The planes of the frustum come first because they decide most boxes (section 5.3). They alone
+// decide `inside`, and a box that one of them separates from the frustum is `outside`. The planes of the profile decide the
+// rest. `A` is the arithmetic of the filter: PlainArithmetic or CountingArithmetic.
 #pragma once
 
 #include "box_plane.h"
@@ -9,7 +9,7 @@
 
 namespace occlude::kernel {
 
-/// Whether a plane of the frustum's profile along the coordinate axes parts it from the box.
+/// Whether a plane of the frustum's profile along the coordinate axes separates the frustum from the box.
 template <class Frame>
 [[nodiscard]] bool is_parted_by_profile(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
   const auto& planes = frustum.filter_planes;
@@ -47,7 +47,7 @@ template <class Frame>
   return visit_profile(frustum, {box.half_edges, false}, sign_along, parts);
 }
 
-/// Of a frustum that was never made.
+/// The answer for a frustum that was never made.
 inline constexpr Decision kNotKnown{Relation::partial, Stage::filter};
 
 template <class A, class Box>

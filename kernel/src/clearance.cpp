@@ -47,15 +47,16 @@ Clearance clearance_of(const ShadowFrustum& shadow, const AnyBox& box) {
   return result;
 }
 
-/// The least of value^2 / |normal|^2 over the planes, each rounded down. The bound of the filter is what its values,
-/// computed as here, are out by, and its slope what a normal n is: its square is below (|n| + 2 slope)^2, and that by the
-/// inequality of the means below (1 + t) |n|^2 + (1 + 1/t) (2 slope)^2, t the share that is given away.
+/// A lower bound on the distance to the nearest plane: finds the least value^2 / |normal|^2 over the planes, each rounded
+/// down. A value computed as here is off by at most the filter's bound, and a normal n by at most the slope of that bound.
+/// The square of the true normal is below (|n| + 2 slope)^2. By the inequality of the means this is below (1 + t) |n|^2 + (1
+/// + 1/t) (2 slope)^2, where t is the share that is given away.
 template <class AnyBox>
 double certain(const ShadowFrustum& shadow, const AnyBox& box) {
   const StoredFrustum* const frustum = stored(shadow);
   if (!frustum) return 0;
   constexpr double kGiven = 0x1p-20;
-  // What a few more roundings, of lengths and quotients, can do to a distance is far less than this share of it.
+  // The few remaining roundings, of lengths and quotients, change a distance by far less than this share of it.
   constexpr double kRounding = 0x1p-40;
   const FilterBound& bound = frustum->filter_bound;
   const double reach = frame_of<PlainArithmetic>(box, frustum->origin).reach();

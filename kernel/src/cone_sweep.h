@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The overlap of two convex cones with one apex by a sweep round a corner, linear in their edges (section 5.2).
+// The overlap of two convex cones with a common apex, by a sweep round a corner. Its time is linear in their edges (section
+// 5.2).
 //
-// The pivot O is corner 0 of the occludee B, and the sweep turns a half-plane about the ray through it. B is a fan of
-// triangles about O. Of the occluder A the rim counts: the edges that face O when O is outside of A, else those that do not
-// pass through it. In every half-plane the rim is one ray, and so is the far side of B's fan.
+// The pivot O is corner 0 of the occludee B, and the sweep turns a half-plane about the ray through O. B is a fan of
+// triangles about O. Of the occluder A only the rim counts: when O is outside of A, the edges that face O; otherwise the
+// edges that do not pass through O. In every half-plane the rim is one ray, and so is the far side of B's fan.
 //
-// O in A: it is a common ray, and B is inside A when every corner of B lies before the rim. The paper sweeps about a common
-// point to learn whether any edges cross; to put the corners between the rim's edges asks less and tells the same.
+// O in A: O is a common ray, and B is inside A when every corner of B lies before the rim. The paper sweeps about a common
+// point to learn whether any edges cross. Locating the corners between the rim's edges takes fewer questions and gives the
+// same answer.
 //
 // O outside of A: B cannot be inside. This is the paper's clip in the manner of Cyrus and Beck, in which a segment can enter
-// only by an edge that faces its start; clipped are the chords of B from O, each by the one facing edge in its half-plane.
-// B's fan turns through less than half a turn: in the image that puts O at infinity its far side is a convex function, A's
-// rim a concave one. If the two reach each other, they do so at a corner of either: a corner of B on or beyond the rim,
-// whose chord crosses it, or a corner of the rim in the fan.
+// only by an edge that faces its start. The chords of B from O are clipped, each by the one facing edge in its half-plane.
+// B's fan turns through less than half a turn. In the image that puts O at infinity, the far side of the fan is a convex
+// function and A's rim a concave one. If the two reach each other, they do so at a corner of one of them: a corner of B on
+// or beyond the rim, whose chord crosses it, or a corner of the rim in the fan.
 //
-// All that is asked is the sign of one determinant, that of the viewpoint and three corners: degree three. What is behind
-// the eye is no exception: a half-plane about the ray through O ends at the opposite ray, which is in no fan, as a cone with
-// corners holds no line, and which is no corner of a rim that faces O.
+// The only question is the sign of one determinant, that of the viewpoint and three corners, of degree three. Points behind
+// the eye are no exception. A half-plane about the ray through O ends at the opposite ray. That ray is in no fan, because a
+// cone with corners holds no line, and it is no corner of a rim that faces O.
 #pragma once
 
 #include <algorithm>
@@ -30,15 +32,15 @@
 
 namespace occlude::kernel {
 
-/// Corners of a cone counter-clockwise round a pivot, each less than half a turn beyond the one before. When they lead all
-/// the way round, the first stands at the end again; else all are within half a turn.
+/// Corners of a cone in counter-clockwise order round a pivot, each less than half a turn beyond the one before. When they
+/// go all the way round, the first corner is repeated at the end. Otherwise all are within half a turn.
 class Fan {
  public:
   Fan(std::span<const Vec3> corners, std::vector<std::size_t> order) : corners_(corners), order_(std::move(order)) {}
 
   [[nodiscard]] std::size_t size() const { return order_.size(); }
   [[nodiscard]] const Vec3& operator[](std::size_t i) const { return corners_[order_[i]]; }
-  /// The number in the cone of corner i of the fan.
+  /// The index in the cone of corner i of the fan.
   [[nodiscard]] std::size_t number(std::size_t i) const { return order_[i]; }
   [[nodiscard]] bool is_closed() const { return order_.front() == order_.back(); }
 
@@ -54,7 +56,7 @@ class ConeSweep {
   ConeSweep(const Orientation& orientation, std::span<const Vec3> occluder, std::span<const Vec3> occludee)
       : orientation_(orientation), occluder_(occluder), occludee_(occludee), pivot_(occludee[0]) {}
 
-  /// Relation and common ray.
+  /// The relation and, where the cones meet, a common ray.
   [[nodiscard]] ConeOverlap overlap() const {
     const std::vector<int> signs = signs_at_pivot();
     const bool is_outside = std::any_of(signs.begin(), signs.end(), [](int sign) { return sign < 0; });
@@ -65,15 +67,15 @@ class ConeSweep {
   }
 
  private:
-  /// Finds the span of a fan, from a corner to the next, whose angles hold a corner of another. It goes on from where the
-  /// last one was: for corners in counter-clockwise order it turns at most twice in all.
+  /// Finds the span of a fan, from one corner to the next, whose angle holds a corner of the other fan. Each search goes on
+  /// where the last one ended: for corners in counter-clockwise order it turns at most twice in all.
   class Locator {
    public:
     Locator(const ConeSweep& sweep, const Fan& fan) : sweep_(sweep), fan_(fan) {}
 
     [[nodiscard]] std::optional<std::size_t> span_of(const Vec3& x) {
       const std::size_t spans = fan_.size() - 1;
-      // Not to turn for those that are in no span.
+      // A corner that is in no span must not cost a whole turn.
       if (!fan_.is_closed() && !sweep_.is_between(fan_[0], x, fan_[spans])) return std::nullopt;
       for (std::size_t turned = 0; turned < spans; ++turned, span_ = (span_ + 1) % spans) {
         if (sweep_.is_between(fan_[span_], x, fan_[span_ + 1])) return span_;
@@ -95,12 +97,13 @@ class ConeSweep {
     return signs;
   }
 
-  /// The edges of the occluder that have `sign` at the pivot; they are in a row. Those with a negative one run clockwise.
+  /// The edges of the occluder that have `sign` at the pivot. They are consecutive. Where `sign` is negative they run
+  /// clockwise round the pivot, so their order is reversed.
   [[nodiscard]] Fan rim_of(const std::vector<int>& signs, int sign) const {
     const std::size_t n = signs.size();
     std::size_t first = 0;
     while (first < n && !(signs[first] == sign && signs[(first + n - 1) % n] != sign)) ++first;
-    first %= n;  // all of them, all the way round: any is first
+    first %= n;  // where all edges have the sign, any may come first
     std::vector<std::size_t> order{first};
     for (std::size_t i = 0; i < n && signs[(first + i) % n] == sign; ++i) order.push_back((first + i + 1) % n);
     if (sign < 0) std::reverse(order.begin(), order.end());
@@ -118,7 +121,7 @@ class ConeSweep {
     return orientation_(pivot_, first, x) >= 0 && orientation_(pivot_, x, last) >= 0;
   }
 
-  /// Where x lies in a span of a fan: 1 before the edge, seen from the pivot, 0 on it, -1 beyond.
+  /// Where x lies in a span of a fan, seen from the pivot: 1 before the edge, 0 on it, -1 beyond it.
   [[nodiscard]] int side(const Fan& fan, std::size_t span, const Vec3& x) const {
     return orientation_(fan[span], fan[span + 1], x);
   }
@@ -138,7 +141,7 @@ class ConeSweep {
     Locator in_rim(*this, rim), in_fan(*this, fan);
     for (std::size_t i = 0; i < fan.size(); ++i) {
       const auto span = in_rim.span_of(fan[i]);
-      // The rim runs against the order of the corners: the edge between two starts at the later.
+      // The rim runs against the order of the occluder's corners, so the edge between two of them starts at the later one.
       if (span && side(rim, *span, fan[i]) <= 0) return Crossing{rim.number(*span + 1), fan.number(i)};
     }
     for (std::size_t i = 0; i < rim.size(); ++i) {

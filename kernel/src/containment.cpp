@@ -7,8 +7,9 @@
 namespace occlude::kernel {
 namespace {
 
-/// With d = point - centre = a h0 + b h1 + g h2, Cramer's rule gives a = det(d, h1, h2) / det(h0, h1, h2), and so on: the
-/// point lies in the box when no numerator exceeds the denominator. Products of three, six in all.
+/// With d = point - centre = a h0 + b h1 + g h2, Cramer's rule gives a = det(d, h1, h2) / det(h0, h1, h2), and so on. The
+/// point lies in the box when no numerator exceeds the denominator in magnitude. Each determinant is a sum of six products
+/// of three numbers.
 template <class A>
 bool is_in(A& arithmetic, const Obb& box, const Vec3& point) {
   const auto d = difference<A>(point, box.center);

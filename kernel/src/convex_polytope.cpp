@@ -18,7 +18,7 @@ namespace {
 using Index = std::uint32_t;
 using Loop = std::vector<Index>;
 
-/// For every vertex the first one at the same place.
+/// For every vertex, the index of the first vertex at the same place.
 std::vector<Index> first_at_same_place(std::span<const Vec3> vertices) {
   std::vector<Index> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -41,7 +41,7 @@ bool are_in_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   });
 }
 
-/// Three vertices of the loop that span its plane; none when it has no area.
+/// Three vertices of the loop that span its plane, or nothing when the loop has no area.
 std::optional<std::array<Index, 3>> spanning_corners(std::span<const Vec3> v, const Loop& loop) {
   for (std::size_t i = 1; i < loop.size(); ++i) {
     if (loop[i] == loop[0]) continue;
@@ -53,7 +53,7 @@ std::optional<std::array<Index, 3>> spanning_corners(std::span<const Vec3> v, co
   return std::nullopt;
 }
 
-/// A face with area: its spanning corners counter-clockwise seen from outside.
+/// A face with area. After turn_outwards() its spanning corners run counter-clockwise seen from outside.
 struct Side {
   std::array<Index, 3> corners;
   Loop loop;
@@ -63,7 +63,8 @@ ExactPlane outer_plane(std::span<const Vec3> v, const std::array<Index, 3>& corn
   return plane_through(v[corners[0]], v[corners[1]], v[corners[2]]);
 }
 
-/// The direction of a coordinate axis that crosses the plane of the face: seen along it the face keeps its shape.
+/// A coordinate axis that crosses the plane of the face. Seen along it, the face is convex exactly when it is convex in its
+/// own plane.
 Vec3 crossing_axis(std::span<const Vec3> v, const Side& side) {
   const auto crosses = [&](int axis) {
     return certified(
@@ -79,8 +80,8 @@ bool is_convex(std::span<const Vec3> v, const Side& side) {
   return silhouette(Viewpoint::direction(crossing_axis(v, side)), loop, scratch.memory()).refusal == Refusal::none;
 }
 
-/// Turns the face so that all vertices lie on the inner side of its plane. False when they do not, or all lie on it, or when
-/// the face is not plane.
+/// Turns the face so that all vertices lie on the inner side of its plane. Returns false when that is impossible, when all
+/// vertices lie on the plane, or when the face is not planar.
 bool turn_outwards(std::span<const Vec3> v, Side& side) {
   const ExactPlane plane = outer_plane(v, side.corners);
   bool above = false, below = false;
@@ -101,7 +102,7 @@ bool is_between(const Vec3& a, const Vec3& x, const Vec3& b) {
   return x != a && x != b && are_in_line(a, b, x);
 }
 
-/// The corners of the pieces into which vertices of other faces divide an edge.
+/// The ends of the pieces into which vertices of other faces divide an edge, in order.
 Loop divide(std::span<const Vec3> v, std::span<const Index> used, Index from, Index to) {
   Loop pieces{from, to};
   for (const Index i : used) {
@@ -137,7 +138,7 @@ Border border_of(std::span<const Vec3> v, const std::vector<Side>& sides) {
   return border;
 }
 
-/// Faces joined into one where they are coplanar.
+/// Groups of faces: coplanar neighbours are joined into one.
 class Groups {
  public:
   explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -151,7 +152,7 @@ class Groups {
   std::vector<Index> parent_;
 };
 
-/// Whether two coplanar faces at an edge lie on the same side of it.
+/// Whether two coplanar faces that share an edge lie on the same side of it.
 bool overlap(std::span<const Vec3> v, const std::pair<Index, Index>& edge, const Side& a, const Side& b) {
   const ExactPlane across = side_plane(Viewpoint::direction(crossing_axis(v, a)), v[edge.first], v[edge.second]);
   const auto is_on_inner_side = [&](const Side& face) {
@@ -165,7 +166,7 @@ bool are_coplanar(std::span<const Vec3> v, const Side& a, const Side& b) {
   return std::all_of(b.corners.begin(), b.corners.end(), [&](Index i) { return sign_at(plane, v[i]) == 0; });
 }
 
-/// Whether from -> to runs counter-clockwise round `left`, seen from outside.
+/// Whether the edge from -> to runs counter-clockwise round `left`, seen from outside.
 bool has_on_left(std::span<const Vec3> v, Index from, Index to, const Side& left, const Side& right) {
   return certified([&]<class A>(A& arithmetic) {
     const auto along = cross(normal<A>(outer_plane(v, left.corners)), normal<A>(outer_plane(v, right.corners)));
@@ -223,7 +224,8 @@ ConvexPolytopeResult ConvexPolytope::make(const Polytope& polytope) {
     const bool a_is_left = has_on_left(v, edge.first, edge.second, sides[a], sides[b]);
     result.edges_.push_back({edge.first, edge.second, number[a_is_left ? a : b], number[a_is_left ? b : a]});
   }
-  // With an edge between two planes the faces cover the whole hull: it is a sphere, and they have no border on it.
+  // With at least one edge between two planes the faces cover the whole hull: the hull is a sphere, and the faces have no
+  // border on it.
   if (result.edges_.empty()) return refuse(Refusal::polytope_not_closed);
   return {std::move(result), Refusal::none};
 }

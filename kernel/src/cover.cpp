@@ -19,7 +19,7 @@ namespace {
 
 using ExactPoint = RayPoint<BigInteger>;
 
-/// A corner of a box is the sum of these.
+/// A corner of a box as the sum of these terms: the corner of an oriented box need not be a double.
 struct Corner {
   std::array<Vec3, 4> terms;
   std::size_t count;
@@ -27,7 +27,7 @@ struct Corner {
   [[nodiscard]] std::span<const Vec3> sum() const { return {terms.data(), count}; }
 };
 
-/// Bit k of `i` says on which end of axis k.
+/// Bit k of `i` tells the end of axis k: 0 the lower, 1 the upper.
 Corner corner(const Aabb& box, unsigned i) {
   return {{Vec3{i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z}}, 1};
 }
@@ -37,7 +37,7 @@ Corner corner(const Obb& box, unsigned i) {
   return result;
 }
 
-/// No coordinate of a point of the box is larger.
+/// No coordinate of a point of the box has a larger magnitude, up to rounding.
 double extent(const Aabb& box) { return std::max(largest(box.min), largest(box.max)); }
 double extent(const Obb& box) {
   return largest(box.center) + largest(box.half_edges[0]) + largest(box.half_edges[1]) + largest(box.half_edges[2]);
@@ -47,7 +47,7 @@ class BoxBehindCover {
  public:
   template <class Box>
   BoxBehindCover(const CoverParts& parts, const Box& box) : parts_(parts), cover_(parts, shift_for(parts, box)) {
-    // Far larger numbers than those of the cover would overflow, or make much of what underflows.
+    // Numbers far larger than those of the cover would overflow, or magnify what is lost to underflow.
     constexpr double kMuch = 64;
     if (extent(box) * parts.factor > kMuch) {
       own_parts_ = in_units_for(parts, extent(box));
@@ -82,14 +82,14 @@ class BoxBehindCover {
     return *exact_[i];
   }
 
-  /// Corners on that end of an axis, in order.
+  /// The corners at one end of an axis, in order round the face.
   using Corners = std::array<unsigned, 4>;
   static Corners face(unsigned axis, bool is_max) {
     const unsigned u = 1U << (axis + 1) % 3, v = 1U << (axis + 2) % 3, base = is_max ? 1U << axis : 0;
     return {base, base | u, base | u | v, base | v};
   }
 
-  /// How a face turns in the plane of rays; 0: edge-on.
+  /// The way a face turns in the plane of rays: 1 counter-clockwise, -1 clockwise, 0 edge-on.
   [[nodiscard]] int turn(const Corners& c) {
     const auto unit = [](const auto& p, const auto& q, const auto& r) { return dot(cross(p.ray, q.ray), r.ray); };
     if (const int sign = certain_sign(unit(rounded(c[0]), rounded(c[1]), rounded(c[2]))); sign != 0) return sign;
@@ -97,8 +97,7 @@ class BoxBehindCover {
     return unit(exact(c[0]), exact(c[1]), exact(c[2])).sign();
   }
 
-  /// 1 where the opposite face is behind this one, -1 where it is before it, 0 where it is the same: the box is flat.
-  /// REQUIRES: a face that turns counter-clockwise.
+  /// 1 where the opposite face is behind this one, -1 where it is in front, 0 where they coincide, so that the box is flat.
   [[nodiscard]] int side_of_opposite(const Corners& c, unsigned axis) {
     const unsigned across = c[0] ^ 1U << axis;
     const auto behind = [](const auto& p, const auto& q, const auto& r, const auto& other) {
@@ -111,8 +110,8 @@ class BoxBehindCover {
     return behind(exact(c[0]), exact(c[1]), exact(c[2]), exact(across)).sign();
   }
 
-  /// Every ray that meets the box does so first on a face turned to the viewpoint. A box that is flat is met on any of its
-  /// faces, unless they all are edge-on: then on an edge.
+  /// A ray that meets the box meets it first on a face turned to the viewpoint. A ray that meets a flat box meets every face
+  /// that is not edge-on; if all are edge-on, it meets an edge.
   [[nodiscard]] bool is_box_hidden() {
     std::vector<Corners> front, flat;
     bool is_solid = false;
@@ -128,7 +127,7 @@ class BoxBehindCover {
         if (side == 0) flat.push_back(corners);
       }
     }
-    if (is_solid && front.empty()) return false;  // it holds the viewpoint
+    if (is_solid && front.empty()) return false;  // the box holds the viewpoint
     const std::vector<Corners>& faces = is_solid ? front : flat;
     if (faces.empty()) return are_edges_hidden();
     return std::ranges::all_of(faces, [&](const Corners& c) { return is_face_hidden(c); });
@@ -164,8 +163,9 @@ class BoxBehindCover {
                                [&](const ExactPoint* end) { return cover_.hides(end->ray, plane_across(*end)); });
   }
 
-  /// Of a box all of whose corners are in one plane with the viewpoint: whether they are all about it. They are not where
-  /// all rays to them are on one side of one of these rays, and none is opposite to it.
+  /// Whether a box holds the viewpoint. It does not when, for one of its corners, no corner is at the viewpoint or on the
+  /// opposite ray, and all other rays to corners are on one side of the ray to this one. REQUIRES: all corners lie in one
+  /// plane with the viewpoint.
   [[nodiscard]] bool holds_viewpoint() {
     const auto is_extreme = [&](unsigned i) {
       const ExactRay& ray = exact(i).ray;
@@ -189,7 +189,7 @@ class BoxBehindCover {
   }
 
   const CoverParts& parts_;
-  std::optional<CoverParts> own_parts_;  ///< in units for a box far larger than the cover
+  std::optional<CoverParts> own_parts_;  ///< for a box far larger than the cover: the cover in units for this box
   ExactCover cover_;
   std::array<Corner, 8> corners_{};
   std::array<RayPoint<RunningError>, 8> rounded_{};
@@ -197,7 +197,8 @@ class BoxBehindCover {
   bool was_exact_ = false;
 };
 
-/// Integers are as long as their numbers are far apart: of others than legal ones they could fill the memory.
+/// The integers are as long as the numbers of the box and the cover are far apart. Numbers that are not legal could fill the
+/// memory, so they are refused here.
 template <class Box>
 Decision decide_legal(const Cover& cover, const Box& box) {
   if (check(box) != Refusal::none) return {Relation::partial, Stage::filter};

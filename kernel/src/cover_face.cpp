@@ -20,7 +20,7 @@ PlaneForm<Number> plane_of(const Face<Number>& face) {
   return triangle_forms<Number>({face[0], face[1], face[2]}).plane;
 }
 
-/// Whether all of these points are certainly on the other side of the line.
+/// Whether all of these points are certainly on the negative side of the line.
 bool is_beyond(const Vector3<RunningError>& line, std::span<const RayPoint<RunningError>> points) {
   return std::ranges::all_of(points, [&](const auto& p) { return certain_sign(dot(line, p.ray)) < 0; });
 }
@@ -38,7 +38,7 @@ CoverFace::CoverFace(const CoverParts& parts, ExactCover& cover, const Face<Runn
   }
 }
 
-/// Of most triangles a line tells that they hide nothing of the face, nor touch it.
+/// Most triangles neither hide any of the face nor touch it, and one line shows it.
 bool CoverFace::is_apart(const CoverTriangle& triangle) const {
   const auto is_before_none = [&](const Vector3<RunningError>& line) { return is_beyond(line, face_); };
   if (std::ranges::any_of(triangle.forms.sides, is_before_none)) return true;
@@ -95,7 +95,7 @@ std::vector<int> CoverFace::signs(const Piece& piece, const Side& side) {
     result[i] = certain_sign(dot(piece.corners[i], line));
     if (result[i] != 0) continue;
     const Side &before = piece.sides[i], &after = piece.sides[(i + 1) % piece.sides.size()];
-    if (before.line == side.line || after.line == side.line) continue;  // it is on the line
+    if (before.line == side.line || after.line == side.line) continue;  // the corner is on the line
     result[i] = dot(cross(exact(before), exact(after)), exact(side)).sign();
   }
   return result;
@@ -122,8 +122,8 @@ std::optional<std::vector<CoverFace::Piece>> CoverFace::less(const Piece& piece,
     std::vector<int> at = signs(rest, side);
     const bool is_some_inside = std::ranges::any_of(at, [](int sign) { return sign > 0; });
     const bool is_some_outside = std::ranges::any_of(at, [](int sign) { return sign < 0; });
-    // No line at all: the triangle lies in the plane to which it is drawn, and is, or in that of the face, and hides
-    // nothing.
+    // Without a line the form is zero everywhere. Either the triangle lies in the plane up to which it is drawn, and is
+    // drawn; or it lies in the plane of the face, and hides nothing.
     const bool is_line = is_some_inside || is_some_outside;
     if (!is_some_inside && (is_line || lines_[side.line].kind == Kind::nearer)) return std::nullopt;
     if (!is_some_outside) continue;
@@ -143,7 +143,7 @@ bool CoverFace::holds(const std::vector<Side>& sides, std::span<const Vector3<Ru
 }
 
 std::optional<std::vector<CoverFace::Piece>> CoverFace::less_one(const Piece& piece) {
-  // Best one that hides all of it, or else its middle, as far as rounded numbers tell where that is.
+  // The best triangle hides the whole piece. The next best hides its middle, as far as rounded numbers can tell.
   const auto holds_all = [&](const std::vector<Side>& sides) { return holds(sides, piece.corners); };
   if (std::ranges::any_of(of_triangle_, holds_all)) return std::vector<Piece>{};
   Vector3<RunningError> middle = piece.corners[0];
@@ -176,7 +176,7 @@ bool CoverFace::is_inside_hidden() {
   return true;
 }
 
-/// Whether a triangle is as near as the face at some ray of both.
+/// Whether a triangle may be as near as the face at some ray that meets both.
 bool CoverFace::may_touch(std::uint32_t triangle, const Vector3<RunningError>& nearer) const {
   const auto is_before_all = [&](std::span<const RayPoint<RunningError>> points) {
     return is_beyond(opposite(nearer), points);
@@ -185,8 +185,9 @@ bool CoverFace::may_touch(std::uint32_t triangle, const Vector3<RunningError>& n
          !is_beyond(nearer, parts_.triangles[triangle].forms.corners);
 }
 
-/// Around a point of the face that nothing hides, though all inside of the face is hidden, each piece has a triangle before
-/// it that comes as near as the face at this point. So it is on a line where a triangle and the face are as near.
+/// Assume that the inside of the face is hidden and that some point of the face is not. Around this point each piece is
+/// hidden by a triangle that comes as near as the face at the point. So the point is on a line where a triangle and the face
+/// are equally near, and only such lines are tested.
 bool CoverFace::is_border_hidden() {
   cover_.consider(triangles_);
   const auto is_held = [&](std::span<const RayPoint<RunningError>> points) {
@@ -199,7 +200,7 @@ bool CoverFace::is_border_hidden() {
     const Side& nearer = of_triangle_[k].back();
     if (!may_touch(triangles_[k], rounded(nearer)) || is_held(parts_.triangles[triangles_[k]].forms.corners)) continue;
     const ExactRay line = exact(nearer);
-    if (is_zero(line)) continue;  // in the plane of the face
+    if (is_zero(line)) continue;  // the triangle is in the plane of the face
     std::vector<ExactRay> sides;
     for (std::uint32_t i = 0; i < 4; ++i) sides.push_back(exact(Side{i, false}));
     for (std::size_t i = 0; i + 1 < of_triangle_[k].size(); ++i) sides.push_back(exact(of_triangle_[k][i]));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether a cover hides one face of a box: the face less one triangle after another, in the plane of rays, where all pieces
-// are convex.
+// Whether a cover hides one face of a box. One triangle after another is subtracted from the face in the plane of rays,
+// where all pieces are convex.
 #pragma once
 
 #include <array>
@@ -15,26 +15,26 @@
 
 namespace occlude::kernel {
 
-/// The corners of a parallelogram not seen edge-on, counter-clockwise in the plane of rays.
+/// The corners of a parallelogram that is not seen edge-on, counter-clockwise in the plane of rays.
 template <class Number>
 using Face = std::array<RayPoint<Number>, 4>;
 
 class CoverFace {
  public:
-  /// `face` in the units of `parts`; both must outlive this, as must `cover`.
+  /// REQUIRES: `face` is in the units of `parts`. All four arguments outlive this object.
   CoverFace(const CoverParts& parts, ExactCover& cover, const Face<RunningError>& face, const Face<BigInteger>& exact_face);
 
-  /// Whether every point of the face has something of the cover before it.
+  /// Whether every point of the face has a point of the cover before it.
   [[nodiscard]] bool is_hidden();
 
-  /// Whether exact numbers had a part in it.
+  /// Whether exact numbers were needed.
   [[nodiscard]] bool was_exact() const { return was_exact_; }
 
  private:
   enum class Kind : std::uint8_t { face_side, side, drawn, nearer };
   struct Line {
     Kind kind;
-    std::uint32_t triangle, corner;  ///< whose, and from which corner
+    std::uint32_t triangle, corner;  ///< the triangle, and the corner where the line starts
     Vector3<RunningError> rounded;
     std::optional<ExactRay> exact;
   };
@@ -43,7 +43,8 @@ class CoverFace {
     std::uint32_t line;
     bool is_opposite;
   };
-  /// Convex, and not empty: what is positive on all its sides, which are in order. Corner i is between sides i and i + 1.
+  /// A convex piece that is not empty: the rays that are positive on all its sides. The sides are in order, and corner i is
+  /// between sides i and i + 1.
   struct Piece {
     std::vector<Side> sides;
     std::vector<Vector3<RunningError>> corners;
@@ -53,15 +54,15 @@ class CoverFace {
   [[nodiscard]] Vector3<RunningError> rounded(const Side& side) const;
   [[nodiscard]] ExactRay exact(const Side& side);
   [[nodiscard]] ExactRay exact(const Line& line);
-  /// The sign of each corner of the piece on that side.
+  /// The sign of `side` at each corner of the piece.
   [[nodiscard]] std::vector<int> signs(const Piece& piece, const Side& side);
-  /// What of the piece is on that side. REQUIRES: some of it is, and the signs of its corners.
+  /// The part of the piece that is on that side. REQUIRES: it is not empty; `signs` are those of the corners of the piece.
   [[nodiscard]] Piece part(const Piece& piece, const Side& side, const std::vector<int>& signs) const;
-  /// What of the piece the triangle leaves over; none where it hides nothing of its inside.
+  /// The rest of the piece after subtracting the triangle, or nothing where the triangle hides nothing of its inside.
   [[nodiscard]] std::optional<std::vector<Piece>> less(const Piece& piece, std::span<const Side> triangle);
-  /// Whether these sides of a triangle certainly have all of the rays on their inner side.
+  /// Whether all of the rays are certainly on the inner side of these sides of a triangle.
   [[nodiscard]] bool holds(const std::vector<Side>& sides, std::span<const Vector3<RunningError>> rays) const;
-  /// What the triangles leave of the piece less one of them; none where no triangle hides any of its inside.
+  /// The rest of the piece after subtracting one of the triangles, or nothing where no triangle hides any of its inside.
   [[nodiscard]] std::optional<std::vector<Piece>> less_one(const Piece& piece);
   [[nodiscard]] bool is_inside_hidden();
   [[nodiscard]] bool is_border_hidden();
@@ -74,8 +75,8 @@ class CoverFace {
   PlaneForm<RunningError> plane_;
   std::optional<PlaneForm<BigInteger>> exact_plane_;
   std::vector<Line> lines_;
-  std::vector<std::uint32_t> triangles_;        ///< those that may be before the face
-  std::vector<std::vector<Side>> of_triangle_;  ///< the sides of each of these, the last: nearer than the face
+  std::vector<std::uint32_t> triangles_;        ///< the triangles that may be before the face
+  std::vector<std::vector<Side>> of_triangle_;  ///< the sides of each of these; the last one: nearer than the face
   bool was_exact_ = false;
 };
 

@@ -84,7 +84,7 @@ std::vector<ExactRay> ExactCover::lines(const PlaneForm<BigInteger>& plane) {
   }
   for (const Arc& arc : arcs()) {
     if (is_zero(arc.line)) continue;
-    // Across the arc, at its ends, and where it gets nearer.
+    // The line of the arc, the lines across it at its ends, and the line where it gets nearer than the plane.
     all.insert(all.end(), {arc.line, cross(arc.from.ray, arc.line), cross(arc.line, arc.to.ray)});
     all.push_back(nearer(arc.plane, plane));
   }
@@ -109,7 +109,7 @@ bool ExactCover::hides_all(const ExactRay& line, std::span<const ExactRay> sides
   }
   std::ranges::sort(rays, [&](const ExactRay& a, const ExactRay& b) { return dot(cross(a, b), line).sign() > 0; });
   rays.erase(std::unique(rays.begin(), rays.end(), is_same_ray), rays.end());
-  // What hides changes at these rays alone: each of them and one between each two will do.
+  // The answer can change only at these rays, so it is enough to test each of them and one ray between each two.
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!hides(rays[i], plane)) return false;
     if (i > 0 && !hides(rays[i - 1] + rays[i], plane)) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Single rays, and the rays between two, behind a cover: what is left where only the border of a face is in doubt. Exact
-// numbers alone; hardly any box needs it.
+// Whether a cover hides single rays, and the rays between two rays. This decides where only the border of a face is in
+// doubt. It uses exact numbers alone, because hardly any box needs it.
 #pragma once
 
 #include <cstddef>
@@ -15,37 +15,38 @@ namespace occlude::kernel {
 
 using ExactRay = Vector3<BigInteger>;
 
-/// The cover in exact numbers, as far as it is asked for.
+/// The cover in exact numbers. Each is computed when it is first needed.
 class ExactCover {
  public:
   ExactCover(const CoverParts& parts, int shift);
 
   [[nodiscard]] const IntegerUnits& units() const { return units_; }
   [[nodiscard]] const TriangleForms<BigInteger>& triangle(std::size_t i);
-  /// Not negative where the triangle is drawn. REQUIRES: a cover that is cut.
+  /// A form that is not negative where the triangle is drawn. REQUIRES: the cover is cut.
   [[nodiscard]] ExactRay drawn(std::size_t i);
 
-  /// From now on only these of the triangles count; at first all of them do.
+  /// From now on only these triangles count. Before the first call all of them do.
   void consider(std::span<const std::uint32_t> triangles) { considered_.assign(triangles.begin(), triangles.end()); }
 
-  /// Whether what is in the plane at this ray has something of the cover before it.
+  /// Whether the point of the plane on this ray has a point of the cover before it.
   [[nodiscard]] bool hides(const ExactRay& ray, const PlaneForm<BigInteger>& plane);
 
-  /// Whether it has so at all rays of `line` that are not negative on any of `sides`, which leave no more than half of it.
+  /// Whether this holds at all rays of `line` that are not negative on any of `sides`. REQUIRES: these rays are no more than
+  /// half of the line.
   [[nodiscard]] bool hides_all(const ExactRay& line, std::span<const ExactRay> sides, const PlaneForm<BigInteger>& plane);
 
  private:
   struct Arc {
     RayPoint<BigInteger> from, to;
-    ExactRay line;                ///< 0 where all is one ray
-    PlaneForm<BigInteger> plane;  ///< through the arc
+    ExactRay line;                ///< 0 where the arc is one ray
+    PlaneForm<BigInteger> plane;  ///< a plane through the arc
     bool is_at_viewpoint = false;
   };
 
   [[nodiscard]] const std::vector<Arc>& arcs();
   [[nodiscard]] bool hides(std::size_t triangle, const ExactRay& ray, const PlaneForm<BigInteger>& plane);
   [[nodiscard]] static bool hides(const Arc& arc, const ExactRay& ray, const PlaneForm<BigInteger>& plane);
-  /// All lines at which what hides may change along another line.
+  /// All lines at which the answer may change along another line.
   [[nodiscard]] std::vector<ExactRay> lines(const PlaneForm<BigInteger>& plane);
 
   const CoverParts& parts_;
@@ -57,11 +58,11 @@ class ExactCover {
 
 [[nodiscard]] inline bool is_zero(const ExactRay& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
 
-/// A plane through the point, where only its own ray matters.
+/// A plane through the point. Any such plane will do, because it is only asked for the ray of the point.
 [[nodiscard]] PlaneForm<BigInteger> plane_across(const RayPoint<BigInteger>& point);
 
-/// A plane through two points, in directions between which it does not matter which: `line` is the cross product of their
-/// rays. REQUIRES: not 0.
+/// A plane through two points. Any such plane will do, because it is only asked for rays between the two. `line` is the
+/// cross product of their rays. REQUIRES: `line` is not 0.
 [[nodiscard]] PlaneForm<BigInteger> plane_through(const RayPoint<BigInteger>& a, const RayPoint<BigInteger>& b,
                                                   const ExactRay& line);
 

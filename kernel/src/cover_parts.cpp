@@ -13,7 +13,7 @@
 namespace occlude::kernel {
 namespace {
 
-/// Sorts triangles of a fan into those with an extent in the plane of rays and those seen edge-on.
+/// Sorts the triangles of fans into those with an area in the plane of rays and those seen edge-on.
 class Parts {
  public:
   Parts(const Viewpoint& view, const std::optional<HalfSpace>& drawn, std::span<const Cover::Polygon> polygons)
@@ -61,8 +61,9 @@ class Parts {
     if (parts_.drawn) triangle.drawn = side_of(seen.plane, parts_.rays.form(rounded, *parts_.drawn));
   }
 
-  /// A triangle edge-on that does not hold the viewpoint is met first on its edges. One that does hides what lies in its
-  /// plane: all rays to those of its edges that do not hold the viewpoint, and to its corners.
+  /// A ray that meets a triangle seen edge-on meets it first on its edges, unless the triangle holds the viewpoint. A
+  /// triangle that does hides every ray in its plane that meets it: the rays to its corners and to those of its edges that
+  /// do not hold the viewpoint.
   void add_edge_on(const std::array<Vec3, 3>& corners) {
     std::array<ExactRay, 3> rays;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -80,7 +81,7 @@ class Parts {
     }
   }
 
-  /// Of three rays in one plane, none of them opposite to another.
+  /// Whether three rays in one plane go all the way round. REQUIRES: no two of them are opposite.
   static bool surround_viewpoint(const std::array<ExactRay, 3>& rays) {
     const ExactRay a = cross(rays[0], rays[1]), b = cross(rays[1], rays[2]), c = cross(rays[2], rays[0]);
     return dot(a, b).sign() > 0 && dot(b, c).sign() > 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A set of polygons in the plane of rays: triangles with an extent there, and arcs, all that is seen of what is edge-on.
+// A set of polygons in the plane of rays: triangles with an area there, and arcs. An arc is all that is seen of what is
+// edge-on.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,15 @@
 
 namespace occlude::kernel {
 
-/// Of the plane of a triangle: what is in it at a ray has the nearness of_ray . ray / unit, unit > 0.
+/// The plane of a triangle. Its point on a ray has the nearness of_ray . ray / unit, where unit > 0.
 template <class Number>
 struct PlaneForm {
   Vector3<Number> of_ray;
   Number unit;
 };
 
-/// A triangle whose corners turn counter-clockwise in the plane of rays: its rays are not negative on any of its sides.
+/// A triangle whose corners turn counter-clockwise in the plane of rays. Its rays are those that are negative on none of its
+/// sides.
 template <class Number>
 struct TriangleForms {
   std::array<RayPoint<Number>, 3> corners;
@@ -43,13 +45,13 @@ template <class Units>
   return triangle_forms<Number>({rays.point(units, t[0]), rays.point(units, t[1]), rays.point(units, t[2])});
 }
 
-/// Not negative where the plane of the triangle lies on that side.
+/// A form that is not negative where the plane of the triangle lies in the half-space.
 template <class Number>
 [[nodiscard]] Vector3<Number> side_of(const PlaneForm<Number>& plane, const RayForm<Number>& half_space) {
   return plane.unit * half_space.of_ray + half_space.of_nearness * plane.of_ray;
 }
 
-/// Positive where the first plane is nearer.
+/// A form that is positive where the first plane is nearer.
 template <class Number>
 [[nodiscard]] Vector3<Number> nearer(const PlaneForm<Number>& first, const PlaneForm<Number>& second) {
   return second.unit * first.of_ray - first.unit * second.of_ray;
@@ -58,31 +60,32 @@ template <class Number>
 struct CoverTriangle {
   std::array<Vec3, 3> corners;  ///< counter-clockwise in the plane of rays
   TriangleForms<RunningError> forms;
-  Vector3<RunningError> drawn;  ///< of a cover that is cut: not negative where the triangle is drawn
+  Vector3<RunningError> drawn;  ///< for a cover that is cut: not negative where the triangle is drawn
 };
 
-/// The rays between two points. What is seen of a triangle edge-on are those of its edges.
+/// The rays between two points. A triangle seen edge-on is seen as the rays to its edges.
 struct CoverArc {
   Vec3 from, to;
-  bool is_at_viewpoint;  ///< an edge of a triangle that holds the viewpoint, and hides all of those rays
+  bool is_at_viewpoint;  ///< of a triangle that holds the viewpoint, and so hides all of these rays
 };
 
 [[nodiscard]] inline double largest(const Vec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-/// The bits behind the point of a number: shifted by so many it is an integer.
+/// The number of bits behind the binary point, or less than 0 for an even integer. Shifted by as many bits, the number is an
+/// integer.
 [[nodiscard]] inline int shift_for(double x) { return x == 0 ? 0 : -lowest_exponent(x); }
 [[nodiscard]] inline int shift_for(const Vec3& v) { return std::max({shift_for(v.x), shift_for(v.y), shift_for(v.z)}); }
 
 struct CoverParts {
   Rays rays;
-  double factor = 1;  ///< of RoundedUnits
-  int shift = 0;      ///< of IntegerUnits, at least
+  double factor = 1;  ///< the factor of RoundedUnits
+  int shift = 0;      ///< the least shift of IntegerUnits
   std::optional<HalfSpace> drawn;
   std::vector<CoverTriangle> triangles;
   std::vector<CoverArc> arcs;
 };
 
-/// The same in units that make lengths of `extent` about 1.
+/// The same parts in units in which `extent` is about 1.
 [[nodiscard]] CoverParts in_units_for(const CoverParts& parts, double extent);
 
 }  // namespace occlude::kernel

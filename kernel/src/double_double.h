@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A number in twice the precision of a double that carries a bound on its own error: the first step of the exact stage.
-// What a double or two hold without rounding, it holds without error.
+// A number in twice the precision of a double that carries a bound on its own error: the first step of the exact stage. Its
+// error is 0 for a difference of two doubles, and for a sum or product of doubles that is itself a double.
 #pragma once
 
 #include "error_free.h"
@@ -18,9 +18,9 @@ struct DoubleDouble {
     return {d.high, {d.low, 0}};
   }
 
-  /// 0 when the bound cannot tell: unless low.error is 0.
+  /// The sign, or 0 when the bound cannot tell it. With low.error = 0 it is always the true sign.
   [[nodiscard]] int certain_sign() const {
-    // |high + low.value| > |high| / 2, as low.value is at most half an ulp of high.
+    // |high + low.value| > |high| / 2, because low.value is at most half an ulp of high.
     if (low.error != 0 && std::fabs(high) * 0.5 <= low.error) return 0;
     return (high > 0) - (high < 0);
   }

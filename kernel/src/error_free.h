@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Error-free transformations: a rounded result and, exactly, what rounding lost (Knuth 1969, Dekker 1971).
+// Error-free transformations: a rounded result together with exactly what rounding lost (Knuth 1969, Dekker 1971).
 //
 // REQUIRES: round to nearest (validity.h), operations as they are written (cmake/compile_options.cmake), no overflow, no
 // underflow: the legal range (validity.h) guarantees the last two.
@@ -9,7 +9,7 @@
 
 namespace occlude::kernel {
 
-/// high + low, exactly the result of an operation; high is the result rounded.
+/// high + low is the exact result of an operation; high is the rounded result.
 struct TwoTerms {
   double high, low;
 };
@@ -32,14 +32,14 @@ struct TwoTerms {
   return {high, (a - (high + b_part)) + (b_part - b)};
 }
 
-/// A double as the sum of two of 26 bits (Veltkamp): their products are exact.
+/// Splits a double into the sum of two numbers of 26 bits (Veltkamp). Products of such numbers are exact.
 [[nodiscard]] inline TwoTerms split(double a) {
   const double scaled = 0x1.0000002p27 * a;  // 2^27 + 1
   const double high = scaled - (scaled - a);
   return {high, a - high};
 }
 
-/// a * b. Where a fused multiply-add is fast it is one more instruction; either way gives the same two numbers.
+/// a * b. Where a fused multiply-add is fast, it gives `low` in one more instruction. Both ways give the same two numbers.
 [[nodiscard]] inline TwoTerms two_product(double a, double b) {
   const double high = a * b;
 #ifdef __FP_FAST_FMA

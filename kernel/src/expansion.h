@@ -13,7 +13,8 @@
 
 namespace occlude::kernel {
 
-/// An exactly represented real: the terms grow in magnitude, are non-zero and non-overlapping; no term means zero.
+/// A real number, represented exactly. The terms are in order of growing magnitude, not zero, and do not overlap. The number
+/// without terms is zero.
 class Expansion {
  public:
   Expansion() = default;
@@ -57,8 +58,8 @@ class Expansion {
 
  private:
   /// Compressed terms stand at least 53 binary places apart. The lowest bit of an input is at least 2^-152 and the kernel
-  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 12), which 30 terms span. Of numbers that
-  /// are not legal there may be more; then the sum means nothing, and the terms beyond are dropped.
+  /// multiplies at most six of them: all bits lie between 2^-912 and 2^(6 * 101 + 12), which 30 terms span. Numbers that are
+  /// not legal may need more. Then the sum means nothing, and the terms beyond the capacity are dropped.
   static constexpr std::size_t kCapacity = 32;
 
   struct View {
@@ -66,11 +67,11 @@ class Expansion {
     std::size_t size;
   };
 
-  /// Room for a sum or a product before it is compressed: an expansion and one scaled.
+  /// Terms of a sum or of a scaled expansion before it is compressed.
   class Terms {
    public:
-    /// Merges the terms by magnitude and carries one running sum through them (Shewchuk's fast expansion sum). It needs
-    /// terms that are strongly non-overlapping, as those of compressed() and scale() are under round to even.
+    /// Merges the terms by magnitude and carries one running sum through them (Shewchuk's fast expansion sum). REQUIRES:
+    /// strongly non-overlapping terms, such as those of compressed() and scale() under round to even.
     Terms& add(View a, View b) {
       std::size_t i = 0, j = 0;
       double carry = 0;
@@ -131,8 +132,9 @@ class Expansion {
       if (term != 0) terms_[size_++] = term;
     }
 
-    /// scale() leaves twice its terms and a carry, add() the terms of both and a carry: at most those of a product so far
-    /// and of an expansion scaled. That not one of them is zero takes numbers that are not legal, NaN for one.
+    /// scale() makes twice as many terms as it is given and a carry; add() makes the terms of both and a carry. The most are
+    /// the terms of a product so far and those of a scaled expansion. All of them can be non-zero only with numbers that are
+    /// not legal, such as NaN.
     std::array<double, 3 * kCapacity + 2> terms_;
     std::size_t size_ = 0;
   };

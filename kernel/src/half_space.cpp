@@ -15,7 +15,7 @@ int exact_sign(const HalfSpace& h, const Vec3& x) {
   });
 }
 
-/// Sign of the value at x, by the bound kHalfSpaceError where it suffices.
+/// Sign of the value at x. The certified sign is decided by the bound kHalfSpaceError where it suffices, else exactly.
 int sign_at(const HalfSpace& h, const Vec3& x, Arithmetic arithmetic) {
   const double px = h.normal.x * x.x, py = h.normal.y * x.y, pz = h.normal.z * x.z;
   const double value = px + py + pz + h.offset;
@@ -25,7 +25,7 @@ int sign_at(const HalfSpace& h, const Vec3& x, Arithmetic arithmetic) {
   return exact_sign(h, x);
 }
 
-/// Sign of the value at the vertex of the box nearest (`direction` = -1) or farthest (1) along the normal.
+/// Sign of the value at the extremal vertex of the box along the normal: the nearest (`direction` = -1) or the farthest (1).
 int extremal_sign(const HalfSpace& h, const Obb& box, int direction, Arithmetic arithmetic) {
   const auto question = [&]<class A>(A& a) {
     const PlaneCoefficients<A> plane{constants<A>(h.normal), A::constant(h.offset)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As many doubles as a vector has lanes, as a number of arithmetic.h. Compiled for every instruction set of those who
-// include it.
+// As many doubles as a vector has lanes, as one number of an arithmetic (arithmetic.h). This file is compiled for every
+// instruction set of the files that include it.
 #if defined(OCCLUDE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCCLUDE_LANES_INL_H
 #undef OCCLUDE_LANES_INL_H
@@ -21,7 +21,7 @@
 #define OCCLUDE_MAX_LANES
 namespace occlude::kernel {
 
-/// No vector is taken longer, so that what is read and written beyond the end is bounded.
+/// Longer vectors are not used, so that reads and writes beyond the end of an array are bounded.
 inline constexpr std::size_t kMaxLanes = 32;
 
 }  // namespace occlude::kernel
@@ -46,7 +46,7 @@ struct Lanes {
   friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
   friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
   friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
-  /// a b + c.
+  /// a * b + c.
   friend HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return hn::MulAdd(a.v, b.v, c.v); }
   friend HWY_INLINE Lanes min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
   friend HWY_INLINE Lanes max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
@@ -58,8 +58,8 @@ HWY_INLINE Vector3<Lanes> operator+(const Vector3<Lanes>& a, const Vector3<Lanes
 HWY_INLINE Vector3<Lanes> operator-(const Vector3<Lanes>& a, const Vector3<Lanes>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-/// Sums in an order in which each product can be fused with the addition that follows it, which rounds less often. `Number`
-/// is Lanes or a number that traces its roundings.
+/// Sums the products in an order in which each can be fused with the addition that follows it, which rounds less often.
+/// `Number` is Lanes or a number that traces its roundings.
 template <class Number>
 HWY_INLINE Number fused_dot(const Vector3<Number>& a, const Vector3<Number>& b) {
   return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
@@ -82,7 +82,7 @@ struct LaneArithmetic {
 
 }  // namespace HWY_NAMESPACE
 
-// Functions of vector3.h would be compiled for the machine that everything is compiled for.
+// The functions of vector3.h would be compiled for the instruction set of the whole library instead.
 template <>
 [[nodiscard]] HWY_INLINE Vector3<HWY_NAMESPACE::Lanes> constants<HWY_NAMESPACE::LaneArithmetic>(const Vec3& v) {
   return {v.x, v.y, v.z};

@@ -10,7 +10,7 @@
 namespace occlude::kernel {
 namespace {
 
-/// Sign of how much farther `a` is than `b`: |a - V|^2 - |b - V|^2, or d . (a - b).
+/// Positive where `a` is farther than `b`: the sign of |a - V|^2 - |b - V|^2, or of d . (a - b).
 int compare_distance(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b) {
   return certified([&]<class A>(A& arithmetic) {
     if (!viewpoint.is_eye()) return arithmetic.sign(dot(difference<A>(viewpoint.value, {}), difference<A>(a, b)));
@@ -20,7 +20,8 @@ int compare_distance(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b) {
 }
 
 /// Scales by a power of two to a largest component in [1/2, 1) and drops components below 2^-60: the result is within the
-/// legal range whatever the scale of the model. Zero stays zero. Any normal is as good as another for a sound support plane.
+/// legal range whatever the scale of the model. Zero stays zero. Dropping them is allowed because a support plane is sound
+/// with any normal.
 Vec3 normalised(const Vector3<double>& v) {
   int exponent = 0;
   std::frexp(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}), &exponent);
@@ -31,7 +32,7 @@ Vec3 normalised(const Vector3<double>& v) {
   return {component(v.x), component(v.y), component(v.z)};
 }
 
-/// Newell's normal of the loop, the sum of the normals of its fan: that of a mean plane.
+/// Newell's normal of the loop, which is the sum of the normals of its fan: the normal of a mean plane.
 Vec3 mean_normal(std::span<const Vec3> corners) {
   Vector3<double> sum{0, 0, 0};
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -41,7 +42,7 @@ Vec3 mean_normal(std::span<const Vec3> corners) {
   return normalised(sum);
 }
 
-/// The vertex at which normal . v is largest, exactly.
+/// The vertex at which the exact value of normal . v is largest.
 Vec3 extreme_vertex(const Vec3& normal, std::span<const Vec3> loop) {
   Vec3 best = loop[0];
   for (const Vec3& v : loop) {
@@ -50,13 +51,14 @@ Vec3 extreme_vertex(const Vec3& normal, std::span<const Vec3> loop) {
   return best;
 }
 
-/// Whether the viewpoint is strictly before the plane: the plane really lies behind the polygon.
+/// Whether the viewpoint is strictly before the plane, so that the plane really lies behind the polygon.
 bool is_before(const Viewpoint& viewpoint, const SupportPlane& plane) {
   if (viewpoint.is_eye()) return sign_at(exact_plane(plane), viewpoint.value) < 0;
   return sign_at(exact_plane({plane.normal, {}}), viewpoint.value) > 0;
 }
 
-/// The line of sight to the farthest vertex: for the rare loop whose mean plane passes before the viewpoint.
+/// The direction of sight to the farthest vertex. It serves the rare loop whose mean plane does not have the viewpoint
+/// strictly before it.
 Vec3 sight_normal(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
   return normalised(normal<PlainArithmetic>(farthest_plane(viewpoint, loop)));
 }

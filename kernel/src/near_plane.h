@@ -10,14 +10,15 @@
 
 namespace occlude::kernel {
 
-/// Through the vertex of `loop` farthest from the viewpoint (the first of equals), normal to the line of sight to it.
+/// The plane through the vertex of `loop` farthest from the viewpoint (the first of equally far ones), perpendicular to the
+/// line of sight to this vertex.
 [[nodiscard]] ExactPlane farthest_plane(const Viewpoint& viewpoint, std::span<const Vec3> loop);
 
-/// The plane of the polygon turned away from the viewpoint, when all vertices lie in one plane exactly.
-/// REQUIRES: `corners` as silhouette() returns them.
+/// The plane of the polygon, its inner side away from the viewpoint, or nothing unless all vertices lie exactly in one
+/// plane. REQUIRES: `corners` as silhouette() returns them.
 [[nodiscard]] std::optional<ExactPlane> polygon_plane(std::span<const Vec3> corners, std::span<const Vec3> loop);
 
-/// A plane with all of `loop` on or before it and the viewpoint strictly before it, close to the loop's mean plane.
+/// A plane close to the loop's mean plane, with all of `loop` on or before it and the viewpoint strictly before it.
 [[nodiscard]] SupportPlane support_plane(const Viewpoint& viewpoint, std::span<const Vec3> corners,
                                          std::span<const Vec3> loop);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a plane in input coordinates to its coefficients, in any arithmetic.
+// Computes the coefficients of a plane from input coordinates, in any arithmetic.
 #pragma once
 
 #include "arithmetic.h"
@@ -19,8 +19,8 @@ template <class A>
   return dot(normal<A>(plane), difference<A>(x, plane.origin));
 }
 
-/// Whether x is a point that the plane was laid through: there its value is zero without arithmetic, which would have to be
-/// exact to see it. Shared vertices are the commonest degeneracy there is.
+/// Whether x is a point that the plane was laid through. The value there is zero without any arithmetic, which would have to
+/// be exact to find it. Shared vertices are the most common degeneracy.
 [[nodiscard]] inline bool is_defined_by(const ExactPlane& plane, const Vec3& x) {
   if (x == plane.origin) return true;
   if (plane.direct) return false;
@@ -67,8 +67,9 @@ template <class A>
   return {along_side * near.normal + along_near * side.normal, along_side * near.offset + along_near * side.offset};
 }
 
-/// Along the edge, corner + t d, the near plane has the value f_near(corner) + t N . d, so that it meets the plane in
-/// corner - f_near(corner) / (N . d) d: times N . d, which is positive.
+/// On the ray corner + t d the near plane has the value f_near(corner) + t N . d. So the ray meets the near plane in the
+/// point corner - f_near(corner) / (N . d) d. The coefficients are those of the plane through this point, times N . d, which
+/// is positive.
 template <class A>
 [[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const CutVertexPlane& plane) {
   const ExactPlane& near = plane_of(frustum, 0);

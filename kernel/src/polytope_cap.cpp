@@ -24,14 +24,14 @@ void append_cap_edges(const ConvexPolytope& polytope, const PolytopeSilhouette& 
   const auto v = polytope.vertices();
   const auto turned = seen.turned_faces();
   const auto loop = seen.loop();
-  const auto near = [&](std::uint32_t face) {  // the number of its plane, or one too many
+  const auto near = [&](std::uint32_t face) {  // the number of its plane; meaningless for a face that is not turned
     return static_cast<std::uint32_t>(std::lower_bound(turned.begin(), turned.end(), face) - turned.begin());
   };
   const auto is_near = [&](std::uint32_t face) { return std::binary_search(turned.begin(), turned.end(), face); };
   for (const auto& [from, to, left, right] : polytope.edges()) {
     if (is_near(left) && is_near(right)) edges.push_back({v[from], v[to], near(left), near(right)});
   }
-  // Corners are the vertices of the loop at which it turns: a side may have several edges of the loop.
+  // Corners are the vertices at which the loop turns, so one side may have several edges of the loop.
   const auto first = static_cast<std::uint32_t>(turned.size());
   const auto count = static_cast<std::uint32_t>(corners.size());
   const std::size_t n = loop.size();

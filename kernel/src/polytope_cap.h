@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The near side of a polytope's shadow: the faces turned to the viewpoint, with their edges.
+// The near side of a polytope's shadow: the faces turned to the viewpoint, and their edges.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ namespace occlude::kernel {
 [[nodiscard]] std::pmr::vector<Vec3> loop_of(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
                                              std::pmr::memory_resource& memory);
 
-/// The plane of a face, its inner side that of the polytope.
+/// The plane of a face. Its inner side is the side of the polytope.
 [[nodiscard]] ExactPlane inner_plane(const ConvexPolytope& polytope, std::uint32_t face);
 
-/// Appends the edges of the near side of a frustum whose planes are those of the turned faces, then those of the sides of
-/// `corners`.
+/// Appends the edges of the near side of a frustum. REQUIRES: the planes of the frustum are those of the turned faces, then
+/// those of the sides between `corners`.
 void append_cap_edges(const ConvexPolytope& polytope, const PolytopeSilhouette& seen, std::span<const Vec3> corners,
                       std::vector<CapEdge>& edges);
 

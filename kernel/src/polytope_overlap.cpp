@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The near side of the frustum first: who lies before it is `outside`, and about who lies beyond it the cones decide. Across
-// it, or about the viewpoint, the occludee cannot be `inside`, and it meets the frustum when an edge of either meets the
-// other: the frustum is unbounded and cannot hide within a polytope. Edges are clipped in the manner of Cyrus and Beck
-// (segment_clip.h) by planes of degree three, so that comparing clip parameters is of degree six, as much as is exact.
+// The near side of the frustum comes first. An occludee before it is `outside`, and an occludee beyond it is decided by the
+// cones. An occludee across it, or about the viewpoint, cannot be `inside`. It meets the frustum when an edge of either
+// meets the other: the frustum is unbounded, so it cannot lie within a polytope. Edges are clipped in the manner of Cyrus
+// and Beck (segment_clip.h) by planes of degree three. So the comparison of clip parameters is of degree six, the highest
+// degree that stays exact.
 #include "occlude/kernel/polytope_overlap.h"
 
 #include <algorithm>
@@ -17,10 +18,10 @@
 namespace occlude::kernel {
 namespace {
 
-/// How the polytope lies to the near side.
+/// The position of the occludee relative to the near side.
 struct NearSide {
-  bool is_before = false;  ///< all of it is strictly before one of the planes
-  int least = 1;           ///< the least sign of a near plane at a vertex: 1 when all of it is strictly beyond all planes
+  bool is_before = false;  ///< all of it is strictly before one of the near planes
+  int least = 1;           ///< the least sign of a near plane at a vertex: 1 when all of it is strictly beyond all of them
 };
 
 NearSide near_side(const StoredFrustum& frustum, const ConvexPolytope& occludee, Stage& stage) {
@@ -37,7 +38,7 @@ NearSide near_side(const StoredFrustum& frustum, const ConvexPolytope& occludee,
   return result;
 }
 
-/// A segment, or a ray whose `to` lies at infinity.
+/// A segment from `from` to `from` + `along`, or a ray from `from` along `along`.
 template <class A>
 struct Edge {
   Vec3 from;
@@ -45,8 +46,9 @@ struct Edge {
   bool is_ray = false;
 };
 
-/// Whether the edge shares a point with the intersection of the inner sides of planes. REQUIRES: for a ray that intersection
-/// is bounded, so that a ray along a plane, which meets it at infinity, leaves before.
+/// Whether the edge shares a point with the intersection of the inner sides of planes. REQUIRES: for a ray, that
+/// intersection is bounded. Then a ray along one plane, which meets that plane at infinity, leaves the intersection by
+/// another.
 template <class A>
 bool meets(A& arithmetic, const Edge<A>& edge, std::span<const ExactPlane> planes) {
   SegmentClip<A> left(arithmetic);
@@ -96,7 +98,7 @@ bool edge_meets_occludee(const StoredFrustum& frustum, const ConvexPolytope& occ
   });
   if (cap_meets) return true;
 
-  // A corner of the silhouette is never beyond the near side: the ray of the frustum starts there or later.
+  // A corner of the silhouette is never beyond the near side, so the ray of the frustum starts there or later.
   std::vector<ExactPlane> planes = faces;
   for (std::size_t i = 0; i < frustum.near_count; ++i) planes.push_back(plane_of(frustum, i));
   for (std::size_t corner = 0; corner < frustum.silhouette.size(); ++corner) {

@@ -25,9 +25,9 @@ void PolytopeSilhouette::ask(const Viewpoint& viewpoint, const ConvexPolytope& p
   turned_[face] = is_turned(viewpoint, inner_plane(polytope, face)) ? 1 : 0;
 }
 
-/// The turned faces are connected, and so are the others: each is a part of a sphere within one closed curve. So every set
-/// of neighbours that have all turned since lies along the border of before, unless nothing is left of one of the two parts;
-/// then no border is found and all faces have to be asked.
+/// The turned faces are connected, and so are the others, because a closed curve divides the sphere of faces into these two
+/// parts. So every connected set of faces that changed since the last update lies along the previous border, unless one of
+/// the two parts is now empty. In that case no border is found, and all faces have to be asked.
 void PolytopeSilhouette::ask_along_border(const Viewpoint& viewpoint, const ConvexPolytope& polytope) {
   for (std::size_t asked_before = polytope.faces().size(); faces_asked_ != asked_before;) {
     asked_before = faces_asked_;
@@ -39,7 +39,7 @@ void PolytopeSilhouette::ask_along_border(const Viewpoint& viewpoint, const Conv
   }
 }
 
-/// The loop leaves the turned faces on its right seen from outside.
+/// The loop has the turned faces on its right, seen from outside.
 void PolytopeSilhouette::link(const ConvexPolytope& polytope) {
   edges_.clear();
   for (const auto& [from, to, left, right] : polytope.edges()) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The profile of a shadow frustum along three axes: the planes that, beside its own, can part it from a box whose edges are
-// parallel to the axes. Reading order: 8.
+// The profile of a shadow frustum along three axes: the planes, beside the frustum's own, that can separate it from a box
+// whose edges are parallel to the axes. Reading order: 8.
 //
-// Two convex polyhedra are apart exactly when a face of their Minkowski difference has the origin on its outer side. For a
-// frustum and a box these faces are those of the frustum (stage 1), those spanned by an edge of the frustum and an edge of
-// the box, and those of the box. The second kind: along an axis the frustum has an outline, the edges between two planes of
-// which one falls along the axis and one rises; the plane through such an edge and parallel to the axis bounds the frustum.
-// The third kind: planes parallel to a face of the box through the frustum's extreme vertex, where it has one. For boxes
-// along the coordinate axes this is the test of a box against the frustum's outlines in the three projections (Greene 1994,
-// "Detecting intersection of a rectangular solid and a convex polyhedron"). Signs of planes are all it takes: there are no
-// clip parameters, and nothing that could be divided by zero.
+// Two convex polyhedra are disjoint exactly when a face of their Minkowski difference has the origin on its outer side. For
+// a frustum and a box these faces are of three kinds: those of the frustum (stage 1), those spanned by an edge of the
+// frustum and an edge of the box, and those of the box. The second kind: seen along an axis, the frustum has an outline. It
+// consists of the edges between two planes of which one falls along the axis and one rises. The plane through such an edge
+// and parallel to the axis bounds the frustum. The third kind: planes parallel to a face of the box through the frustum's
+// extreme vertex, where it has one. For boxes along the coordinate axes this is the test of a box against the frustum's
+// outlines in the three projections (Greene 1994, "Detecting intersection of a rectangular solid and a convex polyhedron").
+// The test needs only signs of planes: there are no clip parameters and no divisions.
 #pragma once
 
 #include <array>
@@ -20,13 +20,14 @@
 
 namespace occlude::kernel {
 
-/// Directions of the edges of a box; the coordinate axes, or any three vectors, zero and dependent ones included.
+/// Directions of the edges of a box: the coordinate axes, or any three vectors, which may be zero or linearly dependent.
 struct BoxAxes {
   std::array<Vec3, 3> directions{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   bool are_coordinate_axes = true;
 };
 
-/// The plane through `origin` parallel to the faces of the box across axis k; its inner side is to the side of `sign`.
+/// The plane through `origin` parallel to the faces of the box across axis k; its inner side is in the direction of axis k
+/// times `sign`.
 [[nodiscard]] inline ExactPlane face_plane(const BoxAxes& axes, std::size_t k, int sign, const Vec3& origin) {
   const Vec3 &a = axes.directions[(k + 1) % 3], &b = axes.directions[(k + 2) % 3], &c = axes.directions[k];
   if (axes.are_coordinate_axes) {
@@ -40,16 +41,16 @@ struct BoxAxes {
   return {.direct = false, .a_to = sign > 0 ? a : b, .a_from = {}, .b_to = sign > 0 ? b : a, .b_from = {}, .origin = origin};
 }
 
-/// The plane through `origin` along the edge from -> to and the axis, its inner side given by the sign with which the first
-/// of the edge's two planes rises along the axis.
+/// The plane through `origin` parallel to the edge from -> to and to the axis. Its inner side is given by `sign`: the sign
+/// with which the first of the edge's two planes rises along the axis.
 [[nodiscard]] inline ExactPlane outline_plane(const Vec3& from, const Vec3& to, const Vec3& axis, int sign,
                                               const Vec3& origin) {
   if (sign > 0) return {.direct = false, .a_to = to, .a_from = from, .b_to = axis, .b_from = {}, .origin = origin};
   return {.direct = false, .a_to = axis, .a_from = {}, .b_to = to, .b_from = from, .origin = origin};
 }
 
-/// Visits the planes of the profile along axis k until `visit(recipe)` is true; returns whether it was.
-/// `sign_along(plane, k)` is the exact sign with which the normal of a plane of the frustum goes along axis k.
+/// Visits the planes of the profile along axis k until `visit(recipe)` is true; returns whether it was. `sign_along(plane,
+/// k)` is the exact sign of the dot product of axis k and the normal of a plane of the frustum.
 template <class SignAlong, class Visit>
 [[nodiscard]] bool visit_outline(const StoredFrustum& frustum, const BoxAxes& axes, std::size_t k,
                                  const SignAlong& sign_along, const Visit& visit) {
@@ -116,7 +117,7 @@ template <class SignAlong, class Visit>
   return face;
 }
 
-/// Visits all planes of the profile, as visit_outline().
+/// Visits all planes of the profile in the same way as visit_outline().
 template <class SignAlong, class Visit>
 [[nodiscard]] bool visit_profile(const StoredFrustum& frustum, const BoxAxes& axes, const SignAlong& sign_along,
                                  const Visit& visit) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The rays from a viewpoint as points of a projective plane, where all that joined shadows ask is linear.
+// The rays from a viewpoint as points of a projective plane. All questions about joined shadows are linear there.
 //
-// A point is a ray and how near it is on it. Seen from an eye V, the ray of x is y = x - V, any positive multiple the same,
-// and the nearness of the point is 1, of t y it is 1/t. Along a direction d, with k an axis on which d is not zero, the ray
-// is (y_i d_k - d_i y_k, y_j d_k - d_j y_k, 1) and the nearness - sign(d_k) y_k. Then what is in a plane has a nearness that
-// is linear in the ray, and a plane through the viewpoint is a line.
+// A point is given by its ray and by its nearness on that ray.
+// - Seen from an eye V, the ray of x is y = x - V, and any positive multiple of y is the same ray. On the ray given by y,
+//   the nearness of x is 1, and that of V + t y is 1/t.
+// - Along a direction d, let k be an axis on which d is not zero. The ray is (y_i d_k - d_i y_k, y_j d_k - d_j y_k, 1) and
+//   the nearness is -sign(d_k) y_k.
+//
+// The points of a plane then have a nearness that is linear in the ray, and a plane through the viewpoint is a line.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +30,7 @@ struct RayPoint {
   Number nearness;
 };
 
-/// Doubles with a running error bound: lengths in units that make the largest about 1, directions as they are.
+/// Doubles with a running error bound. Lengths are in units that make the largest about 1, directions are unchanged.
 class RoundedUnits {
  public:
   using Number = RunningError;
@@ -41,7 +44,7 @@ class RoundedUnits {
   double factor_;  ///< a power of two
 };
 
-/// Integers, all lengths and directions in units of 2^-shift.
+/// Integers. All lengths and directions are in units of 2^-shift.
 class IntegerUnits {
  public:
   using Number = BigInteger;
@@ -65,14 +68,14 @@ template <class Units>
   return Vector3<typename Units::Number>{units.direction(v.x), units.direction(v.y), units.direction(v.z)};
 }
 
-/// A linear form on (ray, nearness): not negative on one side of a plane.
+/// A linear form on (ray, nearness) that is not negative on one side of a plane.
 template <class Number>
 struct RayForm {
   Vector3<Number> of_ray;
   Number of_nearness;
 };
 
-/// The power of two that makes the largest component at least 1 and less than 2. REQUIRES: a vector other than 0.
+/// The power of two by which the largest component becomes at least 1 and less than 2. REQUIRES: v is not 0.
 [[nodiscard]] inline double factor_to_about_1(const Vec3& v) {
   return std::ldexp(1, -std::ilogb(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)})));
 }
@@ -89,7 +92,7 @@ class Rays {
     view_.value = times(factor_to_about_1(view.value), view.value);
   }
 
-  /// The eye, or a multiple of the direction whose largest component is about 1.
+  /// The eye, or the direction scaled to a largest component of about 1.
   [[nodiscard]] const Viewpoint& viewpoint() const { return view_; }
 
   /// The point that is the sum of `terms`.
@@ -109,7 +112,7 @@ class Rays {
     return point(units, std::span(&p, 1));
   }
 
-  /// Not negative where the half-space is, whose normal has a largest component of about 1.
+  /// A form that is not negative in the half-space. REQUIRES: the largest component of its normal is about 1.
   template <class Units>
   [[nodiscard]] auto form(const Units& units, const HalfSpace& half_space) const {
     using Number = typename Units::Number;
@@ -127,7 +130,7 @@ class Rays {
   [[nodiscard]] int second() const { return along_ == 2 ? 1 : 2; }
 
   Viewpoint view_;
-  int along_ = 0;  ///< of a direction: the axis on which it is largest
+  int along_ = 0;  ///< for a direction: the axis on which it is largest
 };
 
 }  // namespace occlude::kernel

@@ -11,7 +11,7 @@ RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   const FilterBound bound = filter_bound(normal, parts(w)), uncertainty = refined_uncertainty(normal, parts(w));
   int exponent = 0;
   std::frexp(bound.slope, &exponent);
-  const double scale = std::ldexp(1.0, -exponent);  // exact, and so is all scaling by it
+  const double scale = std::ldexp(1.0, -exponent);  // a power of two: scaling by it is exact
 
   RoundedPlane result;
   FilterPlane& filter = result.filter;

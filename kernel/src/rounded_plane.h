@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plane's coefficients rounded to doubles, and to twice their precision, with bounds on what rounding does to its values.
+// A plane's coefficients rounded to doubles, and to twice their precision, with bounds on the rounding errors of its values.
 #pragma once
 
 #include "plane_coefficients.h"
@@ -15,8 +15,8 @@ struct RoundedPlane {
 
 [[nodiscard]] RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane);
 
-/// A number of which |true value - (high + low)| <= error; high is the double nearest to high + low. `Real` is double, or a
-/// number that follows every rounding, here and below.
+/// A rounded number: |true value - (high + low)| <= error, and high is the double nearest to high + low. Here and below,
+/// `Real` is double or a number type that tracks rounding errors.
 template <class Real>
 struct RoundedNumber {
   Real high, low, error;
@@ -33,18 +33,18 @@ template <class Real>
           inflated<BoundOf::base>(kOffsetError * fabs(w.high) + uncertainty(w))};
 }
 
-/// What the high and low parts together leave open; refined_value() makes up for the roundings.
+/// What high and low parts together leave uncertain. refined_value() makes up for the roundings of these sums.
 template <class Real>
 [[nodiscard]] BasicFilterBound<Real> refined_uncertainty(const Vector3<RoundedNumber<Real>>& n,
                                                          const RoundedNumber<Real>& w) {
   return {n.x.error + n.y.error + n.z.error, w.error};
 }
 
-/// What a refined plane is worth at a vertex, and what it can be off by.
+/// The value of a refined plane at a vertex, and the most that it can be off by.
 template <class Real>
 struct RefinedValue {
   Real value, error;
-  bool is_exact;  ///< nothing was rounded on the way
+  bool is_exact;  ///< nothing was rounded
 };
 
 /// Value of the plane n + m, w + v at a vertex of a box that reaches as far as `reach` from `origin`.
@@ -67,8 +67,7 @@ template <class Real>
           nothing_lost && no_tails && open == 0};
 }
 
-/// Sign of the plane at a vertex of the box whose bounds, relative to `origin`, reach as far as `reach`: at its low or high
-/// vertex along the plane's normal. 0 with `is_certain` false when twice the precision of a double cannot tell.
+/// The sign of a plane. It is 0 with `is_certain` false when twice the precision of a double cannot tell it.
 struct CertainSign {
   int sign = 0;
   bool is_certain = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A double that carries a bound on its own error, for the filter of expressions too long for a bound worked out by hand.
+// A double that carries a bound on its own error. The filter uses it for expressions too long for a bound derived by hand.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace occlude::kernel {
 
 /// |true value - value| <= error, maintained through +, - and * (Wilkinson's running error analysis). `Real` is double, or a
-/// number that follows every rounding.
+/// number type that tracks rounding errors.
 template <class Real>
 struct BasicRunningError {
   Real value = 0, error = 0;

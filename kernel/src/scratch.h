@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Memory for what lives as long as a call: on the stack, and from the heap only for occluders with very many vertices.
+// Memory that lives as long as one call. It is on the stack; only occluders with very many vertices take memory from the
+// heap.
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@ class Scratch {
   [[nodiscard]] std::pmr::memory_resource& memory() { return memory_; }
 
  private:
-  /// Vectors that grow by doubling leave as much behind as they hold: enough for the four that a loop of 32 vertices, each
-  /// of 24 bytes, takes.
+  /// A vector that grows by doubling leaves about as much memory behind as it holds. This is enough for the four vectors
+  /// that a loop of 32 vertices, of 24 bytes each, needs.
   static constexpr std::size_t kBytes = 8192;
 
   alignas(std::max_align_t) std::array<std::byte, kBytes> buffer_;

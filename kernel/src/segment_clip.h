@@ -4,9 +4,9 @@
 
 namespace occlude::kernel {
 
-/// What half-spaces leave of a closed segment P Q. A half-space comes as its (affine) values at P and Q, >= 0 inside; the
-/// end may lie at infinity, in a direction: the values of the linear part there keep their meaning.
-/// Clip parameters are quotients gP / (gP - gQ); they are compared by cross-multiplication.
+/// The part of a closed segment P Q that half-spaces leave. A half-space is given by its (affine) values at P and Q, >= 0
+/// inside. Q may lie at infinity, in a direction: its value is then that of the linear part there. Clip parameters are
+/// quotients gP / (gP - gQ). They are compared by cross-multiplication.
 template <class A>
 class SegmentClip {
  public:
@@ -37,8 +37,8 @@ class SegmentClip {
     Number p, q;
   };
 
-  /// Whether t_b > t_a for crossings with parameters t = p / (p - q) that both enter; for two that leave, the denominators
-  /// have the other sign and it is the same question: t_a.p t_b.q > t_b.p t_a.q.
+  /// Whether t_b > t_a for two crossings that enter, with parameters t = p / (p - q). For two crossings that leave, the
+  /// denominators have the other sign, and the question is the same: t_a.p t_b.q > t_b.p t_a.q.
   [[nodiscard]] bool later(const Crossing& a, const Crossing& b) const {
     return arithmetic_.sign(a.p * b.q - b.p * a.q) > 0;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A box lies in the union of two convex sets exactly when, for every plane of the first, what the plane cuts off the box
-// lies in the second: its corners do, the box's own beyond the plane and those where the plane crosses the box's edges.
+// A box lies in the union of two convex sets exactly when, for every plane of the first, the part of the box that the plane
+// cuts off lies in the second. It is enough to test the corners of this part: the corners of the box beyond the plane, and
+// the points where the plane crosses edges of the box.
 #include "occlude/kernel/shadow_union.h"
 
 #include <array>
@@ -16,8 +17,8 @@ Vec3 corner_of(const Aabb& box, std::size_t i) {
   return {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z};
 }
 
-/// The same from `origin`, in as few roundings as can be: BoxEdges (paper/edge_frustum.h) goes along the edges, as the paper
-/// counts it.
+/// The same corner relative to `origin`, with as few roundings as possible. BoxEdges (paper/edge_frustum.h) adds edges
+/// instead, because the paper counts these operations.
 template <class A>
 Vector3<typename A::Number> corner(const Aabb& box, std::size_t i, const Vec3& origin) {
   return difference<A>(corner_of(box, i), origin);
@@ -43,15 +44,15 @@ CornerValues<A> values_at_corners(const StoredFrustum& frustum, std::size_t plan
   return values;
 }
 
-/// Whether what the plane with values `cut` leaves of the box on its outer side has values `f` of another plane of at least
-/// zero, or above.
+/// Whether another plane, with values `f`, has at least the sign `least` on the part of the box on the outer side of the
+/// plane with values `cut`.
 template <class A>
 bool is_inner(A& arithmetic, const CornerValues<A>& cut, const CornerValues<A>& f, int least) {
   for (std::size_t i = 0; i < 8; ++i) {
     if (arithmetic.sign(cut[i]) <= 0 && arithmetic.sign(f[i]) < least) return false;
     for (std::size_t axis = 1; axis < 8; axis *= 2) {
       const std::size_t j = i ^ axis;
-      // The plane crosses the edge at the mean of its ends i and j with the weights cut[j] and -cut[i].
+      // The plane crosses the edge at the mean of its ends i and j, weighted with cut[j] and -cut[i].
       if (arithmetic.sign(cut[i]) < 0 && arithmetic.sign(cut[j]) > 0 &&
           arithmetic.sign(cut[j] * f[i] - cut[i] * f[j]) < least) {
         return false;
@@ -90,8 +91,8 @@ bool is_covered(const ShadowUnion& shadows, const Box& box, NearBoundary near, S
   return certified(question, &stage);
 }
 
-/// Whether some corner is in neither shadow, as of most boxes that are in no union: this asks the planes that the frusta
-/// keep, is_covered() makes them anew.
+/// Whether some corner is in neither shadow, which is so for most boxes that are not in the union. This is cheaper than
+/// is_covered(): it asks the planes that the frusta store, and is_covered() computes them anew.
 bool has_corner_outside(const ShadowUnion& shadows, const Aabb& box, NearBoundary near) {
   for (std::size_t i = 0; i < 8; ++i) {
     const Vec3 x = corner_of(box, i);
@@ -102,7 +103,7 @@ bool has_corner_outside(const ShadowUnion& shadows, const Aabb& box, NearBoundar
   }
   return false;
 }
-/// Corners of oriented boxes are no doubles.
+/// The corners of oriented boxes need not be doubles, so they are not tested.
 bool has_corner_outside(const ShadowUnion&, const Obb&, NearBoundary) { return false; }
 
 template <class Box>

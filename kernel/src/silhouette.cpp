@@ -25,10 +25,10 @@ int normals_agree(const ExactPlane& p, const ExactPlane& q) {
   return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(dot(normal<A>(p), normal<A>(q))); });
 }
 
-/// Which way the loop turns at `b` seen from the viewpoint.
+/// The way a loop turns at a vertex, seen from the viewpoint.
 enum class Turn : std::uint8_t { left, right, straight, back, none };
 
-/// `none`: two of the three coincide seen from the viewpoint. `back`: the loop reverses its direction.
+/// The turn at `b`. `none`: two of the three coincide seen from the viewpoint. `back`: the loop reverses its direction.
 Turn turn(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, const Vec3& c) {
   const ExactPlane incoming = side_plane(viewpoint, a, b);
   const int side = sign_at(incoming, c);
@@ -42,17 +42,17 @@ bool has_three_distinct(std::span<const Vec3> loop) {
   return std::any_of(other, loop.end(), [&](const Vec3& v) { return v != loop[0] && v != *other; });
 }
 
-/// Whether x is seen between a and b, or at one of them. REQUIRES: a and b are seen apart and not opposite each other, x is
-/// not the eye.
+/// Whether x is seen between a and b, or at one of them. REQUIRES: a and b are neither seen at the same place nor opposite
+/// each other, and x is not the eye.
 bool is_between(const Viewpoint& viewpoint, const Vec3& a, const Vec3& x, const Vec3& b) {
   const ExactPlane side = side_plane(viewpoint, a, b);
   return sign_at(side, x) == 0 && normals_agree(side_plane(viewpoint, a, x), side) >= 0 &&
          normals_agree(side_plane(viewpoint, x, b), side) >= 0;
 }
 
-/// The loop without the vertices at which it does not turn. They are dropped in rounds, each from the first to the last,
-/// until the loop turns at all that are left or only two are. Only beside a dropped vertex can a turn have changed: after
-/// the first round only such vertices are asked again, so that rounds cost no more than what they drop.
+/// The loop without the vertices at which it does not turn. These are dropped in rounds, each from the first vertex to the
+/// last, until the loop turns at every vertex that is left or only two are left. A turn can change only beside a dropped
+/// vertex. So after the first round only such vertices are asked again, and rounds cost no more than what they drop.
 class Ring {
  public:
   Ring(const Viewpoint& viewpoint, std::span<const Vec3> loop, std::pmr::memory_resource& memory)
@@ -72,7 +72,7 @@ class Ring {
       asked_[i] = i;
     }
     while (!asked_.empty() && size_ >= 3) ask_round();
-    const Index end = size_ < 3 ? dropped_last_ : n;  // a round that leaves two ends there
+    const Index end = size_ < 3 ? dropped_last_ : n;  // a round that leaves two vertices ends there
     for (Index i = 0; i < end; ++i) {
       if (is_left(i)) has_[static_cast<std::size_t>(turns_[i])] = true;
     }
@@ -110,7 +110,7 @@ class Ring {
 
   void ask_round() {
     later_.clear();
-    Index end = 0;  // of those that this round has come past
+    Index end = 0;  // this round has passed the vertices before this one
     for (std::size_t k = 0; k < asked_.size() && size_ >= 3; ++k) {
       for (Index i = asked_[k]; i >= end && size_ >= 3; i = next_[i]) {
         end = i + 1;
@@ -124,7 +124,7 @@ class Ring {
     asked_.swap(later_);
   }
 
-  /// Its neighbours have to be asked: those that this round is past in the next.
+  /// Its neighbours have to be asked: in the next round those that this round has passed, in this round the others.
   void drop(Index i) {
     const Index before = previous_[i], after = next_[i];
     next_[before] = after;
@@ -138,20 +138,20 @@ class Ring {
   const Viewpoint& viewpoint_;
   std::span<const Vec3> loop_;
   std::pmr::memory_resource& memory_;
-  std::pmr::vector<Index> next_, previous_;  ///< of each vertex that is left; of a dropped one those that it had
-  std::pmr::vector<Turn> turns_;             ///< where a vertex is dropped, why
-  std::pmr::vector<Index> asked_, later_;    ///< whom this round asks and whom the next one, ascending
+  std::pmr::vector<Index> next_, previous_;  ///< of each vertex that is left; for a dropped one, its last neighbours
+  std::pmr::vector<Turn> turns_;             ///< for a dropped vertex, the reason
+  std::pmr::vector<Index> asked_, later_;    ///< the vertices that this round asks, and the next one; ascending
   std::size_t size_;
   Index dropped_last_ = 0;
   std::array<bool, 5> has_{};
 };
 
-/// Whether a loop that turns left at each of its corners is the border of a convex cone and runs round it once.
+/// Whether a loop is the border of a convex cone and runs round it once. REQUIRES: it turns left at each of its corners.
 ///
-/// Seen about the first corner, the others are in order, each less than half a turn from the one before and all on the inner
-/// side of the first edge: within half a turn in all. So some plane has the viewpoint on it and all corners beyond; what is
-/// seen through a plane parallel to that is a plane polygon, which does not meet itself, and which is convex since it turns
-/// left everywhere. All this holds of every convex loop.
+/// If so, the other corners are in order about the first one, each less than half a turn from the one before, and all on the
+/// inner side of the first edge: within half a turn in all. So some plane has the viewpoint on it and all corners beyond it.
+/// Seen through a plane parallel to it, the loop is a planar polygon that does not meet itself, and it is convex because it
+/// turns left everywhere. Conversely, every convex loop has these properties.
 bool is_convex(const Viewpoint& viewpoint, std::span<const Vec3> corners) {
   const ExactPlane first = side_plane(viewpoint, corners[0], corners[1]);
   for (std::size_t i = 2; i < corners.size(); ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The silhouette of a polygon from a viewpoint: its loop, turned one way and freed of what does not matter.
+// The silhouette of a polygon from a viewpoint: its loop, always turned the same way and without vertices at which it
+// does not turn.
 #pragma once
 
 #include <memory_resource>
@@ -17,7 +18,7 @@ namespace occlude::kernel {
 [[nodiscard]] ExactPlane side_plane(const Viewpoint& viewpoint, const Vec3& from, const Vec3& to);
 
 struct Silhouette {
-  std::pmr::vector<Vec3> corners;  ///< strictly convex, each on the inner side of every side plane
+  std::pmr::vector<Vec3> corners;  ///< of a strictly convex loop, each on the inner side of every side plane
   Refusal refusal = Refusal::none;
 };
 

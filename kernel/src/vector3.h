@@ -48,7 +48,7 @@ template <class Number>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// v as numbers of arithmetic A.
+/// v, in the numbers of arithmetic A.
 template <class A>
 [[nodiscard]] Vector3<typename A::Number> constants(const Vec3& v) {
   return {A::constant(v.x), A::constant(v.y), A::constant(v.z)};

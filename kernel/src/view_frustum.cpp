@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Convex sets in space that have no common point have none already as the intersection of four of their half-spaces (Helly
-// 1923). A box leaves three cases: one plane parts it from the rest; or two planes do together with two faces of the box; or
-// three with one. Two planes then have a positive combination in which an axis of the box cancels, three have one in which
-// two do, and that combination parts them.
+// When the box and the half-spaces have no common point, four of all these half-spaces already have none (Helly 1923). For a
+// box this leaves three cases. Either one plane separates the box from the rest; or two planes do together with two faces of
+// the box; or three planes do together with one face. Two planes then have a positive combination in which an axis of the
+// box cancels, three have one in which two axes cancel, and that combination separates them.
 #include "occlude/kernel/view_frustum.h"
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace occlude::kernel {
 namespace {
 
-/// Value of a plane over a box: at its first corner, and what it gains along its three edges.
+/// The values of a plane over a box: the value at the first corner, and the gains along the three edges.
 template <class A>
 struct OverBox {
   typename A::Number corner;
@@ -41,7 +41,7 @@ OverBox<A> combine(const typename A::Number& s, const OverBox<A>& a, const typen
   return {s * a.corner + t * b.corner, s * a.gains + t * b.gains};
 }
 
-/// Sign at the corner of the box with the least (`direction` = -1) or the greatest value (1).
+/// The sign at the corner of the box with the least value (`direction` = -1) or the greatest (1).
 template <class A>
 int extreme_sign(A& arithmetic, const OverBox<A>& f, int direction) {
   auto value = f.corner;
@@ -51,7 +51,7 @@ int extreme_sign(A& arithmetic, const OverBox<A>& f, int direction) {
   return arithmetic.sign(value);
 }
 
-/// The combination of two planes in which axis k cancels, if it is positive.
+/// Sets `result` to the combination of two planes in which axis k cancels. Returns whether it is a positive combination.
 template <class A>
 bool cancel(A& arithmetic, int k, const OverBox<A>& a, const OverBox<A>& b, OverBox<A>& result) {
   if (arithmetic.sign(a.gains[k]) * arithmetic.sign(b.gains[k]) >= 0) return false;
@@ -59,7 +59,7 @@ bool cancel(A& arithmetic, int k, const OverBox<A>& a, const OverBox<A>& b, Over
   return true;
 }
 
-/// Whether the combination of three planes in which all axes but k cancel is positive and parts the box from them.
+/// Whether the combination of three planes in which all axes but k cancel is positive and separates the box from them.
 template <class A>
 bool is_parted_by_three(A& arithmetic, int k, const OverBox<A>& a, const OverBox<A>& b, const OverBox<A>& c) {
   const int l = (k + 1) % 3, m = (k + 2) % 3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A million cases of all families and the hash of their answers: the same bit for bit whatever compiled the kernel.
-// tests/builds.sh runs this by other compilers, at other levels of optimisation, with and without FMA, on other platforms.
+// A million cases of all families and the hashes of their answers. The answers are the same bit for bit, whatever compiled
+// the kernel. tests/builds.sh runs this test with other compilers, at other optimisation levels, with and without FMA, and
+// on other platforms.
 #include <gtest/gtest.h>
 
 #include <cinttypes>
@@ -30,8 +31,8 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325U;
 };
 
-/// What the hashes are taken of. The relations of `plain` are whatever rounding makes them, but rounding is IEEE's and
-/// nothing is contracted: they are the same everywhere too.
+/// The hashes of the answers. Those of `plain` depend on rounding, but they are the same everywhere too, because rounding
+/// follows IEEE 754 and nothing is contracted.
 struct Hashes {
   Hash certified, plain;
 };
@@ -51,7 +52,7 @@ void add_answers(const fuzz::Case& c, Hashes& hashes) {
       c.box);
 }
 
-/// Ten slices that run side by side, 100,000 cases each: case i is of family i modulo their number.
+/// There are ten slices of 100,000 cases each, which run in parallel. Case i is of family i modulo the number of families.
 constexpr std::size_t kSliceSize = 100'000;
 
 Hashes hash_slice(std::size_t slice) {
@@ -67,8 +68,8 @@ struct Expected {
   std::uint64_t certified, plain;
 };
 
-/// A change of the generator changes the cases and all of these. While the cases are the same, nothing may change the
-/// first column, and only a change of the paper's arithmetic the second.
+/// A change of the generator changes the cases, and with them all of these. While the cases are the same, nothing may change
+/// the first column, and only a change of the paper's arithmetic may change the second.
 constexpr Expected kExpected[] = {
     {0xf176a2d4aae1ee85, 0xde5d5bf92b04d6f4}, {0xa4acae108020b1b4, 0xd7f9ace90c9a6ec7},
     {0x5014dd552f8b0dab, 0xb96335e4094cfe48}, {0xd5b2732ea4b0d399, 0x189dc65e16cc0d0c},
@@ -77,7 +78,7 @@ constexpr Expected kExpected[] = {
     {0x1790155c67da9f24, 0xdd7374b6c2b588fc}, {0xbbfeead3def7ad9c, 0x4ba5006e56e3a184},
 };
 
-// The checks that sanitizers compile in cost ten times the work and see as much in a tenth of it.
+// Sanitizers make the test ten times slower, and find as much in a tenth of the cases.
 #ifdef OCCLUDE_SANITIZED
 constexpr std::size_t kSlices = 1;
 #else

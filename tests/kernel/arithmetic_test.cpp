@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers under the kernel: expansions against integers, running errors and filter bounds against expansions.
+// The number types of the kernel: expansions against integers, running errors and filter bounds against expansions.
 #include "arithmetic.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ constexpr std::uint32_t kSeed = 20261;
 TEST(Expansion, AgreesWithIntegers) {
   std::mt19937_64 random(kSeed);
   for (int i = 0; i < 20000; ++i) {
-    // 40 bits: products of three still fit in 128, and are far beyond a double's 53.
+    // 40 bits each: products of three still fit in 128 bits, and far exceed the 53 bits of a double.
     std::int64_t v[6];
     for (auto& x : v) x = static_cast<std::int64_t>(random() >> 24U) - (std::int64_t{1} << 39U);
     if (i % 3 == 0) v[3] = v[0], v[4] = v[1], v[5] = v[2] + (i % 2);  // differences that cancel to 0 or 1
@@ -54,7 +54,7 @@ TEST(Expansion, DifferencesAreExact) {
   EXPECT_EQ(Expansion::difference(3, 3).sign(), 0);
 }
 
-/// A coordinate difference anywhere in the legal range, now and then zero.
+/// A coordinate difference anywhere in the legal range, sometimes zero.
 double wild(std::mt19937_64& random) {
   if (random() % 8 == 0) return 0;
   const double mantissa = 1 + static_cast<double>(random() >> 12U) * 0x1p-52;
@@ -76,7 +76,7 @@ TEST(RunningError, BoundsTheError) {
     const Expansion bound(approximate.error);
     ASSERT_GE((bound - error).sign(), 0) << "seed " << kSeed << " case " << i;
     ASSERT_GE((bound + error).sign(), 0) << "seed " << kSeed << " case " << i;
-    // How much of the bound is used: a bound ten times too large would be sound and useless.
+    // Finds how much of the bound is used: a bound ten times too large would be sound but useless.
     for (double part = 1; part > 0.01 && worst < part; part -= 0.01) {
       const Expansion share(approximate.error * part);
       if ((share - error).sign() < 0 || (share + error).sign() < 0) worst = part;
@@ -87,12 +87,13 @@ TEST(RunningError, BoundsTheError) {
 }
 
 TEST(HalfSpace, DecidesExactlyOnThePlane) {
-  // x + y + z = 0.3 with 0.1 + 0.1 + 0.1: in doubles the sum is 0.30000000000000004, in reals it exceeds the double 0.3.
+  // x + y + z = 0.3 at 0.1 + 0.1 + 0.1: the sum in doubles is 0.30000000000000004, and the exact sum exceeds the double 0.3
+  // too.
   const HalfSpace h{{1, 1, 1}, -0.3};
   const Aabb touching{{-1, -1, -1}, {0.1, 0.1, 0.1}};
   EXPECT_EQ(relation(h, touching, Arithmetic::certified), Relation::partial);
   const HalfSpace thirds{{1, 1, 1}, -1};
-  const double third = 1.0 / 3;  // below a third, so three of them fall short of 1 by 2^-54 and round to 1
+  const double third = 1.0 / 3;  // below 1/3: three of them fall short of 1 by 2^-54, and round to 1
   EXPECT_EQ(relation(thirds, Aabb{{-1, -1, -1}, {third, third, third}}, Arithmetic::certified), Relation::outside);
   EXPECT_EQ(relation(thirds, Aabb{{-1, -1, -1}, {third, third, third}}, Arithmetic::plain), Relation::partial);
   EXPECT_EQ(relation(thirds, Aabb{{0.5, 0.25, 0.25}, {1, 1, 1}}, Arithmetic::certified), Relation::inside);
@@ -121,7 +122,7 @@ TEST(Operations, AFewDotProductsAPlaneAndNoCrossProductEver) {
   const auto frustum = *ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), wall, Near::farthest).frustum;
   const auto overlap = occlude::kernel::Test::overlap;
   const Aabb before{{0.1, 0, 0}, {0.2, 0.1, 0.1}}, behind{{9, 0, 0}, {10, 1, 1}};
-  // The farthest vertex against the first plane is the paper's best case; `certified` takes centre and spread at once.
+  // The paper's best case takes only the farthest vertex against the first plane. `certified` takes both centre and spread.
   EXPECT_EQ(count_operations(frustum, before, Arithmetic::plain, overlap).dot, 1U);
   EXPECT_EQ(count_operations(frustum, before, Arithmetic::certified, overlap).dot, 2U);
   for (const Arithmetic arithmetic : {Arithmetic::plain, Arithmetic::certified}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batches answer as the tests of single boxes do, on every instruction set this machine has, whatever their size.
+// Batches of every size give the same answers as the tests of single boxes, on every instruction set of this machine.
 #include "occlude/kernel/batch.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using namespace occlude;
 using namespace occlude::kernel;
 using fuzz::Family;
 
-/// Below, at and above whole vectors, and the 1024 tests between two rounds of finishing what the filter leaves.
+/// Sizes below, at and above whole vectors, and around the 1024 tests after which the undecided ones are finished.
 constexpr std::array<std::size_t, 11> kSizes{0, 1, 2, 3, 7, 8, 9, 1023, 1024, 1025, 3000};
 constexpr std::size_t kMost = kSizes.back();
 
@@ -36,13 +36,14 @@ constexpr std::array kBoxFamilies{
     Family::eye_in_box,    Family::edge_crossing, Family::sliver,     Family::shared_vertex, Family::axis_aligned_faces,
     Family::polytope_near, Family::polytope_box,  Family::decimal,    Family::many_sided};
 
-/// A triangle, 64 and fewer sides, polytopes with several near planes and one, eyes near and far, directions.
+/// These families have triangles, up to 64 sides, polytopes with one and several near planes, near and far eyes, and
+/// directions.
 constexpr std::array kFrustumFamilies{
     Family::lattice,       Family::sliver,     Family::ulp_lattice,  Family::many_sided,         Family::random,
     Family::near_touch,    Family::decimal,    Family::wide_frustum, Family::orthographic_touch, Family::orthographic,
     Family::polytope_near, Family::far_offset, Family::polytope_box, Family::polytope_many,      Family::edge_crossing};
 
-/// Legal boxes of all these families in turn.
+/// Legal boxes, from each of these families in turn.
 std::vector<Aabb> boxes_of(std::span<const Family> families, std::size_t count) {
   std::vector<Aabb> boxes;
   for (std::uint64_t i = 0; boxes.size() < count; ++i) {
@@ -52,7 +53,7 @@ std::vector<Aabb> boxes_of(std::span<const Family> families, std::size_t count) 
   return boxes;
 }
 
-/// Frusta of all these families in turn and the boxes put to them.
+/// Frusta, from each of these families in turn, and the boxes that they are tested with.
 struct Scenes {
   std::vector<ShadowFrustum> frusta;
   std::vector<Aabb> boxes;
@@ -70,7 +71,7 @@ Scenes scenes_of(std::span<const Family> families, std::size_t count) {
   return scenes;
 }
 
-/// Boxes with a corner at a corner of the silhouette, which lies on two sides of the shadow: the filter leaves nearly all.
+/// Boxes with a corner at a corner of the silhouette. It lies on two sides of the shadow, so the filter leaves nearly all.
 std::vector<Aabb> touching_boxes(const ShadowFrustum& frustum) {
   std::vector<Aabb> boxes;
   for (const Vec3& v : frustum.silhouette()) {
@@ -83,7 +84,7 @@ std::vector<Aabb> touching_boxes(const ShadowFrustum& frustum) {
   return boxes;
 }
 
-/// Triangles of whole numbers with a corner at v, seen from anywhere: boxes at v touch their shadows.
+/// Shadows of triangles of whole numbers with a corner at v, from random viewpoints. Boxes at v touch them.
 std::vector<ShadowFrustum> frusta_about(const Vec3& v, std::size_t count) {
   fuzz::Random random(1);
   const auto whole = [&] {
@@ -99,7 +100,7 @@ std::vector<ShadowFrustum> frusta_about(const Vec3& v, std::size_t count) {
   return frusta;
 }
 
-/// Every third place of `all` taken by one of `others`, in turn.
+/// Replaces every third element of `all` by the elements of `others` in turn.
 template <class T>
 void mix_in(std::vector<T>& all, const std::vector<T>& others) {
   for (std::size_t i = 0; i < all.size(); i += 3) all[i] = others[i / 3 % others.size()];
@@ -107,7 +108,7 @@ void mix_in(std::vector<T>& all, const std::vector<T>& others) {
 
 constexpr auto kCanary = static_cast<Relation>(77);
 
-/// Runs `batch(answers)` with room for as many answers as are expected and looks for what it writes beyond.
+/// Runs `batch(answers)` with room for exactly the expected answers, and checks that nothing is written beyond them.
 template <class Batch>
 void expect_answers(std::span<const Decision> expected, const Batch& batch) {
   std::vector<Relation> written(expected.size() + 64, kCanary);
@@ -119,7 +120,7 @@ void expect_answers(std::span<const Decision> expected, const Batch& batch) {
   ASSERT_TRUE(std::ranges::all_of(beyond, [](Relation r) { return r == kCanary; })) << expected.size();
 }
 
-/// What a family of batches must be made of to test anything: all answers, and some that the filter leaves.
+/// Checks that the batches are varied enough to test anything: they have all answers, and tests that the filter leaves.
 class Variety {
  public:
   void add(std::span<const Decision> decisions) {
@@ -194,7 +195,7 @@ TEST_P(Batch, FrustaAgainstABox) {
 }
 
 TEST_P(Batch, EveryFrustumAgainstTheBoxPutToIt) {
-  // Touching is rare between a frustum and another's box: here it is the rule.
+  // A frustum rarely touches the box of another case. Here touching is the rule.
   const OnlyTarget target(GetParam());
   const Scenes scenes = scenes_of(kFrustumFamilies, 3000);
   Variety variety;
@@ -214,9 +215,9 @@ TEST_P(Batch, EveryFrustumAgainstTheBoxPutToIt) {
 }
 
 TEST_P(Batch, ProfilesHaveABoundOfTheirOwn) {
-  // The eye is all but in the plane of the triangle, so that no plane of the frustum has an offset to speak of; that of the
-  // profile, through the nearest edge and parallel to y, has one. The box reaches this edge and no farther. Rounding moves
-  // the value of the plane there by 1.05 times what the bound of the frustum's own planes allows for.
+  // The eye is nearly in the plane of the triangle, so all planes of the frustum have offsets of nearly zero. The plane of
+  // the profile through the nearest edge and parallel to y has a larger one. The box reaches this edge and no farther.
+  // Rounding changes the value of that plane there by 1.05 times what the bound of the frustum's own planes allows for.
   const OnlyTarget target(GetParam());
   const Vec3 eye{0x1.99d1ff9a4acfcp-42, 0, -0x1.53f5255fdfa0ep-41};
   const std::array triangle{Vec3{0x1.fcdcb38c565d3p-1, 0x1.24babd9910a26p-22, 0x1.b4c78022b11a4p-1},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integers of any size against identities and against numbers that fit a double.
+// Integers of any size against identities, and against floating-point numbers that hold them exactly.
 #include "big_integer.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ TEST(BigInteger, SumsAndProductsOfAnySizeAreExact) {
   }
 }
 
-/// Products and sums that a long double holds.
+/// Products and sums that a long double holds exactly.
 TEST(BigInteger, AgreesWithFloatingPointWhereThatIsExact) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 20000; ++i) {

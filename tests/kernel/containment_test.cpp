@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on, just inside and just outside of the faces of oriented boxes.
+// Points on the faces of oriented boxes, just inside them and just outside.
 #include "occlude/kernel/containment.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joined shadows: boxes behind several polygons, with known answers, and what must not change them.
+// Joined shadows: boxes behind several polygons with known answers, and changes that must not change the answers.
 #include "occlude/kernel/cover.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using Polygons = std::vector<Cover::Polygon>;
 
 const Viewpoint kOrigin = Viewpoint::eye({0, 0, 0});
 
-/// The rectangle at this x, from (y0, z0) to (y1, z1).
+/// The rectangle in the plane of this x, from (y0, z0) to (y1, z1).
 Cover::Polygon wall(double x, double y0, double y1, double z0 = -1, double z1 = 1) {
   return {{x, y0, z0}, {x, y1, z0}, {x, y1, z1}, {x, y0, z1}};
 }
@@ -63,10 +63,10 @@ TEST(Cover, RefusesWithTheReason) {
   EXPECT_EQ(refusal(kOrigin, {}, HalfSpace{{0, 0, 0}, 1}), Refusal::zero_direction);
 }
 
-/// What is cut off by the near plane does not hide, and the cut itself leaves no gap.
+/// What the near plane cuts off does not hide, and the cut itself leaves no gap.
 TEST(Cover, OnlyWhatIsDrawnHides) {
   const Aabb box{{4, -1, -1}, {5, 1, 1}};
-  // A roof that leads from before x = 1 to beyond it: seen through what is cut off, the upper part of the box.
+  // A roof from before x = 1 to beyond it. The upper part of the box is seen through what is cut off.
   const Polygons roof{{{0.5, -2, 0.5}, {3, -2, -2}, {3, 2, -2}, {0.5, 2, 0.5}}, wall(3, -2, 2, -2, 0)};
   const auto relation = [&](std::optional<HalfSpace> drawn, const Polygons& polygons) {
     return overlap_certified(*Cover::make(kOrigin, polygons, drawn).cover, box).relation;
@@ -168,11 +168,11 @@ TEST(Cover, MorePolygonsHideNoLessAndOfLessBoxMore) {
   }
 }
 
-/// Half edges in one plane make a hexagon, of which each face of the box is a part: all of them are asked.
+/// Half edges in one plane make a hexagon. Each face of the box is a part of it, so all of them are tested.
 TEST(Cover, OfAFlatBoxAllFacesCount) {
   const Obb hexagon{{4, 0, 0}, {{{0, 1, 0}, {0, 0, 1}, {0, 1, 1}}}};
   const auto answer = [&](double y, double z, double reach) {
-    // All of the plane x = 2 but what is farther than `reach` of the way to (y, z).
+    // A large half of the plane x = 2: it ends at the share `reach` of the way to (y, z).
     const double qy = reach * y, qz = reach * z;
     const Cover::Polygon half_plane{{2, qy - 9 * z, qz + 9 * y},
                                     {2, qy + 9 * z, qz - 9 * y},

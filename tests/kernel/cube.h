@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cube as an occluder, in two spellings that mean the same.
+// A cube as an occluder, written in two equivalent ways.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace occlude {
 
-/// The ways to write one cube from `min`, of side 2.
+/// The ways to write a cube of side 2 whose minimum is `min`.
 enum class CubeForm { quadrilaterals, triangles };
 
 inline kernel::Polytope cube(const kernel::Vec3& min, CubeForm form = CubeForm::quadrilaterals) {
@@ -18,7 +18,7 @@ inline kernel::Polytope cube(const kernel::Vec3& min, CubeForm form = CubeForm::
   for (const auto& [y, z] : {std::pair{0, 0}, {2, 0}, {2, 2}, {0, 2}}) {
     for (const int x : {0, 2}) result.vertices.push_back({min.x + x, min.y + y, min.z + z});
   }
-  // Even vertices at the lower x.
+  // Even vertices are at the lower x.
   result.faces = {{0, 2, 4, 6}, {1, 3, 5, 7}, {0, 2, 3, 1}, {2, 4, 5, 3}, {4, 6, 7, 5}, {6, 0, 1, 7}};
   if (form == CubeForm::triangles) {
     std::vector<std::vector<std::uint32_t>> triangles;

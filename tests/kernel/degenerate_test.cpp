@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hand cases, exact copies of them, and what only a test of its own can say.
+// The hand cases, exact copies of them, and what needs a test of its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ TEST_P(Degenerate, ConservativeIsTheSameOrPartial) {
   EXPECT_EQ(to_string(relation), to_string(row.relation));
 }
 
-/// Checks the answer for those copies that are exact and returns how many they are.
+/// Checks the answer for every copy that is exact, and returns the number of these copies.
 std::size_t check_copies(const HandCase& row, const std::vector<Similarity>& similarities) {
   std::size_t count = 0;
   for (const Similarity& similarity : similarities) {
@@ -63,9 +63,9 @@ std::size_t check_copies(const HandCase& row, const std::vector<Similarity>& sim
 TEST_P(Degenerate, ExactCopiesAgree) {
   const HandCase& row = GetParam();
   EXPECT_EQ(check_copies(row, permutations_and_mirrors()), permutations_and_mirrors().size());
-  // Rows at the ends of the legal range can go one way only.
+  // Rows at an end of the legal range can be scaled in one direction only.
   EXPECT_GE(check_copies(row, scalings()), 2U);
-  // Not every row has an exact translation; below they are counted.
+  // Not every row has an exact translation, so MostCanBeTranslatedExactly counts them over all rows.
   check_copies(row, translations());
 }
 
@@ -79,8 +79,8 @@ std::optional<Vec3> exact_middle(const Vec3& a, const Vec3& b) {
   return middle;
 }
 
-/// Ways to write a loop that leave its first vertex the first. Where several vertices are equally far the near plane of
-/// `farthest` is the same only if it is the first of them in both; so it is in all rows, of which none has a tie without it.
+/// Other ways to write a loop that keep its first vertex first. Where several vertices are equally far, the near plane of
+/// `farthest` stays the same only if the first vertex of the loop is one of them. This is so in all rows with such a tie.
 std::vector<Loop> other_loops(const Loop& loop) {
   Loop reversed(loop.rbegin(), loop.rend());
   std::rotate(reversed.begin(), reversed.end() - 1, reversed.end());
@@ -117,14 +117,14 @@ TEST(DegenerateRows, MostCanBeTranslatedExactly) {
   EXPECT_GT(copies, 2 * rows);
 }
 
-/// A square wall at x = 2: seen from the origin its shadow is |y|, |z| <= x / 2, and for `surface` x >= 2.
+/// A square wall at x = 2. Seen from the origin, its shadow is |y|, |z| <= x / 2, and for `surface` also x >= 2.
 const Loop kWall{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}};
 
 Aabb point(const Vec3& p) { return {p, p}; }
 
 /// Vertices (i, i^2) of a parabola at x = 2: at x = 4 the shadow is bounded by the chords of z = y^2 / 2 between (2i, 2i^2)
-/// and (2i + 2, 2(i + 1)^2). Their middles are at y = 2i + 1, z = 2i^2 + 2i + 1, the parabola there at z - 1/2: what lies
-/// between a chord and the parabola is hidden by no approximation with fewer sides and is not hidden.
+/// and (2i + 2, 2(i + 1)^2). The middles of these chords are at y = 2i + 1, z = 2i^2 + 2i + 1, and the parabola there is at
+/// z - 1/2. Points between a chord and the parabola are not hidden, so the test fails when any one side is left out.
 TEST(Overlap, ManySidesAllCount) {
   Loop parabola;
   for (int i = -31; i <= 32; ++i) parabola.push_back({2, static_cast<double>(i), static_cast<double>(i * i)});
@@ -144,8 +144,8 @@ TEST(Overlap, ManySidesAllCount) {
 }
 
 TEST(Overlap, TieAmongFarthestGoesToTheFirstCorner) {
-  // (2, 0, -1) comes first but is nearer; of the four corners, all equally far, (2, 1, -1) is then the first: the near
-  // plane is 2x + y - z = 6. With the loop reversed it is (2, -1, -1), and 2x - y - z = 6.
+  // (2, 0, -1) comes first but is nearer. The four corners are equally far, and (2, 1, -1) is the first of them, so the near
+  // plane is 2x + y - z = 6. With the loop reversed, (2, -1, -1) is the first, and the plane is 2x - y - z = 6.
   const Loop loop{{2, 0, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}, {2, -1, -1}};
   const Loop reversed{loop[0], loop[4], loop[3], loop[2], loop[1]};
   const cases::Box at_first = point({2.75, 0.5, 0}), at_other = point({2.75, -0.5, 0});
@@ -156,12 +156,12 @@ TEST(Overlap, TieAmongFarthestGoesToTheFirstCorner) {
   }
 }
 
-/// What overlap.h says of loops that go the other way round: with `surface` they are the same, with `farthest` unless
-/// several vertices are exactly equally far.
+/// A reversed loop gives the same answers with `surface`, and with `farthest` unless several vertices are exactly equally
+/// far (overlap.h).
 TEST(Overlap, ReversingALoopChangesTiesAmongTheFarthestAlone) {
   const Loop tied{{2, 0, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}, {2, -1, -1}};
   Loop clear = tied;
-  clear[1].y = std::nextafter(1.0, 2);  // the farthest now
+  clear[1].y = std::nextafter(1.0, 2);  // now the only farthest vertex
   const cases::Box box = point({2.75, 0.5, 0});
   const auto relation = [&](const Loop& loop, Near near) {
     return cases::overlap(frustum({Viewpoint::eye({0, 0, 0}), loop, near, box}), box).relation;
@@ -181,7 +181,7 @@ TEST(Overlap, ReversingALoopChangesTiesAmongTheFarthestAlone) {
 }
 
 TEST(Overlap, ConservativeAsksPlanesOnly) {
-  // Planes alone leave all of these open.
+  // The planes of the frustum alone leave all of these undecided.
   const std::vector<HandCase> rows = hand_cases("diamond_");
   EXPECT_EQ(rows.size(), 4U);
   for (const HandCase& row : rows) {
@@ -196,7 +196,7 @@ TEST(Overlap, OpenNearBoundaryDrawsWhatIsCoplanar) {
   EXPECT_EQ(conservative_certified(shadow, on_the_wall, NearBoundary::open).relation, Relation::partial);
   EXPECT_EQ(conservative_certified(shadow, behind, NearBoundary::open).relation, Relation::inside);
 
-  const Aabb from_before{{1, -0.25, -0.25}, {2, 0.25, 0.25}};  // it still shares points with the shadow, which is closed
+  const Aabb from_before{{1, -0.25, -0.25}, {2, 0.25, 0.25}};  // it shares points with the shadow, which is closed
   for (const NearBoundary near : {NearBoundary::closed, NearBoundary::open}) {
     EXPECT_EQ(overlap_certified(shadow, from_before, near).relation, Relation::partial);
     EXPECT_EQ(conservative_certified(shadow, from_before, near).relation, Relation::partial);
@@ -204,13 +204,13 @@ TEST(Overlap, OpenNearBoundaryDrawsWhatIsCoplanar) {
 }
 
 TEST(Overlap, PlainIsWrongWhereCertifiedIsNot) {
-  // Boxes whose corner touches the side of a skew shadow within an ulp: rounding must mislead plain somewhere.
+  // The corner of each box touches the side of a skew shadow within an ulp. Rounding must make `plain` wrong somewhere.
   const std::vector<Vec3> loop{{1.1, -0.3, -0.7}, {1.3, 0.9, -0.6}, {1.2, 0.1, 1.1}};
   const Vec3 eye{0.1, 0.2, 0.3};
   const ShadowFrustum shadow = *ShadowFrustum::make(Viewpoint::eye(eye), loop, Near::farthest).frustum;
   int wrong = 0;
   for (int i = 1; i < 2000; ++i) {
-    const double s = 1 + i * 0.001, t = i * 0.0005;  // a point of the side through corners 0 and 1, rounded
+    const double s = 1 + i * 0.001, t = i * 0.0005;  // for a point on the side through corners 0 and 1, rounded
     Vec3 p;
     for (int axis = 0; axis < 3; ++axis) {
       p[axis] = eye[axis] + 5 * s * ((1 - t) * (loop[0][axis] - eye[axis]) + t * (loop[1][axis] - eye[axis]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bounds of the filter hold, and none is twice as large as it must be: a search for the worst inputs comes within half
+// The bounds of the filter hold, and none is twice as large as needed: a search for the worst inputs reaches more than half
 // of each. (For kBoundInflation and kRefinedError no such input is known; bound_check counts their roundings.)
 #include "error_bounds.h"
 
@@ -22,7 +22,7 @@ using namespace occlude::kernel;
 
 constexpr std::uint32_t kSeed = 20262;
 
-/// |error| / bound, to five digits; infinite for an error without a bound.
+/// |error| / bound, to five digits. It is infinite for an error without a bound.
 double share(const Expansion& error, double bound) {
   const Expansion magnitude = error.sign() < 0 ? -error : error;
   if (bound == 0) return magnitude.sign() == 0 ? 0 : HUGE_VAL;
@@ -36,7 +36,7 @@ double share(const Expansion& error, double bound) {
 
 using Numbers = std::array<double, 12>;
 
-/// Numbers of magnitude about one, with long and short mantissas and close to powers of two: where roundings are large.
+/// Numbers of magnitude about one, with long and short mantissas, and close to powers of two, where roundings are large.
 class Inputs {
  public:
   double number() {
@@ -49,7 +49,7 @@ class Inputs {
     std::generate(x.begin(), x.end(), [&] { return number(); });
     return x;
   }
-  /// A neighbour of x: one or two numbers replaced, moved a little or doubled.
+  /// A neighbour of x, in which one or two numbers are replaced, moved a little or doubled.
   Numbers neighbour(Numbers x) {
     for (int changes = integer(1, 2); changes > 0; --changes) {
       double& v = x[static_cast<std::size_t>(integer(0, static_cast<int>(x.size()) - 1))];
@@ -69,7 +69,7 @@ class Inputs {
   std::mt19937_64 random_{kSeed};
 };
 
-/// The largest value of `measure` that hill climbing from many starts finds.
+/// The largest value of `measure` that hill climbing finds from many starting points.
 double climb(const std::function<double(const Numbers&)>& measure) {
   Inputs inputs;
   double best = 0;
@@ -94,7 +94,7 @@ PlaneCoefficients<DoubleDoubleArithmetic> plane_through(const Vec3& n, const Vec
   return {constants<A>(n), -dot(constants<A>(n), difference<A>(point, origin))};
 }
 
-/// True value times the power of two by which the filter's plane is scaled.
+/// The true value times the power of two by which the filter's plane is scaled.
 Expansion true_value(const FilterPlane& filter, const Vec3& n, const Vec3& point, const Vec3& x) {
   using A = ExactArithmetic;
   const double scale = filter.normal.x / n.x;
@@ -108,7 +108,7 @@ Aabb box_between(const Vec3& a, const Vec3& b) {
           {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
 }
 
-/// How much of its bound the filter's value at the vertex farthest along the normal is off.
+/// The error of the filter's value at the vertex farthest along the normal, as a share of its bound.
 double plane_error(const Vec3& n, const Vec3& point, const Vec3& origin, const Aabb& box) {
   const RoundedPlane plane = rounded(plane_through(n, point, origin));
   const AabbFrame<PlainArithmetic> frame(box, origin);
@@ -160,10 +160,10 @@ HWY_ATTR double highest_in_batches(const FilterPlane& plane) {
   return HWY_NAMESPACE::hn::GetLane(frame.extremes(plane).high().v);
 }
 
-/// Where the offset is all there is, in batches: three terms too small for its last place, each lost in an addition, and the
-/// spread, lost in a fourth. Fused operations lose the same.
+/// In batches, the offset is nearly the whole value here. Three terms are too small for its last place and each is lost in
+/// an addition; the spread is lost in a fourth. Fused operations lose the same.
 TEST(ErrorBounds, OffsetErrorHoldsInBatchesAndIsNotTwiceTooLarge) {
-  const double term = std::nextafter(kUnitRoundoff, 0.0);  // next to half a place of 1
+  const double term = std::nextafter(kUnitRoundoff, 0.0);  // just below half an ulp of 1
   const FilterPlane plane{.normal = {term, term, term}, .magnitudes = {term, term, term}, .offset = 0.5, .farther = {}};
   const double value = highest_in_batches(plane);
   const Expansion truth = Expansion(1) + Expansion(term) * Expansion(4);
@@ -172,7 +172,7 @@ TEST(ErrorBounds, OffsetErrorHoldsInBatchesAndIsNotTwiceTooLarge) {
   EXPECT_GT(worst, 0.9);
 }
 
-/// Refined values are off by less than their bound; where it leaves no doubt, the sign is right.
+/// Refined values are off by less than their bound. Where the bound leaves no doubt, the sign is right.
 TEST(ErrorBounds, RefinedSignsAreRight) {
   Inputs inputs;
   int certain = 0, zero = 0;
@@ -180,7 +180,7 @@ TEST(ErrorBounds, RefinedSignsAreRight) {
     const Numbers v = inputs.numbers();
     const Vec3 n{v[0], v[1], v[2]}, point{v[3], v[4], v[5]}, origin{v[6], v[7], v[8]};
     Vec3 x = point;
-    if (i % 4 != 0) {  // nearly on the plane: moved along it, up to rounding
+    if (i % 4 != 0) {  // a point nearly on the plane: moved along it, up to rounding
       x.x += n.y * v[9];
       x.y -= n.x * v[9];
     }
@@ -196,8 +196,8 @@ TEST(ErrorBounds, RefinedSignsAreRight) {
   EXPECT_GT(zero, 10000);
 }
 
-/// A plane whose normal is beyond twice the precision of a double: (p - e) x (2 p - e) = p x e with e almost parallel to p,
-/// so that three digits in four cancel and then most of the rest.
+/// A plane whose normal needs more than twice the precision of a double. It is (p - e) x (2 p - e) = p x e with e almost
+/// parallel to p, so three digits in four cancel, and then most of the rest.
 ExactPlane hopeless_plane(Inputs& inputs) {
   const Vec3 p{0x1p40 * inputs.number(), 0x1p40 * inputs.number(), 0x1p40 * inputs.number()};
   Vec3 e;
@@ -205,7 +205,7 @@ ExactPlane hopeless_plane(Inputs& inputs) {
   return {.direct = false, .a_to = p, .a_from = e, .b_to = {2 * p.x, 2 * p.y, 2 * p.z}, .b_from = e, .origin = e};
 }
 
-/// The coefficients' own uncertainty is part of the bound: for such planes it is all of it.
+/// The uncertainty of the coefficients is part of the bound. For such planes it is nearly the whole bound.
 TEST(ErrorBounds, UncertainCoefficientsAreAllowedFor) {
   using A = DoubleDoubleArithmetic;
   Inputs inputs;
@@ -216,8 +216,7 @@ TEST(ErrorBounds, UncertainCoefficientsAreAllowedFor) {
     const Vec3 origin = i % 2 ? laid.origin : from;
     const auto n = normal<A>(laid);
     const RoundedPlane plane = rounded({n, -dot(n, difference<A>(laid.origin, origin))});
-    const Vec3 vertex =
-        i % 2 ? x : origin;  // far from the origin, where the normal counts, and at it, where the offset does
+    const Vec3 vertex = i % 2 ? x : origin;  // far from the origin the normal counts, and at the origin the offset
     const AabbFrame<PlainArithmetic> frame({vertex, vertex}, origin);
     const double value = frame.extremes(plane.filter).high(), bound = frame.error(plane.bound);
     const int truth = value_sign(laid, vertex);
@@ -231,7 +230,8 @@ TEST(ErrorBounds, UncertainCoefficientsAreAllowedFor) {
   EXPECT_GT(nonzero, 16000);
 }
 
-/// Where the high parts cancel exactly and the low parts up to rounding, twice the precision is not enough, and says so.
+/// Where the high parts cancel exactly and the low parts cancel up to rounding, twice the precision is not enough, and
+/// refined_sign() reports it.
 TEST(ErrorBounds, RefinedErrorCoversTheTails) {
   Inputs inputs;
   int doubtful = 0;
@@ -256,8 +256,8 @@ TEST(RunningErrorTerms, ProductsInheritTheErrorsOfBothFactors) {
   EXPECT_GE((vague * vague).error, 4);
 }
 
-/// With half the constant the filter would believe a wrong sign here: the sum s of three products is off by nearly the whole
-/// bound, and the offset leaves of it just more than half.
+/// With half the constant the filter would give a wrong sign here. The sum s of three products is off by nearly the whole
+/// bound, and the offset leaves a value of just more than half the bound.
 TEST(ErrorBounds, HalfSpaceErrorIsNotTwiceTooLarge) {
   Numbers worst_input{};
   double worst = 0;
@@ -282,7 +282,7 @@ TEST(ErrorBounds, HalfSpaceErrorIsNotTwiceTooLarge) {
 
   const Numbers& v = worst_input;
   const double s = v[0] * v[3] + v[1] * v[4] + v[2] * v[5];
-  const double left = error_of(v).sign() * 0.55 * kHalfSpaceError * magnitude(v);  // of s, which is too large or too small
+  const double left = error_of(v).sign() * 0.55 * kHalfSpaceError * magnitude(v);  // of s, which is off in this direction
   const HalfSpace h{{v[0], v[1], v[2]}, left - s};
   const Vec3 x{v[3], v[4], v[5]};
   const Expansion truth = Expansion(s) - error_of(v) + Expansion(h.offset);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of a case in which no coordinate is rounded: they must have the same answer.
+// Copies of a case in which no coordinate is rounded. They must have the same answer.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace occlude {
 
-/// Takes (x0, x1, x2) to coordinates factors[k] * x[axes[k]] + offset[k]; factors are powers of two or their negatives.
+/// Maps (x0, x1, x2) to coordinates factors[k] * x[axes[k]] + offset[k]. The factors are powers of two or their negatives.
 struct Similarity {
   std::string name;
   std::array<int, 3> axes{0, 1, 2};
   kernel::Vec3 factors{1, 1, 1}, offset{};
 };
 
-/// A similarity at work on a case; knows whether everything so far was exact and in the legal range.
+/// Applies a similarity to a case, and records whether everything so far was exact and in the legal range.
 class Copier {
  public:
   explicit Copier(const Similarity& similarity) : similarity_(similarity) {}
@@ -66,7 +66,7 @@ class Copier {
   }
 
  private:
-  /// The sum is exact when either term taken away leaves the other.
+  /// The sum is exact when subtracting either term leaves the other.
   double sum(double a, double b) {
     const double s = a + b;
     is_exact_ = is_exact_ && s - a == b && s - b == a;

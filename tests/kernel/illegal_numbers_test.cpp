@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever doubles a box has, every question about it comes back, and nothing is read or written out of place: the
-// sanitizers and the checks of the standard library (presets dev and asan) watch.
+// Whatever doubles a box has, every question about it returns, and nothing is read or written out of bounds. The sanitizers
+// and the checks of the standard library (presets dev and asan) would report it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,8 +39,8 @@ Vec3 vector(Random& random) {
   return {x, y, number(random)};
 }
 
-/// An expansion whose terms are all NaN has as many as its parts together; of finite numbers that are not legal there may be
-/// more than 32, too.
+/// An expansion whose terms are all NaN has as many terms as its operands together. Finite numbers that are not legal may
+/// need more than 32 terms, too.
 TEST(IllegalNumbers, ExpansionsStayInTheirPlace) {
   Random random(7);
   for (int i = 0; i < 2000; ++i) {
@@ -55,7 +55,7 @@ TEST(IllegalNumbers, ExpansionsStayInTheirPlace) {
   }
 }
 
-/// A sum that takes 35 terms, of which the lowest are dropped: the sign is still that of the highest.
+/// A sum that needs 35 terms, of which the lowest are dropped. Its sign is still that of the highest term.
 TEST(IllegalNumbers, ALongSumStaysInItsPlace) {
   Expansion sum;
   for (int exponent = 1020; exponent >= -1020; exponent -= 60) sum = sum + Expansion(std::ldexp(1.0, exponent));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small integer geometry for judging by brute force: exact, and nothing of the kernel's arithmetic in it.
+// Small integer geometry for brute-force checks. It is exact and uses none of the kernel's arithmetic.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ inline Vector random_vector(occlude::fuzz::Random& random, int reach) {
   return {random.integer(-reach, reach), random.integer(-reach, reach), random.integer(-reach, reach)};
 }
 
-/// x -> origin + columns x.
+/// The map x -> origin + columns x.
 struct AffineMap {
   Vector origin;
   std::array<Vector, 3> columns;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cases of all families against copies of themselves that must have the same answer: no oracle is needed to see a
+// Cases of all families against copies of themselves that must have the same answer. No oracle is needed to find a
 // difference.
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ using namespace occlude;
 using namespace occlude::kernel;
 using Loop = std::vector<Vec3>;
 
-/// All that `certified` says of a case.
+/// All that `certified` answers about a case.
 struct Answer {
   Refusal refusal = Refusal::none;
   Relation overlap = Relation::partial, conservative = Relation::partial;
@@ -43,7 +43,8 @@ Answer answer_of(const fuzz::Case& c) {
   return {Refusal::none, fuzz::overlap(*made.frustum, c.box).relation, fuzz::conservative(*made.frustum, c.box).relation};
 }
 
-/// The near plane of `surface` behind a polygon that is not coplanar is the kernel's choice: a copy may have another.
+/// Whether the near plane is the kernel's choice, as it is for `surface` and a polygon that is not coplanar. A copy may then
+/// have another one.
 bool is_chosen_near_plane(const fuzz::Case& c) {
   const auto made = fuzz::make_frustum(c);
   return made.frustum && made.frustum->support_plane();
@@ -61,8 +62,8 @@ std::vector<fuzz::Case> exact_copies(const fuzz::Case& c) {
   return copies;
 }
 
-/// Whether no vertex comes near to being as far as the farthest, so that the order of the vertices cannot matter: it decides
-/// which of several equally far ones gives the near plane of `farthest` (overlap.h).
+/// Whether no other vertex is nearly as far as the farthest. Then the order of the vertices cannot matter. Otherwise it
+/// decides which of several equally far vertices gives the near plane of `farthest` (overlap.h).
 bool has_clear_farthest(const Viewpoint& viewpoint, const Loop& loop) {
   std::vector<double> distances;
   for (const Vec3& v : loop) {
@@ -89,7 +90,7 @@ fuzz::Case with_box(fuzz::Case c, const fuzz::Box& box) {
   return c;
 }
 
-/// The occluder with its loop, or the loops of its faces, written another way.
+/// The occluder with its loop, or the loops of its faces, written in other ways.
 std::vector<fuzz::Case> other_spellings(const fuzz::Case& c) {
   if (const auto* const polytope = std::get_if<Polytope>(&c.occluder)) {
     Polytope reversed = *polytope, rotated = *polytope;
@@ -128,7 +129,7 @@ std::optional<Obb> as_oriented(const Aabb& box) {
   return kernel::check(oriented) == Refusal::none ? std::optional(oriented) : std::nullopt;
 }
 
-/// The same set of points as a box, written another way.
+/// The same set of points as a box, written in other ways.
 std::vector<fuzz::Case> other_boxes(const fuzz::Case& c) {
   if (const auto* const aabb = std::get_if<Aabb>(&c.box)) {
     const auto oriented = as_oriented(*aabb);
@@ -140,7 +141,7 @@ std::vector<fuzz::Case> other_boxes(const fuzz::Case& c) {
           with_box(c, Obb{center, {negative(h[2]), negative(h[1]), negative(h[0])}})};
 }
 
-/// A box within the box.
+/// A random box within the box.
 fuzz::Box shrunk(fuzz::Random& random, const fuzz::Box& box) {
   if (const auto* const aabb = std::get_if<Aabb>(&box)) {
     Aabb part;
@@ -182,7 +183,7 @@ TEST_P(Metamorphic, CopiesAnswerAsTheCase) {
     if (is_chosen_near_plane(c)) return;
     const Answer answer = answer_of(c);
     ++cases;
-    // What is asked of planes alone knows no spellings of a box either: `conservative` is the same for all of them.
+    // `conservative` asks planes alone, so it does not depend on how the box is written either.
     for (const auto& images : {exact_copies(c), other_spellings(c), other_boxes(c)}) {
       for (const fuzz::Case& image : images) EXPECT_EQ(answer_of(image), answer);
       copies += images.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frustum that was never made hides nothing: whatever is asked of it, the answer is `partial`.
+// A frustum that was never made hides nothing. The answer to every question about it is `partial`.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,12 +32,12 @@ ShadowFrustum refused() {
   return frustum;
 }
 
-/// Whose planes have gone elsewhere.
+/// A frustum that was moved from: its planes are elsewhere.
 ShadowFrustum moved_from() {
   ShadowFrustum frustum = wall();
   const ShadowFrustum elsewhere = std::move(frustum);
   EXPECT_FALSE(elsewhere.is_none());
-  return frustum;  // NOLINT(bugprone-use-after-move): what is left is the point
+  return frustum;  // NOLINT(bugprone-use-after-move): the test is about what is left
 }
 
 class NoFrustum : public testing::TestWithParam<ShadowFrustum (*)()> {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Convex polytopes against shadow frusta: by hand, by brute force over all triples of planes, and boxes put as polytopes.
+// Convex polytopes against shadow frusta: by hand, by brute force over all triples of planes, and with boxes written as
+// polytopes.
 #include "occlude/kernel/polytope_overlap.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ ConvexPolytope tetrahedron(const std::array<Vec3, 4>& v) {
   return polytope({{v.begin(), v.end()}, lattice::polytopes()[0].faces});
 }
 
-// A square wall at x = 2, seen from the origin: its shadow is |y|, |z| <= x / 2 beyond x = 2.
+// A square wall at x = 2, seen from the origin. Its shadow is |y|, |z| <= x / 2 beyond x = 2.
 const Loop kWall{{2, -1, -1}, {2, 1, -1}, {2, 1, 1}, {2, -1, 1}};
 const double kUp = std::nextafter(2.0, 3.0), kDown = std::nextafter(2.0, 1.0);
 
@@ -70,7 +71,8 @@ const Row kRows[] = {
     {"about_the_eye_past_the_wall", {{{-1, 9, 9}, {-1, -9, 0}, {-1, 9, -9}, {9, 9, 9}}}, kPartial, kPartial},
     {"about_the_eye_before_the_wall", {{{-1, 9, 9}, {-1, -9, 0}, {-1, 9, -9}, {kDown, 9, 9}}}, kOutside, kOutside},
     {"about_wall_and_eye", {{{-9, 99, 99}, {-9, -99, 0}, {-9, 99, -99}, {99, 0, 0}}}, kPartial, kPartial},
-    // Across the plane x = 2 and seen behind the wall, yet apart from the shadow: beside it where it is beyond x = 2.
+    // They cross the plane x = 2 and overlap the wall in the view, but beyond x = 2 they are beside the shadow or only touch
+    // it.
     {"around_the_edge_apart", {{{0.5, 0, -0.1}, {0.5, 0, 0.1}, {3, 3, 0}, {3, 2.75, 0.1}}}, kOutside, kOutside},
     {"around_the_edge_touching", {{{1, 0, 0}, {1, 0, 1}, {3, 2, 0}, {3, 3, 0}}}, kPartial, kPartial},
     {"around_the_edge_ulp_apart", {{{1, 0, 0}, {1, 0, 1}, {3, kUp, 0}, {3, 3, 0}}}, kOutside, kOutside},
@@ -121,8 +123,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, Tetrahedra, testing::ValuesIn(kRows),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(PolytopeOverlap, FaceThatOnlyEdgesOfTheOccluderCross) {
-  // An octahedron with a corner turned to the eye; before it, the large base of a tetrahedron. Neither the edges of the
-  // tetrahedron nor the rays of the shadow, which start at x = 6, come near.
+  // An octahedron has a corner turned to the eye, and the large base of a tetrahedron is in front of it. Neither the edges
+  // of the tetrahedron nor the rays of the shadow, which start at x = 6, come near the common points.
   const ConvexPolytope occluder =
       polytope({{{8, 0, 0}, {4, 0, 0}, {6, 2, 0}, {6, -2, 0}, {6, 0, 2}, {6, 0, -2}}, lattice::polytopes()[2].faces});
   const auto frustum = *ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), occluder, Near::surface).frustum;
@@ -134,7 +136,7 @@ TEST(PolytopeOverlap, FaceThatOnlyEdgesOfTheOccluderCross) {
   EXPECT_EQ(relation(std::nextafter(4.0, 0.0)), Relation::outside);
 }
 
-// Brute force: the common points of a frustum and a polytope, if any, are a polytope, and its corners lie on three planes.
+// Brute force: if a frustum and a polytope share points, these are a polytope, and each of its corners lies on three planes.
 
 /// normal . x + offset >= 0.
 struct Plane {
@@ -193,7 +195,7 @@ std::optional<ShadowFrustum> random_frustum(fuzz::Random& random, bool is_eye) {
   return ShadowFrustum::make(viewpoint, polytope(lattice::random_polytope(random, 4, 2)), near).frustum;
 }
 
-/// Often moved away from the viewpoint, to where shadows are.
+/// A random polytope, often moved away from the viewpoint, to where shadows are.
 ConvexPolytope random_occludee(fuzz::Random& random, const ShadowFrustum& frustum) {
   Polytope given = lattice::random_polytope(random, 6, random.integer(1, 4));
   const Vector value = lattice::from_kernel(frustum.viewpoint().value);
@@ -228,14 +230,14 @@ TEST_P(BruteForceOfPlanes, AgreesOnLatticePolytopes) {
 INSTANTIATE_TEST_SUITE_P(Viewpoints, BruteForceOfPlanes, testing::Values(true, false),
                          [](const auto& is_eye) { return is_eye.param ? "eye" : "direction"; });
 
-// Boxes, in all families of the fuzzer, as polytopes of eight vertices.
+// Boxes of all families of the fuzzer, as polytopes of eight vertices.
 
 std::optional<double> exact_sum(double a, double b) {
   const TwoTerms sum = two_sum(a, b);
   return sum.low == 0 ? std::optional(sum.high) : std::nullopt;
 }
 
-/// The corners, bit k of their number telling the end of edge k; none where a corner is no double.
+/// The corners, or nothing where a corner is not a double. Bit k of the index of a corner tells the end of edge k.
 std::optional<Loop> corners(const Aabb& box) {
   Loop result;
   for (unsigned i = 0; i < 8; ++i) {

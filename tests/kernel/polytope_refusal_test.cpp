@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which polytopes are refused, and from where; what is legal right beside it answers as the polytope it is.
+// The polytopes that are refused, and the viewpoints from which they are. Polytopes that are just legal answer correctly.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ TEST(PolytopeRefusal, FacesThatAreNotPlaneByAnUlp) {
 }
 
 TEST(PolytopeRefusal, SolidsThatAreNotConvexByAnUlp) {
-  // Triangles are plane: now it matters whether the diagonal of the face is a ridge or a valley.
+  // Triangles are always planar. So it matters only whether the diagonal of the face is a ridge or a valley.
   const auto moved = [](std::size_t vertex, double x) {
     Polytope polytope = kTriangulated;
     polytope.vertices[vertex].x = x;
@@ -117,7 +117,7 @@ TEST(PolytopeRefusal, Pits) {
 }
 
 TEST(PolytopeRefusal, FacesThatAreNotConvex) {
-  // The face at x = 4 in two parts that cover it exactly, one with a notch into which the other fits.
+  // The face at x = 4 is divided into two parts that cover it exactly. One has a notch into which the other fits.
   Polytope polytope = kCube;
   polytope.vertices.push_back({4, -0.25, 0});
   polytope.faces[kFaceAtMaxX] = {1, 3, 5, 7, 8};
@@ -150,11 +150,11 @@ TEST(PolytopeRefusal, FacesGivenTwice) {
 }
 
 TEST(PolytopeRefusal, OverlappingPatches) {
-  Polytope crossed = kCube;  // both halves over the same diagonal's one side
+  Polytope crossed = kCube;  // both halves are on the same side of the diagonal
   crossed.faces[kFaceAtMaxX] = {1, 3, 5};
   crossed.faces.push_back({1, 3, 7});
   EXPECT_EQ(refusal(crossed), Refusal::polytope_not_closed);
-  // Every edge of the patch has two faces: itself and its copy.
+  // With its copy, the patch has two faces at every edge.
   Polytope patched = kCube;
   patched.vertices.insert(patched.vertices.end(), {{4, 0, 0}, {4, 0.5, 0}, {4, 0, 0.5}});
   patched.faces.push_back({8, 9, 10});
@@ -175,7 +175,7 @@ TEST(PolytopeRefusal, FlatSolids) {
   EXPECT_EQ(refusal(pressed), Refusal::polytope_not_convex);
   const std::vector<Vec3> line{{2, 0, 0}, {2, 1, 0}, {2, 2, 0}};
   EXPECT_EQ(refusal({line, {{0, 1, 2}, {2, 1, 0}}}), Refusal::polytope_not_closed);
-  // Flat but for an ulp.
+  // The polytope is flat except for an ulp.
   const std::vector<Vec3> thin{{2, -1, -1}, {2, 1, -1}, {2, 0, 1}, {up(2), 0, 0}};
   EXPECT_EQ(refusal({thin, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}), Refusal::none);
 }
@@ -212,7 +212,7 @@ TEST(PolytopeRefusal, NumbersOfViewpoints) {
   EXPECT_EQ(from(Viewpoint::direction({0, 0, 0x1p-100})), Refusal::none);
 }
 
-/// The hand cases of the cube, with its polytope written otherwise.
+/// Checks the hand cases of the cube with its polytope written in another way.
 template <class Rewrite>
 void expect_same_answers(const Rewrite& rewrite) {
   for (const char* place : {"cube_ahead", "cube_across", "cube_eye", "cube_along"}) {
@@ -242,7 +242,7 @@ TEST(PolytopeSpelling, FacesMayBeginAnywhereAndComeInAnyOrder) {
 }
 
 TEST(PolytopeSpelling, VerticesMayBeRepeated) {
-  // Every face with vertices of its own, as in a triangle soup, and with a corner twice.
+  // Every face has vertices of its own, as in a triangle soup, and one corner twice.
   expect_same_answers([](Polytope& polytope) {
     const Polytope shared = polytope;
     for (auto& face : polytope.faces) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Silhouettes followed from viewpoint to viewpoint, and frusta built where others were.
+// Silhouettes updated from viewpoint to viewpoint, and frusta assigned over others.
 #include "occlude/kernel/polytope_silhouette.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(PolytopeSilhouette, FollowedIsWhatAFreshOneIs) {
   };
   PolytopeSilhouette followed;
   std::size_t seen_from_outside = 0, from_inside = 0;
-  // Jumps to anywhere on a lattice: into the polytope, onto planes of faces, to the other side.
+  // The viewpoint jumps to any point of a lattice: into the polytope, onto planes of faces, to the other side.
   for (int i = 0; i < 3000; ++i) {
     const int reach = i % 3 == 0 ? 9 : 120;
     const Vec3 at{coordinate(reach), coordinate(reach), coordinate(reach)};
@@ -82,7 +82,7 @@ TEST(PolytopeSilhouette, ASmallStepAsksTheFacesAlongItAlone) {
   EXPECT_LT(asked, 100 * polytope.faces().size() / 10);
 }
 
-/// A frustum built where another was leaves nothing of it.
+/// A frustum assigned over another keeps nothing of it.
 TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
   const ConvexPolytope polytope = bipyramid(3);
   const std::vector<Vec3> flat{{4, -1, -1}, {4, 1, -1}, {4, 1, 1}, {4, -1, 1}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every reason for which the kernel builds no frustum, decided exactly, and what is legal right beside it.
+// Every reason for which the kernel refuses to build a frustum, decided exactly, next to input that is just legal.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = st
 double up(double x) { return std::nextafter(x, kInfinity); }
 double down(double x) { return std::nextafter(x, -kInfinity); }
 
-/// Calls `try_number(x, refusal)` with numbers at the ends of the legal range and just beyond, and what they call for.
+/// Calls `try_number(x, refusal)` with numbers at the ends of the legal range and just beyond, and the expected refusals.
 template <class TryNumber>
 void try_numbers(const TryNumber& try_number) {
   for (const double sign : {1.0, -1.0}) {
@@ -50,13 +50,14 @@ void try_numbers(const TryNumber& try_number) {
 TEST(Refusal, NumbersOfPolygonsAndViewpoints) {
   for (int axis = 0; axis < 3; ++axis) {
     try_numbers([&](double x, Refusal expected) {
-      // Convex from the eye, and with no line of sight along the plane, wherever on its axis the last vertex goes.
+      // The loop is convex from the eye, and no line of sight runs along its plane, wherever on its axis the last vertex
+      // goes.
       Loop loop{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}};
       Vec3 far{-7, -9, -8}, along{1, 0.25, 0.25};
       far[axis] = x;
       along[axis] = x;
       const Refusal from_far = refusal(Viewpoint::eye(far), loop), along_it = refusal(Viewpoint::direction(along), loop);
-      const bool is_in_plane = axis == 0 && x == 0;  // of the direction alone
+      const bool is_in_plane = axis == 0 && x == 0;  // for the direction alone
       EXPECT_EQ(to_string(from_far), to_string(expected));
       EXPECT_EQ(to_string(along_it), to_string(is_in_plane ? Refusal::eye_in_plane : expected));
       if (expected == Refusal::none) return;
@@ -124,7 +125,7 @@ TEST(Refusal, LoopsThatAreNotConvexFromHere) {
 }
 
 TEST(Refusal, LoopsFoldedThroughTheEye) {
-  // The eye lies between the first vertex and the last: seen from it the last adds no turn, and yet it is behind.
+  // The eye lies between the first vertex and the last. Seen from the eye, the last adds no turn, but it is behind the eye.
   EXPECT_EQ(from_origin({{2, -1, -1}, {2, 1, -1}, {2, 0, 1}, {-1, 0.5, 0.5}}), Refusal::not_convex);
 }
 
@@ -149,7 +150,7 @@ TEST(Refusal, ViewpointInThePlane) {
   EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, 1}), raised), Refusal::eye_in_plane);
   EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, up(1)}), raised), Refusal::none);
   EXPECT_EQ(refusal(Viewpoint::eye({-5, 7, down(1)}), raised), Refusal::none);
-  // At a vertex of a loop that is not flat the other three would do.
+  // The eye is at a vertex of a loop that is not flat; the other three vertices alone would be legal.
   const Loop folded{{2, -1, -1}, {2, 1, -1}, {3, 1, 1}, {2, -1, 1}};
   EXPECT_EQ(from_origin(folded), Refusal::none);
   for (const Vec3& v : folded) EXPECT_EQ(refusal(Viewpoint::eye(v), folded), Refusal::eye_in_plane);
@@ -162,7 +163,7 @@ TEST(Refusal, ZeroDirection) {
   EXPECT_EQ(refusal(Viewpoint::direction({0x1p-100, 0, 0}), loop), Refusal::none);
 }
 
-/// An input that calls for the refusal.
+/// The refusal of an input that must be refused for this reason.
 Refusal example_of(Refusal reason) {
   const Loop triangle{{2, 0, 0}, {2, 1, 0}, {2, 0, 1}};
   const Polytope whole = occlude::cube({2, -1, -1});
@@ -221,7 +222,7 @@ TEST(Silhouette, NeedlessVerticesAreDropped) {
   EXPECT_EQ(made.frustum->silhouette().size(), 4U);
 }
 
-/// On a circle at x = 2 round the x axis.
+/// A regular polygon on a circle at x = 2 round the x axis.
 Loop disc(int sides) {
   Loop loop;
   for (int i = 0; i < sides; ++i) {
@@ -231,7 +232,7 @@ Loop disc(int sides) {
   return loop;
 }
 
-/// So many that work for every pair of them would take minutes.
+/// So many vertices that work for every pair of them would take minutes.
 constexpr int kVeryMany = 200000;
 
 TEST(Silhouette, OfVeryManySides) {
@@ -257,8 +258,8 @@ TEST(Silhouette, OfVeryManyNeedlessVertices) {
   EXPECT_EQ(made.frustum->silhouette().size(), 4U);
 }
 
-/// To and fro in a plane with the eye, across which two steps on make one back: every vertex dropped lets the one before it
-/// go in the next round.
+/// The loop goes back and forth in a plane with the eye. Every dropped vertex makes the one before it drop in the next
+/// round.
 TEST(Silhouette, DroppedOneByOneFromTheEnd) {
   Loop loop;
   for (int i = 0; i < kVeryMany; ++i) loop.push_back(i % 2 == 0 ? Vec3{1, 0, 0} : Vec3{-1, 5, 0});
@@ -289,7 +290,7 @@ TEST(SupportPlane, HasNoVertexBeyondItWhereverTheLoopBegins) {
 }
 
 TEST(SupportPlane, LiesBeyondTheEyeThatIsInThePlaneUpToRounding) {
-  // x + 2y = z but for rounding, which is all that the mean plane has to go by.
+  // x + 2y = z except for rounding, and only rounding gives the mean plane its side.
   const Loop flat{{0.8, -0.4, 0}, {0.5, 0.9, 2.3}, {0.1, 0.9, 1.9}, {0.2, 0.6, 1.4}};
   const Vec3 eye{0, 0, 0};
   const auto made = ShadowFrustum::make(Viewpoint::eye(eye), flat, Near::surface);

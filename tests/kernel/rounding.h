@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Another rounding mode of the processor, for tests that everything notices it.
+// Another rounding mode of the processor, for tests that everything detects it.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace occlude {
 
-/// The mode as long as this lives.
+/// The rounding mode holds while this object lives.
 class WithRounding {
  public:
   explicit WithRounding(int mode) : before_(std::fegetround()) { std::fesetround(mode); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the processor does not round to nearest nothing is made, so that nothing is answered wrongly.
+// Where the processor does not round to nearest, nothing is made, so that nothing is answered wrongly.
 #include "kernel/rounding.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using namespace occlude;
 using namespace occlude::kernel;
 
-/// What making each kind of thing says.
+/// The refusals of everything that checks the rounding mode.
 std::vector<Refusal> refusals(const ConvexPolytope& polytope) {
   const Viewpoint eye = Viewpoint::eye({0, 0, 0}), direction = Viewpoint::direction({1, 0, 0});
   const std::vector<Vec3> loop{{2, -1, -1}, {2, 1, -1}, {2, 0, 1}};
@@ -50,7 +50,7 @@ TEST(Rounding, NothingIsMadeUnlessToNearest) {
   EXPECT_EQ(check_rounding(), Refusal::none) << "the mode is what it was";
 }
 
-/// A frustum stays what it was, and without a frustum nothing is inside.
+/// A refusal leaves a frustum as it was, and without a frustum nothing is inside.
 TEST(Rounding, ARefusalChangesNoFrustum) {
   const std::vector<Vec3> near{{2, -1, -1}, {2, 1, -1}, {2, 0, 1}}, far{{4, -1, -1}, {4, 1, -1}, {4, 0, 1}};
   const Viewpoint eye = Viewpoint::eye({0, 0, 0});

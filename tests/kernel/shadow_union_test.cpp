@@ -16,12 +16,13 @@ ShadowFrustum shadow(const std::vector<Vec3>& loop, Near near = Near::surface) {
   return *ShadowFrustum::make(Viewpoint::eye({0, 0, 0}), loop, near).frustum;
 }
 
-/// A wall at x = 2 from y = low to y = high, and z from -1 to 1: seen from the origin its shadow widens by half the depth.
+/// A wall at x = 2 from y = low to y = high, and z from -1 to 1. Seen from the origin, its shadow at depth x is the wall
+/// scaled by x / 2.
 std::vector<Vec3> wall(double low, double high) { return {{2, low, -1}, {2, high, -1}, {2, high, 1}, {2, low, 1}}; }
 
 struct Row {
   const char* name;
-  double low, high;  ///< of the second wall; the first goes from -1 to 0
+  double low, high;  ///< the extent of the second wall; the first is from -1 to 0
   Aabb box;
   Relation relation;
 };
@@ -75,8 +76,8 @@ TEST(ShadowUnion, OpenNearBoundaryDrawsWhatIsCoplanar) {
             Relation::inside);
 }
 
-/// A wall and a cube that share an edge, seen from where the cube shows two faces: three near planes, of which the box
-/// reaches the last at one corner.
+/// A wall and a cube share an edge, and the cube shows two faces to the eye. That makes three near planes, and the box
+/// reaches the last one at one corner.
 TEST(ShadowUnion, EachShadowHasItsOwnNearPlanes) {
   const Viewpoint eye = Viewpoint::eye({0.5, -5, 0.5});
   const std::vector<Vec3> loop{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
@@ -96,8 +97,8 @@ TEST(ShadowUnion, EachShadowHasItsOwnNearPlanes) {
   }
 }
 
-/// Every point of a grid in the box is in one of the shadows when the answer is inside, in none when it is outside; when it
-/// is partial, some point is in one and, mostly, some in none.
+/// Every point of a grid in the box is in one of the shadows when the answer is inside, and in none when it is outside. When
+/// it is partial, nearly always some point is in none.
 TEST(ShadowUnion, AgreesWithPoints) {
   constexpr std::uint32_t kSeed = 4;
   std::mt19937_64 random(kSeed);

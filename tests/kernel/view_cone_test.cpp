@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cones of sight against each other: degenerate positions worked out by hand, brute force over all pairs of sides, the cost.
+// Cones of rays against each other: degenerate positions worked out by hand, brute force over all pairs of sides, and the
+// cost.
 #include "occlude/kernel/view_cone.h"
 
 #include <gtest/gtest.h>
@@ -77,11 +78,11 @@ const Row kRows[] = {
     {"edge_one_ulp_away", kSquare, at_one({{kUp, -2}, {4, -2}, {4, 2}, {kUp, 2}}), Relation::outside},
     {"apart_in_line_with_an_edge", kSquare, at_one({{3, -2}, {5, -2}, {4, 0}}), Relation::outside},
     {"apart_by_no_side_of_one_of_them", kSquare, at_one({{5, 0}, {0, 5}, {5, 5}}), Relation::outside},
-    // The cones of rays x and -x share their apex only, and the apex is no ray.
+    // The cones of the rays x and -x share only their apex, and the apex is not a ray.
     {"behind_the_eye", kSquare, scaled(kSquare, -1), Relation::outside},
     {"behind_the_eye_and_smaller", kSquare, scaled(kSquare, -0.5), Relation::outside},
     {"behind_the_eye_and_across", kSquare, scaled(at_one({{1, 1}, {9, 1}, {1, 9}}), -1), Relation::outside},
-    // Nearly half-spaces, one above and one below: a plane parts them, but no side of either does.
+    // Both are nearly half-spaces, one above and one below. A plane separates them, but no side of either does.
     {"wide_opposite", {{8, 0, 1}, {-4, 7, 1}, {-4, -7, 1}}, {{-8, 0, -1}, {4, 7, -1}, {4, -7, -1}}, Relation::outside},
     {"wide_opposite_touching",
      {{8, 0, 0}, {-4, 7, 1}, {-4, -7, 1}},
@@ -111,7 +112,7 @@ TEST_P(Cones, Relation) {
   EXPECT_EQ(overlap.common.has_value(), row.relation != Relation::outside);
 }
 
-/// Whatever corner the loop starts at, and whichever way it turns: the sweep is about another corner each time.
+/// The loop starts at every corner and turns either way, so the sweep is about another corner each time.
 TEST_P(Cones, AnyPivotTellsTheSame) {
   const Row& row = GetParam();
   const Viewpoint origin = Viewpoint::eye({0, 0, 0});
@@ -161,7 +162,7 @@ TEST_P(Cones, CopiesAgree) {
   }
 }
 
-/// Rays to points of the plane z = 1 and rays along z through them tell the same of polygons in that plane.
+/// Polygons in the plane z = 1 have the same relation in rays to their points and in rays along z through them.
 TEST_P(Cones, PrismsAgreeWithConesOfOnePlane) {
   const Row& row = GetParam();
   Loop occluder = row.occluder, occludee = row.occludee;
@@ -213,7 +214,7 @@ TEST(ViewCone, StageTellsWhoDecided) {
 
 using lattice::Vector;
 
-/// The cone as directions from the eye; a prism becomes the cone over its cross-section at height 1.
+/// The cone as directions from the eye. A prism becomes the cone over its cross-section at height 1.
 struct Judged {
   std::vector<Vector> rays, normals;
 
@@ -250,7 +251,7 @@ Relation by_brute_force(const Judged& occluder, const Judged& occludee) {
   return meet ? Relation::partial : Relation::outside;
 }
 
-/// The ray in integers; for a crossing, of its two directions the one that both cones hold.
+/// The ray in integers. Of the two directions of a crossing, the one that both cones hold.
 Vector direction(const CommonRay& ray, const Judged& occluder, const Judged& occludee) {
   if (const auto* corner = std::get_if<OccluderCorner>(&ray)) return occluder.rays[corner->corner];
   if (const auto* corner = std::get_if<OccludeeCorner>(&ray)) return occludee.rays[corner->corner];
@@ -259,7 +260,7 @@ Vector direction(const CommonRay& ray, const Judged& occluder, const Judged& occ
   return occluder.holds(line) ? line : -line;
 }
 
-/// A point on a ray that has to do with a loop: through a corner, between two, or opposite.
+/// A point on a ray that is derived from a loop: through a corner, between two corners, or opposite.
 Vec3 derived_point(occlude::fuzz::Random& random, const Viewpoint& viewpoint, const Loop& loop) {
   const auto corner = [&] { return lattice::from_kernel(loop[random.index(loop.size())]); };
   const Vector v = lattice::from_kernel(viewpoint.value), a = corner(), b = corner();
@@ -321,7 +322,7 @@ TEST_P(BruteForce, AgreesOnLatticeCones) {
 INSTANTIATE_TEST_SUITE_P(Viewpoints, BruteForce, testing::Values(true, false),
                          [](const auto& is_eye) { return is_eye.param ? "eye" : "direction"; });
 
-/// Signs asked for by the sweep on two regular polygons in the plane z = 1.
+/// The number of signs that the sweep asks for on two regular polygons in the plane z = 1.
 std::size_t signs_asked(int occluder_corners, int occludee_corners, double radius, double distance, int first,
                         Relation expected) {
   const auto regular = [](int corners, double size, double x, int start) {
@@ -370,7 +371,8 @@ TEST(ConeSweep, AsksForSignsLinearInTheEdges) {
     }
   }
   std::printf("at most %.2f signs an edge\n", worst);
-  // The signs of the rim, k; for either fan two turns of at most two signs a span, and five for each corner put to it.
+  // The sweep asks k signs for the rim. For each fan it asks at most two turns of two signs per span, and five signs for
+  // each corner that is located in it.
   EXPECT_LE(worst, 10);
 }
 

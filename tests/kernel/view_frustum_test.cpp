@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes against intersections of half-spaces: by hand with a far plane, and as shadow frusta without one.
+// Boxes against intersections of half-spaces: by hand with a far plane, and against shadow frusta without one.
 #include "occlude/kernel/view_frustum.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 using namespace occlude;
 using namespace occlude::kernel;
 
-/// |y| <= x, |z| <= x, 1 <= x <= 4.
+/// The set |y| <= x, |z| <= x, 1 <= x <= 4.
 const std::vector<HalfSpace> kView{{{1, -1, 0}, 0}, {{1, 1, 0}, 0},  {{1, 0, -1}, 0},
                                    {{1, 0, 1}, 0},  {{1, 0, 0}, -1}, {{-1, 0, 0}, 4}};
 
@@ -50,7 +50,7 @@ TEST_P(ViewRows, Answer) {
   EXPECT_EQ(to_string(overlap_certified(kView, box).relation), to_string(expected));
   const Vec3 c{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, (box.min.z + box.max.z) / 2};
   const Vec3 h{box.max.x - c.x, box.max.y - c.y, box.max.z - c.z};
-  const bool is_exact = c.x - h.x == box.min.x && c.y - h.y == box.min.y;  // and no rounding in the ulp rows
+  const bool is_exact = c.x - h.x == box.min.x && c.y - h.y == box.min.y;  // false where the ulp rows round
   if (is_exact && box.max.x != kBeyond && box.min.x != kBeyond && std::string_view(name) != "past_a_side_edge") {
     const Obb same{c, {Vec3{h.x, 0, 0}, Vec3{0, h.y, 0}, Vec3{0, 0, h.z}}};
     EXPECT_EQ(to_string(overlap_certified(kView, same).relation), to_string(expected));
@@ -61,14 +61,14 @@ INSTANTIATE_TEST_SUITE_P(Rows, ViewRows, testing::ValuesIn(kRows),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(ViewFrustum, EdgeAgainstEdge) {
-  // An oriented box stands beside the far edge y = x = 4: its edge from (4.5, 3) to (3.5, 5) passes through it, and a little
-  // farther out no face of either parts them.
+  // An oriented box is beside the far edge y = x = 4. Its edge from (4.5, 3) to (3.5, 5) passes through that edge, and a
+  // little farther out no face of either separates them.
   const auto diamond = [](double y) { return Obb{{4.5, y, 0}, {Vec3{0.5, 1, 0}, Vec3{0.5, -1, 0}, Vec3{0, 0, 1}}}; };
   EXPECT_EQ(overlap_certified(kView, diamond(5)).relation, Relation::partial);
   EXPECT_EQ(overlap_certified(kView, diamond(std::nextafter(5.0, 6))).relation, Relation::outside);
 }
 
-/// The planes of a shadow frustum, where they have exact coefficients within the legal range.
+/// The planes of a shadow frustum, or nothing unless they have exact coefficients within the legal range.
 std::optional<std::vector<HalfSpace>> planes_of(const ShadowFrustum& frustum) {
   std::vector<HalfSpace> planes;
   for (std::size_t i = 0; i < frustum.plane_count(); ++i) {
@@ -85,7 +85,7 @@ std::optional<std::vector<HalfSpace>> planes_of(const ShadowFrustum& frustum) {
   return planes;
 }
 
-/// The same question through the profile of a shadow frustum, and as an intersection of half-spaces.
+/// The same question is answered through the profile of a shadow frustum and by an intersection of half-spaces.
 TEST(ViewFrustum, AgreesWithShadowFrusta) {
   std::array<int, 3> counts{};
   for (const fuzz::Family family : fuzz::families()) {

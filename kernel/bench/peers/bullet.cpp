@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bullet in double precision: the GJK of its GJK-EPA solver and that of its pair detector, shapes without margins.
+// Bullet in double precision: the GJK of its GJK-EPA solver and the GJK of its pair detector. The shapes have no margins.
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
@@ -28,7 +28,7 @@ struct BulletBox {
   btTransform place;
 };
 
-/// The frustum relative to its centre, for the search starts from where the shapes' origins are.
+/// The frustum relative to its centre, because the search starts from the origins of the shapes.
 struct BulletHull {
   explicit BulletHull(const BoundedFrustum& frustum) : place(at(frustum.center)) {
     for (const Vec3& corner : frustum.corners) shape.addPoint(to_bullet(corner - frustum.center), false);
@@ -39,7 +39,7 @@ struct BulletHull {
   btTransform place;
 };
 
-/// Bullet's shapes know their own addresses: made once, never moved.
+/// Bullet's shapes know their own addresses, so they are made once and never moved.
 struct Scene {
   explicit Scene(const Workload& workload)
       : hull(BoundedFrustum(workload)), boxes(workload.boxes.begin(), workload.boxes.end()) {}
@@ -53,7 +53,7 @@ bool gjk_epa_meets(const BulletHull& hull, const BulletBox& box) {
   return !btGjkEpaSolver2::Distance(&hull.shape, hull.place, &box.shape, box.place, guess, results);
 }
 
-/// Without a solver for the depth of penetration the detector reports a point for separate shapes alone.
+/// Without a solver for the penetration depth, the detector reports a point only for disjoint shapes.
 bool pair_detector_meets(const BulletHull& hull, const BulletBox& box) {
   btVoronoiSimplexSolver simplex;
   btGjkPairDetector detector(&hull.shape, &box.shape, &simplex, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FCL: a box against a convex mesh, by each of its two solvers, without contacts and without a broad phase.
+// FCL: a box against a convex mesh, with each of its two solvers, without contacts and without a broad phase.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/detail/gjk_solver_indep.h>
@@ -24,7 +24,7 @@ fcl::Vector3d to_fcl(const Vec3& v) { return {v.x, v.y, v.z}; }
 fcl::Convexd make_convex(const BoundedFrustum& frustum) {
   const auto corners = std::make_shared<std::vector<fcl::Vector3d>>();
   for (const Vec3& corner : frustum.corners) corners->push_back(to_fcl(corner));
-  const auto faces = std::make_shared<std::vector<int>>();  // of each face its number of corners, then the corners
+  const auto faces = std::make_shared<std::vector<int>>();  // for each face the number of its corners, then the corners
   for (const BoundedFrustum::Face& face : BoundedFrustum::kFaces) {
     faces->push_back(static_cast<int>(face.size()));
     for (const std::size_t corner : face) faces->push_back(static_cast<int>(corner));

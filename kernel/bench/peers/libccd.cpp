@@ -58,7 +58,7 @@ ccd_t settings() {
   ccd.support2 = box_support;
   ccd.center1 = hull_center;
   ccd.center2 = box_center;
-  ccd.max_iterations = 500;  // the default is no limit, and shapes that touch can keep it going for ever
+  ccd.max_iterations = 500;  // the default has no limit, and shapes that touch can make it run for ever
   return ccd;
 }
 

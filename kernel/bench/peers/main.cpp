@@ -35,7 +35,7 @@ std::optional<std::uint64_t> number(std::string_view text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_DFL);  // nobody reads any more: the one reason to stop
+  std::signal(SIGPIPE, SIG_DFL);  // when nobody reads any more, the program ends
   const auto argument = [&](int i) { return i < argc ? number(argv[i]) : std::nullopt; };
   const auto boxes = argument(1), rounds = argument(2), seed = argument(3);
   if (argc != 4 || !boxes || !rounds || !seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenSceneGraph: its occluder's containment test, and the overlap test of a polytope. Its planes are double, its boxes
-// single precision.
+// OpenSceneGraph: its occluder's containment test, and the overlap test of a polytope. Its planes are in double precision,
+// its boxes in single precision.
 #include <osg/BoundingBox>
 #include <osg/Polytope>
 #include <osg/ShadowVolumeOccluder>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other projects' answers to the same question, each measured where its library is installed.
+// Other projects' answers to the same question. Each is measured where its library is installed.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace occlude::bench {
 
 struct Peer {
   std::string name, version;
-  std::vector<Subject> subjects;  ///< the ways in which it can be asked
+  std::vector<Subject> subjects;  ///< the ways in which the library can be asked
 };
 
-/// Those that are installed.
+/// The peers that are installed.
 [[nodiscard]] std::vector<Peer> peers();
 
-// One a file, which is compiled where the library was found.
+// Each of these is in a file of its own, which is compiled where its library was found.
 [[nodiscard]] std::vector<Subject> libccd_subjects();
 [[nodiscard]] std::vector<Subject> fcl_subjects();
 [[nodiscard]] std::vector<Subject> bullet_subjects();

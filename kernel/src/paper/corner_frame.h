@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box as the paper's plane stage sees it (section 5.3).
+// A box as the paper's box-plane stage sees it (section 5.3).
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace occlude::kernel {
 
-/// The bounds of an axis-aligned box, of which the normal of a plane picks two of the eight vertices.
+/// The bounds of an axis-aligned box. The normal of a plane picks two of its eight vertices.
 template <class A>
 class CornerFrame {
  public:
@@ -28,7 +28,7 @@ class CornerFrame {
     const CornerFrame& frame_;
     const FilterPlane& plane_;
   };
-  /// Values at the two vertices, each worked out when asked for.
+  /// The values at the two vertices, each computed when it is asked for.
   [[nodiscard]] PlainExtremes extremes(const FilterPlane& p) const { return {*this, p}; }
 
  private:

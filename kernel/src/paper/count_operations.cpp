@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Table 1: the tests in an arithmetic that counts.
+// Runs the tests in an arithmetic that counts operations (Table 1).
 #include "certified_overlap.h"
 #include "counting.h"
 #include "plain_overlap.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plain arithmetic with every operation counted in the units of Table 1.
+// Plain arithmetic that counts every operation in the units of Table 1.
 #pragma once
 
 #include "arithmetic.h"
@@ -8,7 +8,7 @@
 
 namespace occlude::kernel {
 
-/// Operations of this thread since they were last set to zero.
+/// The operations of this thread since the counter was last reset.
 inline thread_local Operations operation_counter;
 
 struct Counted {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 3 of the paper's overlap test (section 5.3): the twelve edges of the box, each clipped by all planes of the frustum
-// at once.
+// Stage 3 of the paper's overlap test (section 5.3): the twelve edges of the box, each clipped by all planes of the frustum.
 #pragma once
 
 #include <array>
@@ -31,7 +30,7 @@ class BoxEdges {
     }
   }
 
-  /// Corner i is at the end of edge k where bit k of i is set.
+  /// Corner i is at the end of edge k when bit k of i is set, else at its start.
   [[nodiscard]] Vector corner(std::size_t i) const {
     Vector at = first_;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 of the paper's overlap test (section 5.3): each edge of the frustum against the box as three slabs.
+// Stage 2 of the paper's overlap test (section 5.3): each edge of the frustum is clipped by the three slabs of the box.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace occlude::kernel {
 
-/// The slabs of an axis-aligned box: bounds of the coordinates, relative to the origin of the frustum.
+/// The slabs of an axis-aligned box: the bounds of its coordinates, relative to the origin of the frustum.
 template <class A>
 class AabbSlabs {
  public:
@@ -18,7 +18,7 @@ class AabbSlabs {
   AabbSlabs(const Aabb& box, const Vec3& origin)
       : low_(difference<A>(box.min, origin)), high_(difference<A>(box.max, origin)) {}
 
-  /// Values of the six faces at a point, >= 0 within: the lower ones, then the upper ones.
+  /// The values of the six faces at a point, >= 0 inside: the lower faces, then the upper ones.
   [[nodiscard]] std::array<Vector, 2> at_point(const Vec3& p) const {
     return {constants<A>(p) - low_, high_ - constants<A>(p)};
   }
@@ -31,8 +31,8 @@ class AabbSlabs {
   Vector low_, high_;
 };
 
-/// The slabs of an oriented box: normals that are cross products of its edges. An edge that is zero gives way to a direction
-/// across the others, so that flat boxes and needles are bounded too.
+/// The slabs of an oriented box. Their normals are cross products of its edges. An edge that is zero is replaced by a
+/// direction across the others, so that flat boxes and needles are bounded too.
 template <class A>
 class ObbSlabs {
  public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The edges of a shadow frustum in plain doubles, relative to its origin: the rays in which neighbouring side planes meet,
-// from the near side outwards, and the edges of the near side. Worked out as they are asked for: nobody else needs them.
+// from the near side outwards, and the edges of the near side. They are computed on demand, because only this test needs
+// them.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace occlude::kernel {
 
-/// From a point to another, or from a point along a direction.
+/// An edge from one point to another, or from a point along a direction.
 struct FrustumEdge {
   Vec3 from, to;
   bool is_ray = false;  ///< `to` is a direction
@@ -19,10 +20,10 @@ struct FrustumEdge {
   return {{from.x, from.y, from.z}, {to.x, to.y, to.z}, is_ray};
 }
 
-/// A frustum's ray of one corner, and where the near plane cuts it, if it does.
+/// The ray of one corner of the silhouette, and the point where the near plane cuts it, if it does.
 struct CutRay {
   Vector3<double> direction, start;
-  double speed;  ///< of the near plane's value along the ray; it is cut when positive
+  double speed;  ///< change of the near plane's value along the ray; the plane cuts the ray when this is positive
 };
 
 [[nodiscard]] inline CutRay cut_ray(const StoredFrustum& frustum, const PlaneCoefficients<PlainArithmetic>& near,
@@ -33,8 +34,8 @@ struct CutRay {
   return {d, s - (dot(near.normal, s) + near.offset) / speed * d, speed};
 }
 
-/// The edge of the near side between two rays of which one reaches the near plane at least. Where the other does not, the
-/// near side runs to infinity, parallel to the near plane.
+/// The edge of the near side between two rays. Where only one of them reaches the near plane, the near side runs to
+/// infinity, parallel to the near plane. REQUIRES: at least one of them reaches it.
 [[nodiscard]] inline FrustumEdge near_edge(const CutRay& a, const CutRay& b) {
   if (!(a.speed > 0)) return frustum_edge(b.start, b.speed * a.direction - a.speed * b.direction, true);
   if (!(b.speed > 0)) return frustum_edge(a.start, a.speed * b.direction - b.speed * a.direction, true);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The paper's overlap test (section 5.3) in any arithmetic.
 //
-// Planes first, for they decide nearly always: `inside` is all theirs, and a box that one of them parts from the frustum is
-// `outside`. A box that no plane decides meets the frustum exactly when one of its edges does (stage 3) or, failing that,
-// when an edge of the frustum meets the box (stage 2), for the frustum is unbounded and cannot hide within it.
+// The planes come first because they decide most boxes. They alone decide `inside`, and a box that one of them separates
+// from the frustum is `outside`. A box that no plane decides meets the frustum exactly when an edge of the box meets the
+// frustum (stage 3) or an edge of the frustum meets the box (stage 2): the frustum is unbounded, so it cannot lie within the
+// box.
 #pragma once
 
 #include "corner_frame.h"
