@@ -71,7 +71,7 @@ template <class Box, class Frame>
                                                                        const Frame& frame, NearBoundary near) {
   const auto planes = frustum.own_planes();
   const double error = frame.error(frustum.filter_bound);
-  double least_low = HUGE_VAL;  // inner or straddling no branch predictor can know: no branch
+  double least_low = HUGE_VAL;  // no branch here: no predictor could tell inner from straddling
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const auto extremes = frame.extremes(planes[i]);
     const double low = extremes.low(), high = extremes.high();

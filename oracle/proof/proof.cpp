@@ -110,8 +110,9 @@ struct LessByVertices {
   }
 };
 
-std::uint32_t leaf_size_in(const Json& object) {
-  if (!object.contains("leaf")) return culler::leaf_size_for(culler::Method::frusta);
+/// None when the line does not say it.
+std::optional<std::uint32_t> leaf_size_in(const Json& object) {
+  if (!object.contains("leaf")) return std::nullopt;
   const Json& leaf = object["leaf"];
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
   if (!leaf.is_number_unsigned() || leaf.get<std::uint64_t>() == 0 || leaf.get<std::uint64_t>() > kMost) {
@@ -124,7 +125,9 @@ std::uint64_t key(std::size_t first, std::size_t count) { return (static_cast<st
 
 }  // namespace
 
-std::uint32_t leaf_size_of(std::string_view line) { return leaf_size_in(parse_object(line)); }
+std::uint32_t leaf_size_of(std::string_view line) {
+  return leaf_size_in(parse_object(line)).value_or(culler::leaf_size_for(culler::Method::frusta));
+}
 
 Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
   const culler::PolygonSoup& soup = hierarchy.soup();
@@ -144,7 +147,8 @@ std::optional<Proof> Prover::prove(std::string_view line,
   const bool exists = frame.is_number_unsigned() && frame.get<std::size_t>() < cameras_.frames;
   if (is_wanted && !is_wanted(exists ? std::optional(frame.get<std::size_t>()) : std::nullopt)) return std::nullopt;
   if (!exists) return Proof{.failure = "no such frame"};
-  if (leaf_size_in(object) != hierarchy_.leaf_size()) throw LineError("\"leaf\": another tree than that of the first line");
+  if (leaf_size_in(object).value_or(hierarchy_.leaf_size()) != hierarchy_.leaf_size())
+    throw LineError("\"leaf\": another tree than that of the first line");
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");
   const std::size_t total = first_triangle_.back();
   if (count == 0 || first >= total || count > total - first) return Proof{.failure = "no such triangles"};

@@ -45,7 +45,7 @@ class Prover {
   /// `hierarchy` gives the order in which a witness counts triangles. REQUIRES: `hierarchy` outlives the prover.
   Prover(const culler::Hierarchy& hierarchy, Cameras cameras);
 
-  /// Proves the witness on this line. Throws LineError when the line is not a witness, or counts
+  /// Proves the witness on this line. Throws LineError when the line is not a witness, or says that it counts
   /// triangles of another tree. These things must hold:
   /// - The triangles exist and lie in the box. If a margin is given, the box keeps that distance to the planes that cull it.
   /// - By view: the box is exactly beyond the plane, whose numbers are legal. The renderer draws nothing of the model on the
