@@ -42,15 +42,17 @@ struct Lanes {
   HWY_INLINE Lanes(hn::Vec<Doubles> vector) : v(vector) {}  // NOLINT(google-explicit-constructor): it is this number
   HWY_INLINE Lanes(double x) : v(hn::Set(Doubles(), x)) {}  // NOLINT(google-explicit-constructor): in every lane
   HWY_INLINE static Lanes load(const double* from) { return hn::LoadU(Doubles(), from); }
-
-  friend HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
-  friend HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
-  friend HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
-  /// a * b + c.
-  friend HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return hn::MulAdd(a.v, b.v, c.v); }
-  friend HWY_INLINE Lanes min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
-  friend HWY_INLINE Lanes max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
 };
+
+// These stand outside of the class. GCC compiles a friend that is defined in a class for the instruction set of the whole
+// library, and passes vectors to it in another way: without optimisation the answers were wrong.
+HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
+HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
+/// a * b + c.
+HWY_INLINE Lanes multiply_add(Lanes a, Lanes b, Lanes c) { return hn::MulAdd(a.v, b.v, c.v); }
+HWY_INLINE Lanes min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
+HWY_INLINE Lanes max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
 
 HWY_INLINE Vector3<Lanes> operator+(const Vector3<Lanes>& a, const Vector3<Lanes>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
