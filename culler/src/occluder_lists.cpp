@@ -19,7 +19,9 @@ Partition partition_of(const Space& space, const OccluderLists::Config& config, 
 
 /// Whether they can be the lists of so many regions, of so many occluders.
 bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::size_t occluders) {
-  const auto& [first, listed, hidden] = stored;
+  const std::vector<std::uint64_t>& first = stored.first;
+  const std::vector<std::uint32_t>& listed = stored.occluders;
+  const std::vector<float>& hidden = stored.hidden;
   const auto ascend = [&] {
     for (std::size_t region = 0; region < regions; ++region) {
       const auto list = std::span(listed).subspan(first[region], first[region + 1] - first[region]);
