@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_arguments.h"
@@ -128,9 +129,9 @@ void prove_file(Proving& proving, WitnessFile& file) {
     bytes = 0;
     progress.update(file.read() >> 20U);
   };
-  while (const std::optional<Place> place = file.next()) {
-    places.push_back(*place);
+  while (std::optional<Place> place = file.next()) {
     bytes += place->line.size();
+    places.push_back(std::move(*place));
     if (places.size() == kBatch || bytes >= kBatchBytes) prove_batch();
   }
   prove_batch();
