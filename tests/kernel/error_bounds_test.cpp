@@ -172,6 +172,24 @@ TEST(ErrorBounds, OffsetErrorHoldsInBatchesAndIsNotTwiceTooLarge) {
   EXPECT_GT(worst, 0.9);
 }
 
+/// The reach of a box, seen from the origin, as batches compute it.
+HWY_ATTR double reach_in_batches(const Aabb& box) {
+  const HWY_NAMESPACE::AabbFrame<HWY_NAMESPACE::LaneArithmetic> frame(box, Vec3{});
+  return HWY_NAMESPACE::hn::GetLane(frame.reach().v);
+}
+
+/// The bound of a plane grows with the reach, so it must be that of the farthest coordinate, on either side of the origin.
+TEST(ErrorBounds, ReachIsThatOfTheFarthestCoordinateAlsoInBatches) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double farthest : {-8.0, 8.0}) {
+      Aabb box{{-1, -1, -1}, {1, 1, 1}};
+      (farthest < 0 ? box.min : box.max)[axis] = farthest;
+      EXPECT_GE(AabbFrame<PlainArithmetic>(box, Vec3{}).reach(), 8);
+      EXPECT_GE(reach_in_batches(box), 8);
+    }
+  }
+}
+
 /// Refined values are off by less than their bound. Where the bound leaves no doubt, the sign is right.
 TEST(ErrorBounds, RefinedSignsAreRight) {
   Inputs inputs;
