@@ -52,6 +52,13 @@ endif()
 function(occlude_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/src/*/*.cpp)
   add_library(occlude_${name} STATIC ${sources})
+  # In a unity build, too, Highway compiles these files once per instruction set, each by itself.
+  foreach(source IN LISTS sources)
+    file(STRINGS ${source} is_per_target REGEX "^#include <hwy/foreach_target\\.h>")
+    if(is_per_target)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
   add_library(occlude::${name} ALIAS occlude_${name})
   target_include_directories(occlude_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>

@@ -21,8 +21,8 @@ namespace occlude::culler {
 
 /// The empty box. Growing it by a point makes it that point.
 [[nodiscard]] inline kernel::Aabb empty_box() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  constexpr double most = std::numeric_limits<double>::infinity();
+  return {{most, most, most}, {-most, -most, -most}};
 }
 
 inline void grow(kernel::Aabb& box, const kernel::Aabb& other) {

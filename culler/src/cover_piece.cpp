@@ -18,24 +18,24 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A sheet that is narrower than this, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 4;
 
-/// The smallest upright rectangle around positions and their errors.
-struct Extent {
-  Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
-
-  void hold(const Corner& corner) {
-    low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
-    high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
-  }
-  void hold(const Extent& other) {
-    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
-    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
-  }
-  [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
-};
-
 }  // namespace
 
 struct CoverPiece::Outline {
+  /// The smallest upright rectangle around positions and their errors.
+  struct Extent {
+    Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+
+    void hold(const Corner& corner) {
+      low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
+      high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
+    }
+    void hold(const Extent& other) {
+      low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+      high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    }
+    [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
+  };
+
   std::array<Corner, 4> corners;
   std::size_t count = 0;
   Extent extent;
@@ -88,7 +88,7 @@ void CoverPiece::see(const CoverMesh& mesh) {
 
 bool CoverPiece::find(std::size_t sheet) {
   sheet_ = sheets_[sheet];
-  Extent all;
+  Outline::Extent all;
   double nearest = kInfinity;
   for (const std::uint32_t t : sheet_) {
     const Outline outline = this->outline(mesh_.triangles[t]);

@@ -10,21 +10,22 @@
 namespace occlude::culler {
 namespace {
 
-/// Limits of the polygons around a leaf. Polygons with more than kMostSides sides are left out, and so are those at a corner
-/// where more than kMostAtCorner meet. All of them together have at most kMostAround triangles for each of the leaf's own.
-constexpr std::size_t kMostSides = 64, kMostAtCorner = 64, kMostAround = 8;
+/// Limits of the polygons around a leaf. Polygons with more than kMostSidesAround sides are left out, and so are those at a
+/// corner where more than kMostAtCorner meet. All of them together have at most kMostAround triangles for each of the leaf's
+/// own.
+constexpr std::size_t kMostSidesAround = 64, kMostAtCorner = 64, kMostAround = 8;
 
 /// A side of a triangle, ordered by the edge that it runs along.
-struct Side {
+struct TriangleSide {
   std::uint32_t low, high, side;
 
-  [[nodiscard]] bool is_along(const Side& other) const { return low == other.low && high == other.high; }
-  auto operator<=>(const Side&) const = default;
+  [[nodiscard]] bool is_along(const TriangleSide& other) const { return low == other.low && high == other.high; }
+  auto operator<=>(const TriangleSide&) const = default;
 };
 
 std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triangle> triangles,
                                                const Checkpoint& checkpoint) {
-  std::vector<Side> sides;
+  std::vector<TriangleSide> sides;
   sides.reserve(3 * triangles.size());
   std::vector<std::array<RingStep, 3>> next(triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -82,7 +83,7 @@ class Around {
         const auto at_corner = incidence_.polygons_at(weld_[v]);
         if (at_corner.size() > kMostAtCorner) continue;
         for (const std::uint32_t other : at_corner) {
-          if (leaf_of_[other] == leaf.first || soup_.loop(other).size() > kMostSides) continue;
+          if (leaf_of_[other] == leaf.first || soup_.loop(other).size() > kMostSidesAround) continue;
           if (soup_.triangles(other) > left) return;
           left -= soup_.triangles(other);
           leaf_of_[other] = leaf.first;

@@ -16,7 +16,7 @@ namespace occlude::culler {
 namespace {
 
 /// The number of occluders whose shadows are made at a viewpoint: the bits of a word.
-constexpr std::size_t kPool = 64;
+constexpr std::size_t kShadows = 64;
 /// At most this many occluders are found: more than any frame uses of one region.
 constexpr std::size_t kMostTaken = 32;
 /// A subtree that is seen under a smaller angle, in radians, is not descended into.
@@ -32,9 +32,9 @@ class Pool {
   void fill(std::span<const std::uint32_t> listed) {
     std::vector<Candidate> candidates;
     for (const std::uint32_t i : listed) candidates.push_back({occluders_[i].area_angle(eye_), i});
-    const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(candidates.size(), 4 * kPool));
+    const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(candidates.size(), 4 * kShadows));
     std::partial_sort(candidates.begin(), end, candidates.end());
-    for (auto candidate = candidates.begin(); candidate != end && frusta_.size() < kPool; ++candidate) {
+    for (auto candidate = candidates.begin(); candidate != end && frusta_.size() < kShadows; ++candidate) {
       if (!take(candidate->occluder) || named_.size() == frusta_.size()) continue;
       const bool is_listed = std::ranges::binary_search(listed, taken_.back());
       named_.push_back(is_listed ? taken_.back() : candidate->occluder);
@@ -51,7 +51,7 @@ class Pool {
     const std::uint32_t container = occluders_.container(i);
     if (container != i && take(container)) return true;
     if (std::ranges::find(taken_, i) != taken_.end()) return true;
-    if (std::ranges::find(refused_, i) != refused_.end() || frusta_.size() == kPool) return false;
+    if (std::ranges::find(refused_, i) != refused_.end() || frusta_.size() == kShadows) return false;
     const auto viewpoint = kernel::Viewpoint::eye(to_kernel(eye_));
     auto [frustum, refusal] = occluders_.shadow(i, viewpoint, kernel::Near::surface);
     if (!frustum) {
@@ -80,7 +80,7 @@ class Descent {
  public:
   Descent(const Hierarchy& hierarchy, std::span<const kernel::ShadowFrustum> frusta, const glm::dvec3& eye)
       : nodes_(hierarchy.nodes()), frusta_(frusta), eye_(eye) {
-    if (!frusta.empty()) visit(0, ~Mask{0} >> (kPool - frusta.size()), 0);
+    if (!frusta.empty()) visit(0, ~Mask{0} >> (kShadows - frusta.size()), 0);
   }
 
   [[nodiscard]] const std::vector<Hidden>& hidden() const { return hidden_; }
@@ -125,7 +125,7 @@ std::vector<HiddenBy> best_together(const Hierarchy& hierarchy, const PotentialO
   std::vector<Hidden> left = Descent(hierarchy, pool.frusta(), eye).hidden();
   std::vector<HiddenBy> taken;
   while (taken.size() < kMostTaken) {
-    std::array<std::uint32_t, kPool> gain{};
+    std::array<std::uint32_t, kShadows> gain{};
     for (const auto& [by, polygons] : left) {
       for (Mask rest = by; rest != 0; rest &= rest - 1) gain[static_cast<std::size_t>(std::countr_zero(rest))] += polygons;
     }

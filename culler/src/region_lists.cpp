@@ -89,10 +89,10 @@ std::size_t length_within(std::vector<std::size_t> lengths, std::size_t budget) 
   return lengths.empty() ? 0 : lengths.back();
 }
 
-class Descent {
+class RegionDescent {
  public:
-  Descent(const Partition& partition, const PotentialOccluders& occluders, const OccluderLists::Config& config,
-          const Checkpoint& checkpoint)
+  RegionDescent(const Partition& partition, const PotentialOccluders& occluders, const OccluderLists::Config& config,
+                const Checkpoint& checkpoint)
       : partition_(partition), occluders_(occluders), config_(config), checkpoint_(checkpoint), reach_(occluders.size()) {
     for (std::uint32_t i = 0; i < occluders.size(); ++i) {
       reach_[i] = std::sqrt(occluders[i].area() / config.threshold);
@@ -240,7 +240,7 @@ class Descent {
 
 OccluderLists::Stored list_occluders(const Partition& partition, const PotentialOccluders& occluders,
                                      const OccluderLists::Config& config, const Checkpoint& checkpoint) {
-  CellLists regions = Descent(partition, occluders, config, checkpoint).regions();
+  CellLists regions = RegionDescent(partition, occluders, config, checkpoint).regions();
   OccluderLists::Stored stored;
   stored.first.reserve(partition.regions() + 1);
   auto next = regions.cells.begin();

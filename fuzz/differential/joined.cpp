@@ -51,7 +51,7 @@ void add_panels(Random& random, culler::PolygonSoup& soup, const Camera& camera)
   }
 }
 
-culler::CullOptions some_options(Random& random) {
+culler::CullOptions some_cover_options(Random& random) {
   culler::CullOptions options;
   options.method = culler::Method::cover;
   options.cover_width = std::array{64, 128, 256}[random.index(3)];
@@ -92,7 +92,7 @@ void run_joined(std::uint64_t seed, Report& report) {
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
   config.lists.regions = 1;  // covers need no regions, and to make many would take longer than the rest
   const Culler culler(soup, config);
-  const culler::CullOptions options = some_options(random);
+  const culler::CullOptions options = some_cover_options(random);
   for (int frame = 0; frame < 3; ++frame) {
     const culler::CullResult result = culler.cull(camera, options);
     report.tally.cases += soup.size();

@@ -52,12 +52,12 @@ std::vector<Vector> corners_of(const culler::Box& box) {
   return std::visit([](const auto& kind) { return corners_of(kind); }, box);
 }
 
-struct Plane {
+struct PlaneAndPoint {
   Vector normal;  ///< of length 1, towards the inner side
   Vector point;
 };
 
-Plane plane_of(const kernel::ExactPlane& laid) {
+PlaneAndPoint plane_of(const kernel::ExactPlane& laid) {
   const Vector a = vector(laid.a_to) - vector(laid.a_from), b = vector(laid.b_to) - vector(laid.b_from);
   const Vector normal = laid.direct ? a : glm::cross(a, b);
   return {normal / std::sqrt(glm::dot(normal, normal)), vector(laid.origin)};

@@ -25,7 +25,7 @@ using kernel::Vec3;
 using kernel::ViewCone;
 
 /// Corner i is at the high end of axis k when bit k of i is set.
-std::vector<Vec3> corners_of(const Aabb& box) {
+std::vector<Vec3> aabb_corners(const Aabb& box) {
   std::vector<Vec3> corners;
   for (unsigned i = 0; i < 8; ++i) {
     corners.push_back({(i & 1U ? box.max : box.min).x, (i & 2U ? box.max : box.min).y, (i & 4U ? box.max : box.min).z});
@@ -34,11 +34,11 @@ std::vector<Vec3> corners_of(const Aabb& box) {
 }
 
 Polytope polytope_of(const Aabb& box) {
-  return {corners_of(box), {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  return {aabb_corners(box), {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
 }
 
 Polytope tetrahedron_of(Random& random, const Aabb& box) {
-  const std::vector<Vec3> corners = corners_of(box);
+  const std::vector<Vec3> corners = aabb_corners(box);
   Polytope result{{}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
   for (int i = 0; i < 4; ++i) result.vertices.push_back(corners[random.index(8)]);
   return result;

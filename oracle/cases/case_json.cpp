@@ -7,7 +7,7 @@
 namespace occlude::cases {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 kernel::Near near_of(const nlohmann::json& object) {
   if (!object.contains("near")) return kernel::Near::farthest;
@@ -26,30 +26,32 @@ std::optional<std::string> expect_of(const nlohmann::json& object) {
 }
 
 /// JSON has no NaN and no infinity. They become strings, as json_input.h reads them.
-Json json(double x) {
+OrderedJson json(double x) {
   if (std::isfinite(x)) return x;
   return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
 }
 
-Json json(const kernel::Vec3& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
+OrderedJson json(const kernel::Vec3& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
 
 template <class Points>
-Json json_of_all(const Points& points) {
-  Json result = Json::array();
+OrderedJson json_of_all(const Points& points) {
+  OrderedJson result = Json::array();
   for (const kernel::Vec3& point : points) result.push_back(json(point));
   return result;
 }
 
-Json json(const Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
-Json json(const kernel::Polytope& polytope) {
+OrderedJson json(const Polygon& polygon) { return {{"polygon", json_of_all(polygon)}}; }
+OrderedJson json(const kernel::Polytope& polytope) {
   return {{"vertices", json_of_all(polytope.vertices)}, {"faces", polytope.faces}};
 }
-Json json(const kernel::Aabb& box) { return {{"min", json(box.min)}, {"max", json(box.max)}}; }
-Json json(const kernel::Obb& box) { return {{"center", json(box.center)}, {"half_edges", json_of_all(box.half_edges)}}; }
+OrderedJson json(const kernel::Aabb& box) { return {{"min", json(box.min)}, {"max", json(box.max)}}; }
+OrderedJson json(const kernel::Obb& box) {
+  return {{"center", json(box.center)}, {"half_edges", json_of_all(box.half_edges)}};
+}
 
 }  // namespace
 
-Json case_id(const nlohmann::json& object) {
+OrderedJson case_id(const nlohmann::json& object) {
   if (!object.contains("id")) return nullptr;
   if (!object["id"].is_string() && !object["id"].is_number()) throw LineError("\"id\": expected a string or a number");
   return object["id"];
@@ -74,13 +76,13 @@ CoverLine read_cover(const nlohmann::json& object) {
 
 std::string write_case(const std::string& id, const Case& question, const std::string& expect) {
   const auto write = [](const auto& kind) { return json(kind); };
-  Json line{{"id", id}};
+  OrderedJson line{{"id", id}};
   line[question.viewpoint.is_eye() ? "eye" : "direction"] = json(question.viewpoint.value);
   line["occluder"] = std::visit(write, question.occluder);
   line["near"] = question.near == kernel::Near::farthest ? "farthest" : "surface";
   line["box"] = std::visit(write, question.box);
   if (!expect.empty()) line["expect"] = expect;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace occlude::cases

@@ -13,7 +13,7 @@ namespace {
 oracle::Point point(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// Parallel rays run along the direction that the culler uses, so both take the same exact numbers.
-oracle::Viewpoint viewpoint(const culler::Camera& camera) {
+oracle::Viewpoint viewpoint_of(const culler::Camera& camera) {
   if (camera.projection == culler::Projection::perspective) return {point(camera.eye)};
   return {point(camera.axes().forward), true};
 }
@@ -33,7 +33,7 @@ std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culle
       triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
     }
   }
-  return oracle::visible_triangles(viewpoint(camera), triangles, picture_of(camera, -kSmaller * depth));
+  return oracle::visible_triangles(viewpoint_of(camera), triangles, picture_of(camera, -kSmaller * depth));
 }
 
 }  // namespace occlude::proof

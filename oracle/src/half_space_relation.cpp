@@ -9,7 +9,7 @@
 namespace occlude::oracle {
 namespace {
 
-bool are_finite(const HalfSpaceCoefficients& coefficients) {
+bool has_finite_coefficients(const HalfSpaceCoefficients& coefficients) {
   return std::ranges::all_of(coefficients, [](double value) { return std::isfinite(value); });
 }
 
@@ -17,7 +17,7 @@ bool are_finite(const HalfSpaceCoefficients& coefficients) {
 
 Answer relation_to_half_spaces(std::span<const HalfSpaceCoefficients> half_spaces, const Box& box) {
   const RoundUpward rounding;
-  if (!std::ranges::all_of(half_spaces, are_finite)) return {"a number is not finite", Relation::partial};
+  if (!std::ranges::all_of(half_spaces, has_finite_coefficients)) return {"a number is not finite", Relation::partial};
   if (std::string fault = strict_box_fault(box); !fault.empty()) return {std::move(fault), Relation::partial};
   std::vector<Plane<OrientedPlane>> given;
   for (const HalfSpaceCoefficients& coefficients : half_spaces) {

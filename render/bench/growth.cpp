@@ -29,7 +29,7 @@ std::vector<std::size_t> sizes(std::size_t largest) {
 }
 
 /// A city and its measurements, one number per round.
-struct Trial {
+struct CityTrial {
   std::size_t size;
   GrowthPoint point;
   std::vector<double> build_s, cull_ms, peak_bytes, held_bytes;
@@ -39,7 +39,7 @@ void note(std::vector<double>& values, std::optional<std::size_t> bytes, std::si
   if (bytes) values.push_back(static_cast<double>(*bytes) / static_cast<double>(polygons));
 }
 
-void run(Trial& trial, const Options& options) {
+void run(CityTrial& trial, const Options& options) {
   const render::City city = render::generate_city(trial.size, options.seed);
   render::check_interrupt();
   const std::size_t polygons = city.soup.size();
@@ -61,7 +61,7 @@ std::optional<double> median_of(const std::vector<double>& values) {
   return bench::median(values);
 }
 
-GrowthPoint point_of(const Trial& trial) {
+GrowthPoint point_of(const CityTrial& trial) {
   GrowthPoint point = trial.point;
   point.build_s = bench::median(trial.build_s);
   point.cull_ms = bench::median(trial.cull_ms);
@@ -82,11 +82,11 @@ std::optional<double> exponent(const std::vector<GrowthPoint>& points, double Gr
 }  // namespace
 
 Growth measure_growth(const Options& options) {
-  std::vector<Trial> trials;
+  std::vector<CityTrial> trials;
   for (const std::size_t size : sizes(options.largest)) trials.push_back({size, {}, {}, {}, {}, {}});
-  run_in_rounds("growth: cities", options.repetitions, trials, [&](Trial& trial) { run(trial, options); });
+  run_in_rounds("growth: cities", options.repetitions, trials, [&](CityTrial& trial) { run(trial, options); });
   Growth growth;
-  for (const Trial& trial : trials) growth.points.push_back(point_of(trial));
+  for (const CityTrial& trial : trials) growth.points.push_back(point_of(trial));
   growth.build_exponent = exponent(growth.points, &GrowthPoint::build_s);
   growth.cull_exponent = exponent(growth.points, &GrowthPoint::cull_ms);
   return growth;

@@ -27,12 +27,12 @@ JoinedPoint point_at(int width, std::uint32_t leaf, std::size_t triangles) {
 }
 
 /// A point and its timings, one number per round.
-struct Trial {
+struct JoinedTrial {
   JoinedPoint point;
   std::vector<double> cull_ms;
 };
 
-void run(Trial& trial, const Subject& subject, const Options& options) {
+void run(JoinedTrial& trial, const Subject& subject, const Options& options) {
   render::WalkOptions walk = options.walk;
   walk.build.hierarchy.leaf_size = trial.point.leaf;
   walk.build.lists.regions = 1;  // no list is used
@@ -50,7 +50,7 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
 }  // namespace
 
 Joined measure_joined(const Subject& subject, const Options& options) {
-  std::vector<Trial> trials;
+  std::vector<JoinedTrial> trials;
   std::vector<std::vector<JoinedPoint> Joined::*> curves;  // of each trial
   const auto add = [&](std::vector<JoinedPoint> Joined::*curve, const JoinedPoint& point) {
     trials.push_back({point, {}});
@@ -60,7 +60,7 @@ Joined measure_joined(const Subject& subject, const Options& options) {
   for (const std::uint32_t leaf : kLeaves) add(&Joined::leaves, point_at(kWidth, leaf, kBudget));
   for (const std::size_t triangles : kBudgets) add(&Joined::budgets, point_at(kWidth, kLeaf, triangles));
 
-  run_in_rounds("joined shadows", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
+  run_in_rounds("joined shadows", options.repetitions, trials, [&](JoinedTrial& trial) { run(trial, subject, options); });
   Joined joined;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     trials[i].point.cull_ms = bench::median(trials[i].cull_ms);

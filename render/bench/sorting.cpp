@@ -15,7 +15,7 @@ namespace occlude::experiments {
 namespace {
 
 /// Steps of about half a decade, steradians: lists of a few candidates to thousands.
-constexpr std::array<double, 5> kThresholds{0.3, 0.1, 0.03, 0.01, 0.003};
+constexpr std::array<double, 5> kListThresholds{0.3, 0.1, 0.03, 0.01, 0.003};
 
 struct Candidate {
   double score;
@@ -94,8 +94,8 @@ Sorting measure_sorting(const Subject& subject, const Options& options) {
   Sorting sorting;
   culler::CullOptions cull = options.walk.cull;
   cull.objective.angle = culler::Objective::Angle::area;
-  render::Progress progress("sort: lists", kThresholds.size());
-  for (const double threshold : kThresholds) {
+  render::Progress progress("sort: lists", kListThresholds.size());
+  for (const double threshold : kListThresholds) {
     culler::BuildConfig config = options.walk.build;
     config.lists.threshold = threshold;
     const culler::Culler culler(subject.soup, config, render::check_interrupt);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/scene_renderer.h"
 
-#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <stdexcept>
 
+#include "corner_buffer.h"
 #include "frame_buffer.h"
-#include "gl_object.h"
 #include "gl_program.h"
 #include "projection.h"
 #include "triangle_list.h"
@@ -33,8 +32,6 @@ constexpr float kDepthSlope = -1.0F / 256;  // of the reversed depth
 
 // Haze: a surface has half the colour of the sky at a distance of half the diagonal of the model's box.
 constexpr double kHazeHalvings = 2;  // over the whole diagonal
-
-enum Attribute : GLuint { kPosition, kColour, kPolygon };
 
 // Shared by pictures and item buffers: the same text and `invariant` give both the same geometry.
 constexpr const char* kVertexShader = R"(#version 450 core
@@ -92,34 +89,6 @@ struct DrawRanges {
       count.push_back(static_cast<GLsizei>(end - begin));
     }
   }
-};
-
-/// A vertex buffer of Corners and its layout.
-class CornerBuffer {
- public:
-  CornerBuffer() {
-    bind();
-    const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-    glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), offset(offsetof(Corner, position)));
-    glVertexAttribPointer(kColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner), offset(offsetof(Corner, colour)));
-    glVertexAttribIPointer(kPolygon, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, polygon)));
-    for (const GLuint attribute : {kPosition, kColour, kPolygon}) glEnableVertexAttribArray(attribute);
-  }
-
-  void bind() const {
-    glBindVertexArray(layout_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  }
-
-  void upload(const std::vector<Corner>& corners, GLenum usage) const {
-    bind();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(), usage);
-    if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL has no memory for the model");
-  }
-
- private:
-  GlVertexArray layout_;
-  GlBuffer buffer_;
 };
 
 void set_eye(const GlProgram& program, const glm::dvec3& eye_from_centre) {

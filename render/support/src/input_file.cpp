@@ -21,7 +21,7 @@ struct Opened {
   std::uint64_t size;
 };
 
-Opened open(const fs::path& file, std::uint64_t most) {
+Opened open_file(const fs::path& file, std::uint64_t most) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status)) fail(file, error ? error.message() : "no such file");
@@ -42,13 +42,13 @@ Opened open(const fs::path& file, std::uint64_t most) {
 std::string in_mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; }
 
 std::string read_input(const fs::path& file, std::uint64_t most) {
-  Opened opened = open(file, most);
+  Opened opened = open_file(file, most);
   std::string bytes(static_cast<std::size_t>(opened.size), '\0');
   opened.in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (static_cast<std::uintmax_t>(opened.in.gcount()) != opened.size) fail(file, "it changed while it was read");
   return bytes;
 }
 
-std::uint64_t require_readable(const fs::path& file, std::uint64_t most) { return open(file, most).size; }
+std::uint64_t require_readable(const fs::path& file, std::uint64_t most) { return open_file(file, most).size; }
 
 }  // namespace occlude::render

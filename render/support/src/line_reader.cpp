@@ -17,7 +17,7 @@
 namespace occlude::render {
 namespace {
 
-constexpr std::size_t kBuffer = 1U << 16U;  // the size of a pipe on Linux
+constexpr std::size_t kPipeBuffer = 1U << 16U;  // the size of a pipe on Linux
 
 }  // namespace
 
@@ -53,7 +53,7 @@ bool LineReader::next(std::string& line) {
 }
 
 bool LineReader::refill() {
-  buffer_.resize(kBuffer);
+  buffer_.resize(kPipeBuffer);
   ssize_t length = 0;
   do {
     length = ::read(file_, buffer_.data(), buffer_.size());

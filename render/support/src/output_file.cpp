@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// With blocks of this size the cost of a system call is negligible.
-constexpr std::size_t kBuffer = 1U << 16U;
+constexpr std::size_t kBlock = 1U << 16U;
 
 /// Creates a file with an unused name in the folder. The name is short: that of the output may have the longest length.
 std::pair<int, fs::path> make_temporary(const fs::path& folder) {
@@ -48,8 +48,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view text) {
-  if (buffer_.size() + text.size() > kBuffer) flush();
-  if (text.size() > kBuffer) {
+  if (buffer_.size() + text.size() > kBlock) flush();
+  if (text.size() > kBlock) {
     send(text);
   } else {
     buffer_ += text;
