@@ -36,8 +36,11 @@ endif()
 
 set(OCCLUDE_SANITIZE "" CACHE STRING "Sanitizer to build with: address, undefined, thread or several with commas")
 if(OCCLUDE_SANITIZE)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # The checks that are compiled in mislead the compiler's own flow analysis.
+    target_compile_options(occlude_options INTERFACE -Wno-error)
+  endif()
   target_compile_options(occlude_options INTERFACE
-    -Wno-error  # the checks that are compiled in mislead the compiler's own flow analysis
     -fsanitize=${OCCLUDE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(occlude_options INTERFACE -fsanitize=${OCCLUDE_SANITIZE})
 endif()

@@ -4,7 +4,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-release}
-bash .ci/packages.sh
+compilers=()
+case $preset in
+  clang) compilers=(clang) ;;
+  sanitizers) compilers=(clang libclang-rt-dev) ;;
+esac
+bash .ci/packages.sh "${compilers[@]}"
 cmake --preset "$preset" >/dev/null
 cmake --build --preset "$preset"
 ctest --preset "$preset" --parallel "$(nproc)"

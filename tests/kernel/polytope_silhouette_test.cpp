@@ -47,14 +47,12 @@ TEST(PolytopeSilhouette, FollowedIsWhatAFreshOneIs) {
   constexpr std::uint32_t kSeed = 5;
   std::mt19937 random(kSeed);
   const ConvexPolytope polytope = bipyramid(8);
-  const auto coordinate = [&](int reach) {
-    return static_cast<double>(static_cast<int>(random() % (2U * reach + 1)) - reach);
-  };
+  const auto coordinate = [&](unsigned reach) { return static_cast<double>(random() % (2 * reach + 1)) - reach; };
   PolytopeSilhouette followed;
   std::size_t seen_from_outside = 0, from_inside = 0;
   // The viewpoint jumps to any point of a lattice: into the polytope, onto planes of faces, to the other side.
   for (int i = 0; i < 3000; ++i) {
-    const int reach = i % 3 == 0 ? 9 : 120;
+    const unsigned reach = i % 3 == 0 ? 9 : 120;
     const Vec3 at{coordinate(reach), coordinate(reach), coordinate(reach)};
     const bool is_direction = i % 5 == 0 && at != Vec3{};
     const Viewpoint viewpoint = is_direction ? Viewpoint::direction(at) : Viewpoint::eye(at);
