@@ -12,6 +12,7 @@
 #include <span>
 
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -72,6 +73,12 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
   double sum = glm::dot(normal, to_glm(box.center) - to_glm(origin));
   for (const kernel::Vec3& edge : box.half_edges) sum -= std::fabs(glm::dot(normal, to_glm(edge)));
   return sum;
+}
+
+/// Whether the half-space, relative to the origin, contains the box, up to rounding.
+template <class AnyBox>
+[[nodiscard]] bool holds(const kernel::HalfSpace& half_space, const kernel::Vec3& origin, const AnyBox& box) {
+  return least(to_glm(half_space.normal), origin, box) >= -half_space.offset;
 }
 
 }  // namespace occlude::culler

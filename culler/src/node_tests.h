@@ -31,8 +31,10 @@ class NodeTests {
         options_(options),
         planes_(memory.planes),
         probes_(memory.probes),
+        shrunk_(memory.shrunk),
         frame_(memory.result) {
     memory.take_planes();
+    memory.shrink_shadows();
   }
 
   kernel::Relation view(std::uint32_t plane, std::uint32_t node) const {
@@ -43,7 +45,7 @@ class NodeTests {
     const Occluder& by = frame_.occluders[occluder];
     return counted(ask_(node, [&](const auto& box) {
       on_shadow_test_(by, box);
-      return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, frame_.margin,
+      return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, shrunk_[occluder],
                          [&] { return holds_part_(node, by.index); });
     }));
   }
@@ -79,6 +81,7 @@ class NodeTests {
   const CullOptions& options_;
   const std::vector<kernel::HalfSpace>& planes_;
   const std::vector<Occluder>& probes_;
+  const std::vector<ShrunkShadow>& shrunk_;
   CullResult& frame_;
 };
 

@@ -66,6 +66,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   memory.tried.reserve(std::min(all, kTries * candidates));
   memory.loop.reserve(kPlanes);
   while (memory.spare.size() < used) memory.spare.emplace_back().reserve(kPlanes);
+  while (memory.shrunk.size() < std::min(all, options.occluders)) memory.shrunk.emplace_back().reserve(kPlanes);
   const ConvexShells& shells = occluders.shells();
   memory.silhouettes.reserve(std::min(shells.size(), OccluderHistory::kFrames * used), shells.size(), shells.most_faces(),
                              shells.most_edges());

@@ -28,21 +28,31 @@ double ShadowMargin::size(const kernel::ShadowFrustum& shadow) const {
   return size_ + rounding_ / std::max(nearest, std::numeric_limits<double>::min());
 }
 
+kernel::HalfSpace ShadowMargin::moved(const kernel::HalfSpace& plane, double size) const {
+  const glm::dvec3 normal = to_glm(plane.normal);
+  const double margin = size * glm::length(normal - glm::dot(normal, forward_) * forward_);
+  const double offset = plane.offset - 2 * rounding_ * glm::length(normal);
+  if (!is_perspective_) return {plane.normal, offset - margin};
+  return {to_kernel(normal - margin * forward_), offset};
+}
+
+void ShadowMargin::move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const {
+  planes.clear();
+  if (is_none()) return;
+  const double size = this->size(shadow);
+  for (std::size_t i = 0, count = shadow.plane_count(); i < count; ++i) {
+    planes.push_back(moved(shadow.rounded_plane(i), size));
+  }
+}
+
 template <class AnyBox>
 bool ShadowMargin::keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const {
   if (shadow.is_none()) return false;
   if (is_none()) return true;
   const double size = this->size(shadow);
   const kernel::Vec3 origin = shadow.origin();
-  const auto keeps_to = [&](const kernel::HalfSpace& plane) {
-    const glm::dvec3 normal = to_glm(plane.normal);
-    const double margin = size * glm::length(normal - glm::dot(normal, forward_) * forward_);
-    const double enough = 2 * rounding_ * glm::length(normal) - plane.offset;
-    return is_perspective_ ? least(normal - margin * forward_, origin, box) >= enough
-                           : least(normal, origin, box) >= enough + margin;
-  };
   for (std::size_t i = 0, count = shadow.plane_count(); i < count; ++i) {
-    if (!keeps_to(shadow.rounded_plane(i))) return false;
+    if (!holds(moved(shadow.rounded_plane(i), size), origin, box)) return false;
   }
   return true;
 }

@@ -29,13 +29,13 @@ template <class AnyBox>
 /// The rule. A box may be culled by a shadow, and the answer is `inside`, if and only if
 ///  - the whole box is inside the shadow,
 ///  - it is strictly beyond the near plane, because what is coplanar with an occluder is drawn,
-///  - both hold with the margin as well, for renderers that round, and
+///  - both hold with the margin as well, for renderers that round (a ShadowMargin or a ShrunkShadow), and
 ///  - holds_own_piece() says that no part of the occluder is in the box. An occluder never hides itself, and the faces of a
 ///   shell that are turned away from the eye are drawn with the others.
 /// If only one of the last two fails, the answer is `partial`, because what is below may still be culled.
-template <class Shadow, class AnyBox, class HoldsOwnPiece>
-[[nodiscard]] kernel::Decision decide_cull(const Shadow& shadow, const AnyBox& box, const Asked& asked,
-                                           const ShadowMargin& margin, const HoldsOwnPiece& holds_own_piece) {
+template <class Shadow, class AnyBox, class Margin, class HoldsOwnPiece>
+[[nodiscard]] kernel::Decision decide_cull(const Shadow& shadow, const AnyBox& box, const Asked& asked, const Margin& margin,
+                                           const HoldsOwnPiece& holds_own_piece) {
   kernel::Decision found = decide_open(shadow, box, asked);
   if (found.relation == kernel::Relation::inside && (!margin.keeps(shadow, box) || holds_own_piece())) {
     found.relation = kernel::Relation::partial;

@@ -97,6 +97,11 @@ void View::Memory::take_planes() {
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
 }
 
+void View::Memory::shrink_shadows() {
+  shrunk.resize(std::max(shrunk.size(), result.occluders.size()));
+  for (std::size_t i = 0; i < result.occluders.size(); ++i) shrunk[i].assign(result.margin, result.occluders[i].frustum);
+}
+
 void View::Memory::begin_frame(std::size_t nodes) {
   for (Occluder& occluder : result.occluders) spare.push_back(std::move(occluder.frustum));
   for (Occluder& occluder : probes) spare.push_back(std::move(occluder.frustum));

@@ -13,6 +13,7 @@
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
+#include "shrunk_shadow.h"
 
 namespace occlude::culler {
 
@@ -39,6 +40,7 @@ struct View::Memory {
   std::vector<Trial> trials;         ///< for each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
+  std::vector<ShrunkShadow> shrunk;    ///< for each occluder of the result, its shadow less the margin
   std::vector<std::uint32_t> holding;  ///< the stacks of the traversal, with `active`
   std::vector<std::uint32_t> active;
 
@@ -51,6 +53,8 @@ struct View::Memory {
 
   /// Fills `planes` with the view of the result.
   void take_planes();
+  /// Fills `shrunk`, which may be longer than the occluders are.
+  void shrink_shadows();
   /// Empties the result for the next frame and keeps its frusta as spare ones. Reserves memory for all that a frame may draw
   /// or cull of a tree of this many nodes, so that no frame after the first allocates. Memory that is never written to takes
   /// only addresses.

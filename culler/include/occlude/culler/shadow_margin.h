@@ -4,8 +4,10 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "occlude/culler/box.h"
+#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/types.h"
@@ -41,7 +43,12 @@ class ShadowMargin {
   /// The same for the union of two shadows. Conservative: it may say no of a box that is in the union less the margin.
   [[nodiscard]] bool keeps(const kernel::ShadowUnion& shadows, const Box& box) const;
 
+  /// Replaces `planes` with the planes of the shadow less the margin, relative to shadow.origin(): keeps() says whether all
+  /// of them contain the box. None if is_none(). For asking about many boxes. REQUIRES: !shadow.is_none().
+  void move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const;
+
  private:
+  [[nodiscard]] kernel::HalfSpace moved(const kernel::HalfSpace& plane, double size) const;
   /// m of this shadow.
   [[nodiscard]] double size(const kernel::ShadowFrustum& shadow) const;
   /// Holds all that the box becomes by moves of up to m in the picture, and some more.

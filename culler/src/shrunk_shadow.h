@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A shadow less the margin of a frame, for the many boxes that are in the shadow.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "bounds.h"
+#include "occlude/culler/shadow_margin.h"
+#include "occlude/kernel/half_space.h"
+#include "occlude/kernel/shadow_frustum.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+/// Answers as ShadowMargin::keeps() does, with planes that were moved once.
+class ShrunkShadow {
+ public:
+  /// REQUIRES: !shadow.is_none().
+  void assign(const ShadowMargin& margin, const kernel::ShadowFrustum& shadow) {
+    origin_ = shadow.origin();
+    margin.move_planes(shadow, planes_);
+  }
+  void reserve(std::size_t planes) { planes_.reserve(planes); }
+
+  /// REQUIRES: `shadow` is that of assign(), and the box is in it.
+  template <class AnyBox>
+  [[nodiscard]] bool keeps(const kernel::ShadowFrustum&, const AnyBox& box) const {
+    return std::ranges::all_of(planes_, [&](const kernel::HalfSpace& plane) { return holds(plane, origin_, box); });
+  }
+
+ private:
+  kernel::Vec3 origin_;
+  std::vector<kernel::HalfSpace> planes_;
+};
+
+}  // namespace occlude::culler
