@@ -225,6 +225,23 @@ TEST(CullOptions, AMarginHoldsForQueries) {
   EXPECT_EQ(view.visibility(point_at(20 - 1.01 * margin)), Visibility::occluded);
 }
 
+TEST(CullOptions, AMarginIsThatOfEachFrame) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -10, 10, -10, 10);
+  for (int y = -30; y < 30; ++y) add_wall(soup, 20, 0.5 * y, 0.5 * y + 0.4, -1, 1);
+  const Culler culler = one_polygon_leaves(soup);
+  View view;
+  for (int i = 0; i < 40; ++i) {
+    Camera camera;
+    camera.eye = {0.1 * i, 3 * std::sin(i), 0};
+    camera.target = {20, 0, 0};
+    const CullOptions options{.margin = i % 3 == 0 ? 0 : kShare};
+    const CullResult& frame = culler.cull(camera, options, view);
+    const CullResult alone = culler.cull(camera, options);  // by a view that has seen no other frame
+    EXPECT_EQ(frame.drawn, alone.drawn) << i;
+  }
+}
+
 /// The same with a wall in two halves, which only together hide what is behind.
 bool is_drawn_behind_two(double side, const CullOptions& options) {
   PolygonSoup soup;
