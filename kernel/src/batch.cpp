@@ -109,16 +109,16 @@ HWY_INLINE LaneVector load(const Row& row, std::size_t first, std::size_t k) {
   return {Lanes::load(row(k) + first), Lanes::load(row(k + 1) + first), Lanes::load(row(k + 2) + first)};
 }
 
-/// Moves the boxes that planes of the profile part from the frustum from straddling to outside.
-HWY_INLINE void part_by_profile(const StoredFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
+/// Moves the boxes that planes of the profile separate from the frustum from straddling to outside.
+HWY_INLINE void separate_by_profile(const StoredFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
   Least least;
   for (const FilterPlane& plane : frustum.profile_planes()) {
     least.include(frame.extremes(plane));
   }
   const Lanes error = bounds.error(frustum.profile_bound);
-  const Mask parted = hn::And(known.straddling, hn::Lt(least.high.v, hn::Neg(error.v)));
-  known.outside = hn::Or(known.outside, parted);
-  known.unknown = hn::Or(known.unknown, hn::AndNot(parted, hn::AndNot(hn::Gt(least.high.v, error.v), known.straddling)));
+  const Mask separated = hn::And(known.straddling, hn::Lt(least.high.v, hn::Neg(error.v)));
+  known.outside = hn::Or(known.outside, separated);
+  known.unknown = hn::Or(known.unknown, hn::AndNot(separated, hn::AndNot(hn::Gt(least.high.v, error.v), known.straddling)));
 }
 
 HWY_ATTR void BoxesAgainstFrustum(const StoredFrustum& frustum, const BoxBatch& boxes, Test test, std::size_t begin,
@@ -133,7 +133,8 @@ HWY_ATTR void BoxesAgainstFrustum(const StoredFrustum& frustum, const BoxBatch& 
     Least least;
     for (const FilterPlane& plane : planes) least.include(frame.extremes(plane));
     Known known = classify(least, error);
-    if (test == Test::overlap && !hn::AllFalse(Doubles(), known.straddling)) part_by_profile(frustum, frame, bounds, known);
+    if (test == Test::overlap && !hn::AllFalse(Doubles(), known.straddling))
+      separate_by_profile(frustum, frame, bounds, known);
     store(known, first, end - first, out, undecided);
   }
 }

@@ -8,7 +8,7 @@
 namespace occlude::kernel {
 namespace {
 
-/// Whether the rounded normal picks the same vertices as the true one.
+/// Whether the components of the rounded normal have the signs of the true ones, so that both pick the same vertices.
 bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
   const auto is_certain = [&](double n) { return tail.uncertainty.slope == 0 || std::fabs(n) > 2 * tail.uncertainty.slope; };
   return is_certain(plane.normal.x) && is_certain(plane.normal.y) && is_certain(plane.normal.z);
@@ -17,7 +17,8 @@ bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
 }  // namespace
 
 int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {
-  // The rounded normal picks the vertex: should a component's sign be in doubt, so is the value within the same bound.
+  // The rounded normal picks the vertex. Where the sign of a component is in doubt, the true normal may pick another, but
+  // the value there is within the same bound.
   const FilterPlane& plane = frustum.filter_planes[i];
   const auto positive = [&](std::size_t k) { return (plane.farther[k] >= 4) == (direction > 0); };
   const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));

@@ -14,7 +14,7 @@
 namespace occlude::kernel {
 namespace {
 
-/// Where equally far vertices of a silhouette are told apart by their index.
+/// The vertices of the silhouette in the order of the polytope's vertices: of equally far ones, the first is taken.
 std::pmr::vector<Vec3> in_order_of_input(const ConvexPolytope& polytope, const PolytopeSilhouette& seen,
                                          std::pmr::memory_resource& memory) {
   std::pmr::vector<std::uint32_t> indices(&memory);
@@ -31,7 +31,7 @@ void begin(StoredFrustum& frustum, const Viewpoint& viewpoint, std::span<const V
   frustum.silhouette.assign(corners.begin(), corners.end());
 }
 
-/// After the planes of the near side.
+/// Adds the planes of the sides. REQUIRES: those of the near side were added.
 void add_sides(StoredFrustum& frustum) {
   const auto& corners = frustum.silhouette;
   const std::size_t n = corners.size();

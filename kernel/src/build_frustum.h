@@ -15,7 +15,7 @@ namespace occlude::kernel {
 [[nodiscard]] Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                             PolytopeSilhouette& seen);
 
-/// Takes all away but the memory: there is no frustum any more.
+/// Removes the frustum and keeps its memory.
 void clear(StoredFrustum& frustum);
 
 }  // namespace occlude::kernel

@@ -11,7 +11,7 @@ namespace occlude::kernel {
 
 /// Whether a plane of the frustum's profile along the coordinate axes separates the frustum from the box.
 template <class Frame>
-[[nodiscard]] bool is_parted_by_profile(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
+[[nodiscard]] bool is_separated_by_profile(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
   const auto& planes = frustum.filter_planes;
   const double error = frame.error(frustum.profile_bound);
   bool unknown = false;
@@ -31,20 +31,20 @@ template <class Frame>
 
 /// The same for the profile along the edges of the box.
 template <class Frame>
-[[nodiscard]] bool is_parted_by_profile(const StoredFrustum& frustum, const Obb& box, const Frame&, Stage& stage) {
+[[nodiscard]] bool is_separated_by_profile(const StoredFrustum& frustum, const Obb& box, const Frame&, Stage& stage) {
   const auto sign_along = [&](std::size_t plane, std::size_t k) {
     const auto question = [&]<class A>(A& arithmetic) {
       return arithmetic.sign(dot(normal<A>(plane_of(frustum, plane)), constants<A>(box.half_edges[k])));
     };
     return certified(question, &stage);
   };
-  const auto parts = [&](const PlaneRecipe& recipe) {
+  const auto separates = [&](const PlaneRecipe& recipe) {
     const auto question = [&]<class A>(A& arithmetic) {
       return extremal_sign(arithmetic, coefficients<A>(frustum, recipe), frustum.origin, box, 1) < 0;
     };
     return certified(question, &stage);
   };
-  return visit_profile(frustum, {box.half_edges, false}, sign_along, parts);
+  return visit_profile(frustum, {box.half_edges, false}, sign_along, separates);
 }
 
 /// The answer for a frustum that was never made.
@@ -57,7 +57,7 @@ template <class A, class Box>
     return kNotKnown;
   const auto frame = frame_of<A>(box, frustum->origin);
   Decision decision = box_planes_certified(*frustum, box, frame, near);
-  if (decision.relation == Relation::partial && is_parted_by_profile(*frustum, box, frame, decision.stage)) {
+  if (decision.relation == Relation::partial && is_separated_by_profile(*frustum, box, frame, decision.stage)) {
     decision.relation = Relation::outside;
   }
   return decision;

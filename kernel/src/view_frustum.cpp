@@ -61,7 +61,7 @@ bool cancel(A& arithmetic, int k, const OverBox<A>& a, const OverBox<A>& b, Over
 
 /// Whether the combination of three planes in which all axes but k cancel is positive and separates the box from them.
 template <class A>
-bool is_parted_by_three(A& arithmetic, int k, const OverBox<A>& a, const OverBox<A>& b, const OverBox<A>& c) {
+bool is_separated_by_three(A& arithmetic, int k, const OverBox<A>& a, const OverBox<A>& b, const OverBox<A>& c) {
   const int l = (k + 1) % 3, m = (k + 2) % 3;
   const auto weight = [&](const OverBox<A>& p, const OverBox<A>& q) {
     return p.gains[l] * q.gains[m] - p.gains[m] * q.gains[l];
@@ -88,7 +88,7 @@ class Question {
       inside = inside && sign(h, -1) >= 0;
     }
     if (inside) return {Relation::inside, stage_};
-    return {is_parted() ? Relation::outside : Relation::partial, stage_};
+    return {is_separated() ? Relation::outside : Relation::partial, stage_};
   }
 
  private:
@@ -96,7 +96,7 @@ class Question {
     return certified([&]<class A>(A& arithmetic) { return extreme_sign(arithmetic, over<A>(h, box_), direction); }, &stage_);
   }
 
-  [[nodiscard]] bool is_parted_by(const HalfSpace& a, const HalfSpace& b) {
+  [[nodiscard]] bool is_separated_by(const HalfSpace& a, const HalfSpace& b) {
     const auto question = [&]<class A>(A& arithmetic) {
       const auto f = over<A>(a, box_), g = over<A>(b, box_);
       OverBox<A> both;
@@ -108,21 +108,21 @@ class Question {
     return certified(question, &stage_);
   }
 
-  [[nodiscard]] bool is_parted_by(const HalfSpace& a, const HalfSpace& b, const HalfSpace& c) {
+  [[nodiscard]] bool is_separated_by(const HalfSpace& a, const HalfSpace& b, const HalfSpace& c) {
     const auto question = [&]<class A>(A& arithmetic) {
       const auto f = over<A>(a, box_), g = over<A>(b, box_), h = over<A>(c, box_);
-      return is_parted_by_three(arithmetic, 0, f, g, h) || is_parted_by_three(arithmetic, 1, f, g, h) ||
-             is_parted_by_three(arithmetic, 2, f, g, h);
+      return is_separated_by_three(arithmetic, 0, f, g, h) || is_separated_by_three(arithmetic, 1, f, g, h) ||
+             is_separated_by_three(arithmetic, 2, f, g, h);
     };
     return certified(question, &stage_);
   }
 
-  [[nodiscard]] bool is_parted() {
+  [[nodiscard]] bool is_separated() {
     for (std::size_t i = 0; i < frustum_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (is_parted_by(frustum_[i], frustum_[j])) return true;
+        if (is_separated_by(frustum_[i], frustum_[j])) return true;
         for (std::size_t k = 0; k < j; ++k) {
-          if (is_parted_by(frustum_[i], frustum_[j], frustum_[k])) return true;
+          if (is_separated_by(frustum_[i], frustum_[j], frustum_[k])) return true;
         }
       }
     }
