@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds with each planted fault in turn and sees whether the fuzzer, the tests and a validation catch it. Prints a Markdown table, a row as
-# soon as it is known; exit 1 when a fault is missed.
+# Builds with each planted fault in turn and sees whether the fuzzer, the tests and a validation catch it. Prints a Markdown
+# table, a row as soon as it is known; exit 1 when a fault is missed.
 #
 # Usage: bash fuzz/mutants/run.sh [--only suite|fuzz|validate] [--seconds N] [NAME...]
 #        bash fuzz/mutants/run.sh --check
@@ -13,15 +13,17 @@
 #   --seconds N      what the fuzzer is given for a fault, default 60
 #   --check          builds nothing: sees that every patch applies to the sources as they are
 #
-# The fuzzer first runs on a build without a fault, where it must find nothing. All are built in one folder, build/mutants, so that a fault costs what depends on the files that it changes. The log of the
-# last one stays there: log.txt.
+# The fuzzer first runs on a build without a fault, where it must find nothing. All are built in one folder, build/mutants, so
+# that a fault costs what depends on the files that it changes. The log of the last one stays there: log.txt.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 folder=build/mutants
 log=$folder/log.txt
 # Round the small scenes.
-orbit='{"frames":60,"near":0.01,"interpolation":"smooth","keyframes":[{"eye":[0,0,0],"target":[9,0,0]},{"eye":[0.5,-6,1],"target":[9,0,0]},{"eye":[9,-11,2],"target":[9,0,0]},{"eye":[19,-2,3],"target":[9,0,0]},{"eye":[9,12,1],"target":[9,0,0]},{"eye":[0,1,0],"target":[9,0,0]}]}'
+orbit='{"frames":60,"near":0.01,"interpolation":"smooth","keyframes":[
+  {"eye":[0,0,0],"target":[9,0,0]},{"eye":[0.5,-6,1],"target":[9,0,0]},{"eye":[9,-11,2],"target":[9,0,0]},
+  {"eye":[19,-2,3],"target":[9,0,0]},{"eye":[9,12,1],"target":[9,0,0]},{"eye":[0,1,0],"target":[9,0,0]}]}'
 limit=900  # seconds for a run of tests: a fault may make them endless, and nothing else should come near
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 
@@ -139,7 +141,8 @@ done
 
 # configure [NAME]: with this fault, by default with none.
 configure() {
-  cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DOCCLUDE_MUTANT="${1:-}" >"$log" 2>&1 || fail "${1:-no fault}: see $log"
+  cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DOCCLUDE_MUTANT="${1:-}" >"$log" 2>&1 ||
+    fail "${1:-no fault}: see $log"
 }
 
 mkdir -p "$folder"
