@@ -21,6 +21,7 @@ build_and_test() {
     result="FAILED ($folder/tests.txt)"
   count=$(grep -c '\[       OK \]' "$folder/tests.txt")
   hash=$(grep -o '{0x[0-9a-f]*, 0x[0-9a-f]*}' "$folder/tests.txt" | sort | sha256sum)
+  [ "$count" -gt 0 ] || result="FAILED: no test ran"
   echo "$result: $count tests passed, answers ${hash:0:16}"
   [[ $result == passed ]]
 }

@@ -22,8 +22,8 @@ namespace occlude::culler {
 
 /// The empty box. Growing it by a point makes it that point.
 [[nodiscard]] inline kernel::Aabb empty_box() {
-  constexpr double most = std::numeric_limits<double>::infinity();
-  return {{most, most, most}, {-most, -most, -most}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 
 inline void grow(kernel::Aabb& box, const kernel::Aabb& other) {

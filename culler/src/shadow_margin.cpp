@@ -36,25 +36,29 @@ kernel::HalfSpace ShadowMargin::moved(const kernel::HalfSpace& plane, double siz
   return {to_kernel(normal - margin * forward_), offset};
 }
 
-void ShadowMargin::move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const {
-  planes.clear();
-  if (is_none()) return;
+template <class Visit>
+bool ShadowMargin::all_moved_planes(const kernel::ShadowFrustum& shadow, const Visit& visit) const {
+  if (is_none()) return true;
   const double size = this->size(shadow);
   for (std::size_t i = 0, count = shadow.plane_count(); i < count; ++i) {
-    planes.push_back(moved(shadow.rounded_plane(i), size));
+    if (!visit(moved(shadow.rounded_plane(i), size))) return false;
   }
+  return true;
+}
+
+void ShadowMargin::move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const {
+  planes.clear();
+  static_cast<void>(all_moved_planes(shadow, [&](const kernel::HalfSpace& plane) {
+    planes.push_back(plane);
+    return true;
+  }));
 }
 
 template <class AnyBox>
 bool ShadowMargin::keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const {
   if (shadow.is_none()) return false;
-  if (is_none()) return true;
-  const double size = this->size(shadow);
   const kernel::Vec3 origin = shadow.origin();
-  for (std::size_t i = 0, count = shadow.plane_count(); i < count; ++i) {
-    if (!holds(moved(shadow.rounded_plane(i), size), origin, box)) return false;
-  }
-  return true;
+  return all_moved_planes(shadow, [&](const kernel::HalfSpace& plane) { return holds(plane, origin, box); });
 }
 
 bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) const {

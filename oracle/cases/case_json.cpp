@@ -31,11 +31,11 @@ OrderedJson json(double x) {
   return std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf";
 }
 
-OrderedJson json(const kernel::Vec3& v) { return Json::array({json(v.x), json(v.y), json(v.z)}); }
+OrderedJson json(const kernel::Vec3& v) { return OrderedJson::array({json(v.x), json(v.y), json(v.z)}); }
 
 template <class Points>
 OrderedJson json_of_all(const Points& points) {
-  OrderedJson result = Json::array();
+  OrderedJson result = OrderedJson::array();
   for (const kernel::Vec3& point : points) result.push_back(json(point));
   return result;
 }

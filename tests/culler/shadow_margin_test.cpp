@@ -231,15 +231,20 @@ TEST(CullOptions, AMarginIsThatOfEachFrame) {
   for (int y = -30; y < 30; ++y) add_wall(soup, 20, 0.5 * y, 0.5 * y + 0.4, -1, 1);
   const Culler culler = one_polygon_leaves(soup);
   View view;
+  int drawn_for_the_margin = 0;
   for (int i = 0; i < 40; ++i) {
     Camera camera;
     camera.eye = {0.1 * i, 3 * std::sin(i), 0};
     camera.target = {20, 0, 0};
-    const CullOptions options{.margin = i % 3 == 0 ? 0 : kShare};
+    const CullOptions options{.objective = {.coherence = 0}, .margin = i % 3 == 0 ? 0 : kShare};
+    CullOptions without = options;
+    without.margin = 0;
     const CullResult& frame = culler.cull(camera, options, view);
     const CullResult alone = culler.cull(camera, options);  // by a view that has seen no other frame
     EXPECT_EQ(frame.drawn, alone.drawn) << i;
+    drawn_for_the_margin += alone.drawn != culler.cull(camera, without).drawn;
   }
+  EXPECT_GT(drawn_for_the_margin, 5);
 }
 
 /// The same with a wall in two halves, which only together hide what is behind.

@@ -47,6 +47,7 @@ TEST(View, AllocatesInItsFirstFrameAlone) {
         CullOptions options;
         if (is_papers) options.near = occlude::kernel::Near::farthest;
         if (is_papers) options.test = occlude::kernel::Test::overlap;
+        if (is_papers) options.margin = 0.001;
         View view;
         EXPECT_GT(walk(culler, options, projection, view, 0, 0, 1), 0U);
         for (int path = 0; path < 4; ++path) EXPECT_EQ(walk(culler, options, projection, view, path), 0U) << path;

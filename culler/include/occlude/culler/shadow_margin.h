@@ -14,7 +14,8 @@
 
 namespace occlude::culler {
 
-struct FrameView;  // src/frame_view.h
+struct FrameView;    // src/frame_view.h
+class ShrunkShadow;  // src/shrunk_shadow.h
 
 /// The shadow less the margin is the set of points that stay in the shadow under both of these moves:
 /// 1. In the picture, by up to the margin. Each plane n . x >= d of the shadow, relative to the eye, becomes
@@ -43,11 +44,15 @@ class ShadowMargin {
   /// The same for the union of two shadows. Conservative: it may say no of a box that is in the union less the margin.
   [[nodiscard]] bool keeps(const kernel::ShadowUnion& shadows, const Box& box) const;
 
-  /// Replaces `planes` with the planes of the shadow less the margin, relative to shadow.origin(): keeps() says whether all
-  /// of them contain the box. None if is_none(). For asking about many boxes. REQUIRES: !shadow.is_none().
-  void move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const;
-
  private:
+  friend class ShrunkShadow;
+
+  /// Replaces `planes` with the planes of the shadow less the margin, relative to shadow.origin(); none if is_none(). What
+  /// is in the shadow and in all of them is kept.
+  void move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const;
+  /// Whether `visit` is true of all these planes. It is called until it is not.
+  template <class Visit>
+  [[nodiscard]] bool all_moved_planes(const kernel::ShadowFrustum& shadow, const Visit& visit) const;
   [[nodiscard]] kernel::HalfSpace moved(const kernel::HalfSpace& plane, double size) const;
   /// m of this shadow.
   [[nodiscard]] double size(const kernel::ShadowFrustum& shadow) const;
