@@ -228,7 +228,7 @@ TEST(CullOptions, AMarginHoldsForQueries) {
 TEST(CullOptions, AMarginIsThatOfEachFrame) {
   PolygonSoup soup;
   add_wall(soup, 10, -10, 10, -10, 10);
-  for (int y = -30; y < 30; ++y) add_wall(soup, 20, 0.5 * y, 0.5 * y + 0.4, -1, 1);
+  for (int y = -60; y < 60; ++y) add_wall(soup, 20, 0.5 * y, 0.5 * y + 0.4, -1, 1);
   const Culler culler = one_polygon_leaves(soup);
   View view;
   int drawn_for_the_margin = 0;
@@ -236,7 +236,7 @@ TEST(CullOptions, AMarginIsThatOfEachFrame) {
     Camera camera;
     camera.eye = {0.1 * i, 3 * std::sin(i), 0};
     camera.target = {20, 0, 0};
-    const CullOptions options{.objective = {.coherence = 0}, .margin = i % 3 == 0 ? 0 : kShare};
+    const CullOptions options{.objective = {.coherence = 0}, .margin = i % 3 == 0 ? 0 : 0.02};  // as wide as a wall
     CullOptions without = options;
     without.margin = 0;
     const CullResult& frame = culler.cull(camera, options, view);
