@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds with each planted fault in turn and sees whether the fuzzer, the tests and a validation catch it. Prints a Markdown
-# table, a row as soon as it is known; exit 1 when a fault is missed.
+# list, an item as soon as it is known; exit 1 when a fault is missed.
 #
 # Usage: bash fuzz/mutants/run.sh [--only suite|fuzz|validate] [--seconds N] [NAME...]
 #        bash fuzz/mutants/run.sh --check
@@ -69,7 +69,7 @@ suites_for() {
   fi
 }
 
-# caught_by_suite NAME: a cell of the table.
+# caught_by_suite NAME: what caught it, or **missed**.
 caught_by_suite() {
   local target filter test start seconds=0
   while read -r target filter; do
@@ -82,7 +82,7 @@ caught_by_suite() {
   echo "**missed**, $seconds s"
 }
 
-# caught_by_fuzzer: a cell of the table.
+# caught_by_fuzzer: what caught it, or **missed**.
 caught_by_fuzzer() {
   build occlude || { echo '**does not build**'; return; }
   local output status=0 start=$SECONDS family seconds
@@ -101,7 +101,7 @@ caught_by_fuzzer() {
   esac
 }
 
-# caught_by_validation: a cell of the table.
+# caught_by_validation: what caught it, or **missed**.
 caught_by_validation() {
   build occlude || { echo '**does not build**'; return; }
   [ -f "$folder/city.json" ] || "$folder/occlude" generate city --out "$folder/city.ply" --path "$folder/city.json" >>"$log" 2>&1
@@ -153,8 +153,6 @@ if [[ $only =~ ^(|fuzz)$ ]]; then
 elif [ "$only" = validate ]; then
   [[ $(caught_by_validation) == *missed* ]] || fail "without a fault the validation does not end well: see $log"
 fi
-echo '| fault | what | fuzzer | tests | validation |'
-echo '|---|---|---|---|---|'
 missed=0
 for name in "${names[@]}"; do
   configure "$name"
@@ -162,7 +160,8 @@ for name in "${names[@]}"; do
   [[ $only =~ ^(|fuzz)$ ]] && fuzzer=$(caught_by_fuzzer)
   [[ $only =~ ^(|suite)$ ]] && suite=$(caught_by_suite "$name")
   [ "$only" = validate ] && validation=$(caught_by_validation)
-  echo "| \`$name\` | $(head -n 1 "$(patch_of "$name")") | $fuzzer | $suite | $validation |"
+  echo "- \`$name\`: $(head -n 1 "$(patch_of "$name")")"
+  echo "  Fuzzer: $fuzzer. Tests: $suite. Validation: $validation."
   [[ $fuzzer$suite$validation == *'**'* ]] && missed=1
 done
 exit $missed

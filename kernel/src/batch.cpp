@@ -133,8 +133,9 @@ HWY_ATTR void BoxesAgainstFrustum(const StoredFrustum& frustum, const BoxBatch& 
     Least least;
     for (const FilterPlane& plane : planes) least.include(frame.extremes(plane));
     Known known = classify(least, error);
-    if (test == Test::overlap && !hn::AllFalse(Doubles(), known.straddling))
+    if (test == Test::overlap && !hn::AllFalse(Doubles(), known.straddling)) {
       separate_by_profile(frustum, frame, bounds, known);
+    }
     store(known, first, end - first, out, undecided);
   }
 }

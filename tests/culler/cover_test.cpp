@@ -117,7 +117,7 @@ TEST_P(CoverFrames, WhatIsCulledIsHiddenByWhatIsNamed) {
   EXPECT_GT(polygons, 1000U);
 }
 
-// Sanitizers make the proofs ten times slower, and find as much in a third of the towns.
+// Sanitizers make the proofs ten times slower. A town of each kind is enough for them.
 #ifdef OCCLUDE_SANITIZED
 INSTANTIATE_TEST_SUITE_P(Seeds, CoverFrames, testing::Range(2, 4));
 #else

@@ -57,4 +57,10 @@ std::string grouped(double value) {
   return digits;
 }
 
+std::string fps(const std::optional<double>& ms, const char* none) { return ms ? fmt::format("{:.1f}", 1000 / *ms) : none; }
+
+std::string gain(const std::optional<double>& ratio, const char* none) {
+  return ratio ? fmt::format("{:+.0f} %", 100 * (*ratio - 1)) : none;
+}
+
 }  // namespace occlude::render

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "occlude/render/machine.h"
+#include "occlude/render/page.h"
 #include "occlude/render/printable.h"
 
 namespace occlude::render {
@@ -46,12 +47,6 @@ Json if_limited(Number most) {
   return is_limited ? Json(most) : Json();
 }
 
-std::string fps_text(const std::optional<double>& ms) { return ms ? fmt::format("{:.1f}", 1000 / *ms) : "-"; }
-
-std::string gain_text(const std::optional<double>& ratio) {
-  return ratio ? fmt::format("{:+.0f} %", 100 * (*ratio - 1)) : "-";
-}
-
 /// Table 2 of the paper beside the figures of this run.
 std::string table2_text(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
@@ -64,9 +59,9 @@ std::string table2_text(const Summary& summary) {
       "polygons culled                 {:>9.1f} %                 39.5 %\n"
       "speedup                         {:>19}                      +55 %\n"
       "  limit by polygons drawn       {:>19}                      +65 %\n",
-      mean.view_frustum_polygons, fps_text(mean.frame_ms_view_frustum_only), mean.rendered_polygons, fps_text(mean.frame_ms),
-      mean.visible_polygons ? fmt::format("{:.0f}", *mean.visible_polygons) : "-", fps_text(mean.frame_ms_visible_only),
-      100 * summary.culled_share, gain_text(summary.speedup), gain_text(summary.limit_by_polygons));
+      mean.view_frustum_polygons, fps(mean.frame_ms_view_frustum_only, "-"), mean.rendered_polygons, fps(mean.frame_ms, "-"),
+      mean.visible_polygons ? fmt::format("{:.0f}", *mean.visible_polygons) : "-", fps(mean.frame_ms_visible_only, "-"),
+      100 * summary.culled_share, gain(summary.speedup, "-"), gain(summary.limit_by_polygons, "-"));
 }
 
 }  // namespace

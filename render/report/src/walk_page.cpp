@@ -13,10 +13,6 @@ namespace {
 
 constexpr const char* kNone = "&ndash;";
 
-std::string fps(const std::optional<double>& ms) { return ms ? fmt::format("{:.1f}", 1000 / *ms) : kNone; }
-
-std::string gain(const std::optional<double>& ratio) { return ratio ? fmt::format("{:+.0f} %", 100 * (*ratio - 1)) : kNone; }
-
 std::string times(const std::optional<double>& ratio) { return ratio ? fmt::format("{:.1f} &times;", *ratio) : kNone; }
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
@@ -90,9 +86,10 @@ std::string table2_html(const Summary& summary) {
 <tr><td>Limit of the speedup: drawing only what is visible</td><td></td><td>{}</td><td></td><td>&ndash;</td></tr>
 <tr><td>Of the hidden polygons in the view frustum, culled</td><td>{}</td><td></td><td></td><td></td></tr>
 </tbody></table></div>)",
-      grouped(mean.view_frustum_polygons), fps(mean.frame_ms_view_frustum_only), grouped(mean.rendered_polygons),
-      fps(mean.frame_ms), mean.visible_polygons ? grouped(*mean.visible_polygons) : kNone, fps(mean.frame_ms_visible_only),
-      100 * summary.culled_share, gain(summary.speedup), gain(summary.limit_by_polygons), times(summary.limit_by_visible),
+      grouped(mean.view_frustum_polygons), fps(mean.frame_ms_view_frustum_only, kNone), grouped(mean.rendered_polygons),
+      fps(mean.frame_ms, kNone), mean.visible_polygons ? grouped(*mean.visible_polygons) : kNone,
+      fps(mean.frame_ms_visible_only, kNone), 100 * summary.culled_share, gain(summary.speedup, kNone),
+      gain(summary.limit_by_polygons, kNone), times(summary.limit_by_visible),
       summary.culled_share_of_hidden ? percent(*summary.culled_share_of_hidden) : kNone);
 }
 

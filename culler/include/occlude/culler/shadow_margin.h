@@ -50,7 +50,7 @@ class ShadowMargin {
   /// Replaces `planes` with the planes of the shadow less the margin, relative to shadow.origin(); none if is_none(). What
   /// is in the shadow and in all of them is kept.
   void move_planes(const kernel::ShadowFrustum& shadow, std::vector<kernel::HalfSpace>& planes) const;
-  /// Whether `visit` is true of all these planes. It is called until it is not.
+  /// Whether visit(plane) is true for all these planes. The first for which it is false is the last that is visited.
   template <class Visit>
   [[nodiscard]] bool all_moved_planes(const kernel::ShadowFrustum& shadow, const Visit& visit) const;
   [[nodiscard]] kernel::HalfSpace moved(const kernel::HalfSpace& plane, double size) const;

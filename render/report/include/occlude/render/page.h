@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the HTML pages share: their style, and the format of text and numbers.
+// What the pages share: their style, and the format of text and numbers.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace occlude::render {
@@ -14,5 +15,11 @@ namespace occlude::render {
 
 /// Rounds to an integer, with commas between thousands.
 [[nodiscard]] std::string grouped(double value);
+
+/// Frames per second at this many milliseconds a frame, or `none`.
+[[nodiscard]] std::string fps(const std::optional<double>& ms, const char* none);
+
+/// The change to this ratio in percent, with its sign, or `none`.
+[[nodiscard]] std::string gain(const std::optional<double>& ratio, const char* none);
 
 }  // namespace occlude::render
