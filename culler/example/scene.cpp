@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A street between two rows of houses, things in the courts behind them, and a car that drives along behind one row. The
+// A street between two rows of houses, things in the courts behind them, and a bus that drives along behind one row. The
 // example walks down the street and prints what must be drawn.
 #include <occlude/culler/scene.h>
 
@@ -7,18 +7,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <utility>
-#include <vector>
 
 using namespace occlude::culler;
 using occlude::kernel::Aabb;
-using occlude::kernel::Obb;
-using occlude::kernel::Vec3;
 
 namespace {
 
-/// Adds the box as six polygons. They close a convex solid, so they hide as one occluder.
-void add_solid(PolygonSoup& soup, const Aabb& box) {
+/// A box as six polygons.
+std::shared_ptr<const OccluderMesh> solid(const Aabb& box) {
+  PolygonSoup soup;
   std::array<std::uint32_t, 8> corner{};
   for (std::uint32_t i = 0; i < 8; ++i) {
     const auto end = [&](int axis) { return (i >> axis & 1U) != 0 ? box.max[axis] : box.min[axis]; };
@@ -28,42 +27,44 @@ void add_solid(PolygonSoup& soup, const Aabb& box) {
   for (const auto& [a, b, c, d] : {Face{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
     soup.add_polygon(std::array{corner[a], corner[b], corner[c], corner[d]});
   }
+  return std::make_shared<OccluderMesh>(std::move(soup));
 }
-
-/// The box of a car on the road behind the row at y = 20, turned by atan(1/4) from the direction of the road.
-Obb car(double x) { return {{x, 35, 0.75}, {{{2, 0.5, 0}, {-0.25, 1, 0}, {0, 0, 0.75}}}}; }
 
 }  // namespace
 
 int main() {
-  // Each house is an object with a box. Its walls, at least half a metre inside the box, are the occluder.
-  std::vector<Box> statics;
-  PolygonSoup walls;
+  Scene scene;
+  // Each house is an object with a box. Its walls, half a metre inside the box, are an occluder; all houses share one mesh.
+  const auto walls = solid({{0.5, 0.5, 0.5}, {17.5, 15.5, 9}});
   for (double x = 0; x < 200; x += 20) {
     for (const double y : {-20.0, 20.0}) {
-      statics.emplace_back(Aabb{{x, y - 8, 0}, {x + 18, y + 8, 12}});
-      add_solid(walls, {{x + 0.5, y - 7.5, 0.5}, {x + 17.5, y + 7.5, 9}});
+      const ObjectId house = scene.add(Aabb{{x, y - 8, 0}, {x + 18, y + 8, 12}});
+      scene.add(walls, {.origin = {x, y - 8, 0}}, {.object = house});
       for (int i = 0; i < 8; ++i) {
         const double court = y < 0 ? y - 15 : y + 12;
-        statics.emplace_back(Aabb{{x + 2 * i, court, 0}, {x + 2 * i + 1, court + 3, 2}});
+        scene.add(Aabb{{x + 2 * i, court, 0}, {x + 2 * i + 1, court + 3, 2}});
       }
     }
   }
-  const std::vector<Box> dynamics{car(0)};
-  Scene scene({.statics = statics, .dynamics = dynamics}, std::move(walls));
+  // The bus moves, and hides what is behind it.
+  const ObjectId bus = scene.add(Aabb{}, {.moves = true});
+  const OccluderId body = scene.add(solid({{0, 0, 0.3}, {12, 2.5, 3}}), {}, {.moves = true, .object = bus});
 
   SceneView view;  // one for each camera; several may be culled at once, each on its own thread
   Camera camera;
   for (int frame = 0; frame < 10; ++frame) {
-    scene.set_bounds(0, car(18.0 * frame));
+    const double x = 18.0 * frame;
+    scene.move(bus, Aabb{{x, 34, 0}, {x + 12, 36.5, 3}});
+    scene.move(body, {.origin = {x, 34, 0}});
     scene.update();
     camera.eye = {15.0 * frame - 10, 0, 2};
     camera.target = camera.eye + glm::dvec3{1, 0.5, 0};
-    const SceneResult& draw = scene.cull(camera, {.occluders = 8}, view);
+    const SceneResult& result = scene.cull(camera, {.is_front_to_back = true}, view);
+    bool is_bus_drawn = false;
+    for (const DrawnObject& object : result.drawn) is_bus_drawn = is_bus_drawn || object.id == bus;
     const Visibility spawn = view.visibility(Aabb{{60, 40, 0}, {61, 41, 2}});  // any box, whether or not it is an object
-    std::printf("frame %d: %3zu of %zu objects in %zu ranges, %3zu hidden; the car is %s, the spawn point %s\n", frame,
-                draw.statics.size(), statics.size(), draw.static_ranges.size(), view.frame().stats.shadow_culled_polygons,
-                draw.dynamics.empty() ? "not drawn" : "drawn",
+    std::printf("frame %d: %3zu of %zu objects, %3zu hidden; the bus is %s, the spawn point %s\n", frame, result.stats.drawn,
+                scene.objects(), result.stats.hidden, is_bus_drawn ? "drawn" : "not drawn",
                 spawn == Visibility::visible    ? "visible"
                 : spawn == Visibility::occluded ? "hidden"
                                                 : "out of view");

@@ -97,6 +97,14 @@ CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_
   return {picture_.clipped(r), most, is_in_picture};
 }
 
+float CoverBuffer::seen_size(const SeenBoxes& boxes, std::size_t i) const {
+  if (boxes.most[i] == std::numeric_limits<float>::infinity()) return boxes.most[i];
+  const Place& scale = picture_.scale();
+  const double right = (double{boxes.high_x[i]} - double{boxes.low_x[i]}) * (scale.y / scale.x);
+  const double up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
+  return rounded_up(std::max(right, up) / (picture_.height() - 2 * kBorder));
+}
+
 bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box.pixels, box.most, 1) == 0; }
 
 CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {

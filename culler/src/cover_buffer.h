@@ -54,6 +54,9 @@ class CoverBuffer {
   /// The footprint of box i of those that were seen in box_picture().
   [[nodiscard]] Footprint footprint(const SeenBoxes& boxes, std::size_t i) const;
   [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
+  /// No less than the width and the height of box i in the picture, as a share of the height of the camera's picture;
+  /// infinity if its position is unknown.
+  [[nodiscard]] float seen_size(const SeenBoxes& boxes, std::size_t i) const;
 
   /// True only if each point of the box has a point of one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False for a box that reaches beyond the picture or before the near plane. REQUIRES: the box is no farther

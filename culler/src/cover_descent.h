@@ -15,14 +15,50 @@
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/half_space.h"
+#include "occlude/kernel/types.h"
 #include "seen_boxes.h"
 
 namespace occlude::culler {
 
-/// `ask` calls a question with the bounding volume of a node. see(leaf, footprint, is_worth_closing) is called for each leaf
-/// that is not culled, cull(Culled) for each node that is. join() is called after each subtree of few items and may add to
-/// the buffer what was seen. REQUIRES: at most 32 planes.
-template <class Ask, class See, class Cull, class Join>
+/// A tree as a descent sees it: nodes whose boxes are where they are.
+template <class Ask>
+struct StandingTree {
+  std::span<const HierarchyNode> nodes;
+  const Ask& ask_volume;  ///< calls a question with the bounding volume of a node
+
+  [[nodiscard]] const kernel::Aabb& box(std::uint32_t node) const { return nodes[node].box; }
+  template <class Question>
+  decltype(auto) ask(std::uint32_t node, const Question& question) const {
+    return ask_volume(node, question);
+  }
+};
+template <class Ask>
+StandingTree(std::span<const HierarchyNode>, const Ask&) -> StandingTree<Ask>;
+
+/// The planes of a view, at most kMostPlanes, and how boxes are held against them.
+struct ViewPlanes {
+  static constexpr std::size_t kMostPlanes = 32;
+
+  std::span<const kernel::HalfSpace> planes;
+  kernel::Arithmetic arithmetic;
+
+  /// A bit for each plane.
+  [[nodiscard]] std::uint32_t all() const {
+    return planes.size() < kMostPlanes ? (std::uint32_t{1} << planes.size()) - 1 : ~std::uint32_t{0};
+  }
+};
+
+/// A leaf that is not culled.
+struct SeenNode {
+  std::uint32_t node;
+  std::uint32_t across;  ///< a bit for each plane that may cross it
+  CoverBuffer::Footprint footprint;
+  bool is_worth_closing;  ///< whether it is seen through more than a slit
+};
+
+/// see(SeenNode) is called for each leaf that is not culled, cull(Culled) for each node that is. join() is called after each
+/// subtree of few items and may add to the buffer what was seen.
+template <class Tree, class See, class Cull, class Join>
 class CoverDescent {
  public:
   /// A subtree has few items if it has at most this many, or is a leaf. With a smaller limit, more of what
@@ -34,21 +70,14 @@ class CoverDescent {
   /// limit of 4, frames would draw 50 % more triangles and cull only a few thousandths more.
   static constexpr int kWorthClosing = 8;
 
-  CoverDescent(std::span<const HierarchyNode> nodes, const Ask& ask, std::span<const kernel::HalfSpace> planes,
-               const CullOptions& options, const CoverBuffer& buffer, CullStats& stats, const See& see, const Cull& cull,
-               const Join& join)
-      : nodes_(nodes),
-        ask_(ask),
-        planes_(planes),
-        arithmetic_(options.arithmetic),
-        buffer_(buffer),
-        stats_(stats),
-        see_(see),
-        cull_(cull),
-        join_(join) {}
+  CoverDescent(const Tree& tree, const ViewPlanes& view, const CoverBuffer& buffer, CullStats& stats, const See& see,
+               const Cull& cull, const Join& join)
+      : tree_(tree), view_(view), buffer_(buffer), stats_(stats), see_(see), cull_(cull), join_(join) {}
 
-  void run() {
-    Visit root{0, planes_.size() < 32 ? (std::uint32_t{1} << planes_.size()) - 1 : ~std::uint32_t{0}, is_few(0)};
+  /// Descends from the root. `across` has a bit for each plane that may cross it.
+  void run(std::uint32_t across) {
+    if (tree_.nodes.empty()) return;
+    Visit root{0, across, is_few(0)};
     if (!is_in_view(root)) return;
     visit_below(root);
     if (root.is_part) join_();
@@ -66,7 +95,9 @@ class CoverDescent {
     SeenBoxes boxes;
   };
 
-  [[nodiscard]] bool is_few(std::uint32_t node) const { return nodes_[node].is_leaf() || nodes_[node].count <= kFew; }
+  [[nodiscard]] bool is_few(std::uint32_t node) const {
+    return tree_.nodes[node].is_leaf() || tree_.nodes[node].count <= kFew;
+  }
 
   /// Visits what is below a node, or the leaf itself: three levels of the tree at once, nearest first.
   void visit_below(const Visit& visit) {
@@ -86,11 +117,11 @@ class CoverDescent {
 
   /// Adds the nodes in view this many levels below. Goes into a subtree of few items only if it starts within it.
   void gather(const Visit& visit, int levels, Batch& batch) {
-    const HierarchyNode& node = nodes_[visit.node];
+    const HierarchyNode& node = tree_.nodes[visit.node];
     const bool is_start = levels == kLevels;
     if (node.is_leaf() || levels == 0 || (!is_start && !visit.is_part && is_few(visit.node))) {
       batch.visits[batch.boxes.size] = visit;
-      batch.boxes.add(buffer_.box_picture(), node.box);
+      batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
       return;
     }
     for (const std::uint32_t below : {visit.node + 1, node.right}) {
@@ -105,8 +136,8 @@ class CoverDescent {
     for (std::uint32_t left = visit.across; left != 0; left &= left - 1) {
       const auto plane = static_cast<std::uint32_t>(std::countr_zero(left));
       ++stats_.view_tests;
-      const kernel::Relation relation =
-          ask_(visit.node, [&](const auto& box) { return kernel::relation(planes_[plane], box, arithmetic_); });
+      const kernel::Relation relation = tree_.ask(
+          visit.node, [&](const auto& box) { return kernel::relation(view_.planes[plane], box, view_.arithmetic); });
       if (relation == kernel::Relation::outside) {
         cull_({visit.node, Culled::By::view, plane});
         return false;
@@ -118,11 +149,11 @@ class CoverDescent {
 
   void decide(const Visit& visit, const CoverBuffer::Footprint& footprint) {
     ++stats_.cover_tests;
-    const bool is_leaf = nodes_[visit.node].is_leaf(), is_few = this->is_few(visit.node);
+    const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_few = this->is_few(visit.node);
     const int open = buffer_.open(footprint, is_leaf ? kWorthClosing : 1);
     if (open == 0 && footprint.is_in_picture) return cull_({visit.node, Culled::By::cover});
     if (is_leaf) {
-      see_(visit.node, footprint, open >= kWorthClosing);
+      see_(SeenNode{visit.node, visit.across, footprint, open >= kWorthClosing});
     } else {
       visit_below({visit.node, visit.across, visit.is_part || is_few});
     }
@@ -132,10 +163,8 @@ class CoverDescent {
   static constexpr int kLevels = 3;
   static_assert(1U << kLevels == SeenBoxes::kMost);
 
-  std::span<const HierarchyNode> nodes_;
-  const Ask& ask_;
-  std::span<const kernel::HalfSpace> planes_;
-  kernel::Arithmetic arithmetic_;
+  const Tree& tree_;
+  const ViewPlanes& view_;
   const CoverBuffer& buffer_;
   CullStats& stats_;
   const See& see_;

@@ -1,60 +1,47 @@
 // SPDX-License-Identifier: MIT
-// The state of a frame by cover: what it draws, what it culls, and what has closed pixels.
+// The state of a frame by cover of a model: what it draws and what it culls.
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <span>
 
 #include "cover_descent.h"
-#include "cover_triangles.h"
-#include "occlude/culler/camera.h"
+#include "cover_painter.h"
+#include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
 
-/// The polygons that hide in frames by cover, in the order of a tree. Without nodes nothing hides.
-struct CoverSource {
-  std::span<const HierarchyNode> nodes;
-  const CoverTriangles& triangles;
-};
-
 class CoverFrame {
  public:
-  /// REQUIRES: begin_frame() was called; `view` reaches as far as all that is drawn or hides.
-  CoverFrame(const CoverSource& source, const FrameView& view, const CullOptions& options, View::Memory& memory);
-
-  /// `see`, `cull` and `join` as in CoverDescent. Does nothing without nodes.
-  template <class Ask, class See, class Cull, class Join>
-  void descend(std::span<const HierarchyNode> nodes, const Ask& ask, const See& see, const Cull& cull, const Join& join) {
-    if (nodes.empty()) return;
-    CoverDescent(nodes, ask, memory_.planes, options_, memory_.cover, memory_.result.stats, see, cull, join).run();
+  /// REQUIRES: begin_frame() was called.
+  CoverFrame(std::span<const HierarchyNode> nodes, View::Memory& memory) : nodes_(nodes), memory_(memory) {
+    memory.seen.clear();
+    memory.seen.reserve(memory.result.culled.capacity());  // one for each leaf at most, as `culled`
   }
 
-  /// Notes that a leaf of the tree of `nodes` is seen. finish() asks again, because what is drawn later may still hide it.
-  void see(std::uint32_t leaf, const CoverBuffer::Footprint& footprint) { memory_.seen.push_back({leaf, footprint}); }
-  /// Keeps the polygons of a leaf of the source for join().
-  void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
-  /// Draws the kept polygons into the coarse picture, together with the polygons that were drawn before and touch them, so
-  /// that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the group that was
-  /// drawn has the number groups().
-  bool join();
-  [[nodiscard]] std::uint32_t groups() const { return groups_; }
+  /// Notes that a leaf is seen. finish() asks again, because what is drawn later may still hide it.
+  void see(const SeenNode& leaf) { memory_.seen.push_back({leaf.node, leaf.footprint}); }
 
-  void cull(std::span<const HierarchyNode> nodes, const Culled& culled);
+  void cull(const Culled& culled) {
+    CullStats& stats = memory_.result.stats;
+    (culled.by == Culled::By::view ? stats.view_culled_polygons : stats.shadow_culled_polygons) += nodes_[culled.node].count;
+    memory_.result.culled.push_back(culled);
+  }
+
   /// Tests the leaves that were seen again, now that no more pixels will be closed. Draws those that are not hidden, and
   /// puts what was drawn and culled into the order of the tree.
   template <class Cull>
-  void finish(std::span<const HierarchyNode> nodes, const Cull& cull) {
+  void finish(const Cull& cull) {
     std::ranges::sort(memory_.seen, {}, &SeenLeaf::leaf);
     for (const auto& [leaf, footprint] : memory_.seen) {
       ++memory_.result.stats.cover_tests;
-      if (memory_.cover.hides(footprint)) {
+      if (memory_.cover.buffer.hides(footprint)) {
         cull({leaf, Culled::By::cover});
       } else {
-        draw(nodes[leaf]);
+        draw(nodes_[leaf]);
       }
     }
     // Nodes are numbered depth-first, so this is the order of their items.
@@ -62,15 +49,13 @@ class CoverFrame {
   }
 
  private:
-  [[nodiscard]] bool may_draw_more() const;
-  void draw(const HierarchyNode& leaf);
-  void add_around(std::uint32_t leaf);
+  void draw(const HierarchyNode& leaf) {
+    memory_.result.stats.drawn_polygons += leaf.count;
+    append_range(memory_.result.drawn, {leaf.first, leaf.count});
+  }
 
-  const CoverSource& source_;
-  const CullOptions& options_;
+  std::span<const HierarchyNode> nodes_;
   View::Memory& memory_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::uint32_t groups_ = 0;
 };
 
 }  // namespace occlude::culler

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cover_group.h"
 
+#include "bounds.h"
+#include "placed.h"
+
 namespace occlude::culler {
 
 void CoverGroup::reserve(std::size_t triangles) {
@@ -22,14 +25,16 @@ void CoverGroup::clear() {
   ids_.clear();
 }
 
-void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon) {
+void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand) {
   for (std::uint32_t t = triangles.first(polygon); t < triangles.first(polygon + 1); ++t) {
     const CoverMesh::Triangle& corners = triangles.corners(t);
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     CoverMesh::Triangle own{};
     for (std::size_t i = 0; i < 3; ++i) {
       own[i] = vertex_index_.number(corners[i]);
-      if (own[i] == vertices_.size()) vertices_.push_back(triangles.vertex(corners[i]));
+      if (own[i] != vertices_.size()) continue;
+      const glm::dvec3& vertex = triangles.vertex(corners[i]);
+      vertices_.push_back(stand.placement == nullptr ? vertex : to_glm(placed(*stand.placement, to_kernel(vertex))));
     }
     triangle_index_.number(t);
     triangles_.push_back(own);
@@ -38,7 +43,7 @@ void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon) {
   }
 }
 
-CoverMesh CoverGroup::mesh(const CoverTriangles& triangles) {
+CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& stand) {
   next_.resize(triangles_.size());
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const auto& next = triangles.next(ids_[t]);
@@ -53,7 +58,7 @@ CoverMesh CoverGroup::mesh(const CoverTriangles& triangles) {
       next_[t][i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
     }
   }
-  return {vertices_, triangles_, next_};
+  return {vertices_, triangles_, next_, stand.front};
 }
 
 }  // namespace occlude::culler

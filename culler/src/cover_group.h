@@ -13,6 +13,14 @@
 
 namespace occlude::culler {
 
+struct Placement;
+
+/// How polygons stand in a scene: where, and which of their sides hide.
+struct CoverStand {
+  const Placement* placement = nullptr;  ///< nullptr: where their vertices are
+  CoverMesh::Front front = CoverMesh::Front::both;
+};
+
 /// Builds the mesh of a few polygons.
 class CoverGroup {
  public:
@@ -20,12 +28,12 @@ class CoverGroup {
   void reserve(std::size_t triangles);
   /// Forgets all polygons.
   void clear();
-  /// REQUIRES: the polygon was not added since clear(); `triangles` is the same in all calls.
-  void add(const CoverTriangles& triangles, std::uint32_t polygon);
+  /// REQUIRES: the polygon was not added since clear(); `triangles` and `stand` are the same in all calls since then.
+  void add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand = {});
   [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
 
   /// The mesh of all that was added. It is valid until the next call of clear() or add().
-  [[nodiscard]] CoverMesh mesh(const CoverTriangles& triangles);
+  [[nodiscard]] CoverMesh mesh(const CoverTriangles& triangles, const CoverStand& stand = {});
   /// For each triangle of the mesh, its polygon.
   [[nodiscard]] std::span<const std::uint32_t> polygons() const { return polygons_; }
 

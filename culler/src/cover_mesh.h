@@ -22,9 +22,14 @@ struct CoverMesh {
   /// its own next.
   using Next = std::array<std::uint32_t, 3>;
 
+  /// The sides from which triangles hide. A renderer that culls back faces draws a triangle only if it looks
+  /// counter-clockwise, or only if it looks clockwise.
+  enum class Front : std::int8_t { clockwise = -1, both = 0, counter_clockwise = 1 };
+
   std::span<const glm::dvec3> vertices;  ///< different points
   std::span<const Triangle> triangles;
   std::span<const Next> next;  ///< one for each triangle
+  Front front = Front::both;
 
   [[nodiscard]] std::uint32_t next_of(std::uint32_t side) const { return next[side / 3][side % 3]; }
 };

@@ -80,7 +80,10 @@ void CoverPiece::see(const CoverMesh& mesh) {
     if (!is_cut_ || !is_before(i)) vertices_[i] = vertex(seen_[i]);
   }
   signs_.resize(mesh_.triangles.size());
-  for (std::size_t t = 0; t < signs_.size(); ++t) signs_[t] = static_cast<std::int8_t>(sign(mesh_.triangles[t]));
+  for (std::size_t t = 0; t < signs_.size(); ++t) {
+    const int sign = this->sign(mesh_.triangles[t]);
+    signs_[t] = static_cast<std::int8_t>(static_cast<int>(mesh.front) * sign < 0 ? 0 : sign);
+  }
   sheets_.part(mesh_, signs_);
   taken_.assign(signs_.size(), 0);
   piece_ = 0;

@@ -31,13 +31,13 @@ class CoverReplay {
   CoverReplay(const Hierarchy& hierarchy, View::Memory& memory, std::size_t most, std::vector<CoverWitness>& witnesses)
       : hierarchy_(hierarchy), memory_(memory), most_(most), witnesses_(witnesses) {}
 
-  void begin(const CoverFrame&) { memory_.cover.keep_owners(); }
+  void begin() { memory_.cover.buffer.keep_owners(); }
 
-  void joined(const CoverFrame& frame) {
-    drawn_.resize(frame.groups() + std::size_t{1});
-    const auto polygons = memory_.group.polygons();
+  void joined(const CoverPainter& painter) {
+    drawn_.resize(painter.groups() + std::size_t{1});
+    const auto polygons = memory_.cover.group.polygons();
     for (std::size_t t = 0; t < polygons.size(); ++t) {
-      const auto places = memory_.cover.piece().places(t);
+      const auto places = memory_.cover.buffer.piece().places(t);
       if (places) drawn_.back().push_back({polygons[t], *places});
     }
   }
@@ -65,7 +65,7 @@ class CoverReplay {
 
   [[nodiscard]] std::vector<std::uint32_t> polygons_before(const kernel::Aabb& box) const {
     std::vector<std::uint32_t> polygons;
-    for (const auto& [group, places] : memory_.cover.owners(box)) {
+    for (const auto& [group, places] : memory_.cover.buffer.owners(box)) {
       for (const DrawnTriangle& triangle : drawn_[group]) {
         if (meet(triangle.places, places)) polygons.push_back(triangle.polygon);
       }
@@ -102,7 +102,7 @@ void Culler::append_covers(const CullResult& frame, const Camera& camera, const 
 std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {
   View view;
   cull(camera, options, view);
-  return std::make_shared<const CoverBuffer>(std::move(view.memory().cover));
+  return std::make_shared<const CoverBuffer>(std::move(view.memory().cover.buffer));
 }
 
 }  // namespace occlude::culler

@@ -78,51 +78,39 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const 
 
 /// Observes a frame by cover, and does nothing.
 struct Unwatched {
-  static void begin(const CoverFrame&) {}
-  static void joined(const CoverFrame&) {}
+  static void begin() {}
+  static void joined(const CoverPainter&) {}
   static void culled(const Culled&) {}
 };
 
-/// Culls a model by cover: what is seen of it hides the rest.
+/// Culls a model by cover: what is seen of it hides the rest. `ask` calls a question with the bounding volume of a node.
 template <class Ask, class Watch = Unwatched>
 void cull_by_cover(const CoverSource& source, const Ask& ask, const Camera& camera, const CullOptions& options,
                    View::Memory& memory, Watch&& watch = {}) {
   const FrameView& view = begin_frame(source.nodes, depth(source.nodes, camera), camera, options, memory);
-  CoverFrame frame(source, view, options, memory);
-  watch.begin(frame);
-  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint, bool is_worth_closing) {
-    frame.see(leaf, footprint);
-    if (is_worth_closing) frame.take(leaf);
+  CullResult& result = memory.result;
+  CoverPainter painter(view, options.cover, options.margin, memory.cover, result.stats);
+  result.method = Method::cover;  // the picture is this frame's from here on
+  painter.use(source);
+  watch.begin();
+
+  CoverFrame frame(source.nodes, memory);
+  const auto see = [&](const SeenNode& leaf) {
+    frame.see(leaf);
+    if (leaf.is_worth_closing) painter.take(leaf.node);
   };
   const auto cull = [&](const Culled& culled) {
     watch.culled(culled);
-    frame.cull(source.nodes, culled);
+    frame.cull(culled);
   };
   const auto join = [&] {
-    if (frame.join()) watch.joined(frame);
+    if (painter.join()) watch.joined(painter);
   };
-  frame.descend(source.nodes, ask, see, cull, join);
-  frame.finish(source.nodes, cull);
-}
-
-/// Culls objects by cover: first the occluders that are seen close pixels, then the objects are tested.
-template <class Ask>
-void cull_by_cover(std::span<const HierarchyNode> nodes, const Ask& ask, const CoverSource& source, const Camera& camera,
-                   const CullOptions& options, View::Memory& memory) {
-  const FrameView& view = begin_frame(nodes, depth(nodes, camera), camera, options, memory);
-  // Occluders may reach farther than the objects.
-  const FrameView all(camera, std::max(view.depth, depth(source.nodes, camera)));
-  CoverFrame frame(source, all, options, memory);
-  const auto ask_occluders = [&](std::uint32_t node, auto&& question) { return question(source.nodes[node].box); };
-  const auto take = [&](std::uint32_t leaf, const CoverBuffer::Footprint&, bool is_worth_closing) {
-    if (is_worth_closing) frame.take(leaf);
-  };
-  frame.descend(
-      source.nodes, ask_occluders, take, [](const Culled&) {}, [&] { frame.join(); });
-  const auto see = [&](std::uint32_t leaf, const CoverBuffer::Footprint& footprint, bool) { frame.see(leaf, footprint); };
-  const auto cull = [&](const Culled& culled) { frame.cull(nodes, culled); };
-  frame.descend(nodes, ask, see, cull, [] {});
-  frame.finish(nodes, cull);
+  memory.take_planes();
+  const ViewPlanes planes{memory.planes, options.arithmetic};
+  const StandingTree tree{source.nodes, ask};
+  CoverDescent(tree, planes, memory.cover.buffer, result.stats, see, cull, join).run(planes.all());
+  frame.finish(cull);
 }
 
 }  // namespace occlude::culler

@@ -21,8 +21,8 @@ MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const C
     cover_ = culler.cover(camera, repeated(frame, options));
     if (frame.stats.cover_groups_left > 0) {
       CullOptions unlimited = options;
-      unlimited.cover_triangles = std::numeric_limits<std::size_t>::max();
-      unlimited.cover_ms = std::numeric_limits<double>::infinity();
+      unlimited.cover.triangles = std::numeric_limits<std::size_t>::max();
+      unlimited.cover.ms = std::numeric_limits<double>::infinity();
       unlimited_ = culler.cover(camera, unlimited);
     }
   } else {

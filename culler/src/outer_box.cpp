@@ -19,7 +19,14 @@ double legal_below(double x) {
 }
 double legal_above(double x) { return -legal_below(-x); }
 
-kernel::Aabb around(const kernel::Aabb& box) { return box; }
+kernel::Aabb around(const kernel::Aabb& box) {
+  kernel::Aabb result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.min[axis] = legal_below(box.min[axis]);
+    result.max[axis] = legal_above(box.max[axis]);
+  }
+  return result;
+}
 
 /// On each axis, an oriented box reaches as far from its centre as its half edges together. Every sum is rounded outwards.
 kernel::Aabb around(const kernel::Obb& box) {
@@ -37,11 +44,6 @@ kernel::Aabb around(const kernel::Obb& box) {
 
 kernel::Aabb outer_box(const Box& box) {
   return std::visit([](const auto& b) { return around(b); }, box);
-}
-
-kernel::Refusal refusal_of(const Box& box) {
-  const kernel::Refusal refusal = std::visit([](const auto& b) { return kernel::check(b); }, box);
-  return refusal == kernel::Refusal::none ? kernel::check(outer_box(box)) : refusal;
 }
 
 }  // namespace occlude::culler

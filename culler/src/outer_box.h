@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The axis-aligned box around any box, and which boxes can have one.
+// The axis-aligned box around any box.
 #pragma once
 
 #include "occlude/culler/box.h"
@@ -8,11 +8,9 @@
 
 namespace occlude::culler {
 
-/// An axis-aligned box that holds every point of the box, exactly. For an axis-aligned box it is the box itself; for an
-/// oriented box it is a few ulps wider than necessary. REQUIRES: kernel::check of the box is none.
+/// An axis-aligned box that holds every point of the box, exactly. For an axis-aligned legal box it is the box itself; for
+/// an oriented box it is a few ulps wider than necessary. Its numbers are 0 or at least 2^-100. REQUIRES: finite numbers of
+/// at most 2^100.
 [[nodiscard]] kernel::Aabb outer_box(const Box& box);
-
-/// Why the box cannot be in a tree: the kernel refuses the box, or the axis-aligned box around it.
-[[nodiscard]] kernel::Refusal refusal_of(const Box& box);
 
 }  // namespace occlude::culler

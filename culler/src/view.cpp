@@ -3,39 +3,18 @@
 
 #include <algorithm>
 #include <atomic>
-#include <stdexcept>
-#include <string>
 #include <utility>
-#include <variant>
 
+#include "asked_box.h"
 #include "bounds.h"
-#include "legal_soup.h"
-#include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_union.h"
-#include "occlude/kernel/validity.h"
-#include "outer_box.h"
 #include "shadow_rule.h"
-#include "single_precision.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
 namespace {
 
 using kernel::Relation;
-
-/// The half-spaces have a margin for what reaches as far as the model. For a box that reaches farther they are moved
-/// outwards by the margin of that box. This also covers the rounding of the sum, because the offset has room for more
-/// roundings than it took. Normals are no longer than 1.
-template <class AnyBox>
-bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
-  const double own_reach = depth(outer_box(box), memory.view.camera.eye);
-  const double moved = own_reach > memory.view.depth ? kDepthMargin * own_reach : 0;
-  return std::ranges::any_of(memory.result.view, [&](const HalfSpace& h) {
-    const double offset = h.offset + moved;
-    if (kernel::check(offset) != kernel::Refusal::none) return false;
-    return kernel::relation({to_kernel(h.normal), offset}, box, kernel::Arithmetic::certified) == Relation::outside;
-  });
-}
 
 template <class AnyBox>
 bool is_in_shadow(const CullResult& frame, const AnyBox& box) {
@@ -47,11 +26,6 @@ bool is_in_shadow(const CullResult& frame, const AnyBox& box) {
     return decide_cull(both, box, Asked{}, frame.margin).relation == Relation::inside;
   };
   return std::ranges::any_of(frame.occluders, hides) || std::ranges::any_of(frame.pairs, hide_together);
-}
-
-/// The error bounds of the cover hold within its depth.
-bool hides_any(const CoverBuffer& cover, const kernel::Aabb& box) {
-  return depth(box, cover.picture().eye()) <= cover.picture().depth() && cover.hides(box);
 }
 
 }  // namespace
@@ -75,21 +49,9 @@ View::Memory& View::memory_for(const Identity& owner) {
 const CullResult& View::result() const { return memory_->result; }
 
 Visibility View::visibility(const Box& box) const {
-  const auto is_hidden = [&](const auto& b) {
-    return memory_->result.method == Method::cover ? hides_any(memory_->cover, outer_box(b))
-                                                   : is_in_shadow(memory_->result, b);
-  };
-  require_rounding();
-  return std::visit(
-      [&](const auto& b) {
-        if (const kernel::Refusal refusal = kernel::check(b); refusal != kernel::Refusal::none) {
-          throw std::invalid_argument(std::string(kernel::to_string(refusal)));
-        }
-        return is_out_of_view(*memory_, b) ? Visibility::out_of_view
-               : is_hidden(b)              ? Visibility::occluded
-                                           : Visibility::visible;
-      },
-      box);
+  return visibility_of(box, memory_->view, memory_->result.view, [&](const auto& b) {
+    return memory_->result.method == Method::cover ? hides_any(memory_->cover.buffer, b) : is_in_shadow(memory_->result, b);
+  });
 }
 
 void View::Memory::take_planes() {

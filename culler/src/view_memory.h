@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "candidate_order.h"
-#include "cover_buffer.h"
-#include "cover_group.h"
+#include "cover_painter.h"
 #include "followed_silhouettes.h"
 #include "frame_view.h"
 #include "occlude/culler/view.h"
@@ -44,12 +43,8 @@ struct View::Memory {
   std::vector<std::uint32_t> holding;  ///< the stacks of the traversal, with `active`
   std::vector<std::uint32_t> active;
 
-  CoverBuffer cover;                          ///< what the last frame closed, if it was culled by cover
-  CoverGroup group;                           ///< what is being drawn into it
-  std::vector<std::uint32_t> polygon_frames;  ///< for each polygon, the last frame that drew it into `cover`
-  std::uint32_t frame = 0;
-  std::vector<std::uint32_t> taken;  ///< leaves whose polygons are drawn next
-  std::vector<SeenLeaf> seen;        ///< leaves that a frame by cover has not culled so far
+  CoverMemory cover;
+  std::vector<SeenLeaf> seen;  ///< leaves that a frame by cover has not culled so far
 
   /// Fills `planes` with the view of the result.
   void take_planes();

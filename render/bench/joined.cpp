@@ -37,9 +37,9 @@ void run(JoinedTrial& trial, const Subject& subject, const Options& options) {
   walk.build.hierarchy.leaf_size = trial.point.leaf;
   walk.build.lists.regions = 1;  // no list is used
   walk.cull.method = culler::Method::cover;
-  walk.cull.cover_width = trial.point.width;
-  walk.cull.cover_height = trial.point.height;
-  walk.cull.cover_triangles = trial.point.triangles;
+  walk.cull.cover.width = trial.point.width;
+  walk.cull.cover.height = trial.point.height;
+  walk.cull.cover.triangles = trial.point.triangles;
   const culler::Culler culler = make_culler(subject.soup, walk);
   const Pass pass = pass_along(culler, subject.path, walk, walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);

@@ -119,11 +119,11 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
           command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
               .show_default(),
           command
-              .add("--cover-triangles", cull_.cover_triangles,
+              .add("--cover-triangles", cull_.cover.triangles,
                    "most triangles per frame, roughly, drawn into the coarse picture (default: all visible ones)")
               .not_negative(),
           command
-              .add("--budget-ms", cull_.cover_ms,
+              .add("--budget-ms", cull_.cover.ms,
                    "stop drawing into the coarse picture after this many milliseconds of a frame (default: no limit)")
               .in_range(0, kLongest),
           number("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone"),
@@ -168,8 +168,8 @@ render::WalkOptions WalkArguments::options() const {
   options.cull = cull_;
   options.cull.method = method_ == "cover" ? culler::Method::cover : culler::Method::frusta;
   const PictureSize cover = parse_size("--cover-size", cover_size_, culler::kLeastCoverSide, culler::kMostCoverSide);
-  options.cull.cover_width = cover.width;
-  options.cull.cover_height = cover.height;
+  options.cull.cover.width = cover.width;
+  options.cull.cover.height = cover.height;
   options.cull.margin = pixel_margin_ / options.height;
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "occlude/culler/culler.h"
-#include "occlude/culler/scene.h"
+#include "occlude/culler/occluder_mesh.h"
 #include "parallel_sort.h"
 #include "scenes.h"
 
@@ -60,13 +60,9 @@ TEST(Checkpoint, StopsACuller) {
   }
 }
 
-TEST(Checkpoint, StopsAScene) {
+TEST(Checkpoint, StopsAnOccluderMesh) {
   const PolygonSoup soup = random_town_of_houses(3, 300);
-  std::vector<Box> boxes;
-  for (std::size_t p = 0; p < soup.size(); ++p) boxes.emplace_back(soup.box(p));
-  expect_stops_anywhere([&](const Checkpoint& checkpoint) {
-    const Scene scene({.statics = boxes, .dynamics = boxes}, soup, {.lists = {.regions = 64}}, checkpoint);
-  });
+  expect_stops_anywhere([&](const Checkpoint& checkpoint) { const OccluderMesh mesh(soup, checkpoint); });
 }
 
 TEST(ParallelSort, IsStable) {

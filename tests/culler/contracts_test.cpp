@@ -45,35 +45,22 @@ void expect_same(const CullResult& a, const CullResult& b) {
 
 constexpr int kFrames = 6;
 
-/// Walks with one view through each culler or scene in turn, and compares every frame with that of a view used with that one
-/// alone.
-template <class AnyView, class Thing>
-void expect_foreign_views_start_anew(const std::vector<const Thing*>& things) {
+TEST(View, StartsAnewWithAnotherCuller) {
+  const Culler large(random_town_of_houses(1, 3000)), small(random_town_of_houses(2, 120)), other(random_town(3, 3000));
   for (const Method method : {Method::frusta, Method::cover}) {
     CullOptions options;
     options.method = method;
-    AnyView shared;
-    for (const Thing* thing : things) {
-      AnyView own;
+    View shared;
+    for (const Culler* culler : {&large, &small, &other, &large}) {
+      View own;
       for (int i = 0; i < kFrames; ++i) {
-        thing->cull(camera_at(i), options, shared);
-        thing->cull(camera_at(i), options, own);
-        if constexpr (std::is_same_v<AnyView, View>) {
-          expect_same(shared.result(), own.result());
-        } else {
-          expect_same(shared.frame(), own.frame());
-          EXPECT_EQ(shared.result().statics, own.result().statics);
-          EXPECT_EQ(shared.result().dynamics, own.result().dynamics);
-        }
+        culler->cull(camera_at(i), options, shared);
+        culler->cull(camera_at(i), options, own);
+        expect_same(shared.result(), own.result());
         ASSERT_FALSE(testing::Test::HasFailure()) << "frame " << i;
       }
     }
   }
-}
-
-TEST(View, StartsAnewWithAnotherCuller) {
-  const Culler large(random_town_of_houses(1, 3000)), small(random_town_of_houses(2, 120)), other(random_town(3, 3000));
-  expect_foreign_views_start_anew<View, Culler>({&large, &small, &other, &large});
 }
 
 /// A copy is the same culler, so the view forgets nothing.
@@ -97,24 +84,6 @@ TEST(View, KeepsItsLastFrameWhenAForeignCameraIsFaulty) {
   faulty.target = faulty.eye;
   EXPECT_THROW(second.cull(faulty, {}, view), std::invalid_argument);
   expect_same(view.result(), frame);
-}
-
-std::vector<Box> boxes(std::size_t count) {
-  std::vector<Box> result;
-  std::mt19937 random(5);
-  for (std::size_t i = 0; i < count; ++i) {
-    const kernel::Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 5)};
-    result.push_back(Aabb{at, {at.x + 1, at.y + 1, at.z + 1}});
-  }
-  return result;
-}
-
-TEST(SceneView, StartsAnewWithAnotherScene) {
-  const auto many = boxes(2000), few = boxes(20);
-  const Scene large({.statics = many, .dynamics = few}, random_town_of_houses(1, 2000));
-  const Scene small({.statics = few, .dynamics = {}}, random_town_of_houses(2, 100));
-  const Scene empty({}, {});
-  expect_foreign_views_start_anew<SceneView, Scene>({&large, &small, &empty, &large});
 }
 
 /// With an opening of 90 degrees the border of the picture is y = x. The half-space there is tilted by the rounding of the
@@ -153,13 +122,13 @@ PolygonSoup triangle() {
   return soup;
 }
 
-/// The refusal of a soup, for which the culler and the scene must give the same text.
+/// The refusal of a soup, for which the culler and an occluder mesh must give the same text.
 template <class Change>
 std::string refusal_of_soup(const Change& change) {
   PolygonSoup soup = triangle();
   change(soup);
   const std::string by_culler = refusal([&] { static_cast<void>(Culler(soup)); });
-  EXPECT_EQ(by_culler, refusal([&] { static_cast<void>(Scene({}, soup)); }));
+  EXPECT_EQ(by_culler, refusal([&] { static_cast<void>(OccluderMesh(soup)); }));
   return by_culler;
 }
 
@@ -205,7 +174,7 @@ TEST(Clearance, WithoutAShadowThereIsNone) {
 
 TEST(Rounding, NothingIsCulledUnlessToNearest) {
   const Culler culler(triangle());
-  const Scene scene({}, triangle());
+  const Scene scene;
   View view;
   SceneView scene_view;
   culler.cull(camera_at(0), {}, view);
@@ -215,11 +184,12 @@ TEST(Rounding, NothingIsCulledUnlessToNearest) {
       CullOptions options;
       options.method = method;
       EXPECT_THROW(culler.cull(camera_at(1), options, view), std::runtime_error);
-      EXPECT_THROW(scene.cull(camera_at(1), options, scene_view), std::runtime_error);
     }
+    EXPECT_THROW(scene.cull(camera_at(1), {}, scene_view), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(scene_view.visibility(Aabb{{3, 0, 0}, {3, 0, 0}})), std::runtime_error);
     EXPECT_THROW(static_cast<void>(view.visibility(Aabb{{3, 0, 0}, {3, 0, 0}})), std::runtime_error);
     EXPECT_THROW(static_cast<void>(Culler(triangle())), std::runtime_error);
-    EXPECT_THROW(static_cast<void>(Scene({}, triangle())), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(OccluderMesh(triangle())), std::runtime_error);
   }
 }
 

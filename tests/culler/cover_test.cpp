@@ -17,7 +17,6 @@
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
-#include "occlude/culler/scene.h"
 #include "only_target.h"
 #include "outer_box.h"
 #include "scenes.h"
@@ -27,7 +26,7 @@ namespace {
 using namespace occlude;
 using namespace occlude::culler;
 
-constexpr CullOptions kCover{.method = Method::cover, .cover_width = 256, .cover_height = 144};
+constexpr CullOptions kCover{.method = Method::cover, .cover = {.width = 256, .height = 144}};
 
 std::vector<kernel::Vec3> polygon(const PolygonSoup& soup, std::uint32_t p) {
   std::vector<kernel::Vec3> result;
@@ -174,7 +173,7 @@ TEST(CoverFrame, ABudgetIsKept) {
   std::size_t last = 0;
   for (const std::size_t budget : {std::size_t{0}, std::size_t{300}, whole.stats.cover_triangles}) {
     CullOptions options = kCover;
-    options.cover_triangles = budget;
+    options.cover.triangles = budget;
     const CullResult frame = culler.cull(camera, options);
     expect_whole(culler, frame);
     EXPECT_LE(frame.stats.cover_triangles, budget + 2000);
@@ -197,11 +196,11 @@ TEST(CoverFrame, ABudgetIsKept) {
   EXPECT_GT(last, 0U);
   CullOptions hurried = kCover;
   for (const double budget : {0.0, -1.0, 1e-9}) {
-    hurried.cover_ms = budget;
+    hurried.cover.ms = budget;
     EXPECT_EQ(culled(culler.cull(camera, hurried)), 0U);
   }
   // However much was in time, the witnesses are about all that was culled, and nothing else.
-  hurried.cover_ms = 0.2;
+  hurried.cover.ms = 0.2;
   const CullResult frame = culler.cull(camera, hurried);
   std::vector<CoverWitness> witnesses;
   culler.append_covers(frame, camera, hurried, 1024, witnesses);
@@ -239,8 +238,8 @@ TEST(CoverFrame, APictureOfAnySizeIsTaken) {
   const Culler culler = culler_of(panels(20));
   for (const auto& [width, height] : {std::pair{0, 0}, {-5, 100000}, {65, 71}, {333, 100}}) {
     CullOptions options = kCover;
-    options.cover_width = width;
-    options.cover_height = height;
+    options.cover.width = width;
+    options.cover.height = height;
     expect_whole(culler, look(culler, options));
   }
 }
@@ -260,48 +259,6 @@ TEST(CoverFrame, ViewsAnswerByIt) {
   EXPECT_EQ(ask(1e9, 0, 1), Visibility::visible) << "farther than the culler knows by how much places are out";
   culler.cull(Camera{}, {.occluders = 0}, view);
   EXPECT_EQ(ask(15, 0, 1), Visibility::visible) << "another frame, by the other method";
-}
-
-/// Objects strewn over a town whose polygons are the occluders.
-TEST(CoverScene, ObjectsAreHiddenByAllOccluders) {
-  std::mt19937 random(9);
-  const PolygonSoup occluders = random_town_of_houses(9, 1500);
-  std::vector<Box> statics, dynamics;
-  const auto some_box = [&]() -> Box {
-    const kernel::Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 4)};
-    if (random() % 3 == 0) return kernel::Obb{at, {{{0.2, 0.1, 0}, {-0.1, 0.2, 0}, {0, 0, 0.3}}}};
-    return kernel::Aabb{{at.x - 0.2, at.y - 0.2, at.z - 0.2}, {at.x + 0.2, at.y + 0.2, at.z + 0.2}};
-  };
-  for (int i = 0; i < 1500; ++i) (i % 4 == 0 ? dynamics : statics).push_back(some_box());
-  const Scene scene({statics, dynamics}, occluders);
-  std::vector<std::uint32_t> all(occluders.size());
-  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  SceneView view, other;
-  std::size_t hidden = 0, by_frusta = 0;
-  for (int i = 0; i < 6; ++i) {
-    const Camera camera = random_camera(random);
-    const SceneResult& result = scene.cull(camera, kCover, view);
-    scene.cull(camera, {}, other);
-    hidden += view.frame().stats.shadow_culled_polygons;
-    by_frusta += other.frame().stats.shadow_culled_polygons;
-    EXPECT_EQ(view.frame().stats.view_culled_polygons + view.frame().stats.shadow_culled_polygons +
-                  view.frame().stats.drawn_polygons,
-              statics.size() + dynamics.size());
-    for (std::uint32_t id = 0; id < statics.size(); id += 5) {
-      if (std::ranges::count(result.statics, id) != 0) continue;
-      const bool is_out = view.visibility(statics[id]) == Visibility::out_of_view;
-      EXPECT_TRUE(is_out || is_hidden(occluders, all, camera, statics[id])) << "camera " << i << ", object " << id;
-    }
-  }
-  EXPECT_GT(hidden, by_frusta / 2) << "8 occluders of a town whose walls overlap anyhow, and exact";
-}
-
-TEST(CoverScene, WithoutOccludersOrObjects) {
-  const std::vector<Box> one{kernel::Aabb{{5, -1, -1}, {6, 1, 1}}};
-  SceneView view;
-  EXPECT_EQ(Scene({one, {}}, {}).cull(Camera{}, kCover, view).statics.size(), 1U);
-  EXPECT_TRUE(Scene({{}, {}}, panels(4)).cull(Camera{}, kCover, view).statics.empty());
-  EXPECT_TRUE(Scene({{}, {}}, {}).cull(Camera{}, kCover, view).statics.empty());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scenes of moving objects against brute force over their boxes, and at the limits of what is promised.
+// Scenes against brute force, against the exact predicate and against scenes built anew, and at the limits of what is
+// promised.
 #include "occlude/culler/scene.h"
 
 #include <gtest/gtest.h>
@@ -8,20 +9,24 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <limits>
+#include <map>
+#include <memory>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "bounds.h"
 #include "frames.h"
-#include "object_tree.h"
-#include "occlude/culler/culler.h"
+#include "occlude/kernel/cover.h"
 #include "occlude/kernel/half_space.h"
-#include "occlude/kernel/overlap.h"
 #include "outer_box.h"
+#include "placed.h"
 #include "scenes.h"
 
 namespace {
@@ -32,9 +37,8 @@ using kernel::Aabb;
 using kernel::Obb;
 using kernel::Vec3;
 
-using Ids = std::vector<std::uint32_t>;
-
 constexpr std::uint32_t kSeed = 20260;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec3 random_vector(std::mt19937& random, double low, double high) {
   const double x = uniform(random, low, high), y = uniform(random, low, high);
@@ -45,466 +49,723 @@ Vec3 random_vector(std::mt19937& random, double low, double high) {
 Box random_box(std::mt19937& random) {
   const Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 5)};
   const double size = random() % 8 == 0 ? 4 : 0.5;
-  if (random() % 2 == 0)
+  if (random() % 2 == 0) {
     return Obb{at,
                {random_vector(random, -size, size), random_vector(random, -size, size), random_vector(random, -size, size)}};
+  }
   const Vec3 half = random_vector(random, 0, size);
   return Aabb{{at.x - half.x, at.y - half.y, at.z - half.z}, {at.x + half.x, at.y + half.y, at.z + half.z}};
 }
 
-std::vector<Box> random_boxes(std::mt19937& random, std::size_t count) {
-  std::vector<Box> boxes;
-  while (boxes.size() < count) boxes.push_back(random_box(random));
-  return boxes;
+/// The box of 6 m by 4 m by 5 m around the origin.
+const PolygonSoup& house() {
+  static const PolygonSoup soup = [] {
+    PolygonSoup house;
+    add_box(house, {-3, -2, 0}, {3, 2, 5}, true);
+    return house;
+  }();
+  return soup;
 }
 
-/// What a frame must draw: every box is tested against every half-space and every shadow.
-Ids brute_force(const CullResult& frame, std::span<const Box> boxes, const CullOptions& options) {
-  Ids drawn;
-  for (std::uint32_t id = 0; id < boxes.size(); ++id) {
-    const bool is_drawn = std::visit(
-        [&](const auto& box) {
-          return std::ranges::none_of(frame.view,
-                                      [&](const HalfSpace& h) {
-                                        return kernel::relation({{h.normal.x, h.normal.y, h.normal.z}, h.offset}, box,
-                                                                options.arithmetic) == kernel::Relation::outside;
-                                      }) &&
-                 std::ranges::none_of(frame.occluders, [&](const Occluder& o) {
-                   return kernel::decide(o.frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open)
-                              .relation == kernel::Relation::inside;
-                 });
-        },
-        boxes[id]);
-    if (is_drawn) drawn.push_back(id);
+Placement random_placement(std::mt19937& random) {
+  const double angle = uniform(random, 0, 6.28), c = std::cos(angle), s = std::sin(angle);
+  const double size = uniform(random, 0.3, 2), mirror = random() % 4 == 0 ? -1 : 1;
+  return {{size * c, size * s, 0},
+          {-size * mirror * s, size * mirror * c, 0},
+          {0, 0, size},
+          {uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, -1, 1)}};
+}
+
+/// What a scene should be.
+struct World {
+  struct Object {
+    Box box;
+    ObjectOptions options;
+    bool is_enabled = true;
+
+    [[nodiscard]] std::uint32_t mask() const { return is_enabled ? options.mask : 0; }
+  };
+  struct Standing {
+    const PolygonSoup* soup;
+    std::shared_ptr<const OccluderMesh> mesh;
+    Placement placement;
+    OccluderOptions options;
+    bool is_enabled = true;
+  };
+  std::map<std::uint32_t, std::pair<ObjectId, Object>> objects;  ///< by slots
+  std::map<std::uint32_t, std::pair<OccluderId, Standing>> occluders;
+};
+
+class Worlds : public testing::TestWithParam<std::uint32_t> {
+ protected:
+  [[nodiscard]] std::uint32_t below(std::size_t n) { return static_cast<std::uint32_t>(random_() % n); }
+  [[nodiscard]] bool chance(std::uint32_t one_in) { return random_() % one_in == 0; }
+
+  template <class T>
+  T& any(std::map<std::uint32_t, T>& of) {
+    auto at = of.lower_bound(below(of.rbegin()->first + 1));
+    return at->second;
   }
-  return drawn;
-}
 
-Ids sorted(Ids ids) {
-  std::ranges::sort(ids);
-  return ids;
-}
-
-Ids in_ranges(const Scene& scene, std::span<const PolygonRange> ranges) {
-  Ids ids;
-  for (const auto& [first, count] : ranges) {
-    for (std::uint32_t i = first; i < first + count; ++i) ids.push_back(scene.static_order()[i]);
+  ObjectOptions random_options() {
+    return {.moves = chance(3), .is_always_drawn = chance(40), .mask = chance(6) ? 1U << below(3) : ~0U};
   }
-  return ids;
-}
 
-void expect_as_brute_force(const Scene& scene, const SceneView& view, std::span<const Box> statics,
-                           std::span<const Box> dynamics, const CullOptions& options) {
-  ASSERT_EQ(sorted(view.result().statics), brute_force(view.frame(), statics, options)) << "seed " << kSeed;
-  ASSERT_EQ(sorted(view.result().dynamics), brute_force(view.frame(), dynamics, options)) << "seed " << kSeed;
-  ASSERT_EQ(in_ranges(scene, view.result().static_ranges), view.result().statics);
-  const CullStats& stats = view.frame().stats;
-  ASSERT_EQ(stats.drawn_polygons, view.result().statics.size() + view.result().dynamics.size());
-  ASSERT_EQ(stats.drawn_polygons + stats.view_culled_polygons + stats.shadow_culled_polygons,
-            statics.size() + dynamics.size());
-}
+  void add_objects(std::size_t count) {
+    std::vector<Box> boxes;
+    while (boxes.size() < count) boxes.push_back(random_box(random_));
+    if (chance(4)) boxes[0] = Aabb{{-kInfinity, 0, 0}, {0, 1, 1e300}};
+    const ObjectOptions options = random_options();
+    std::vector<ObjectId> ids(count);
+    if (count == 1) {
+      ids[0] = scene_.add(boxes[0], options);
+    } else {
+      scene_.add(boxes, options, ids);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_TRUE(world_.objects.emplace(ids[i].slot, std::pair{ids[i], World::Object{boxes[i], options}}).second);
+    }
+  }
 
-TEST(Scene, DrawsWhatBruteForceDraws) {
-  std::mt19937 random(kSeed);
-  const auto statics = random_boxes(random, 1500);
-  auto dynamics = random_boxes(random, 500);
-  Scene scene({.statics = statics, .dynamics = dynamics}, random_town(1, 1000));
-  std::size_t hidden = 0;
-  for (int i = 0; i < 200; ++i) {
-    CullOptions options;
-    options.near = i % 2 ? kernel::Near::surface : kernel::Near::farthest;
-    options.test = i % 3 ? kernel::Test::conservative : kernel::Test::overlap;
-    // A view of several frames, so that history and probes take part.
-    SceneView view;
-    Camera camera = random_camera(random);
-    for (int frame = 0; frame < 3; ++frame) {
-      for (std::uint32_t id = 0; id < dynamics.size(); ++id) {
-        if (random() % 4 != 0) continue;
-        dynamics[id] = random_box(random);
-        scene.set_bounds(id, dynamics[id]);
+  void add_occluder() {
+    World::Standing standing{&house(), house_, random_placement(random_), {}};
+    standing.options.moves = chance(4);
+    standing.options.mask = chance(6) ? 1U << below(3) : ~0U;
+    standing.options.is_one_sided = chance(3);
+    if (chance(4) && !world_.objects.empty()) standing.options.object = any(world_.objects).first;
+    const OccluderId id = scene_.add(standing.mesh, standing.placement, standing.options);
+    ASSERT_TRUE(world_.occluders.emplace(id.slot, std::pair{id, standing}).second);
+  }
+
+  void change_object() {
+    if (world_.objects.empty()) return;
+    auto& [id, object] = any(world_.objects);
+    switch (below(8)) {
+      case 0:
+        scene_.remove(id);
+        EXPECT_FALSE(scene_.contains(id));
+        world_.objects.erase(id.slot);
+        break;
+      case 1:
+        scene_.set_enabled(id, object.is_enabled = !object.is_enabled);
+        break;
+      case 2:
+        scene_.set_mask(id, object.options.mask = chance(2) ? 1U << below(3) : ~0U);
+        break;
+      default:
+        object.box = chance(30) ? Box{Aabb{{0, 0, 0}, {1, 1, kInfinity}}} : random_box(random_);
+        scene_.move(id, object.box);
+    }
+  }
+
+  void change_occluder() {
+    if (world_.occluders.empty()) return;
+    auto& [id, standing] = any(world_.occluders);
+    switch (below(8)) {
+      case 0:
+        scene_.remove(id);
+        EXPECT_FALSE(scene_.contains(id));
+        world_.occluders.erase(id.slot);
+        break;
+      case 1:
+        scene_.set_enabled(id, standing.is_enabled = !standing.is_enabled);
+        break;
+      case 2:
+        scene_.set_mask(id, standing.options.mask = chance(2) ? 1U << below(3) : ~0U);
+        break;
+      case 3:
+        standing.soup = chance(2) ? &wall_soup_ : &house();
+        standing.mesh = standing.soup == &house() ? house_ : wall_;
+        scene_.replace(id, standing.mesh);
+        break;
+      default:
+        standing.placement = random_placement(random_);
+        scene_.move(id, standing.placement);
+    }
+  }
+
+  void edit(int steps) {
+    for (int i = 0; i < steps; ++i) {
+      const std::uint32_t what = below(20);
+      if (what == 0) add_objects(1 + below(300));
+      if (what == 1) add_objects(1);
+      if (what == 2) add_occluder();
+      if (what > 2 && what < 16) change_object();
+      if (what >= 16) change_occluder();
+    }
+    if (chance(10)) {  // a tile goes
+      const std::uint32_t first = below(world_.objects.size() + 1);
+      for (std::uint32_t slot = first; slot < first + 200; ++slot) {
+        const auto found = world_.objects.find(slot);
+        if (found == world_.objects.end()) continue;
+        scene_.remove(found->second.first);
+        world_.objects.erase(found);
       }
-      scene.update();
-      camera.eye.x += 0.5;
-      camera.target.x += 0.5;
-      ASSERT_EQ(&scene.cull(camera, options, view), &view.result());
-      expect_as_brute_force(scene, view, statics, dynamics, options);
-      hidden += view.frame().stats.shadow_culled_polygons;
     }
   }
-  EXPECT_GT(hidden, 10000U);
-}
 
-/// The nodes of the static objects alone are regions; what moves has none.
-TEST(Scene, RegionsMayBeNodesOfItsTree) {
-  std::mt19937 random(kSeed);
-  const std::vector<Box> statics = random_boxes(random, 400), dynamics = random_boxes(random, 100);
-  const SceneConfig config{.lists = {.kind = Partition::Kind::tree, .regions = 64}};
-  const Scene of_both({.statics = statics, .dynamics = dynamics}, random_town(1, 1000), config);
-  const Scene of_statics({.statics = statics}, random_town(1, 1000), config);
-  const Scene of_dynamics({.dynamics = dynamics}, random_town(1, 1000), config);
-  EXPECT_EQ(of_both.occluders().lists().partition().regions(), 64U);
-  EXPECT_EQ(of_dynamics.occluders().lists().partition().regions(), 1U);
-  EXPECT_EQ(of_both.occluders().lists().stored().first, of_statics.occluders().lists().stored().first);
-  SceneView view;
-  of_both.cull(random_camera(random), {}, view);
-  expect_as_brute_force(of_both, view, statics, dynamics, {});
-}
-
-TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
-  std::mt19937 random(kSeed);
-  const auto statics = random_boxes(random, 1000), dynamics = random_boxes(random, 300);
-  const Scene scene({.statics = statics, .dynamics = dynamics}, random_town(2, 1000));
-  std::array<std::size_t, 3> counts{};
-  for (int i = 0; i < 50; ++i) {
-    SceneView view;
-    scene.cull(random_camera(random), {}, view);
-    const auto expect = [&](std::span<const Box> boxes, const Ids& drawn) {
-      for (std::uint32_t id = 0; id < boxes.size(); ++id) {
-        const Visibility visibility = view.visibility(boxes[id]);
-        ++counts[static_cast<std::size_t>(visibility)];
-        ASSERT_EQ(visibility == Visibility::visible, std::ranges::find(drawn, id) != drawn.end()) << "seed " << kSeed;
+  /// The polygons that may hide in a frame.
+  [[nodiscard]] std::vector<kernel::Cover::Polygon> hiding(std::uint32_t mask, const Camera& camera) const {
+    std::vector<kernel::Cover::Polygon> polygons;
+    const kernel::Viewpoint from = camera.viewpoint();
+    for (const auto& [slot, entry] : world_.occluders) {
+      const World::Standing& standing = entry.second;
+      if (!standing.is_enabled || (standing.options.mask & mask) == 0) continue;
+      if (const ObjectId object = standing.options.object; !object.is_none()) {
+        const auto found = world_.objects.find(object.slot);
+        if (found == world_.objects.end() || found->second.first != object) continue;
+        if ((found->second.second.mask() & mask) == 0) continue;
       }
-    };
-    expect(statics, view.result().statics);
-    expect(dynamics, view.result().dynamics);
+      for (std::size_t p = 0; p < standing.soup->size(); ++p) {
+        kernel::Cover::Polygon polygon;
+        for (const std::uint32_t v : standing.soup->loop(p)) {
+          polygon.push_back(placed(standing.placement, to_kernel(standing.soup->vertices[v])));
+        }
+        if (!standing.options.is_one_sided || is_front(polygon, from, is_mirrored(standing.placement))) {
+          polygons.push_back(polygon);
+        }
+      }
+    }
+    return polygons;
   }
-  EXPECT_GT(*std::ranges::min_element(counts), 1000U) << "all answers must occur";
-}
 
-TEST(Scene, PairsHideInQueriesAsInFrames) {
-  // Two halves of a wall share an edge, but are too bent to be joined. What only both hide is tested against both.
-  PolygonSoup walls;
-  add(walls, {{4, -2, -2}, {3, 0, -2}, {3, 0, 2}, {4, -2, 2}});
-  add(walls, {{3, 0, -2}, {4, 2, -2}, {4, 2, 2}, {3, 0, 2}});
-  const std::vector<Box> statics{Aabb{{6, -0.5, -0.5}, {7, 0.5, 0.5}}};
-  const Scene scene({.statics = statics}, walls);
-  for (const bool unions : {false, true}) {
+  static bool is_front(const kernel::Cover::Polygon& polygon, const kernel::Viewpoint& from, bool is_mirrored) {
+    const glm::dvec3 a = to_glm(polygon[0]), normal = glm::cross(to_glm(polygon[1]) - a, to_glm(polygon[2]) - a);
+    const glm::dvec3 sight = from.is_eye() ? a - to_glm(from.value) : to_glm(from.value);
+    return (glm::dot(normal, sight) < 0) != is_mirrored;
+  }
+
+  /// Holds a frame against the world: each object is drawn or counted once, and what is not drawn is exactly out of view or
+  /// hidden. Of the hidden ones, `proofs` are proved.
+  void expect_right(const Camera& camera, const SceneOptions& options, const SceneView& view, std::size_t proofs) {
+    const SceneResult& result = view.result();
+    std::vector<ObjectId> drawn;
+    for (const DrawnObject& object : result.drawn) drawn.push_back(object.id);
+    std::ranges::sort(drawn, {}, &ObjectId::slot);
+    ASSERT_EQ(std::ranges::adjacent_find(drawn), drawn.end()) << "drawn twice";
+    std::size_t in_layers = 0, out_of_view = 0;
+    std::vector<kernel::HalfSpace> planes;
+    for (const HalfSpace& h : result.view) planes.push_back(culler::to_kernel(h));
+    const glm::dvec3 forward = camera.axes().forward;
+    const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+    const auto cover = kernel::Cover::make(camera.viewpoint(), hiding(options.mask, camera), beyond_near);
+    for (const auto& [slot, entry] : world_.objects) {
+      const auto& [id, object] = entry;
+      const bool is_drawn = std::ranges::binary_search(drawn, slot, {}, &ObjectId::slot);
+      if ((object.mask() & options.mask) == 0) {
+        ASSERT_FALSE(is_drawn);
+        continue;
+      }
+      ++in_layers;
+      if (is_drawn) {
+        ASSERT_TRUE(std::ranges::binary_search(drawn, id, [](ObjectId a, ObjectId b) { return a.slot < b.slot; }));
+        continue;
+      }
+      ASSERT_FALSE(object.options.is_always_drawn);
+      const bool is_out = std::ranges::any_of(planes, [&](const kernel::HalfSpace& h) {
+        return std::visit([&](const auto& box) { return kernel::relation(h, box, kernel::Arithmetic::certified); },
+                          object.box) == kernel::Relation::outside;
+      });
+      out_of_view += is_out;
+      if (is_out || proofs == 0) continue;
+      --proofs;
+      ++proved_;
+      ASSERT_TRUE(cover.cover);
+      ASSERT_EQ(kernel::overlap_certified(*cover.cover, outer_box(object.box)).relation, kernel::Relation::inside)
+          << "object " << slot << ", seed " << GetParam();
+    }
+    const SceneStats& stats = result.stats;
+    ASSERT_EQ(stats.drawn, drawn.size());
+    ASSERT_EQ(stats.drawn + stats.hidden + stats.out_of_view + stats.too_small, in_layers);
+    ASSERT_LE(stats.out_of_view, out_of_view) << "what is hidden may be out of view, too";
+    hidden_ += stats.hidden;
+  }
+
+  /// The slots that a scene with the same content, made at once, draws.
+  [[nodiscard]] std::vector<std::uint32_t> drawn_anew(const Camera& camera, const SceneOptions& options) const {
+    Scene scene;
+    std::map<std::uint32_t, std::uint32_t> slots;
+    std::map<std::uint32_t, ObjectId> anew;
+    for (const auto& [slot, entry] : world_.objects) {
+      const World::Object& object = entry.second;
+      const ObjectId id = scene.add(object.box, object.options);
+      if (!object.is_enabled) scene.set_enabled(id, false);
+      slots[id.slot] = slot;
+      anew[slot] = id;
+    }
+    for (const auto& [slot, entry] : world_.occluders) {
+      const World::Standing& standing = entry.second;
+      OccluderOptions its = standing.options;
+      if (!its.object.is_none()) {
+        const auto found = world_.objects.find(its.object.slot);
+        if (found == world_.objects.end() || found->second.first != its.object) continue;
+        its.object = anew[its.object.slot];
+      }
+      const OccluderId id = scene.add(standing.mesh, standing.placement, its);
+      if (!standing.is_enabled) scene.set_enabled(id, false);
+    }
+    scene.update();
     SceneView view;
-    EXPECT_EQ(scene.cull(Camera{}, {.unions = unions}, view).statics.empty(), unions);
-    EXPECT_EQ(view.visibility(statics[0]), unions ? Visibility::occluded : Visibility::visible);
+    std::vector<std::uint32_t> drawn;
+    for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(slots[object.id.slot]);
+    std::ranges::sort(drawn);
+    return drawn;
   }
-}
 
-TEST(Scene, QueriesAreOfTheViewsOwnFrame) {
-  PolygonSoup walls;
-  add_wall(walls, 2, -1, 1, -1, 1);
-  const Culler culler(walls);
-  const Box behind = Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}}, touching = Aabb{{2, -0.5, -0.5}, {5, 0.5, 0.5}};
-  const Box turned = Obb{{6, 0, 0}, {{{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}}}};
-  View view;
-  EXPECT_EQ(view.visibility(behind), Visibility::visible) << "before the first frame";
-  culler.cull(Camera{}, {}, view);
-  EXPECT_EQ(view.visibility(behind), Visibility::occluded);
-  EXPECT_EQ(view.visibility(turned), Visibility::occluded);
-  EXPECT_EQ(view.visibility(touching), Visibility::visible);
-  EXPECT_EQ(view.visibility(Aabb{{-5, -1, -1}, {-4, 1, 1}}), Visibility::out_of_view);
-  culler.cull(Camera{}, {.occluders = 0}, view);
-  EXPECT_EQ(view.visibility(behind), Visibility::visible);
-}
+  std::mt19937 random_{GetParam()};
+  std::shared_ptr<const OccluderMesh> house_ = std::make_shared<OccluderMesh>(house());
+  PolygonSoup wall_soup_ = [] {
+    PolygonSoup soup;
+    add_wall(soup, 0, -4, 4, 0, 3);
+    return soup;
+  }();
+  std::shared_ptr<const OccluderMesh> wall_ = std::make_shared<OccluderMesh>(wall_soup_);
+  Scene scene_;
+  World world_;
+  std::size_t hidden_ = 0, proved_ = 0;
+};
 
-TEST(Scene, ObjectsMoveInAndOutOfTheShadow) {
-  PolygonSoup walls;
-  add_wall(walls, 2, -1, 1, -1, 1);
-  const auto box_at = [](double y) { return Aabb{{4, y - 0.5, -0.5}, {5, y + 0.5, 0.5}}; };
-  const std::vector<Box> statics{box_at(0)}, dynamics{box_at(0), box_at(0)};
-  Scene scene({.statics = statics, .dynamics = dynamics}, walls);
+TEST_P(Worlds, AreCulledAsIfMadeAnew) {
+  for (int i = 0; i < 60; ++i) add_occluder();
+  add_objects(3000);
   SceneView view;
-  EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{}) << "nothing in view";
-  scene.set_bounds(1, box_at(3));
-  scene.update();
-  EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{1});
-  scene.set_bounds(0, box_at(1.5));  // its border on that of the shadow, at x = 4: y = 2
-  scene.set_bounds(1, box_at(0));
-  EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{1}) << "not before update()";
-  scene.update();
-  EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{});
-  scene.set_bounds(0, box_at(1.5 + 0x1p-51));  // the border beyond it, by an ulp
-  scene.update();
-  EXPECT_EQ(scene.cull(Camera{}, {}, view).dynamics, Ids{0});
-  EXPECT_EQ(view.result().statics, Ids{});
+  for (int frame = 0; frame < 40; ++frame) {
+    edit(frame % 7 == 0 ? 300 : 20);
+    scene_.update();
+    ASSERT_EQ(scene_.objects(), world_.objects.size());
+    ASSERT_EQ(scene_.occluders(), world_.occluders.size());
+    const Camera camera = random_camera(random_);
+    SceneOptions options;
+    options.cover = {.width = 256, .height = 144};
+    if (chance(3)) options.mask = 1 + below(7);
+    const SceneResult& result = scene_.cull(camera, options, view);
+    expect_right(camera, options, view, frame % 4 == 0 ? 20 : 0);
+    std::vector<std::uint32_t> drawn;
+    for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot);
+    std::ranges::sort(drawn);
+    ASSERT_EQ(drawn, drawn_anew(camera, options)) << "frame " << frame << ", seed " << GetParam();
+  }
+  EXPECT_GT(hidden_, 5000U);
+  EXPECT_GT(proved_, 60U);
 }
 
-TEST(Scene, ARefittedTreeCullsAsAFreshOne) {
-  std::mt19937 random(kSeed);
-  const auto statics = random_boxes(random, 300);
-  auto dynamics = random_boxes(random, 300);
-  const PolygonSoup town = random_town(3, 500);
-  Scene moved({.statics = statics, .dynamics = dynamics}, town);
-  for (int i = 0; i < 20; ++i) {
-    // From a few moves to a move of nearly all.
-    for (std::uint32_t id = 0; id < dynamics.size(); ++id) {
-      if (random() % 20 >= static_cast<std::uint32_t>(i)) continue;
-      dynamics[id] = random_box(random);
-      moved.set_bounds(id, dynamics[id]);
-    }
-    moved.update();
-    const Scene fresh({.statics = statics, .dynamics = dynamics}, town);
-    for (int k = 0; k < 5; ++k) {
-      const Camera camera = random_camera(random);
-      SceneView a, b;
-      EXPECT_EQ(sorted(moved.cull(camera, {}, a).dynamics), sorted(fresh.cull(camera, {}, b).dynamics)) << "seed " << kSeed;
-      EXPECT_EQ(a.result().statics, b.result().statics) << "what stays is in the same tree";
-    }
-  }
+INSTANTIATE_TEST_SUITE_P(Seeds, Worlds, testing::Values(1U, 2U, 3U, 4U));
+
+Placement at(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
+
+/// The rectangle from (-1, -1) to (1, 1) across the x axis, which looks clockwise from smaller x.
+std::shared_ptr<const OccluderMesh> wall() {
+  PolygonSoup soup;
+  add_wall(soup, 0, -1, 1, -1, 1);
+  return std::make_shared<OccluderMesh>(soup);
 }
 
-/// What a descent of the tree costs, half the surfaces of its inner nodes.
-double cost(const ObjectTree& tree) {
-  double sum = 0;
-  for (const HierarchyNode& node : tree.nodes()) {
-    const double x = node.box.max.x - node.box.min.x, y = node.box.max.y - node.box.min.y;
-    const double z = node.box.max.z - node.box.min.z;
-    if (!node.is_leaf()) sum += x * y + y * z + z * x;
-  }
-  return sum;
-}
+/// A scene with one wall across the line of sight of Camera{}, and an object behind it.
+struct WallScene : Scene {
+  explicit WallScene(const OccluderOptions& options = {}) : occluder(add(wall(), at(2, 0, 0), options)) { update(); }
 
-Aabb scaled(const Aabb& box, double factor) {
-  Aabb result = box;
-  for (int axis = 0; axis < 3; ++axis) {
-    result.min[axis] *= factor;
-    result.max[axis] *= factor;
-  }
-  return result;
-}
-
-TEST(ObjectTree, IsBuiltAnewWhenItHasBecomeLoose) {
-  std::mt19937 random(kSeed);
-  // All objects begin at one place. Then they scatter, each time over a smaller space.
-  const std::vector<Box> together(200, Aabb{{0, 0, 0}, {0x1p-20, 0x1p-20, 0x1p-20}});
-  ObjectTree tree({}, together);
-  for (int i = 0; i < 5; ++i) {
-    auto scattered = random_boxes(random, together.size());
-    for (Box& box : scattered) box = scaled(outer_box(box), std::pow(0.1, i));
-    for (std::size_t id = 0; id < scattered.size(); ++id) tree.set_bounds(id, scattered[id]);
-    tree.update();
-    EXPECT_LE(cost(tree), 2 * cost(ObjectTree({}, scattered)));
-    for (std::size_t id = 0; id < together.size(); ++id) tree.set_bounds(id, together[id]);
-    tree.update();
-  }
-}
-
-TEST(ObjectTree, KeepsItsShapeWhileItIsTight) {
-  std::mt19937 random(kSeed);
-  auto boxes = random_boxes(random, 200);
-  ObjectTree tree({}, boxes);
-  const Ids order(tree.order().begin(), tree.order().end());
-  for (int i = 0; i < 10; ++i) {
-    for (std::size_t id = 0; id < boxes.size(); ++id) {
-      if (auto* box = std::get_if<Aabb>(&boxes[id])) box->max.x += 0.01;
-      tree.set_bounds(id, boxes[id]);
-    }
-    tree.update();
-    EXPECT_EQ(Ids(tree.order().begin(), tree.order().end()), order);
-  }
-}
-
-/// Whether the axis-aligned box holds the oriented one, exactly: whether that is inside six half-spaces.
-bool holds(const Aabb& outer, const Obb& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3 up{}, down{};
-    up[axis] = 1;
-    down[axis] = -1;
-    for (const kernel::HalfSpace& h : {kernel::HalfSpace{up, -outer.min[axis]}, {down, outer.max[axis]}}) {
-      if (kernel::relation(h, box, kernel::Arithmetic::certified) != kernel::Relation::inside) return false;
-    }
-  }
-  return true;
-}
-
-TEST(OuterBox, HoldsTheBoxExactlyAndIsLegal) {
-  std::mt19937 random(kSeed);
-  const auto number = [&] {
-    const double magnitude = std::ldexp(uniform(random, 1, 2), static_cast<int>(random() % 190) - 95);
-    return random() % 5 == 0 ? 0 : random() % 2 == 0 ? magnitude : -magnitude;
-  };
-  for (int i = 0; i < 20000; ++i) {
-    Obb box{{number(), number(), number()}, {}};
-    for (Vec3& edge : box.half_edges) edge = {number(), number(), number()};
-    // Some numbers have similar magnitudes, so that they cancel.
-    if (i % 2 == 0) box = {random_vector(random, -1, 1), {random_vector(random, -1, 1), random_vector(random, -1, 1), {}}};
-    if (i % 4 == 0) box.center = {box.half_edges[0].x + box.half_edges[1].x, 0, box.half_edges[0].z};
-    const Aabb outer = outer_box(box);
-    ASSERT_EQ(kernel::check(outer), kernel::Refusal::none) << "seed " << kSeed;
-    ASSERT_TRUE(holds(outer, box)) << "seed " << kSeed;
-  }
-}
-
-TEST(OuterBox, IsTightAndRefusedWhereItIsNotLegal) {
-  const Aabb outer = outer_box(Obb{{1, 2, 3}, {{{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}}}});
-  for (int axis = 0; axis < 3; ++axis) {
-    const double half = axis == 2 ? 1 : 2, middle = axis + 1;
-    EXPECT_NEAR(outer.min[axis], middle - half, 1e-14);
-    EXPECT_NEAR(outer.max[axis], middle + half, 1e-14);
-  }
-  const double large = 0x1p100;
-  EXPECT_EQ(refusal_of(Aabb{{0, 0, 0}, {large, large, large}}), kernel::Refusal::none);
-  EXPECT_EQ(refusal_of(Obb{{large, 0, 0}, {}}), kernel::Refusal::out_of_range);
-  EXPECT_EQ(refusal_of(Obb{{large / 2, 0, 0}, {}}), kernel::Refusal::none);
-}
-
-TEST(Scene, SeveralCamerasAtOnceAreCulledAsOneAfterAnother) {
-  std::mt19937 random(kSeed);
-  const auto statics = random_boxes(random, 800), dynamics = random_boxes(random, 200);
-  const Scene scene({.statics = statics, .dynamics = dynamics}, random_town(4, 800));
-  std::vector<std::vector<Camera>> paths(4);
-  for (auto& path : paths) {
-    for (int i = 0; i < 30; ++i) path.push_back(random_camera(random));
-  }
-  const Box anywhere = random_box(random);
-  struct Frame {
-    SceneResult result;
-    Visibility visibility;
-  };
-  const auto walk = [&](const std::vector<Camera>& path, std::vector<Frame>& frames) {
+  std::size_t drawn(const SceneOptions& options = {}) {
+    update();
     SceneView view;
-    for (const Camera& camera : path) {
-      const SceneResult& result = scene.cull(camera, {}, view);
-      frames.push_back({result, view.visibility(anywhere)});
-    }
-  };
-  std::vector<std::vector<Frame>> expected(paths.size()), actual(paths.size());
-  for (std::size_t i = 0; i < paths.size(); ++i) walk(paths[i], expected[i]);
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < paths.size(); ++i) threads.emplace_back([&, i] { walk(paths[i], actual[i]); });
+    return cull(Camera{}, options, view).drawn.size();
   }
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    for (std::size_t f = 0; f < paths[i].size(); ++f) {
-      EXPECT_EQ(actual[i][f].result.statics, expected[i][f].result.statics);
-      EXPECT_EQ(actual[i][f].result.dynamics, expected[i][f].result.dynamics);
-      EXPECT_EQ(actual[i][f].visibility, expected[i][f].visibility);
-    }
-  }
-}
 
-TEST(Scene, ThreadsAskOneViewWhileOthersSetBounds) {
-  std::mt19937 random(kSeed);
-  const auto boxes = random_boxes(random, 500);
-  Scene scene({.statics = boxes, .dynamics = boxes}, random_town(5, 500));
+  OccluderId occluder;
+  ObjectId object = add(Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}});
+};
+
+TEST(Scene, ChangesShowAtTheNextUpdate) {
+  WallScene scene;
   SceneView view;
-  scene.cull(random_camera(random), {}, view);
-  const auto ask = [&] {
-    std::vector<Visibility> answers;
-    for (const Box& box : boxes) answers.push_back(view.visibility(box));
-    return answers;
-  };
-  const auto expected = ask();
-  std::array<std::vector<Visibility>, 2> answers;
-  {
-    std::vector<std::jthread> threads;
-    for (auto& mine : answers) threads.emplace_back([&] { mine = ask(); });
-    threads.emplace_back([&] {
-      for (std::uint32_t id = 0; id < boxes.size(); ++id) scene.set_bounds(id, boxes[0]);
-    });
-  }
-  for (const auto& mine : answers) EXPECT_EQ(mine, expected);
+  EXPECT_TRUE(scene.cull(Camera{}, {}, view).drawn.empty()) << "not added yet";
+  EXPECT_EQ(scene.drawn(), 0U) << "hidden";
+  scene.move(scene.occluder, at(2, 1, 0));
+  EXPECT_TRUE(scene.cull(Camera{}, {}, view).drawn.empty()) << "not moved yet";
+  EXPECT_EQ(scene.drawn(), 1U);
+  scene.move(scene.object, Aabb{{4, 1, -0.5}, {5, 2, 0.5}});
+  EXPECT_EQ(scene.drawn(), 0U);
+  scene.set_enabled(scene.occluder, false);
+  EXPECT_EQ(scene.drawn(), 1U);
+  scene.set_enabled(scene.occluder, true);
+  EXPECT_EQ(scene.drawn(), 0U);
+  scene.remove(scene.occluder);
+  EXPECT_EQ(scene.drawn(), 1U);
+  scene.set_enabled(scene.object, false);
+  EXPECT_EQ(scene.drawn(), 0U);
+  scene.set_enabled(scene.object, true);
+  EXPECT_EQ(scene.drawn(), 1U);
+  scene.remove(scene.object);
+  EXPECT_EQ(scene.drawn(), 0U);
+  EXPECT_EQ(scene.objects() + scene.occluders(), 0U);
 }
 
-TEST(Scene, WorksWithoutStaticsDynamicsOrOccluders) {
-  std::mt19937 random(kSeed);
-  const auto boxes = random_boxes(random, 200);
-  for (int parts = 0; parts < 8; ++parts) {
-    const std::vector<Box> statics = parts & 1 ? boxes : std::vector<Box>{};
-    std::vector<Box> dynamics = parts & 2 ? boxes : std::vector<Box>{};
-    Scene scene({.statics = statics, .dynamics = dynamics}, parts & 4 ? random_town(6, 300) : PolygonSoup{});
-    EXPECT_EQ(scene.statics(), statics.size());
-    EXPECT_EQ(scene.dynamics(), dynamics.size());
-    EXPECT_EQ(scene.static_order().size(), statics.size());
-    SceneView view;
-    for (int i = 0; i < 10; ++i) {
-      for (std::uint32_t id = 0; id < dynamics.size(); ++id) scene.set_bounds(id, dynamics[id] = random_box(random));
-      scene.update();
-      scene.cull(random_camera(random), {}, view);
-      expect_as_brute_force(scene, view, statics, dynamics, {});
+TEST(Scene, WhatWasAddedAndRemovedBetweenUpdatesWasNeverThere) {
+  for (const bool moves : {false, true}) {
+    WallScene scene;
+    scene.remove(scene.occluder);
+    const ObjectId first = scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}, {.moves = moves});
+    scene.remove(first);
+    const ObjectId second = scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}, {.moves = !moves});
+    EXPECT_EQ(first.slot, second.slot) << "the place is used again";
+    EXPECT_NE(first, second);
+    scene.move(second, Aabb{{-5, 0, 0}, {-4, 1, 1}});
+    EXPECT_EQ(scene.drawn(), 1U) << "the object of the scene";
+    scene.remove(second);
+    const OccluderId hiding = scene.add(wall(), at(2, 0, 0));
+    scene.remove(hiding);
+    EXPECT_EQ(scene.drawn(), 1U);
+  }
+}
+
+TEST(Scene, RefusesIdsOfWhatIsNotThere) {
+  WallScene scene;
+  const ObjectId stale = scene.object;
+  const OccluderId old = scene.occluder;
+  scene.remove(stale);
+  scene.remove(old);
+  const std::string object = "the scene has no such object", occluder = "the scene has no such occluder";
+  for (int i = 0; i < 2; ++i) {
+    for (const ObjectId id : {stale, ObjectId{}, ObjectId{99, 0}}) {
+      EXPECT_FALSE(scene.contains(id));
+      EXPECT_EQ(refusal([&] { scene.remove(id); }), object);
+      EXPECT_EQ(refusal([&] { scene.move(id, Aabb{}); }), object);
+      EXPECT_EQ(refusal([&] { scene.set_enabled(id, true); }), object);
+      EXPECT_EQ(refusal([&] { scene.set_mask(id, 1); }), object);
     }
-  }
-}
-
-TEST(Scene, WhatTouchesOrHoldsItsOccluderIsDrawn) {
-  // A house whose walls are the occluder and whose box holds them, and pictures on the wall.
-  PolygonSoup walls;
-  add_wall(walls, 4, -1, 1, -1, 1);
-  const std::vector<Box> statics{
-      Aabb{{4, -1, -1}, {6, 1, 1}},                                          // the house
-      Aabb{{4, -0.5, -0.5}, {4, 0.5, 0.5}},                                  // on the wall
-      Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}},                                  // touches it from behind
-      Aabb{{std::nextafter(4.0, 5.0), -0.5, -0.5}, {5, 0.5, 0.5}},           // behind it by an ulp
-      Obb{{5, 0, 0}, {{{0.5, 0.5, 0}, {0.5, -0.5, 0}, {0, 0, 0.5}}}},        // an edge of it touches from behind
-      Obb{{5.0625, 0, 0}, {{{0.5, 0.5, 0}, {0.5, -0.5, 0}, {0, 0, 0.5}}}}};  // and not
-  const Scene scene({.statics = statics}, walls);
-  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
-    Camera camera;
-    camera.projection = projection;
-    SceneView view;
-    EXPECT_EQ(sorted(scene.cull(camera, {}, view).statics), (Ids{0, 1, 2, 4}));
-  }
-}
-
-TEST(Scene, ASolidHidesWhatIsBehindIt) {
-  PolygonSoup solid;
-  std::vector<std::uint32_t> c;
-  for (const double x : {4.0, 5.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      for (const double z : {-1.0, 1.0}) c.push_back(solid.add_vertex({x, y, z}));
+    for (const OccluderId id : {old, OccluderId{}, OccluderId{99, 0}}) {
+      EXPECT_FALSE(scene.contains(id));
+      EXPECT_EQ(refusal([&] { scene.remove(id); }), occluder);
+      EXPECT_EQ(refusal([&] { scene.move(id, Placement{}); }), occluder);
+      EXPECT_EQ(refusal([&] { scene.replace(id, wall()); }), occluder);
+      EXPECT_EQ(refusal([&] { scene.set_enabled(id, true); }), occluder);
+      EXPECT_EQ(refusal([&] { scene.set_mask(id, 1); }), occluder);
     }
+    // Others take their places.
+    EXPECT_EQ(scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}).slot, i == 0 ? stale.slot : 1);
+    EXPECT_EQ(scene.add(wall()).slot, i == 0 ? old.slot : 1);
   }
-  using Face = std::array<std::size_t, 4>;
-  for (const Face& f : {Face{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}) {
-    solid.add_polygon(std::array{c[f[0]], c[f[1]], c[f[2]], c[f[3]]});
-  }
-  const std::vector<Box> statics{Aabb{{4, -1, -1}, {5, 1, 1}}, Aabb{{5, -1, -1}, {6, 1, 1}}};
-  const Scene scene({.statics = statics}, solid);
-  SceneView view;
-  EXPECT_EQ(scene.cull(Camera{}, {}, view).statics, Ids{0});
-  ASSERT_EQ(view.frame().occluders.size(), 1U);
-  EXPECT_TRUE(scene.occluders().is_shell(view.frame().occluders[0].index));
 }
 
 TEST(Scene, RefusesWhatCannotBeRightAndChangesNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Box good = Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}}, upside_down = Aabb{{0, 0, 1}, {1, 1, 0}};
-  const Box bad = Obb{{0, nan, 0}, {}}, far = Obb{{0x1p100, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-  const std::vector<Box> boxes{good, good};
-  const auto build = [&](const std::vector<Box>& statics, const std::vector<Box>& dynamics, const PolygonSoup& soup) {
-    return refusal([&] { const Scene scene({.statics = statics, .dynamics = dynamics}, soup); });
-  };
-  PolygonSoup walls;
-  add_wall(walls, 2, -1, 1, -1, 1);
-  EXPECT_EQ(build(boxes, boxes, walls), "");
-  EXPECT_EQ(build({good, upside_down}, {}, walls), "static object 1: box has min > max");
-  EXPECT_EQ(build({}, {bad}, walls), "dynamic object 0: number is not finite");
-  EXPECT_EQ(build({far}, {}, walls).substr(0, 36), "static object 0: number out of range");
-  PolygonSoup broken = walls;
-  broken.vertices[2].z = nan;
-  EXPECT_EQ(build({}, {}, broken), "vertex 2: number is not finite");
+  const Box bad = Obb{{0, nan, 0}, {}}, bad_edge = Obb{{0, 0, 0}, {{{nan, 0, 0}, {}, {}}}};
+  WallScene scene;
+  EXPECT_EQ(refusal([&] { scene.add(upside_down); }), "box has min > max");
+  EXPECT_EQ(refusal([&] { scene.add(bad); }), "box has a number that is NaN");
+  EXPECT_EQ(refusal([&] { scene.add(bad_edge, {.moves = true}); }), "box has a number that is NaN");
+  std::array<ObjectId, 2> ids;
+  EXPECT_EQ(refusal([&] { scene.add(std::array{good, bad}, {}, ids); }), "object 1: box has a number that is NaN");
+  EXPECT_EQ(refusal([&] { scene.move(scene.object, bad); }), "box has a number that is NaN");
+  EXPECT_EQ(scene.objects(), 1U);
 
-  Scene scene({.statics = boxes, .dynamics = boxes}, walls);
-  EXPECT_EQ(refusal([&] { scene.set_bounds(1, upside_down); }), "dynamic object 1: box has min > max");
-  EXPECT_EQ(refusal([&] { scene.set_bounds(2, good); }), "there is no dynamic object 2");
-  scene.update();
+  const std::string unplaceable = "an occluder's placement is not finite, or takes it beyond 2^100";
+  EXPECT_EQ(refusal([&] { scene.add(nullptr); }), "an occluder without a mesh");
+  EXPECT_EQ(refusal([&] { scene.replace(scene.occluder, nullptr); }), "an occluder without a mesh");
+  for (const Placement& p :
+       {at(nan, 0, 0), at(0, kInfinity, 0), at(0, 0, 0x1p100), Placement{{0x1p101, 0, 0}, {0, 0x1p101, 0}}}) {
+    EXPECT_EQ(refusal([&] { scene.add(wall(), p); }), unplaceable);
+    EXPECT_EQ(refusal([&] { scene.move(scene.occluder, p); }), unplaceable);
+  }
+  EXPECT_EQ(scene.occluders(), 1U);
+  EXPECT_EQ(scene.drawn(), 0U) << "as before";
+
   SceneView view;
-  scene.cull(Camera{}, {.occluders = 0}, view);
-  EXPECT_EQ(sorted(view.result().dynamics), (Ids{0, 1})) << "where they were";
-  EXPECT_EQ(view.result().static_ranges, (std::vector<PolygonRange>{{0, 2}})) << "and no dynamic ones";
+  scene.cull(Camera{}, {}, view);
   EXPECT_EQ(refusal([&] { static_cast<void>(view.visibility(bad)); }), "number is not finite");
   Camera blind;
   blind.target = blind.eye;
   EXPECT_NE(refusal([&] { scene.cull(blind, {}, view); }), "");
-  EXPECT_EQ(sorted(view.result().statics), (Ids{0, 1})) << "the last frame";
-  EXPECT_EQ(view.frame().stats.drawn_polygons, 4U);
+  EXPECT_EQ(view.result().stats.hidden, 1U) << "the last frame";
 }
 
-TEST(Scene, CanBeMoved) {
-  PolygonSoup walls;
-  add_wall(walls, 2, -1, 1, -1, 1);
-  const std::vector<Box> boxes{Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}}};
-  Scene scene({.dynamics = boxes}, walls);
-  Scene other = std::move(scene);
+TEST(Scene, BoxesWithoutAPlaceAreAlwaysDrawn) {
+  const double most = std::numeric_limits<float>::max();
+  for (const bool moves : {false, true}) {
+    WallScene scene;
+    const Aabb behind{{-5, 0, 0}, {-4, 1, 1}};
+    const ObjectId id = scene.add(behind, {.moves = moves});
+    EXPECT_EQ(scene.drawn(), 0U);
+    for (const Box& box :
+         {Box{Aabb{{-most, -most, -most}, {most, most, most}}}, Box{Aabb{{-kInfinity, 0, 0}, {-4, 1, 1}}},
+          Box{Obb{{0x1p100, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}}, Box{Obb{{kInfinity, 0, 0}, {}}}}) {
+      scene.move(id, box);
+      EXPECT_EQ(scene.drawn(), 1U);
+      EXPECT_EQ(scene.drawn({.mask = 0}), 0U);
+      scene.set_enabled(id, false);
+      EXPECT_EQ(scene.drawn(), 0U);
+      scene.set_enabled(id, true);
+      EXPECT_EQ(scene.drawn(), 1U);
+      scene.move(id, behind);
+      EXPECT_EQ(scene.drawn(), 0U);
+    }
+    const ObjectId always = scene.add(behind, {.moves = moves, .is_always_drawn = true});
+    EXPECT_EQ(scene.drawn(), 1U);
+    scene.move(always, Aabb{{-6, 0, 0}, {-5, 1, 1}});
+    EXPECT_EQ(scene.drawn(), 1U) << "wherever it is";
+    scene.remove(always);
+    EXPECT_EQ(scene.drawn(), 0U);
+  }
+}
+
+/// What turns leave: numbers that the kernel refuses.
+TEST(Scene, NumbersNearToZeroAreRoundedOutwards) {
+  Scene scene;
   SceneView view;
-  EXPECT_EQ(other.cull(Camera{}, {}, view).dynamics, Ids{});
-  SceneView moved = std::move(view);
-  EXPECT_EQ(moved.visibility(boxes[0]), Visibility::occluded);
+  const ObjectId turned = scene.add(Obb{{4, 0, 0}, {{{3.7e-33, 1, 0}, {-1, 3.7e-33, 0}, {0, 0, 1}}}});
+  const ObjectId flat = scene.add(Aabb{{3, 0x1p-200, -0x1p-200}, {3, 0x1p-150, 0}});
+  // Its edge along the border of the view, by a number that is not legal, is inside.
+  scene.update();
+  EXPECT_EQ(scene.cull(Camera{}, {}, view).drawn.size(), 2U);
+  scene.remove(turned);
+  scene.remove(flat);
+  PolygonSoup soup;
+  add_wall(soup, 2, -1, 1, -1, 1);
+  soup.vertices[0].x = 2;
+  soup.vertices[0].z = -1;
+  soup.vertices.push_back({3.7e-33, 0, 1e-300});
+  EXPECT_NO_THROW(scene.add(std::make_shared<OccluderMesh>(soup)));
+}
+
+TEST(Scene, WhatTouchesOrHoldsItsOccluderIsDrawn) {
+  // A house whose wall is the occluder and whose box holds it, and pictures on the wall.
+  const std::vector<Box> boxes{
+      Aabb{{4, -1, -1}, {6, 1, 1}},                                    // the house
+      Aabb{{4, -0.5, -0.5}, {4, 0.5, 0.5}},                            // on the wall
+      Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}},                            // touches it from behind
+      Obb{{5, 0, 0}, {{{0.5, 0.5, 0}, {0.5, -0.5, 0}, {0, 0, 0.5}}}},  // an edge of it touches from behind
+      Aabb{{4.001, -0.5, -0.5}, {5, 0.5, 0.5}}};                       // behind it
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    Scene scene;
+    std::vector<ObjectId> ids(boxes.size());
+    scene.add(boxes, {}, ids);
+    scene.add(wall(), at(4, 0, 0));
+    scene.update();
+    Camera camera;
+    camera.projection = projection;
+    camera.height = 10;
+    SceneView view;
+    std::vector<std::uint32_t> drawn;
+    for (const DrawnObject& object : scene.cull(camera, {}, view).drawn) drawn.push_back(object.id.slot);
+    std::ranges::sort(drawn);
+    EXPECT_EQ(drawn, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  }
+}
+
+TEST(Scene, MasksAreLayers) {
+  WallScene scene;
+  scene.set_mask(scene.object, 2);
+  EXPECT_EQ(scene.drawn(), 0U) << "hidden";
+  scene.set_mask(scene.occluder, 1);
+  EXPECT_EQ(scene.drawn({.mask = 3}), 0U);
+  EXPECT_EQ(scene.drawn({.mask = 2}), 1U) << "without the occluder";
+  EXPECT_EQ(scene.drawn({.mask = 1}), 0U) << "without the object";
+  SceneView view;
+  EXPECT_EQ(scene.cull(Camera{}, {.mask = 1}, view).stats.hidden, 0U);
+  EXPECT_EQ(scene.cull(Camera{}, {.mask = 3}, view).stats.hidden, 1U);
+}
+
+TEST(Scene, AnOccluderHidesNothingWithoutItsObject) {
+  for (const bool moves : {false, true}) {
+    WallScene scene({.object = {}});
+    const Aabb around{{1.9, -1, -1}, {2.1, 1, 1}};
+    const ObjectId house = scene.add(around, {.moves = moves});
+    scene.remove(scene.occluder);
+    const OccluderId occluder = scene.add(wall(), at(2, 0, 0), {.object = house});
+    EXPECT_EQ(scene.drawn(), 1U) << "the house";
+    scene.set_enabled(house, false);
+    EXPECT_EQ(scene.drawn(), 1U) << "what is behind it";
+    scene.set_enabled(house, true);
+    scene.set_mask(house, 2);
+    EXPECT_EQ(scene.drawn({.mask = 1}), 1U) << "what is behind it";
+    EXPECT_EQ(scene.drawn({.mask = 2}), 1U) << "the house";
+    scene.set_mask(house, 3);
+    scene.move(scene.object, Aabb{{4, -0.2, -0.2}, {4.1, 0.2, 0.2}});
+    EXPECT_EQ(scene.drawn({.least_size = 100}), 0U);
+    SceneView view;
+    EXPECT_EQ(scene.cull(Camera{}, {.least_size = 100}, view).stats.too_small, 2U) << "neither hides the other";
+    EXPECT_EQ(scene.cull(Camera{}, {.least_size = 0.5}, view).stats.hidden, 1U);
+    scene.remove(house);
+    EXPECT_EQ(scene.drawn(), 1U) << "what is behind it";
+    const ObjectId other = scene.add(around, {.moves = moves});
+    EXPECT_EQ(other.slot, house.slot);
+    EXPECT_EQ(scene.drawn(), 2U) << "it is not the same";
+    scene.remove(occluder);
+  }
+}
+
+TEST(Scene, OneSidedOccludersHideFromTheirFront) {
+  Scene scene;
+  scene.add(Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}});
+  const auto box = [] {
+    PolygonSoup soup;
+    add_box(soup, {-1, -1, -1}, {1, 1, 1});
+    return std::make_shared<OccluderMesh>(soup);
+  }();
+  const OccluderId occluder = scene.add(box, Placement{}, {.is_one_sided = true});
+  SceneView view;
+  Camera camera;
+  const auto drawn = [&](const Placement& placement) {
+    scene.move(occluder, placement);
+    scene.update();
+    return scene.cull(camera, {}, view).drawn.size();
+  };
+  EXPECT_EQ(drawn(at(0, 0, 0)), 1U) << "from within the box one sees out";
+  EXPECT_EQ(drawn(at(2, 0, 0)), 0U);
+  for (Placement mirrored : {at(2, 0, 0), at(0, 0, 0)}) {
+    mirrored.y = {0, -1, 0};
+    EXPECT_EQ(drawn(mirrored), mirrored.origin.x == 0 ? 1U : 0U) << "a mirror turns no face over";
+  }
+  scene.remove(occluder);
+  const OccluderId both = scene.add(box, Placement{});
+  scene.update();
+  EXPECT_EQ(scene.cull(camera, {}, view).drawn.size(), 0U) << "its inside hides, too";
+  scene.remove(both);
+}
+
+TEST(Scene, KnowsHowLargeObjectsLookAndHowFarTheyAre) {
+  Scene scene;
+  const ObjectId near = scene.add(Aabb{{4, 1, 1}, {4, 2, 2}}), far = scene.add(Aabb{{40, 1, 1}, {40, 2, 2}});
+  const ObjectId around = scene.add(Aabb{{-1, -1, -1}, {1, 1, 1}});
+  const ObjectId sky = scene.add(Aabb{{-1, -1, -1}, {1, 1, 1}}, {.is_always_drawn = true});
+  scene.update();
+  SceneView view;
+  Camera camera;
+  camera.fov_y_deg = 90;
+  const SceneResult& result = scene.cull(camera, {.is_front_to_back = true}, view);
+  ASSERT_EQ(result.drawn.size(), 4U);
+  EXPECT_EQ(result.drawn[0].id, sky);
+  EXPECT_EQ(result.drawn[1].id, around);
+  EXPECT_EQ(result.drawn[2].id, near);
+  EXPECT_EQ(result.drawn[3].id, far);
+  EXPECT_EQ(result.drawn[1].size, std::numeric_limits<float>::infinity());
+  EXPECT_GE(result.drawn[2].size, 0.125F);  // 1 of 8
+  EXPECT_LE(result.drawn[2].size, 0.1251F);
+  EXPECT_GE(result.drawn[3].size, 0.0125F);
+  EXPECT_LE(result.drawn[3].size, 0.0126F);
+  scene.cull(camera, {.least_size = 0.1F}, view);
+  EXPECT_EQ(view.result().drawn.size(), 3U);
+  EXPECT_EQ(view.result().stats.too_small, 1U);
+}
+
+TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
+  std::mt19937 random(kSeed);
+  Scene scene;
+  std::vector<Box> boxes;
+  while (boxes.size() < 1500) boxes.push_back(random_box(random));
+  std::vector<ObjectId> ids(boxes.size());
+  scene.add(boxes, {}, ids);
+  const auto town = std::make_shared<OccluderMesh>(random_town_of_houses(2, 1500));
+  scene.add(town);
+  scene.update();
+  std::array<std::size_t, 3> counts{};
+  for (int i = 0; i < 30; ++i) {
+    SceneView view;
+    std::vector<bool> is_drawn(boxes.size());
+    for (const DrawnObject& object : scene.cull(random_camera(random), {}, view).drawn) is_drawn[object.id.slot] = true;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const Visibility visibility = view.visibility(boxes[k]);
+      ++counts[static_cast<std::size_t>(visibility)];
+      ASSERT_EQ(visibility == Visibility::visible, is_drawn[ids[k].slot]) << "seed " << kSeed;
+    }
+  }
+  EXPECT_GT(*std::ranges::min_element(counts), 500U) << "all answers must occur";
+}
+
+TEST(Scene, AViewMayBeUsedWithAnyScene) {
+  std::mt19937 random(kSeed);
+  const auto town = std::make_shared<OccluderMesh>(random_town_of_houses(2, 1500));
+  Scene large, empty;
+  WallScene small;
+  large.add(town);
+  for (int i = 0; i < 800; ++i) large.add(random_box(random), {.moves = i % 3 == 0});
+  large.update();
+  SceneView view;
+  EXPECT_TRUE(view.result().drawn.empty());
+  EXPECT_EQ(view.visibility(Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}}), Visibility::visible) << "before the first frame";
+  small.update();
+  for (int i = 0; i < 3; ++i) {
+    large.cull(random_camera(random), {}, view);
+    EXPECT_EQ(small.cull(Camera{}, {}, view).drawn.size(), 0U);
+    EXPECT_EQ(view.visibility(Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}}), Visibility::occluded);
+    EXPECT_EQ(view.visibility(Aabb{{-5, -0.5, -0.5}, {-4, 0.5, 0.5}}), Visibility::out_of_view);
+    EXPECT_EQ(empty.cull(Camera{}, {}, view).drawn.size(), 0U);
+    Scene moved = std::move(small);
+    small = WallScene();
+    small.update();
+    SceneView other = std::move(view);
+    EXPECT_EQ(moved.cull(Camera{}, {}, other).stats.hidden, 1U);
+    view = std::move(other);
+  }
+}
+
+TEST(Scene, IsCulledOnSeveralThreadsWhileItIsChanged) {
+  std::mt19937 random(kSeed);
+  Scene scene;
+  std::vector<Box> boxes;
+  while (boxes.size() < 600) boxes.push_back(random_box(random));
+  std::vector<ObjectId> standing(300), moving(300);
+  scene.add(std::span(boxes).first(300), {}, standing);
+  scene.add(std::span(boxes).last(300), {.moves = true}, moving);
+  scene.add(std::make_shared<OccluderMesh>(random_town_of_houses(5, 500)));
+  const OccluderId wall_id = scene.add(wall(), at(0, 0, 0), {.moves = true});
+  for (int round = 0; round < 10; ++round) {
+    scene.update();
+    const Camera camera = random_camera(random);
+    SceneView alone;
+    const auto slots = [](const SceneResult& result) {
+      std::vector<std::uint32_t> drawn;
+      for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot);
+      return drawn;
+    };
+    const auto expected = slots(scene.cull(camera, {}, alone));
+    std::array<std::vector<std::uint32_t>, 2> found;
+    std::vector<std::jthread> threads;
+    for (auto& mine : found) {
+      threads.emplace_back([&] {
+        SceneView view;
+        for (int i = 0; i < 5; ++i) mine = slots(scene.cull(camera, {}, view));
+      });
+    }
+    for (std::size_t half = 0; half < 2; ++half) {
+      threads.emplace_back([&, half] {
+        for (std::size_t i = half; i < moving.size(); i += 2) scene.move(moving[i], boxes[i]);
+      });
+    }
+    threads.emplace_back([&] {
+      for (ObjectId& id : standing) {
+        scene.remove(id);
+        id = scene.add(boxes[id.slot % boxes.size()]);
+      }
+      scene.move(wall_id, at(round, 0, 0));
+      const OccluderId other = scene.add(wall(), at(-round, 0, 0));
+      if (round % 2 == 0) scene.remove(other);
+    });
+    threads.clear();
+    for (const auto& mine : found) EXPECT_EQ(mine, expected);
+  }
+}
+
+/// Tiles that come and go leave no memory behind, however the objects are divided.
+TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
+  std::mt19937 random(kSeed);
+  Scene scene;
+  std::vector<std::vector<ObjectId>> tiles;
+  std::size_t settled = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::vector<Box> boxes;
+    for (std::uint32_t k = 0; k < 1 + random() % 40; ++k) boxes.push_back(random_box(random));
+    tiles.emplace_back(boxes.size());
+    scene.add(boxes, {}, tiles.back());
+    if (tiles.size() > 50) {
+      const std::size_t gone = random() % tiles.size();
+      for (const ObjectId id : tiles[gone]) scene.remove(id);
+      tiles.erase(tiles.begin() + static_cast<std::ptrdiff_t>(gone));
+    }
+    scene.update();
+    if (i == 200) settled = scene.object_bytes();
+  }
+  EXPECT_LE(scene.object_bytes(), settled * 3 / 2);
 }
 
 }  // namespace

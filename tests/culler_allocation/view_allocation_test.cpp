@@ -60,7 +60,7 @@ TEST(View, AllocatesInItsFirstFrameAlone) {
 TEST(View, AllocatesNothingByCoverEither) {
   const Culler culler(random_town_of_houses(31, 3000), {.hierarchy = {.leaf_size = 4}});
   View view;
-  const CullOptions options{.method = Method::cover, .cover_width = 256, .cover_height = 144};
+  const CullOptions options{.method = Method::cover, .cover = {.width = 256, .height = 144}};
   EXPECT_GT(walk(culler, options, Projection::perspective, view, 0, 0, 1), 0U);
   for (int path = 0; path < 4; ++path) EXPECT_EQ(walk(culler, options, Projection::perspective, view, path), 0U) << path;
   EXPECT_GT(view.result().stats.cover_groups, 0U);

@@ -150,9 +150,9 @@ std::string text_of(const Summary& summary) {
 Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
   const culler::Objective& objective = options.cull.objective;
   return {{"size", {options.width, options.height}},
-          {"cover_size", {options.cull.cover_width, options.cull.cover_height}},
-          {"cover_triangles", if_limited(options.cull.cover_triangles)},
-          {"budget_ms", if_limited(options.cull.cover_ms)},
+          {"cover_size", {options.cull.cover.width, options.cull.cover.height}},
+          {"cover_triangles", if_limited(options.cull.cover.triangles)},
+          {"budget_ms", if_limited(options.cull.cover.ms)},
           {"leaf", build.hierarchy.leaf_size},
           {"occluders", options.cull.occluders},
           {"probes", options.cull.probes},

@@ -47,18 +47,24 @@ enum class Method {
 /// Limits of the width and of the height of the coarse picture, in pixels.
 inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;
 
+/// The coarse picture of a frame by cover, and how much is drawn into it.
+struct CoverOptions {
+  /// The size in pixels, clamped to the limits above and then rounded up to multiples of 8. A larger picture hides more and
+  /// costs more.
+  int width = 512, height = 288;
+  /// Once so many triangles are drawn into the picture, no more are; the nearest come first. Triangles are drawn in groups,
+  /// so that the last group may exceed the number by some hundred.
+  std::size_t triangles = std::numeric_limits<std::size_t>::max();
+  /// The same once the frame has taken so many milliseconds. What is culled then depends on the machine's speed. Even then
+  /// nothing visible is culled.
+  double ms = std::numeric_limits<double>::infinity();
+};
+
 /// How a frame is culled. Each option names the method that it is for; the other method ignores it.
 struct CullOptions {
   Method method = Method::frusta;
-  /// Cover. The size of the coarse picture in pixels, clamped to the limits above and then rounded up to multiples of 8. A
-  /// larger picture hides more and costs more.
-  int cover_width = 512, cover_height = 288;
-  /// Cover. Once so many triangles are drawn into the picture, no more are; the nearest come first. Triangles are drawn in
-  /// groups, so that the last group may exceed the number by some hundred.
-  std::size_t cover_triangles = std::numeric_limits<std::size_t>::max();
-  /// Cover. The same once the frame has taken so many milliseconds. What is culled then depends on the machine's speed. Even
-  /// then nothing visible is culled.
-  double cover_ms = std::numeric_limits<double>::infinity();
+  /// Cover. The coarse picture.
+  CoverOptions cover = {};
   /// Frusta. n_occ, the most occluders that a frame uses; 0: view-frustum culling alone. The paper finds 5 to 10 worth their
   /// cost.
   std::size_t occluders = 8;
@@ -163,8 +169,8 @@ struct CullResult {
 /// Options that repeat a frame by cover: with these, the same camera gives the same frame, however long it takes. `options`
 /// are those of the frame.
 [[nodiscard]] inline CullOptions repeated(const CullResult& frame, CullOptions options) {
-  options.cover_triangles = frame.stats.cover_triangles;
-  options.cover_ms = std::numeric_limits<double>::infinity();
+  options.cover.triangles = frame.stats.cover_triangles;
+  options.cover.ms = std::numeric_limits<double>::infinity();
   return options;
 }
 

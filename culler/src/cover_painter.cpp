@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "cover_painter.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace occlude::culler {
+namespace {
+
+/// A side of the coarse picture, rounded up to whole tiles.
+int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
+
+/// Memory is reserved for groups of this many triangles. Nearly all groups of the models tried have fewer; a larger one
+/// allocates more.
+constexpr std::size_t kRoom = 1024;
+
+}  // namespace
+
+CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory,
+                           CullStats& stats)
+    : options_(options), memory_(memory), stats_(stats) {
+  memory.buffer.begin(view, side(options.width), side(options.height), margin);
+  memory.buffer.reserve(kRoom);
+  memory.group.reserve(kRoom);
+  memory.taken.clear();
+  memory.taken.reserve(kRoom);
+}
+
+void CoverPainter::use(const CoverSource& source) {
+  source_ = &source;
+  std::vector<std::uint32_t>& stamps = memory_.polygon_stamps;
+  if (++memory_.stamp == 0) {
+    std::ranges::fill(stamps, 0);
+    memory_.stamp = 1;
+  }
+  if (stamps.size() < source.triangles.size()) stamps.resize(source.triangles.size(), 0);
+}
+
+bool CoverPainter::may_draw() const {
+  if (memory_.buffer.is_spent() || stats_.cover_triangles >= options_.triangles) return false;
+  if (options_.ms == std::numeric_limits<double>::infinity()) return true;
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
+  return taken.count() < options_.ms;
+}
+
+bool CoverPainter::join() {
+  if (memory_.taken.empty()) return false;
+  if (!may_draw()) {
+    ++stats_.cover_groups_left;
+    memory_.taken.clear();
+    return false;
+  }
+  CoverGroup& group = memory_.group;
+  group.clear();
+  for (const std::uint32_t leaf : memory_.taken) {
+    const HierarchyNode& node = source_->nodes[leaf];
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->stand);
+  }
+  for (const std::uint32_t leaf : memory_.taken) add_around(leaf);
+  memory_.taken.clear();
+  for (const std::uint32_t p : group.polygons()) memory_.polygon_stamps[p] = memory_.stamp;
+  ++stats_.cover_groups;
+  stats_.cover_triangles += group.polygons().size();
+  memory_.buffer.add(group.mesh(source_->triangles, source_->stand), ++groups_);
+  return true;
+}
+
+/// Adds the polygons around a leaf that were drawn before.
+void CoverPainter::add_around(std::uint32_t leaf) {
+  for (const std::uint32_t p : source_->triangles.around(leaf)) {
+    if (memory_.polygon_stamps[p] != memory_.stamp) continue;
+    memory_.group.add(source_->triangles, p, source_->stand);
+    memory_.polygon_stamps[p] = 0;  // so that it is added only once
+  }
+}
+
+}  // namespace occlude::culler

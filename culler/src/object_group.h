@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Some objects of a scene, with a tree of their own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "linear_tree.h"
+#include "occlude/culler/box.h"
+#include "occlude/culler/hierarchy.h"
+#include "occlude/culler/scene_id.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+/// An object as a scene draws it.
+struct SceneObject {
+  ObjectId id;
+  std::uint32_t mask = 0;  ///< 0 if it is disabled
+  Box box;                 ///< legal, and so is its outer_box()
+};
+
+/// Memory for building, shared by all groups.
+struct GroupBuilder {
+  LinearTree tree;
+  std::vector<kernel::Aabb> boxes;
+};
+
+/// Several threads may read at once.
+class ObjectGroup {
+ public:
+  /// Objects of a leaf are tested together: eight at most.
+  static constexpr std::uint32_t kLeaf = 8;
+
+  void assign(std::span<const SceneObject> objects, GroupBuilder& builder);
+  void clear();
+  /// Removes object i. Its place stays empty, and in no layer.
+  void remove(std::uint32_t i);
+  void set_mask(std::uint32_t i, std::uint32_t mask);
+  /// Appends what is left.
+  void append_living(std::vector<SceneObject>& objects) const;
+
+  /// The places of objects, in the order of the leaves; of these, those that are not empty.
+  [[nodiscard]] std::size_t size() const { return ids_.size(); }
+  [[nodiscard]] std::size_t living() const { return living_; }
+  /// How many objects have room without allocating.
+  [[nodiscard]] std::size_t capacity() const { return ids_.capacity(); }
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// Of its tree. A node that is not culled as a whole says nothing of the objects in it.
+  [[nodiscard]] std::span<const HierarchyNode> nodes() const { return nodes_; }
+  [[nodiscard]] ObjectId id(std::uint32_t i) const { return ids_[i]; }
+  [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return masks_[i]; }
+  [[nodiscard]] const kernel::Aabb& outer(std::uint32_t i) const { return outer_[i]; }
+  /// Calls question(box) with the box of object i, which may be oriented.
+  template <class Question>
+  decltype(auto) ask(std::uint32_t i, const Question& question) const {
+    const std::uint32_t k = oriented_.empty() ? kNone : oriented_[i];
+    return k == kNone ? question(outer_[i]) : question(oriented_boxes_[k]);
+  }
+  /// How many of the objects of a node are in one of these layers.
+  [[nodiscard]] std::size_t count(const HierarchyNode& node, std::uint32_t mask) const;
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  std::vector<HierarchyNode> nodes_;
+  std::vector<ObjectId> ids_;
+  std::vector<std::uint32_t> masks_;
+  std::vector<kernel::Aabb> outer_;
+  std::vector<std::uint32_t> oriented_;  ///< of each object, the index in oriented_boxes_ or kNone; empty if there is none
+  std::vector<kernel::Obb> oriented_boxes_;
+  std::size_t living_ = 0;
+  bool is_in_all_layers_ = true;  ///< whether every place has an object in all layers
+};
+
+}  // namespace occlude::culler

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Points and boxes of a mesh where it stands.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "occlude/culler/placement.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+/// The point, with seven roundings on each axis.
+[[nodiscard]] inline kernel::Vec3 placed(const Placement& at, const kernel::Vec3& p) {
+  kernel::Vec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = ((p.x * at.x[axis] + p.y * at.y[axis]) + p.z * at.z[axis]) + at.origin[axis];
+  }
+  return result;
+}
+
+/// An axis-aligned box that holds placed(at, p) for every point p of the box. Not finite if that overflows.
+[[nodiscard]] inline kernel::Aabb placed(const Placement& at, const kernel::Aabb& box) {
+  // Each of the seven roundings of a point changes it by at most 2^-53 of the sum of the magnitudes, and so do those of the
+  // ends below. The constant is four times as much as all of them.
+  constexpr double kRounded = 0x1p-47;
+  kernel::Aabb result;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = at.origin[axis], high = low, size = std::fabs(low);
+    const double ends[3][2] = {{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}};
+    const double columns[3] = {at.x[axis], at.y[axis], at.z[axis]};
+    for (int k = 0; k < 3; ++k) {
+      const double a = ends[k][0] * columns[k], b = ends[k][1] * columns[k];
+      low += std::min(a, b);
+      high += std::max(a, b);
+      size += std::max(std::fabs(a), std::fabs(b));
+    }
+    result.min[axis] = low - kRounded * size;
+    result.max[axis] = high + kRounded * size;
+  }
+  return result;
+}
+
+/// Whether it turns what is seen counter-clockwise clockwise.
+[[nodiscard]] inline bool is_mirrored(const Placement& at) {
+  const auto minor = [&](int i, int j) { return at.y[i] * at.z[j] - at.y[j] * at.z[i]; };
+  return at.x.x * minor(1, 2) + at.x.y * minor(2, 0) + at.x.z * minor(0, 1) < 0;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A frame of a scene from the camera to the list of what to draw.
+#pragma once
+
+#include <vector>
+
+#include "cover_painter.h"
+#include "frame_view.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/scene_view.h"
+#include "occlude/kernel/half_space.h"
+#include "scene_objects.h"
+#include "scene_occluders.h"
+
+namespace occlude::culler {
+
+/// What is kept of a view, and memory that its frames reuse.
+struct SceneView::Memory {
+  SceneResult result;
+  FrameView view;  ///< of the last frame
+  CoverMemory cover;
+  std::vector<kernel::HalfSpace> planes;
+  std::vector<OccluderId> drawn_occluders;  ///< for each group that was drawn into the coarse picture, its occluder
+};
+
+/// Fills memory.result. REQUIRES: require_sound(camera).
+void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
+                const SceneOptions& options, SceneView::Memory& memory);
+
+}  // namespace occlude::culler

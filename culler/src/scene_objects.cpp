@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include "scene_objects.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "bounds.h"
+#include "occlude/culler/scene.h"
+#include "outer_box.h"
+#include "scene_box.h"
+
+namespace occlude::culler {
+namespace {
+
+/// The most objects of a group of those that stand still. Building one takes a tenth of a millisecond.
+constexpr std::uint32_t kMost = 1024;
+
+/// Groups of fewer objects than kSmall are joined when there are kMostSmall of them, which makes one group of at most kMost.
+constexpr std::size_t kSmall = 64, kMostSmall = kMost / kSmall;
+
+/// A group of which more than half has been removed is built anew, but only so many in an update. The others wait.
+constexpr std::size_t kMostTidied = 4;
+
+/// Memory of this many arrivals is kept for later ones.
+constexpr std::size_t kKept = 16 * kMost;
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
+}
+
+template <class T>
+void forget(std::vector<T>& v) {
+  v.clear();
+  if (v.capacity() > kKept) v.shrink_to_fit();
+}
+
+/// Makes room for one more, so that adding it cannot fail.
+template <class T>
+void make_room(std::vector<T>& v) {
+  if (v.size() == v.capacity()) v.reserve(std::max<std::size_t>(16, 2 * v.size()));
+}
+
+}  // namespace
+
+SceneObjects::SceneObjects() : groups_(1) {}
+
+SceneObjects::Slot& SceneObjects::slot(ObjectId id) {
+  if (!contains(id)) throw std::invalid_argument("the scene has no such object");
+  return slots_[id.slot];
+}
+
+bool SceneObjects::contains(ObjectId id) const {
+  return id.slot < slots_.size() && slots_[id.slot].is_used && slots_[id.slot].generation == id.generation;
+}
+
+ObjectId SceneObjects::add(const Box& box, const ObjectOptions& options) { return insert(legal_box(box), options); }
+
+void SceneObjects::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    try {
+      static_cast<void>(legal_box(boxes[i]));
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument("object " + std::to_string(i) + ": " + e.what());
+    }
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) ids[i] = insert(legal_box(boxes[i]), options);
+}
+
+ObjectId SceneObjects::take_slot(const ObjectOptions& options) {
+  if (free_slots_.empty()) {
+    make_room(slots_);
+    free_slots_.reserve(slots_.capacity());  // so that removing cannot fail either
+    free_slots_.push_back(static_cast<std::uint32_t>(slots_.size()));
+    slots_.emplace_back();
+  }
+  const std::uint32_t i = free_slots_.back();
+  free_slots_.pop_back();
+  slots_[i] = {.generation = slots_[i].generation, .mask = options.mask, .is_used = true, .moves = options.moves};
+  ++size_;
+  return {i, slots_[i].generation};
+}
+
+ObjectId SceneObjects::insert(const std::optional<Box>& legal, const ObjectOptions& options) {
+  std::vector<Change>& changes = options.moves ? moving_ : arrivals_;
+  make_room(changes);
+  const ObjectId id = take_slot(options);
+  Slot& slot = slots_[id.slot];
+  slot.next = static_cast<std::uint32_t>(changes.size());
+  slot.is_unplaced = options.is_always_drawn;
+  changes.push_back({{id, slot.mask, legal.value_or(Box{})}, !legal || options.is_always_drawn});
+  changed(slot);
+  return id;
+}
+
+void SceneObjects::changed(const Slot& slot) {
+  if (slot.moves) {
+    has_moved_.store(true, std::memory_order_relaxed);
+  } else {
+    has_changed_ = true;
+  }
+}
+
+void SceneObjects::remove(ObjectId id) {
+  Slot& slot = this->slot(id);
+  departed_.push_back(id.slot);
+  changed(slot);
+  if (slot.moves) {
+    // The last one takes its place.
+    moving_[slot.next] = moving_.back();
+    slots_[moving_[slot.next].object.id.slot].next = slot.next;
+    moving_.pop_back();
+  } else if (slot.next != kNone) {
+    arrivals_[slot.next].object.id = {};
+  }
+  slot.is_used = false;
+  --size_;
+  // A slot whose generations have all been used is not used again.
+  if (++slot.generation != 0) free_slots_.push_back(id.slot);
+}
+
+void SceneObjects::move(ObjectId id, const Box& box) {
+  const std::optional<Box> legal = legal_box(box);
+  Slot& slot = this->slot(id);
+  const bool is_unplaced = !legal || slot.is_unplaced;
+  if (slot.moves) {
+    Change& change = moving_[slot.next];
+    change.object.box = legal.value_or(Box{});
+    change.is_unplaced = is_unplaced;
+    changed(slot);
+    return;
+  }
+  if (slot.next == kNone) {
+    arrivals_.push_back({{id, seen_mask(slot), {}}, false});
+    slot.next = static_cast<std::uint32_t>(arrivals_.size() - 1);
+  }
+  arrivals_[slot.next].object.box = legal.value_or(Box{});
+  arrivals_[slot.next].is_unplaced = is_unplaced;
+  changed(slot);
+}
+
+void SceneObjects::set_enabled(ObjectId id, bool is_enabled) {
+  const Slot& slot = this->slot(id);
+  set_layers(id, slot.mask, is_enabled);
+}
+
+void SceneObjects::set_mask(ObjectId id, std::uint32_t mask) {
+  const Slot& slot = this->slot(id);
+  set_layers(id, mask, slot.is_enabled);
+}
+
+void SceneObjects::set_layers(ObjectId id, std::uint32_t mask, bool is_enabled) {
+  remasked_.push_back(id.slot);
+  Slot& slot = slots_[id.slot];
+  slot.mask = mask;
+  slot.is_enabled = is_enabled;
+  if (slot.next != kNone) (slot.moves ? moving_ : arrivals_)[slot.next].object.mask = seen_mask(slot);
+  changed(slot);
+}
+
+void SceneObjects::update() {
+  if (!has_changed_ && !has_moved_) return;
+  places_.resize(slots_.size());
+  remove_departed();
+  mask_again();
+  if (has_moved_) place_moving();
+  place_arrivals();
+  tidy_loose();
+  if (small_groups_.size() >= kMostSmall) join_small();
+  build_top();
+  has_changed_ = false;
+  has_moved_ = false;
+}
+
+void SceneObjects::remove_departed() {
+  for (const std::uint32_t slot : departed_) remove_from_place(slot);
+  departed_.clear();
+}
+
+void SceneObjects::remove_from_place(std::uint32_t slot) {
+  Place& place = places_[slot];
+  if (place.group == kUnplaced) {
+    unplaced_[place.index] = unplaced_.back();
+    places_[unplaced_[place.index].id.slot].index = place.index;
+    unplaced_.pop_back();
+  } else if (place.group < kMovingUnplaced && place.group != kMoving) {
+    ObjectGroup& group = groups_[place.group];
+    const std::size_t half = group.size() / 2;
+    const bool was_half = group.living() > half;
+    group.remove(place.index);
+    if (was_half && group.living() <= half) loose_groups_.push_back(place.group);
+  }
+  place = {};
+}
+
+void SceneObjects::mask_again() {
+  for (const std::uint32_t slot : remasked_) {
+    const Place& place = places_[slot];
+    if (place.group == kUnplaced) {
+      unplaced_[place.index].mask = seen_mask(slots_[slot]);
+    } else if (place.group < kMovingUnplaced) {
+      groups_[place.group].set_mask(place.index, seen_mask(slots_[slot]));
+    }
+  }
+  remasked_.clear();
+}
+
+void SceneObjects::place_moving() {
+  moving_unplaced_.clear();
+  batch_.clear();
+  for (const Change& change : moving_) {
+    if (change.is_unplaced) {
+      const auto index = static_cast<std::uint32_t>(moving_unplaced_.size());
+      places_[change.object.id.slot] = {change.object.id.generation, kMovingUnplaced, index};
+      moving_unplaced_.push_back({change.object.id, change.object.mask});
+    } else {
+      batch_.push_back(change.object);
+    }
+  }
+  ObjectGroup& group = groups_[kMoving];
+  group.assign(batch_, builder_);
+  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot] = {group.id(i).generation, kMoving, i};
+}
+
+/// Puts what was added or moved into groups of objects that are near each other.
+void SceneObjects::place_arrivals() {
+  batch_.clear();
+  for (const auto& [object, is_unplaced] : arrivals_) {
+    if (object.id.is_none()) continue;
+    slots_[object.id.slot].next = kNone;
+    remove_from_place(object.id.slot);
+    if (!is_unplaced) {
+      batch_.push_back(object);
+      continue;
+    }
+    places_[object.id.slot] = {object.id.generation, kUnplaced, static_cast<std::uint32_t>(unplaced_.size())};
+    unplaced_.push_back({object.id, object.mask});
+  }
+  forget(arrivals_);
+  if (batch_.size() <= kMost) {
+    place_group(batch_);
+  } else {
+    boxes_.clear();
+    for (const SceneObject& object : batch_) boxes_.push_back(outer_box(object.box));
+    chunks_.build(boxes_, kMost);
+    for (const HierarchyNode& node : chunks_.nodes()) {
+      if (!node.is_leaf()) continue;
+      chunk_.clear();
+      for (const std::uint32_t i : chunks_.order().subspan(node.first, node.count)) chunk_.push_back(batch_[i]);
+      place_group(chunk_);
+    }
+    forget(boxes_);
+    if (batch_.capacity() > kKept) chunks_ = {};
+  }
+  forget(batch_);
+}
+
+void SceneObjects::place_group(std::span<const SceneObject> objects) {
+  if (objects.empty()) return;
+  const std::uint32_t number = free_group(objects.size());
+  ObjectGroup& group = groups_[number];
+  group.assign(objects, builder_);
+  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot] = {group.id(i).generation, number, i};
+  if (group.size() < kSmall) small_groups_.push_back(number);
+}
+
+/// An unused group, if possible the smallest that has room for so many objects.
+std::uint32_t SceneObjects::free_group(std::size_t objects) {
+  const auto room = [&](std::uint32_t group) {
+    const std::size_t capacity = groups_[group].capacity();
+    return capacity < objects ? std::numeric_limits<std::size_t>::max() : capacity;
+  };
+  const auto best = std::ranges::min_element(free_groups_, {}, room);
+  if (best == free_groups_.end()) {
+    groups_.emplace_back();
+    return static_cast<std::uint32_t>(groups_.size() - 1);
+  }
+  const std::uint32_t group = *best;
+  free_groups_.erase(best);
+  return group;
+}
+
+void SceneObjects::empty_group(std::uint32_t group) {
+  groups_[group].clear();
+  free_groups_.push_back(group);
+}
+
+/// Makes one group of all small ones.
+void SceneObjects::join_small() {
+  batch_.clear();
+  for (const std::uint32_t group : small_groups_) {
+    if (groups_[group].size() == 0) continue;  // emptied since, or listed twice
+    groups_[group].append_living(batch_);
+    empty_group(group);
+  }
+  small_groups_.clear();
+  place_group(batch_);
+}
+
+/// Builds groups without their empty places.
+void SceneObjects::tidy_loose() {
+  for (std::size_t tidied = 0; tidied < kMostTidied && !loose_groups_.empty();) {
+    const std::uint32_t group = loose_groups_.back();
+    loose_groups_.pop_back();
+    if (groups_[group].size() == 0) continue;  // emptied since
+    batch_.clear();
+    groups_[group].append_living(batch_);
+    empty_group(group);
+    if (batch_.empty()) continue;
+    place_group(batch_);
+    ++tidied;
+  }
+}
+
+void SceneObjects::build_top() {
+  top_groups_.clear();
+  boxes_.clear();
+  seen_ = unplaced_.size() + moving_unplaced_.size();
+  for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+    if (groups_[g].living() == 0) continue;
+    seen_ += groups_[g].living();
+    top_groups_.push_back(g);
+    boxes_.push_back(groups_[g].nodes()[0].box);
+  }
+  top_.build(boxes_, 1);
+}
+
+std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
+  if (id.slot >= places_.size()) return std::nullopt;
+  const Place& place = places_[id.slot];
+  if (place.group == kNone || place.generation != id.generation) return std::nullopt;
+  if (place.group == kUnplaced) return Seen{unplaced_[place.index].mask, nullptr};
+  if (place.group == kMovingUnplaced) return Seen{moving_unplaced_[place.index].mask, nullptr};
+  const ObjectGroup& group = groups_[place.group];
+  return Seen{group.mask(place.index), &group.outer(place.index)};
+}
+
+std::size_t SceneObjects::bytes() const {
+  std::size_t bytes = bytes_of(slots_) + bytes_of(free_slots_) + bytes_of(moving_) + bytes_of(arrivals_) +
+                      bytes_of(departed_) + bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) +
+                      bytes_of(unplaced_) + bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() +
+                      bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) + bytes_of(batch_) +
+                      bytes_of(chunk_) + chunks_.bytes() + builder_.tree.bytes() + bytes_of(builder_.boxes) +
+                      bytes_of(boxes_);
+  for (const ObjectGroup& group : groups_) bytes += group.bytes();
+  return bytes;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The objects of a scene: what the caller changes, and what views see of it since the last update.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "linear_tree.h"
+#include "object_group.h"
+#include "occlude/culler/box.h"
+#include "occlude/culler/scene_id.h"
+
+namespace occlude::culler {
+
+struct ObjectOptions;
+
+/// Objects that stand still are in groups of those that were added together. Each group has a tree of its own, so what comes
+/// and goes changes a few groups and not one large tree. Objects that move are all in one group, which is built anew when
+/// one of them has moved. A tree over the groups changes with them.
+///
+/// Changes touch only what no view sees, so they may be made while others cull. update() makes them seen.
+class SceneObjects {
+ public:
+  SceneObjects();
+
+  ObjectId add(const Box& box, const ObjectOptions& options);
+  void add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids);
+  void remove(ObjectId id);
+  void move(ObjectId id, const Box& box);
+  void set_enabled(ObjectId id, bool is_enabled);
+  void set_mask(ObjectId id, std::uint32_t mask);
+  [[nodiscard]] bool contains(ObjectId id) const;
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  void update();
+
+  /// What views see. The leaves of groups() are groups, one each.
+  [[nodiscard]] const LinearTree& groups() const { return top_; }
+  [[nodiscard]] const ObjectGroup& group(std::uint32_t in_order) const { return groups_[top_groups_[in_order]]; }
+  /// Objects without a place, which are always drawn.
+  struct Unplaced {
+    ObjectId id;
+    std::uint32_t mask = 0;
+  };
+  [[nodiscard]] std::span<const Unplaced> standing_unplaced() const { return unplaced_; }
+  [[nodiscard]] std::span<const Unplaced> moving_unplaced() const { return moving_unplaced_; }
+  /// An object as views see it: its mask, and its box unless it has no place. None if views do not see it.
+  struct Seen {
+    std::uint32_t mask;
+    const kernel::Aabb* outer;
+  };
+  [[nodiscard]] std::optional<Seen> seen(ObjectId id) const;
+  /// The number of objects that views see, those in no layer included.
+  [[nodiscard]] std::size_t seen_size() const { return seen_; }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// What the caller has made of an object.
+  struct Slot {
+    std::uint32_t generation = 0;
+    std::uint32_t mask = 0;
+    std::uint32_t next = kNone;  ///< its index in moving_, or in arrivals_ if it has arrived there since the last update
+    bool is_used = false, is_enabled = true, moves = false, is_unplaced = false;
+  };
+  /// An object that will stand somewhere, or was moved to there. The id is none if it was removed again.
+  struct Change {
+    SceneObject object;
+    bool is_unplaced = false;
+  };
+  /// Where views find an object: in a group, in unplaced_ (kUnplaced) or in moving_unplaced_ (kMovingUnplaced).
+  struct Place {
+    std::uint32_t generation = 0;
+    std::uint32_t group = kNone, index = 0;
+  };
+  static constexpr std::uint32_t kMoving = 0;  ///< the group of the objects that move
+  static constexpr std::uint32_t kUnplaced = kNone - 1, kMovingUnplaced = kNone - 2;
+
+  [[nodiscard]] Slot& slot(ObjectId id);
+  [[nodiscard]] static std::uint32_t seen_mask(const Slot& slot) { return slot.is_enabled ? slot.mask : 0; }
+  ObjectId take_slot(const ObjectOptions& options);
+  ObjectId insert(const std::optional<Box>& legal, const ObjectOptions& options);
+  void set_layers(ObjectId id, std::uint32_t mask, bool is_enabled);
+  void changed(const Slot& slot);
+
+  void remove_departed();
+  void remove_from_place(std::uint32_t slot);
+  void mask_again();
+  void place_moving();
+  void place_arrivals();
+  void place_group(std::span<const SceneObject> objects);
+  void join_small();
+  void tidy_loose();
+  void empty_group(std::uint32_t group);
+  [[nodiscard]] std::uint32_t free_group(std::size_t objects);
+  void build_top();
+
+  // Of the caller.
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_slots_;
+  std::size_t size_ = 0;
+  std::vector<Change> moving_;           ///< all objects that move, as they will be
+  std::vector<Change> arrivals_;         ///< objects that stand still and were added or moved
+  std::vector<std::uint32_t> departed_;  ///< slots to be taken out of their places
+  std::vector<std::uint32_t> remasked_;  ///< slots whose layers have changed
+  std::atomic<bool> has_moved_ = false;  ///< whether the group of what moves is to be built
+  bool has_changed_ = false;
+
+  // Of the views.
+  std::vector<Place> places_;  ///< by slots
+  std::vector<ObjectGroup> groups_;
+  std::vector<Unplaced> unplaced_, moving_unplaced_;
+  std::vector<std::uint32_t> top_groups_;  ///< the groups in the order of the leaves of top_
+  LinearTree top_;
+  std::size_t seen_ = 0;
+
+  // Of update().
+  std::vector<std::uint32_t> free_groups_, small_groups_, loose_groups_;
+  std::vector<SceneObject> batch_;
+  std::vector<SceneObject> chunk_;
+  LinearTree chunks_;
+  GroupBuilder builder_;
+  std::vector<kernel::Aabb> boxes_;
+};
+
+}  // namespace occlude::culler
