@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Views and frames of the C interface.
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "arrays.h"
+#include "handles.h"
+#include "ids.h"
+#include "status.h"
+#include "structs.h"
+
+namespace occlude::c {
+namespace {
+
+static_assert(sizeof(occlude_look_at_camera) == sizeof(std::size_t) + 120, "no padding: structs.h");
+static_assert(sizeof(occlude_cull_options) == sizeof(std::size_t) + 48, "no padding: structs.h");
+
+glm::dvec3 dvec3(const double* v) { return {v[0], v[1], v[2]}; }
+
+culler::Camera to_camera(const occlude_look_at_camera* given) {
+  require(given, "camera");
+  const auto camera = read_options(given, occlude_look_at_camera OCCLUDE_LOOK_AT_CAMERA_INIT, "camera");
+  if (camera.projection != OCCLUDE_PERSPECTIVE && camera.projection != OCCLUDE_ORTHOGRAPHIC) {
+    refuse_enumerator("projection", camera.projection);
+  }
+  const bool is_orthographic = camera.projection == OCCLUDE_ORTHOGRAPHIC;
+  return {.eye = dvec3(camera.eye),
+          .target = dvec3(camera.target),
+          .up = dvec3(camera.up),
+          .projection = is_orthographic ? culler::Projection::orthographic : culler::Projection::perspective,
+          .fov_y_deg = camera.fov_y_deg,
+          .height = camera.height,
+          .aspect = camera.aspect,
+          .near = camera.near_plane,
+          .far = camera.far_plane == 0 ? std::numeric_limits<double>::infinity() : camera.far_plane};
+}
+
+/// A limit of the caller, of which 0 is none.
+template <class To, class From>
+To limit(From given, To none) {
+  if (given == From{0}) return none;
+  return static_cast<To>(std::min<From>(given, static_cast<From>(std::numeric_limits<To>::max())));
+}
+
+culler::SceneOptions to_options(const occlude_cull_options* given) {
+  const auto options = read_options(given, occlude_cull_options OCCLUDE_CULL_OPTIONS_INIT, "options");
+  const culler::CoverOptions none;
+  return {.cover = {.width = options.cover_width,
+                    .height = options.cover_height,
+                    .triangles = limit<std::size_t>(options.cover_triangles, none.triangles),
+                    .ms = options.cover_ms == 0 ? none.ms : options.cover_ms},
+          .margin = options.margin,
+          .mask = options.mask,
+          .least_size = options.least_size,
+          .is_front_to_back = options.is_front_to_back != 0};
+}
+
+/// The library's frame as arrays. Their memory grows as that of the frame does.
+void copy_frame(occlude_view& view) {
+  const culler::SceneResult& result = view.view.result();
+  view.objects.clear();
+  view.sizes.clear();
+  view.distances.clear();
+  view.planes.clear();
+  const std::size_t room = result.drawn.capacity();
+  view.objects.reserve(room);
+  view.sizes.reserve(room);
+  view.distances.reserve(room);
+  for (const culler::DrawnObject& drawn : result.drawn) {
+    view.objects.push_back(packed(drawn.id));
+    view.sizes.push_back(drawn.size);
+    view.distances.push_back(drawn.distance);
+  }
+  for (const auto& [normal, offset] : result.view) view.planes.push_back({{normal.x, normal.y, normal.z}, offset});
+}
+
+occlude_visibility to_visibility(culler::Visibility visibility) {
+  switch (visibility) {
+    case culler::Visibility::occluded:
+      return OCCLUDE_OCCLUDED;
+    case culler::Visibility::out_of_view:
+      return OCCLUDE_OUT_OF_VIEW;
+    case culler::Visibility::visible:
+      break;
+  }
+  return OCCLUDE_VISIBLE;
+}
+
+}  // namespace
+}  // namespace occlude::c
+
+using namespace occlude::c;
+
+occlude_status occlude_view_create(occlude_view** view) noexcept {
+  return guarded([&] {
+    require(view, "view");
+    *view = new occlude_view;
+  });
+}
+
+void occlude_view_destroy(occlude_view* view) noexcept { delete view; }
+
+occlude_status occlude_scene_cull_look_at(const occlude_scene* scene, const occlude_look_at_camera* camera,
+                                          const occlude_cull_options* options, occlude_view* view) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    require(view, "view");
+    static_cast<void>(scene->scene.cull(to_camera(camera), to_options(options), view->view));
+    copy_frame(*view);
+  });
+}
+
+occlude_status occlude_view_frame(const occlude_view* view, occlude_frame* frame) noexcept {
+  return guarded([&] {
+    require(view, "view");
+    const occlude_frame values{.size = 0,
+                               .count = view->distances.size(),
+                               .objects = view->objects.data(),
+                               .sizes = view->sizes.data(),
+                               .distances = view->distances.data(),
+                               .planes = view->planes.data(),
+                               .plane_count = view->planes.size()};
+    write(values, frame, "frame");
+  });
+}
+
+occlude_status occlude_view_statistics(const occlude_view* view, occlude_statistics* statistics) noexcept {
+  return guarded([&] {
+    require(view, "view");
+    const occlude::culler::SceneStats& stats = view->view.result().stats;
+    const occlude_statistics values{.size = 0,
+                                    .drawn = stats.drawn,
+                                    .out_of_view = stats.out_of_view,
+                                    .hidden = stats.hidden,
+                                    .too_small = stats.too_small,
+                                    .occluders = stats.occluders,
+                                    .nodes_visited = stats.work.nodes_visited,
+                                    .view_tests = stats.work.view_tests,
+                                    .cover_tests = stats.work.cover_tests,
+                                    .cover_groups = stats.work.cover_groups,
+                                    .cover_groups_left = stats.work.cover_groups_left,
+                                    .cover_triangles = stats.work.cover_triangles};
+    write(values, statistics, "statistics");
+  });
+}
+
+occlude_status occlude_view_visibility(const occlude_view* view, const occlude_boxes* boxes,
+                                       occlude_visibility* visibilities) noexcept {
+  return guarded([&] {
+    require(view, "view");
+    const Boxes all(boxes);
+    if (all.size() != 0) require(visibilities, "visibilities");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      try {
+        visibilities[i] = to_visibility(view->view.visibility(all[i]));
+      } catch (const std::invalid_argument& e) {
+        throw std::invalid_argument("box " + std::to_string(i) + ": " + e.what());
+      }
+    }
+  });
+}
