@@ -313,11 +313,43 @@ static void arrays_with_strides(void) {
   occlude_mesh_destroy(mesh);
 }
 
+/// Whether the frame lists what is nearer first.
+static int is_front_to_back(const occlude_scene* scene, int32_t wanted) {
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_view_create(&view));
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  options.is_front_to_back = wanted;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &options, view));
+  occlude_frame frame = OCCLUDE_FRAME_INIT;
+  CHECK_OK(occlude_view_frame(view, &frame));
+  CHECK(frame.count == 100);
+  int is_sorted = 1;
+  for (size_t i = 1; i < frame.count; ++i) is_sorted = is_sorted && frame.distances[i - 1] <= frame.distances[i];
+  occlude_view_destroy(view);
+  return is_sorted;
+}
+
+static void order(void) {
+  occlude_scene* scene = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  for (int i = 0; i < 100; ++i) {
+    const double y = i * 37 % 100 - 50;
+    const occlude_box box = {{100, y, 0}, {101, y + 0.5, 1}};
+    occlude_object object = OCCLUDE_NONE;
+    CHECK_OK(occlude_scene_add_object(scene, &box, NULL, &object));
+  }
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK(is_front_to_back(scene, 1) && !is_front_to_back(scene, 0));
+  occlude_scene_destroy(scene);
+}
+
 int main(void) {
   CHECK(occlude_version() == OCCLUDE_VERSION);
   objects_come_and_go();
   options_of_objects_and_occluders();
   occluders_in_arrays();
   arrays_with_strides();
+  order();
   return end_of_test();
 }
