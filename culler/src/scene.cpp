@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/scene.h"
 
+#include <limits>
 #include <utility>
 
 #include "asked_box.h"
@@ -64,6 +65,15 @@ const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options
   require_sound(camera);
   cull_scene(parts_->objects, parts_->occluders, camera, options, view.memory());
   return view.result();
+}
+
+std::vector<ObjectFate> Scene::why(const Camera& camera, const SceneOptions& options, const SceneView& view,
+                                   std::span<const ObjectId> objects) const {
+  require_sound(camera);
+  SceneOptions repeated = options;
+  repeated.cover.triangles = view.result().stats.work.cover_triangles;
+  repeated.cover.ms = std::numeric_limits<double>::infinity();
+  return fates_of(parts_->objects, parts_->occluders, camera, repeated, objects);
 }
 
 std::size_t Scene::objects() const { return parts_->objects.size(); }

@@ -2,6 +2,7 @@
 // A frame of a scene from the camera to the list of what to draw.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cover_painter.h"
@@ -20,11 +21,15 @@ struct SceneView::Memory {
   FrameView view;  ///< of the last frame
   CoverMemory cover;
   std::vector<kernel::HalfSpace> planes;
-  std::vector<OccluderId> drawn_occluders;  ///< for each group that was drawn into the coarse picture, its occluder
 };
 
 /// Fills memory.result. REQUIRES: require_sound(camera).
 void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
                 const SceneOptions& options, SceneView::Memory& memory);
+
+/// What becomes of these objects in a frame. REQUIRES: as above; no budget of time.
+[[nodiscard]] std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders,
+                                               const Camera& camera, const SceneOptions& options,
+                                               std::span<const ObjectId> ids);
 
 }  // namespace occlude::culler
