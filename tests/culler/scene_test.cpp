@@ -683,7 +683,8 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
   const PolygonSoup town = random_town_of_houses(4, 1000);
   const auto mesh = std::make_shared<OccluderMesh>(town);
   scene.add(mesh);
-  const OccluderId house = scene.add(std::make_shared<OccluderMesh>(::house()), at(1, 0, 0));
+  const Placement wide{{5, 0, 0}, {0, 8, 0}, {0, 0, 1}, {1, 0, 0}};
+  const OccluderId house = scene.add(std::make_shared<OccluderMesh>(::house()), wide);
   scene.update();
   const ObjectId late = scene.add(Aabb{});
   ids.push_back(late);
@@ -712,8 +713,8 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
       for (const auto& [occluder, polygon, corners] : fate.by) {
         polygons.push_back(corners);
         const PolygonSoup& soup = occluder == house ? ::house() : town;
-        const double moved = occluder == house ? 1 : 0;
-        ASSERT_EQ(corners[0].x, soup.vertices[soup.loop(polygon)[0]].x + moved);
+        const Vec3 corner = to_kernel(soup.vertices[soup.loop(polygon)[0]]);
+        ASSERT_EQ(corners[0], placed(occluder == house ? wide : Placement{}, corner));
       }
       const auto cover = kernel::Cover::make(camera.viewpoint(), polygons, beyond_near);
       ASSERT_TRUE(cover.cover);
