@@ -28,7 +28,7 @@ using kernel::Relation;
 /// roundings than it took. Normals are no longer than 1.
 template <class AnyBox>
 bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
-  const double own_reach = depth(outer_box(box), memory.view.camera.eye);
+  const double own_reach = depth(outer_box(box), memory.view.eye);
   const double moved = own_reach > memory.view.depth ? kDepthMargin * own_reach : 0;
   return std::ranges::any_of(memory.result.view, [&](const HalfSpace& h) {
     const double offset = h.offset + moved;
