@@ -85,7 +85,9 @@ FrameView::FrameView(const Camera& camera, double reach)
   half_width = half_height * camera.aspect;
   height = 2 * half_height;
   const auto& [right, up, forward] = axes;
-  const auto append = [&](const glm::dvec3& inward, const glm::dvec3& point) { add(half_space(inward, point, depth)); };
+  const auto append = [&](const glm::dvec3& inward, const glm::dvec3& point) {
+    add(half_space(inward, point, depth), kDepthMargin);
+  };
   for (const auto& [half, across] :
        {std::pair{half_width, right}, {half_width, -right}, {half_height, up}, {half_height, -up}}) {
     if (is_perspective) {
@@ -101,9 +103,9 @@ FrameView::FrameView(const Camera& camera, double reach)
 /// Why this holds for every eye within the radius r, and for wherever the exact eye is: the camera at eye + e sees what a
 /// camera at the eye sees of a model that is moved by -e.
 ///  - Half-spaces of the first are those of the second moved by e, and so by at most r along their normals.
-///  - A coarse picture bounds what moves of points by `moved` can do, and the model moves by r at most. Moved points are up
-///  to
-///    2 r farther from the eye in the sum of the axes, which is part of the depth.
+///  - A coarse picture bounds what moves of points by `moved` can do, and the model moves by r at most. Points that moved
+///  are
+///    farther from the eye by up to 2 r in the sum of the axes, which is part of the depth.
 ///  - A point is beyond the near plane of the one if it is beyond that of the other by r. Along a ray from the eye, both are
 ///    equally far.
 ///  - Parallel rays stay what they are: nothing needs to be moved.
@@ -122,15 +124,16 @@ FrameView::FrameView(const MatrixCamera& camera, double reach)
   height = of.height();
   area = 4 * half_width * half_height;
   moved = of.moved(depth) + (is_perspective ? radius : 0);
-  const auto append = [&](const ClipPlane& plane) {
-    if (!plane.is_everywhere) add(legal(plane.normal, plane.offset + plane.error + radius));
-  };
-  for (const ClipPlane& plane : of.sides(depth)) append(plane);
-  const ClipPlane clip = of.near_plane(depth);
-  append(clip);
+  const std::array<ClipPlane, 6> planes = of.planes(depth);
+  for (const ClipPlane& plane : planes) {
+    if (plane.is_everywhere) continue;
+    const double offset = plane.offset + plane.error + radius;
+    if (offset <= kFarthestPlane) add(legal(plane.normal, offset), plane.margin);
+  }
 
   // What hides is cut beyond the near plane, by as much more as points may be moved. By so much it is also before the eye,
   // wherever the near plane is.
+  const ClipPlane& clip = planes[MatrixEye::kNear];
   near_normal = clip.normal;
   const double distance = clip.error - (glm::dot(clip.normal, eye) + clip.offset);
   near_distance = distance + radius;

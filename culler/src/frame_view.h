@@ -54,10 +54,15 @@ struct FrameView {
   /// where the eye is not known exactly, or where the frame holds for more than one eye.
   double moved;
   std::array<HalfSpace, 6> half_spaces;
+  /// The margin that each half-space has for single precision, as a share of the depth.
+  std::array<double, 6> half_space_margins;
   std::size_t half_space_count = 0;
 
  private:
-  void add(const HalfSpace& half_space) { half_spaces[half_space_count++] = half_space; }
+  void add(const HalfSpace& half_space, double margin) {
+    half_spaces[half_space_count] = half_space;
+    half_space_margins[half_space_count++] = margin;
+  }
 };
 
 }  // namespace occlude::culler

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "bounds.h"
+#include "legal_half_space.h"
 #include "negligible.h"
 #include "occlude/kernel/validity.h"
 #include "single_precision.h"
@@ -31,8 +32,6 @@ constexpr double kParallel = 0x1p-106;
 /// A plane is everywhere if its normal is so small a share of the rows that it is the sum of. It has an error in single
 /// precision of 2^20 times the depth, and cuts off nothing.
 constexpr double kVanishing = 0x1p-40;
-/// A plane with a larger offset is farther than any point. legal() takes offsets up to twice that.
-constexpr double kFarthest = 0x1p103;
 
 double sum_of(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
@@ -108,7 +107,7 @@ std::string_view MatrixEye::find(const MatrixCamera& camera) {
   if (const auto fault = is_perspective_ ? find_perspective() : find_parallel(camera.nearer); !fault.empty()) return fault;
   if (camera.nearer != Nearer::unsaid && is_reversed_ != (camera.nearer == Nearer::greater))
     return "the matrix says otherwise of what is nearer";
-  if (near_plane(0).is_everywhere) return "the matrix is singular: it has no near plane";
+  if (plane(near_row(), 0).is_everywhere) return "the matrix is singular: it has no near plane";
   return "";
 }
 
@@ -212,20 +211,19 @@ ClipPlane MatrixEye::plane(const Sum& sum, double depth) const {
   }
   const double length = glm::length(normal);
   ClipPlane plane;
-  plane.is_everywhere = !(length > kVanishing * size && std::fabs(constant) <= kFarthest * length);
+  plane.is_everywhere = !(length > kVanishing * size && std::fabs(constant) <= kFarthestPlane * length);
   if (plane.is_everywhere) return plane;
   plane.normal = without_negligible(normal / length);
   plane.offset = constant / length;
+  plane.margin = kDepthMargin * (size / length);
   plane.error =
       0x1p-48 * (sum_of(eye_) + depth + std::fabs(plane.offset)) + kDepthMargin * ((size * depth + at_eye) / length);
   return plane;
 }
 
-std::array<ClipPlane, 5> MatrixEye::sides(double depth) const {
-  return {plane({x_, 1, true}, depth), plane({x_, -1, true}, depth), plane({y_, 1, true}, depth),
-          plane({y_, -1, true}, depth), plane(far_row(), depth)};
+std::array<ClipPlane, 6> MatrixEye::planes(double depth) const {
+  return {plane({x_, 1, true}, depth),  plane({x_, -1, true}, depth), plane({y_, 1, true}, depth),
+          plane({y_, -1, true}, depth), plane(near_row(), depth),     plane(far_row(), depth)};
 }
-
-ClipPlane MatrixEye::near_plane(double depth) const { return plane(near_row(), depth); }
 
 }  // namespace occlude::culler

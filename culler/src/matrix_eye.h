@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <string_view>
@@ -28,6 +29,7 @@ struct ClipPlane {
   glm::dvec3 normal{0, 0, 0};  ///< legal for the kernel; length 1, up to rounding
   double offset = 0;
   double error = 0;
+  double margin = 0;           ///< of the error, the part for each unit of depth that is for single precision
   bool is_everywhere = false;  ///< cuts off nothing of any model; the other members are not set
 };
 
@@ -48,9 +50,9 @@ class MatrixEye {
   /// Bounds how far points within `depth` of the eye would have to be moved for the eye and the direction to be exact.
   [[nodiscard]] double moved(double depth) const;
 
-  /// Left, right, bottom, top, far, for a model within `depth` of the eye.
-  [[nodiscard]] std::array<ClipPlane, 5> sides(double depth) const;
-  [[nodiscard]] ClipPlane near_plane(double depth) const;
+  /// Left, right, bottom, top, near, far, for a model within `depth` of the eye. The near plane is not everywhere.
+  [[nodiscard]] std::array<ClipPlane, 6> planes(double depth) const;
+  static constexpr std::size_t kNear = 4;
 
   /// A vector with these coordinates along the axes, and a bound of its error.
   struct Vector {

@@ -15,7 +15,6 @@
 #include "occlude/kernel/validity.h"
 #include "outer_box.h"
 #include "shadow_rule.h"
-#include "single_precision.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -29,12 +28,15 @@ using kernel::Relation;
 template <class AnyBox>
 bool is_out_of_view(const View::Memory& memory, const AnyBox& box) {
   const double own_reach = depth(outer_box(box), memory.view.eye);
-  const double moved = own_reach > memory.view.depth ? kDepthMargin * own_reach : 0;
-  return std::ranges::any_of(memory.result.view, [&](const HalfSpace& h) {
-    const double offset = h.offset + moved;
-    if (kernel::check(offset) != kernel::Refusal::none) return false;
-    return kernel::relation({to_kernel(h.normal), offset}, box, kernel::Arithmetic::certified) == Relation::outside;
-  });
+  const double farther = own_reach > memory.view.depth ? own_reach : 0;
+  for (std::size_t i = 0; i < memory.result.view.size(); ++i) {
+    const HalfSpace& h = memory.result.view[i];
+    const double offset = h.offset + memory.view.half_space_margins[i] * farther;
+    if (kernel::check(offset) != kernel::Refusal::none) continue;
+    if (kernel::relation({to_kernel(h.normal), offset}, box, kernel::Arithmetic::certified) == Relation::outside)
+      return true;
+  }
+  return false;
 }
 
 template <class AnyBox>

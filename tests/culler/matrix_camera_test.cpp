@@ -27,6 +27,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
+#include "occlude/kernel/validity.h"
 #include "scenes.h"
 
 namespace {
@@ -245,7 +246,7 @@ std::vector<dvec3> shown_points(std::mt19937& random, const Made& made, std::siz
   std::vector<dvec3> points;
   for (int tries = 0; points.size() < count && tries < 60; ++tries) {
     const double distance = made.near * std::exp(uniform(random, 0, std::log(made.far / made.near)));
-    const dvec3 point = made.place(uniform(random, -1, 1), uniform(random, -1, 1), distance);
+    const dvec3 point = made.place(uniform(random, -1, 1), uniform(random, -1, 1), distance) + some_vector(random, 1e-6);
     if (!shows(made.camera, point)) continue;
     points.push_back(point);
     const dvec3 beside = point + some_vector(random, 8 * distance);
@@ -334,7 +335,7 @@ class Sight {
     constexpr Real kNearly = 1e-9;
     if (of_b < -kNearly || of_c < -kNearly || of_b + of_c > 1 + kNearly) return false;
     // Between the eye and the near plane it is not drawn. What is hit a little nearer may be.
-    return shows(camera_, dvec3(hit)) || shows(camera_, dvec3(hit + Real{1e-5} * way));
+    return shows(camera_, dvec3(hit)) || shows(camera_, dvec3(hit + Real{1e-6} * (p - hit)));
   }
 
   const MatrixCamera& camera_;
@@ -354,6 +355,7 @@ struct Stage {
     triangles.push_back({corners[0], corners[2], corners[3]});
   }
   void add_point(std::mt19937& random, const dvec3& point, double size) {
+    if (kernel::check(to_kernel(point)) != kernel::Refusal::none) return;
     const std::array<dvec3, 3> corners{point, point + some_vector(random, size), point + some_vector(random, size)};
     add(soup, {corners[0], corners[1], corners[2]});
     triangles.push_back(corners);
@@ -373,6 +375,9 @@ Stage some_stage(std::mt19937& random, const Made& made, double beside) {
   for (std::size_t i = 0; i < 4; ++i) {
     const double t = is_slanted && i > 1 ? at * 1.5 : at;  // two corners, so that the wall is flat with parallel rays alone
     corners[i] = made.place(i == 0 || i == 3 ? low_x : high_x, i < 2 ? low_y : high_y, t);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::fabs(corners[i][axis]) < kernel::kMinMagnitude) corners[i][axis] = 0;
+    }
   }
   stage.add_wall(corners);
   const auto distance = [&] { return at * uniform(random, 2, 12); };
@@ -468,7 +473,7 @@ TEST(MatrixCamera, NothingShownInSinglePrecisionIsBeyondAHalfSpace) {
   std::cout << "seed " << seed << "\n";
   std::mt19937 random(seed);
   int beyond = 0;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Made made = some_camera(random);
     std::vector<dvec3> points;
     for (int tries = 0; tries < 30; ++tries) {
@@ -483,13 +488,21 @@ TEST(MatrixCamera, NothingShownInSinglePrecisionIsBeyondAHalfSpace) {
     for (const dvec3& p : points) depth = std::max(depth, reach(p - made.camera.eye()));
     std::vector<HalfSpace> planes;
     append_view_frustum(made.camera, depth, planes);
+    // A view whose model reaches less far is asked about the points.
+    PolygonSoup soup;
+    const dvec3 middle = made.place(0.1, 0.1, 2 * made.near) + some_vector(random, 1e-3);
+    add(soup, {middle, middle + some_vector(random, 0.1), middle + some_vector(random, 0.1)});
+    View view;
+    Culler(soup).cull(made.camera, {}, view);
     for (const dvec3& p : points) {
       if (!shows_in_floats(made.camera, p)) continue;
       beyond += shows(made.camera, p) ? 0 : 1;
+      ASSERT_NE(view.visibility(kernel::Aabb{to_kernel(p), to_kernel(p)}), Visibility::out_of_view)
+          << made.name << ", camera " << i;
       for (const HalfSpace& h : planes) ASSERT_GE(glm::dot(h.normal, p) + h.offset, 0) << made.name << ", camera " << i;
     }
   }
-  EXPECT_GT(beyond, 1000) << "that do not show in real numbers";
+  EXPECT_GT(beyond, 500) << "that do not show in real numbers";
 }
 
 TEST(MatrixCamera, KnowsHowFarItsEyeMayBeOff) {
