@@ -236,12 +236,7 @@ void append_hiding(const DrawnGroups& drawn, std::span<const SceneOccluders::Sta
 }
 
 /// Empties the result, and makes the planes of the view.
-void begin_frame(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
-                 SceneView::Memory& memory) {
-  kernel::Aabb all = occluders.box();
-  if (!objects.groups().nodes().empty()) grow(all, objects.groups().nodes()[0].box);
-  const bool is_empty = all.min.x > all.max.x;
-  memory.view = FrameView(camera, is_empty ? 0 : depth(all, camera.eye));
+void begin_frame(SceneView::Memory& memory) {
   memory.result.drawn.clear();
   memory.result.view.clear();
   memory.view.append_half_spaces(memory.result.view);
@@ -252,19 +247,27 @@ void begin_frame(const SceneObjects& objects, const SceneOccluders& occluders, c
 
 }  // namespace
 
-void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
-                const SceneOptions& options, SceneView::Memory& memory) {
-  begin_frame(objects, occluders, camera, memory);
+double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye) {
+  kernel::Aabb all = occluders.box();
+  if (!objects.groups().nodes().empty()) grow(all, objects.groups().nodes()[0].box);
+  const bool is_empty = all.min.x > all.max.x;
+  return is_empty ? 0 : depth(all, eye);
+}
+
+void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                SceneView::Memory& memory) {
+  begin_frame(memory);
   memory.result.drawn.reserve(std::bit_ceil(objects.seen_size()));
   SceneFrame frame(objects, occluders, memory.view, options, memory);
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();
 }
 
-std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
+std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
                                  const SceneOptions& options, std::span<const ObjectId> ids) {
   SceneView::Memory memory;
-  begin_frame(objects, occluders, camera, memory);
+  memory.view = view;
+  begin_frame(memory);
   SceneFrame frame(objects, occluders, memory.view, options, memory);
   memory.cover.buffer.keep_owners();
   DrawnGroups drawn;
