@@ -19,6 +19,8 @@ namespace {
 /// Three unit vectors are refused if their determinant is smaller. It takes less than 2^-49 of rounding, so that its
 /// relative error, and that of cross products, which are no shorter, is below 2^-17.
 constexpr double kLeastDeterminant = 0x1p-32;
+/// The squares of shorter vectors may be subnormal numbers, which are less precise. Such a row counts as 0.
+constexpr double kLeastLength = 0x1p-400;
 /// A bound that is computed with such numbers is multiplied by this.
 constexpr double kBoundRounded = 1 + 0x1p-10;
 
@@ -114,7 +116,7 @@ std::string_view MatrixEye::find(const MatrixCamera& camera) {
 std::string_view MatrixEye::find_perspective() {
   const double of_x = glm::length(x_.normal), of_y = glm::length(y_.normal), of_w = glm::length(w_.normal);
   const Basis basis(x_.normal / of_x, y_.normal / of_y, w_.normal / of_w);
-  if (basis.is_singular()) return "the matrix is singular: it has no eye";
+  if (std::min({of_x, of_y, of_w}) < kLeastLength || basis.is_singular()) return "the matrix is singular: it has no eye";
   const std::array<MatrixRow, 3> rows{x_, y_, w_};
   eye_ = meeting_point(rows, basis);
   if (!is_legal(eye_)) return "the eye is out of range";
@@ -136,7 +138,8 @@ std::string_view MatrixEye::find_parallel(Nearer nearer) {
   if (!(w_.constant > 0)) return "w is nowhere positive";
   const double of_x = glm::length(x_.normal), of_y = glm::length(y_.normal), of_z = glm::length(z_.normal);
   const Basis basis(x_.normal / of_x, y_.normal / of_y, z_.normal / of_z);
-  if (basis.is_singular()) return "the matrix is singular: it has no direction";
+  if (std::min({of_x, of_y, of_z}) < kLeastLength || basis.is_singular())
+    return "the matrix is singular: it has no direction";
   if (nearer == Nearer::unsaid) return "with parallel rays it must be said whether nearer is less or greater";
   is_reversed_ = nearer == Nearer::greater;
   const double sign = is_reversed_ ? -1 : 1;
@@ -211,7 +214,8 @@ ClipPlane MatrixEye::plane(const Sum& sum, double depth) const {
   }
   const double length = glm::length(normal);
   ClipPlane plane;
-  plane.is_everywhere = !(length > kVanishing * size && std::fabs(constant) <= kFarthestPlane * length);
+  plane.is_everywhere =
+      !(length >= kLeastLength && length > kVanishing * size && std::fabs(constant) <= kFarthestPlane * length);
   if (plane.is_everywhere) return plane;
   plane.normal = without_negligible(normal / length);
   plane.offset = constant / length;

@@ -2,7 +2,6 @@
 // A camera as engines have it: a matrix to clip space. Reading order: 2.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
