@@ -2,7 +2,7 @@
 // Whether any box would be visible in the last frame of a view.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -17,7 +17,6 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/validity.h"
 #include "outer_box.h"
-#include "single_precision.h"
 
 namespace occlude::culler {
 
@@ -26,13 +25,16 @@ namespace occlude::culler {
 /// roundings than it took. Normals are no longer than 1.
 template <class AnyBox>
 [[nodiscard]] bool is_out_of_view(const FrameView& view, std::span<const HalfSpace> half_spaces, const AnyBox& box) {
-  const double own_reach = depth(outer_box(box), view.camera.eye);
-  const double moved = own_reach > view.depth ? kDepthMargin * own_reach : 0;
-  return std::ranges::any_of(half_spaces, [&](const HalfSpace& h) {
-    const double offset = h.offset + moved;
-    if (kernel::check(offset) != kernel::Refusal::none) return false;
-    return kernel::relation({to_kernel(h.normal), offset}, box, kernel::Arithmetic::certified) == kernel::Relation::outside;
-  });
+  const double own_reach = depth(outer_box(box), view.eye);
+  const double farther = own_reach > view.depth ? own_reach : 0;
+  for (std::size_t i = 0; i < half_spaces.size(); ++i) {
+    const HalfSpace& h = half_spaces[i];
+    const double offset = h.offset + view.half_space_margins[i] * farther;
+    if (kernel::check(offset) != kernel::Refusal::none) continue;
+    const kernel::Relation relation = kernel::relation({to_kernel(h.normal), offset}, box, kernel::Arithmetic::certified);
+    if (relation == kernel::Relation::outside) return true;
+  }
+  return false;
 }
 
 /// The error bounds of the cover hold within its depth. A cover without a picture, before the first frame, hides nothing.

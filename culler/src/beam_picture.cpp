@@ -19,16 +19,19 @@ constexpr double kSeenError = 0x1p-49;
 }  // namespace
 
 BeamPicture::BeamPicture(const FrameView& view, const Size& size, double rounding)
-    : eye_(view.camera.eye),
-      is_perspective_(view.camera.projection == Projection::perspective),
+    : eye_(view.eye),
+      is_perspective_(view.is_perspective),
       width_(size.width),
       height_(size.height),
       middle_{size.width / 2.0, size.height / 2.0},
       depth_(view.depth),
       near_(view.near),
       error_(kSeenError * view.depth),
-      rounding_(rounding),
-      moved_(error_ + rounding_) {
+      rounding_(rounding + view.moved),
+      moved_(error_ + rounding_),
+      is_oblique_(view.is_oblique),
+      near_normal_(view.near_normal),
+      near_distance_(view.near_distance) {
   right_ = view.axes.right;
   up_ = view.axes.up;
   forward_ = view.axes.forward;
@@ -37,8 +40,7 @@ BeamPicture::BeamPicture(const FrameView& view, const Size& size, double roundin
     right_ -= glm::dot(right_, forward_) * forward_;
     up_ -= glm::dot(up_, forward_) * forward_;
   }
-  scale_ = {(middle_.x - size.border) / (view.half_height * view.camera.aspect),
-            (middle_.y - size.border) / view.half_height};
+  scale_ = {(middle_.x - size.border) / view.half_width, (middle_.y - size.border) / view.half_height};
 }
 
 Seen BeamPicture::cut(const Seen& a, const Seen& b) const {

@@ -48,14 +48,20 @@ class BeamPicture {
     double border;  ///< pixels added on each side of the camera's picture
   };
 
-  /// `rounding` bounds how far a renderer moves a point, in units of the scene. REQUIRES: 2 border < width, height; rounding
-  /// <= kSinglePrecision times the depth of the view.
+  /// `rounding` bounds how far a renderer moves a point, in units of the scene; what the view itself says of moves is added.
+  /// REQUIRES: 2 border < width, height; rounding <= kSinglePrecision times the depth of the view.
   BeamPicture(const FrameView& view, const Size& size, double rounding);
   BeamPicture() = default;
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }
   /// How far along the line of sight meshes are cut: beyond the renderer's near plane, however it rounds.
   [[nodiscard]] double near() const { return near_; }
+  /// If the near plane is_oblique(), the cut alone does not take away what the renderer clips. A triangle with a corner that
+  /// it may clip must not hide.
+  [[nodiscard]] bool may_clip(const glm::dvec3& corner) const {
+    return glm::dot(corner - eye_, near_normal_) < near_distance_;
+  }
+  [[nodiscard]] bool is_oblique() const { return is_oblique_; }
 
   /// The depth of the view. error() holds for points no farther from the eye than this, in the sum of the axes.
   [[nodiscard]] double depth() const { return depth_; }
@@ -90,7 +96,8 @@ class BeamPicture {
 
   /// Bounds the error of each coordinate that see() and cut() return.
   [[nodiscard]] double error() const { return error_; }
-  /// Bounds how far a renderer moves a point, in addition to error().
+  /// Bounds how far a point is moved by a renderer, by eyes beside eye() and by what is not known of the eye, in addition to
+  /// error().
   [[nodiscard]] double rounding() const { return rounding_; }
   /// Bounds the error of nearness(forward).
   [[nodiscard]] double nearness_error(double forward) const;
@@ -110,6 +117,9 @@ class BeamPicture {
   Place middle_{}, scale_{};  ///< in pixels; in pixels per unit of slope, or of length with parallel rays
   double depth_ = 0, near_ = 0, error_ = 0, rounding_ = 0;
   double moved_ = 0;  ///< error_ + rounding_
+  bool is_oblique_ = false;
+  glm::dvec3 near_normal_{};
+  double near_distance_ = 0;  ///< as in FrameView
 };
 
 /// The four roundings of a position, 2^-53 each, and as much again for the roundings where the position is used.

@@ -169,8 +169,11 @@ void CoverPiece::take(std::uint32_t triangle) {
   if (is_in) lay_depth(mesh_.triangles[triangle], outline);
 }
 
-/// 1 if the triangle looks counter-clockwise, -1 if clockwise, 0 if it is seen edge-on; up to rounding.
+/// 1 if the triangle looks counter-clockwise, -1 if clockwise, 0 if it is seen edge-on; up to rounding. Also 0 if it must
+/// not hide.
 int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
+  if (picture_.is_oblique() && std::ranges::any_of(triangle, [&](auto v) { return picture_.may_clip(mesh_.vertices[v]); }))
+    return 0;
   const Seen &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
   const double side = picture_.is_perspective()
                           ? a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +

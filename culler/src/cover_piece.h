@@ -87,7 +87,7 @@ class CoverPiece {
   CoverMesh mesh_;
   std::vector<Seen> seen_;  ///< the vertices
   std::vector<Vertex> vertices_;
-  std::vector<std::int8_t> signs_;  ///< of each triangle: 1, 0 if it is seen edge-on, or -1 if it is turned over
+  std::vector<std::int8_t> signs_;  ///< of each triangle: 1, 0 if it hides nothing, or -1 if it is turned over
   CoverSheets sheets_;
   std::span<const std::uint32_t> sheet_;  ///< the triangles of the sheet that was found
   std::vector<std::uint32_t> taken_;      ///< for each triangle, the last piece_ that it was drawn for

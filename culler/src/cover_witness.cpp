@@ -8,22 +8,13 @@
 #include <vector>
 
 #include "cull_frame.h"
+#include "drawn_groups.h"
 #include "lazy.h"
 #include "occlude/culler/culler.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
 namespace {
-
-/// A triangle that was drawn into the coarse picture.
-struct DrawnTriangle {
-  std::uint32_t polygon;
-  PlaceRectangle places;
-};
-
-bool meet(const PlaceRectangle& a, const PlaceRectangle& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
 
 /// Watches a frame, and names the polygons that hide each cull by cover.
 class CoverReplay {
@@ -33,14 +24,7 @@ class CoverReplay {
 
   void begin() { memory_.cover.buffer.keep_owners(); }
 
-  void joined(const CoverPainter& painter) {
-    drawn_.resize(painter.groups() + std::size_t{1});
-    const auto polygons = memory_.cover.group.polygons();
-    for (std::size_t t = 0; t < polygons.size(); ++t) {
-      const auto places = memory_.cover.buffer.piece().places(t);
-      if (places) drawn_.back().push_back({polygons[t], *places});
-    }
-  }
+  void joined(const CoverPainter& painter) { drawn_.keep(painter, memory_.cover, 0); }
 
   void culled(const Culled& culled) {
     if (culled.by == Culled::By::cover) prove(culled.node);
@@ -65,11 +49,7 @@ class CoverReplay {
 
   [[nodiscard]] std::vector<std::uint32_t> polygons_before(const kernel::Aabb& box) const {
     std::vector<std::uint32_t> polygons;
-    for (const auto& [group, places] : memory_.cover.buffer.owners(box)) {
-      for (const DrawnTriangle& triangle : drawn_[group]) {
-        if (meet(triangle.places, places)) polygons.push_back(triangle.polygon);
-      }
-    }
+    drawn_.visit_before(memory_.cover.buffer, box, [&](std::uint32_t, std::uint32_t p) { polygons.push_back(p); });
     std::ranges::sort(polygons);
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
     return polygons;
@@ -85,7 +65,7 @@ class CoverReplay {
   View::Memory& memory_;
   std::size_t most_;
   std::vector<CoverWitness>& witnesses_;
-  std::vector<std::vector<DrawnTriangle>> drawn_;  ///< of each group
+  DrawnGroups drawn_;
 };
 
 }  // namespace

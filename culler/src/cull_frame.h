@@ -20,6 +20,7 @@
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occluder_choice.h"
 #include "view_memory.h"
 
@@ -27,15 +28,27 @@ namespace occlude::culler {
 
 /// Throws std::invalid_argument for a camera with a fault(), std::runtime_error while the processor does not round to
 /// nearest.
-inline void require_sound(const Camera& camera) {
+template <class AnyCamera>
+void require_sound(const AnyCamera& camera) {
   require_rounding();
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument("camera: " + reason);
 }
 
+/// The same for a frame by this method.
+inline void require_sound(const Camera& camera, Method) { require_sound(camera); }
+inline void require_sound(const MatrixCamera& camera, Method method) {
+  require_rounding();
+  if (const std::string reason = fault(camera, method); !reason.empty()) throw std::invalid_argument("camera: " + reason);
+}
+
+[[nodiscard]] inline glm::dvec3 eye_of(const Camera& camera) { return camera.eye; }
+[[nodiscard]] inline glm::dvec3 eye_of(const MatrixCamera& camera) { return camera.eye(); }
+
 /// Begins a frame of either method: empties the result and makes the half-spaces of the view. `depth` is depth() of all that
 /// is drawn. REQUIRES: require_sound(camera).
-inline const FrameView& begin_frame(std::span<const HierarchyNode> nodes, double depth, const Camera& camera,
-                                    const CullOptions& options, View::Memory& memory) {
+template <class AnyCamera>
+const FrameView& begin_frame(std::span<const HierarchyNode> nodes, double depth, const AnyCamera& camera,
+                             const CullOptions& options, View::Memory& memory) {
   memory.begin_frame(nodes.size());
   memory.view = FrameView(camera, depth);
   memory.view.append_half_spaces(memory.result.view);
@@ -45,14 +58,16 @@ inline const FrameView& begin_frame(std::span<const HierarchyNode> nodes, double
 }
 
 /// The depth() of the root; 0 without nodes.
-inline double depth(std::span<const HierarchyNode> nodes, const Camera& camera) {
-  return nodes.empty() ? 0 : depth(nodes[0].box, camera.eye);
+template <class AnyCamera>
+double depth(std::span<const HierarchyNode> nodes, const AnyCamera& camera) {
+  return nodes.empty() ? 0 : depth(nodes[0].box, eye_of(camera));
 }
 
 /// Culls by frusta, as in the paper. `ask` and `holds_part` as in NodeTests. Without nodes nothing is drawn.
-template <class Ask, class HoldsPart>
+template <class Ask, class HoldsPart, class AnyCamera>
 void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
-                    const OccluderSet& occluders, const Camera& camera, const CullOptions& options, View::Memory& memory) {
+                    const OccluderSet& occluders, const AnyCamera& camera, const CullOptions& options,
+                    View::Memory& memory) {
   const FrameView& view = begin_frame(nodes, depth(nodes, camera), camera, options, memory);
 
   // Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
@@ -84,8 +99,8 @@ struct Unwatched {
 };
 
 /// Culls a model by cover: what is seen of it hides the rest. `ask` calls a question with the bounding volume of a node.
-template <class Ask, class Watch = Unwatched>
-void cull_by_cover(const CoverSource& source, const Ask& ask, const Camera& camera, const CullOptions& options,
+template <class Ask, class AnyCamera, class Watch = Unwatched>
+void cull_by_cover(const CoverSource& source, const Ask& ask, const AnyCamera& camera, const CullOptions& options,
                    View::Memory& memory, Watch&& watch = {}) {
   const FrameView& view = begin_frame(source.nodes, depth(source.nodes, camera), camera, options, memory);
   CullResult& result = memory.result;

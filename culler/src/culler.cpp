@@ -61,7 +61,8 @@ const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
 
 void Culler::prepare_cover(const Checkpoint& checkpoint) const { static_cast<void>(triangles(checkpoint)); }
 
-CullResult Culler::cull(const Camera& camera, const CullOptions& options) const {
+template <class AnyCamera>
+CullResult Culler::cull_alone(const AnyCamera& camera, const CullOptions& options) const {
   View view;
   CullOptions alone = options;
   alone.probes = 0;  // there is no next frame
@@ -69,8 +70,9 @@ CullResult Culler::cull(const Camera& camera, const CullOptions& options) const 
   return std::move(view.memory().result);
 }
 
-const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
-  require_sound(camera);
+template <class AnyCamera>
+const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const {
+  require_sound(camera, options.method);
   View::Memory& memory = view.memory_for(identity_);
   if (options.method == Method::cover) {
     const CoverSource source{hierarchy_.nodes(), triangles()};
@@ -80,6 +82,16 @@ const CullResult& Culler::cull(const Camera& camera, const CullOptions& options,
                    memory);
   }
   return memory.result;
+}
+
+CullResult Culler::cull(const Camera& camera, const CullOptions& options) const { return cull_alone(camera, options); }
+CullResult Culler::cull(const MatrixCamera& camera, const CullOptions& options) const { return cull_alone(camera, options); }
+
+const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
+  return cull_next(camera, options, view);
+}
+const CullResult& Culler::cull(const MatrixCamera& camera, const CullOptions& options, View& view) const {
+  return cull_next(camera, options, view);
 }
 
 void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& options,

@@ -78,7 +78,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
 OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.taken(); }
 
 void OccluderChoice::sort_candidates() {
-  const auto [listed, hidden] = occluders_.lists().list(view_.camera.eye);
+  const auto [listed, hidden] = occluders_.lists().list(view_.eye);
   const Objective& objective = options_.objective;
   std::vector<Candidate>& candidates = memory_.candidates;
   candidates.clear();
@@ -159,7 +159,7 @@ double OccluderChoice::goodness_near(std::uint32_t i) const {
 
 /// The direction from the eye to the middle of an occluder.
 glm::dvec3 OccluderChoice::direction_of(std::uint32_t i) const {
-  const glm::dvec3 v = occluders_[i].centre - view_.camera.eye;
+  const glm::dvec3 v = occluders_[i].centre - view_.eye;
   const double length = glm::length(v);
   return length > 0 ? v / length : view_.axes.forward;
 }

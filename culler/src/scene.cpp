@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/scene.h"
 
+#include <limits>
 #include <utility>
 
 #include "asked_box.h"
@@ -10,6 +11,32 @@
 #include "scene_occluders.h"
 
 namespace occlude::culler {
+namespace {
+
+template <class AnyCamera>
+FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera) {
+  require_sound(camera, Method::cover);
+  return FrameView(camera, reach(objects, occluders, eye_of(camera)));
+}
+
+template <class AnyCamera>
+const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
+                            const SceneOptions& options, SceneView& view) {
+  view.memory().view = view_of(objects, occluders, camera);
+  cull_scene(objects, occluders, options, view.memory());
+  return view.result();
+}
+
+template <class AnyCamera>
+std::vector<ObjectFate> why_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
+                                const SceneOptions& options, const SceneView& view, std::span<const ObjectId> ids) {
+  SceneOptions repeated = options;
+  repeated.cover.triangles = view.result().stats.work.cover_triangles;
+  repeated.cover.ms = std::numeric_limits<double>::infinity();
+  return fates_of(objects, occluders, view_of(objects, occluders, camera), repeated, ids);
+}
+
+}  // namespace
 
 SceneView::SceneView() : memory_(std::make_unique<Memory>()) {}
 SceneView::~SceneView() = default;
@@ -61,9 +88,19 @@ void Scene::update() {
 }
 
 const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options, SceneView& view) const {
-  require_sound(camera);
-  cull_scene(parts_->objects, parts_->occluders, camera, options, view.memory());
-  return view.result();
+  return cull_any(parts_->objects, parts_->occluders, camera, options, view);
+}
+const SceneResult& Scene::cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const {
+  return cull_any(parts_->objects, parts_->occluders, camera, options, view);
+}
+
+std::vector<ObjectFate> Scene::why(const Camera& camera, const SceneOptions& options, const SceneView& view,
+                                   std::span<const ObjectId> objects) const {
+  return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
+}
+std::vector<ObjectFate> Scene::why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
+                                   std::span<const ObjectId> objects) const {
+  return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
 }
 
 std::size_t Scene::objects() const { return parts_->objects.size(); }

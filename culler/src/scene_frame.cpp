@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "bounds.h"
 #include "cover_descent.h"
+#include "drawn_groups.h"
 #include "placed.h"
 #include "prepared_mesh.h"
 #include "seen_boxes.h"
@@ -49,15 +51,31 @@ class SceneFrame {
         buffer_(memory.cover.buffer),
         painter_(view, options.cover, options.margin, memory.cover, work_) {}
 
-  /// What is seen of the occluders closes pixels.
-  void draw_occluders() {
+  /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
+  template <class Joined>
+  void draw_occluders(const Joined& joined) {
     for (const SceneOccluders::Forest& forest : occluders_.forests()) {
       const auto see = [&](const SeenNode& leaf) {
-        draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.across);
+        draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.across, joined);
       };
       descend(
           forest.tree.nodes(), see, [](const Culled&) {}, planes_.all());
     }
+  }
+
+  /// What becomes of an object; not yet what hides it. REQUIRES: the occluders were drawn.
+  [[nodiscard]] ObjectFate fate(ObjectId id) {
+    using Reason = ObjectFate::Reason;
+    const auto object = objects_.seen(id);
+    if (!object) return {Reason::not_in_scene};
+    if ((object->mask & options_.mask) == 0) return {Reason::in_no_layer};
+    if (object->group == nullptr) return {Reason::always_drawn};
+    for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) {
+      if (is_out_of_view(*object->group, object->index, 1U << plane)) return {Reason::out_of_view, plane};
+    }
+    const kernel::Aabb& box = object->group->outer(object->index);
+    if (buffer_.hides(box)) return {Reason::hidden};
+    return {size_of(box) < options_.least_size ? Reason::too_small : Reason::drawn};
   }
 
   /// Lists the objects that are neither hidden nor out of view.
@@ -98,10 +116,11 @@ class SceneFrame {
     if (occluder.object.is_none()) return true;
     const auto object = objects_.seen(occluder.object);
     if (!object || (object->mask & options_.mask) == 0) return false;
-    return object->outer == nullptr || !(size_of(*object->outer) < options_.least_size);
+    return object->group == nullptr || !(size_of(object->group->outer(object->index)) < options_.least_size);
   }
 
-  void draw(const SceneOccluders::Standing& occluder, std::uint32_t across) {
+  template <class Joined>
+  void draw(const SceneOccluders::Standing& occluder, std::uint32_t across, const Joined& joined) {
     if (!painter_.may_draw() || !takes_part(occluder)) return;
     CoverStand stand;
     if (!occluder.is_identity) stand.placement = &occluder.placement;
@@ -115,7 +134,7 @@ class SceneFrame {
       if (leaf.is_worth_closing) painter_.take(leaf.node);
     };
     const auto join = [&] {
-      if (painter_.join()) memory_.drawn_occluders.push_back(occluder.id);
+      if (painter_.join()) joined(painter_, occluder);
     };
     const auto ignore = [](const Culled&) {};
     const PlacedTree tree{source.nodes, occluder.placement};
@@ -198,28 +217,73 @@ class SceneFrame {
   ViewPlanes planes_{memory_.planes, kernel::Arithmetic::certified};
 };
 
+/// Appends the polygons that hide the box, each once.
+void append_hiding(const DrawnGroups& drawn, std::span<const SceneOccluders::Standing* const> occluders,
+                   const CoverBuffer& buffer, const kernel::Aabb& box, std::vector<ObjectFate::Hiding>& by) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> polygons;
+  drawn.visit_before(buffer, box, [&](std::uint32_t source, std::uint32_t p) { polygons.emplace_back(source, p); });
+  std::ranges::sort(polygons);
+  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+  for (const auto& [source, p] : polygons) {
+    const SceneOccluders::Standing& occluder = *occluders[source];
+    const Hierarchy& tree = *occluder.mesh->prepared().tree;
+    ObjectFate::Hiding hiding{occluder.id, tree.original(p), {}};
+    for (const std::uint32_t v : tree.soup().loop(p)) {
+      hiding.corners.push_back(placed(occluder.placement, to_kernel(tree.soup().vertices[v])));
+    }
+    by.push_back(std::move(hiding));
+  }
+}
+
+/// Empties the result, and makes the planes of the view.
+void begin_frame(SceneView::Memory& memory) {
+  memory.result.drawn.clear();
+  memory.result.view.clear();
+  memory.view.append_half_spaces(memory.result.view);
+  memory.result.stats = {};
+  memory.planes.clear();
+  for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
+}
+
 }  // namespace
 
-void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
-                const SceneOptions& options, SceneView::Memory& memory) {
+double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye) {
   kernel::Aabb all = occluders.box();
   if (!objects.groups().nodes().empty()) grow(all, objects.groups().nodes()[0].box);
   const bool is_empty = all.min.x > all.max.x;
-  memory.view = FrameView(camera, is_empty ? 0 : depth(all, camera.eye));
+  return is_empty ? 0 : depth(all, eye);
+}
 
-  SceneResult& result = memory.result;
-  result.drawn.clear();
-  result.drawn.reserve(std::bit_ceil(objects.seen_size()));
-  result.view.clear();
-  memory.view.append_half_spaces(result.view);
-  result.stats = {};
-  memory.drawn_occluders.clear();
-  memory.planes.clear();
-  for (const HalfSpace& h : result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
-
+void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                SceneView::Memory& memory) {
+  begin_frame(memory);
+  memory.result.drawn.reserve(std::bit_ceil(objects.seen_size()));
   SceneFrame frame(objects, occluders, memory.view, options, memory);
-  frame.draw_occluders();
+  frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();
+}
+
+std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
+                                 const SceneOptions& options, std::span<const ObjectId> ids) {
+  SceneView::Memory memory;
+  memory.view = view;
+  begin_frame(memory);
+  SceneFrame frame(objects, occluders, memory.view, options, memory);
+  memory.cover.buffer.keep_owners();
+  DrawnGroups drawn;
+  std::vector<const SceneOccluders::Standing*> drawn_occluders;
+  frame.draw_occluders([&](const CoverPainter& painter, const SceneOccluders::Standing& occluder) {
+    drawn.keep(painter, memory.cover, static_cast<std::uint32_t>(drawn_occluders.size()));
+    drawn_occluders.push_back(&occluder);
+  });
+  std::vector<ObjectFate> fates;
+  for (const ObjectId id : ids) {
+    fates.push_back(frame.fate(id));
+    if (fates.back().reason != ObjectFate::Reason::hidden) continue;
+    const auto object = objects.seen(id);
+    append_hiding(drawn, drawn_occluders, memory.cover.buffer, object->group->outer(object->index), fates.back().by);
+  }
+  return fates;
 }
 
 }  // namespace occlude::culler

@@ -2,11 +2,12 @@
 // A frame of a scene from the camera to the list of what to draw.
 #pragma once
 
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "cover_painter.h"
 #include "frame_view.h"
-#include "occlude/culler/camera.h"
 #include "occlude/culler/scene_view.h"
 #include "occlude/kernel/half_space.h"
 #include "scene_objects.h"
@@ -20,11 +21,18 @@ struct SceneView::Memory {
   FrameView view;  ///< of the last frame
   CoverMemory cover;
   std::vector<kernel::HalfSpace> planes;
-  std::vector<OccluderId> drawn_occluders;  ///< for each group that was drawn into the coarse picture, its occluder
 };
 
-/// Fills memory.result. REQUIRES: require_sound(camera).
-void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const Camera& camera,
-                const SceneOptions& options, SceneView::Memory& memory);
+/// How far the scene reaches from the eye, in the sum of the axes.
+[[nodiscard]] double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye);
+
+/// Fills memory.result for memory.view. REQUIRES: the view reaches as far as the scene.
+void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                SceneView::Memory& memory);
+
+/// What becomes of these objects in a frame. REQUIRES: as above; no budget of time.
+[[nodiscard]] std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders,
+                                               const FrameView& view, const SceneOptions& options,
+                                               std::span<const ObjectId> ids);
 
 }  // namespace occlude::culler

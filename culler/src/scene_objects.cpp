@@ -330,10 +330,10 @@ std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
   if (id.slot >= places_.size()) return std::nullopt;
   const Place& place = places_[id.slot];
   if (place.group == kNone || place.generation != id.generation) return std::nullopt;
-  if (place.group == kUnplaced) return Seen{unplaced_[place.index].mask, nullptr};
-  if (place.group == kMovingUnplaced) return Seen{moving_unplaced_[place.index].mask, nullptr};
+  if (place.group == kUnplaced) return Seen{unplaced_[place.index].mask, nullptr, 0};
+  if (place.group == kMovingUnplaced) return Seen{moving_unplaced_[place.index].mask, nullptr, 0};
   const ObjectGroup& group = groups_[place.group];
-  return Seen{group.mask(place.index), &group.outer(place.index)};
+  return Seen{group.mask(place.index), &group, place.index};
 }
 
 std::size_t SceneObjects::bytes() const {

@@ -49,10 +49,11 @@ class SceneObjects {
   };
   [[nodiscard]] std::span<const Unplaced> standing_unplaced() const { return unplaced_; }
   [[nodiscard]] std::span<const Unplaced> moving_unplaced() const { return moving_unplaced_; }
-  /// An object as views see it: its mask, and its box unless it has no place. None if views do not see it.
+  /// An object as views see it. None if they do not see it.
   struct Seen {
     std::uint32_t mask;
-    const kernel::Aabb* outer;
+    const ObjectGroup* group;  ///< nullptr if it has no place
+    std::uint32_t index;       ///< in the group
   };
   [[nodiscard]] std::optional<Seen> seen(ObjectId id) const;
   /// The number of objects that views see, those in no layer included.

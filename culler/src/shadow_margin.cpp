@@ -9,17 +9,19 @@
 #include "bounds.h"
 #include "frame_view.h"
 #include "occlude/kernel/overlap.h"
+#include "occlude/kernel/validity.h"
 #include "outer_box.h"
 #include "single_precision.h"
 
 namespace occlude::culler {
 
 ShadowMargin::ShadowMargin(const FrameView& view, double share)
-    : eye_(view.camera.eye),
+    : eye_(view.eye),
       forward_(view.axes.forward),
-      is_perspective_(view.camera.projection == Projection::perspective),
-      size_(share * (2 * view.half_height)),
-      rounding_(share == 0 ? 0 : kSinglePrecision * view.depth) {}
+      is_perspective_(view.is_perspective),
+      size_(share * view.height),
+      rounding_(share == 0 ? 0 : kSinglePrecision * view.depth),
+      eye_error_(view.moved) {}
 
 double ShadowMargin::size(const kernel::ShadowFrustum& shadow) const {
   if (!is_perspective_) return size_ + rounding_;
@@ -38,7 +40,7 @@ kernel::HalfSpace ShadowMargin::moved(const kernel::HalfSpace& plane, double siz
 
 template <class Visit>
 bool ShadowMargin::all_moved_planes(const kernel::ShadowFrustum& shadow, const Visit& visit) const {
-  if (is_none()) return true;
+  if (size_ == 0) return true;
   const double size = this->size(shadow);
   for (std::size_t i = 0, count = shadow.plane_count(); i < count; ++i) {
     if (!visit(moved(shadow.rounded_plane(i), size))) return false;
@@ -58,7 +60,8 @@ template <class AnyBox>
 bool ShadowMargin::keeps_in(const kernel::ShadowFrustum& shadow, const AnyBox& box) const {
   if (shadow.is_none()) return false;
   const kernel::Vec3 origin = shadow.origin();
-  return all_moved_planes(shadow, [&](const kernel::HalfSpace& plane) { return holds(plane, origin, box); });
+  return all_moved_planes(shadow, [&](const kernel::HalfSpace& plane) { return holds(plane, origin, box); }) &&
+         (eye_error_ == 0 || holds_from_all_eyes(shadow, outer_box(box)));
 }
 
 bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) const {
@@ -68,20 +71,49 @@ bool ShadowMargin::keeps(const kernel::ShadowFrustum& shadow, const kernel::Obb&
 
 bool ShadowMargin::keeps(const kernel::ShadowUnion& shadows, const Box& box) const {
   if (shadows.first.is_none() && shadows.second.is_none()) return false;
-  if (is_none()) return true;
+  if (eye_error_ != 0) return false;
+  if (size_ == 0) return true;
   const kernel::Aabb moved = grown(outer_box(box), std::max(size(shadows.first), size(shadows.second)));
   return kernel::overlap_certified(shadows, moved, kernel::NearBoundary::open).relation == kernel::Relation::inside;
 }
 
+namespace {
+
+kernel::Aabb grown_by(kernel::Aabb box, double length) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] -= length;
+    box.max[axis] += length;
+  }
+  return box;
+}
+
+/// Bounds the rounding of a dot product with a unit vector, of a point that far from the eye in the sum of the axes.
+double rounding_of(double reach) { return 0x1p-50 * reach; }
+
+}  // namespace
+
 kernel::Aabb ShadowMargin::grown(const kernel::Aabb& box, double size) const {
   const double farthest = is_perspective_ ? -least(-forward_, to_kernel(eye_), box) : 1;  // along the line of sight
-  const double by = size * std::max(farthest, 0.0) + 2 * rounding_;
-  kernel::Aabb result = box;
-  for (int axis = 0; axis < 3; ++axis) {
-    result.min[axis] -= by;
-    result.max[axis] += by;
+  return grown_by(box, size * std::max(farthest, 0.0) + 2 * rounding_);
+}
+
+bool ShadowMargin::holds_from_all_eyes(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) const {
+  const auto reach_of = [&](const kernel::Aabb& b) { return depth(b, eye_); };
+  double moves = 2;
+  if (is_perspective_) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const kernel::Vec3& v : shadow.silhouette()) {
+      const double along = glm::dot(to_glm(v) - eye_, forward_);
+      nearest = std::min(nearest, along - rounding_of(reach_of({v, v})) - eye_error_);
+    }
+    if (!(nearest > 0)) return false;
+    moves = (-least(-forward_, to_kernel(eye_), box) + rounding_of(reach_of(box)) + eye_error_) / nearest;
   }
-  return result;
+  // The factor, and the rounding of coordinates, are more than what this takes.
+  const double most = depth(box, {0, 0, 0});
+  const kernel::Aabb moved = grown_by(box, (1 + 0x1p-40) * eye_error_ * std::max(moves, 0.0) + 0x1p-50 * most);
+  return kernel::check(moved) == kernel::Refusal::none &&
+         kernel::overlap_certified(shadow, moved, kernel::NearBoundary::open).relation == kernel::Relation::inside;
 }
 
 }  // namespace occlude::culler

@@ -10,6 +10,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"
+#include "outer_box.h"
 
 namespace occlude::culler {
 
@@ -18,6 +19,7 @@ class ShrunkShadow {
  public:
   /// REQUIRES: !shadow.is_none().
   void assign(const ShadowMargin& margin, const kernel::ShadowFrustum& shadow) {
+    margin_ = margin;
     origin_ = shadow.origin();
     margin.move_planes(shadow, planes_);
   }
@@ -25,11 +27,13 @@ class ShrunkShadow {
 
   /// REQUIRES: `shadow` is that of assign(), and the box is in it.
   template <class AnyBox>
-  [[nodiscard]] bool keeps(const kernel::ShadowFrustum&, const AnyBox& box) const {
-    return std::ranges::all_of(planes_, [&](const kernel::HalfSpace& plane) { return holds(plane, origin_, box); });
+  [[nodiscard]] bool keeps(const kernel::ShadowFrustum& shadow, const AnyBox& box) const {
+    return std::ranges::all_of(planes_, [&](const kernel::HalfSpace& plane) { return holds(plane, origin_, box); }) &&
+           (margin_.eye_error_ == 0 || margin_.holds_from_all_eyes(shadow, outer_box(box)));
   }
 
  private:
+  ShadowMargin margin_;
   kernel::Vec3 origin_;
   std::vector<kernel::HalfSpace> planes_;
 };

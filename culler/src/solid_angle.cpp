@@ -34,12 +34,11 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 
 double seen_size(const PotentialOccluders& occluders, std::uint32_t i, const FrameView& view, Objective::Angle angle) {
   const PotentialOccluder& known = occluders[i];
-  const Camera& camera = view.camera;
-  if (camera.projection == Projection::orthographic) {
+  if (!view.is_perspective) {
     const double projected = std::fabs(glm::dot(known.area_normal, view.axes.forward)) + known.round_area;
-    return projected / (camera.height * camera.height * camera.aspect);
+    return projected / view.area;
   }
-  return angle == Objective::Angle::area ? known.area_angle(camera.eye) : exact_solid_angle(occluders, i, camera.eye);
+  return angle == Objective::Angle::area ? known.area_angle(view.eye) : exact_solid_angle(occluders, i, view.eye);
 }
 
 }  // namespace occlude::culler

@@ -23,6 +23,7 @@ const std::vector<Experiment>& experiments() {
     list.push_back({"culler", run_culling});
     list.push_back({"forgery", run_forgeries});
     list.push_back({"joined", run_joined});
+    list.push_back({"world", run_worlds});
     return list;
   }();
   return all;

@@ -21,5 +21,6 @@ void add_fuzz(Command app, int& exit_code);
 /// Subcommands of `bench`.
 void add_bench_kernel(Command bench, int& exit_code);
 void add_bench_culler(Command bench, int& exit_code);
+void add_bench_scene(Command bench, int& exit_code);
 
 }  // namespace occlude::cli

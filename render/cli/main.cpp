@@ -20,11 +20,12 @@ using occlude::cli::kBadInput;
 using occlude::cli::kInterrupted;
 
 void add_bench(occlude::cli::Command app, int& exit_code) {
-  occlude::cli::Command bench = app.add_command("bench", "Measure the speed of the kernel and the culler");
+  occlude::cli::Command bench = app.add_command("bench", "Measure the speed of the kernel, the culler and scenes");
   bench.require_command();
   bench.footer("Example: occlude bench kernel");
   occlude::cli::add_bench_kernel(bench, exit_code);
   occlude::cli::add_bench_culler(bench, exit_code);
+  occlude::cli::add_bench_scene(bench, exit_code);
 }
 
 void run(int argc, char** argv, int& exit_code) {

@@ -51,4 +51,19 @@ expect_error "file" "$occlude" bench culler good.ply --path path.json --out file
 interrupt INT "$occlude" bench culler --polygons 20000 --no-render --out benchmarks
 [ ! -e benchmarks ] || fail "Ctrl-C left a folder"
 
+# bench scene: everything is there, and what was checked is right.
+small=(--objects 20000 --streamed 5000 --moving 500 --moving-occluders 20 --frames 12 --settling 4 --check-every 4)
+"$occlude" bench scene "${small[@]}" --json >scene.json || fail "bench scene"
+for member in objects occluders bytes_of_object change_ms update_ms cull_ms drawn hidden median percentile_99 maximum machine; do
+  grep -q "^ *\"$member\": " scene.json || fail "bench scene: no $member"
+done
+grep -q '"objects": 20000,' scene.json || fail "bench scene: objects were lost"
+grep -q '"different": 0,' scene.json || fail "bench scene: culled otherwise than in a scene made anew"
+grep -q '"unproved": 0$' scene.json || fail "bench scene: culls that are not proved"
+[ "$(sed -n 's/^ *"proved": \([0-9]*\),/\1/p' scene.json)" -ge 60 ] || fail "bench scene: few proofs"
+"$occlude" bench scene "${small[@]}" | grep -q 'objects hidden' || fail "bench scene without --json"
+expect_error "--streamed" "$occlude" bench scene --objects 1000 --streamed 1001 --moving 0 --moving-occluders 0
+expect_error "--moving-occluders" "$occlude" bench scene --moving 5 --moving-occluders 6
+expect_error "--frames" "$occlude" bench scene --frames 0
+
 finish

@@ -672,6 +672,66 @@ TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
   EXPECT_GT(*std::ranges::min_element(counts), 500U) << "all answers must occur";
 }
 
+TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
+  using Reason = ObjectFate::Reason;
+  std::mt19937 random(kSeed);
+  Scene scene;
+  std::vector<ObjectId> ids;
+  for (int i = 0; i < 1000; ++i)
+    ids.push_back(scene.add(random_box(random), {.moves = i % 3 == 0, .mask = i % 50 ? 1U : 2U}));
+  ids.push_back(scene.add(Aabb{}, {.is_always_drawn = true}));
+  const PolygonSoup town = random_town_of_houses(4, 1000);
+  const auto mesh = std::make_shared<OccluderMesh>(town);
+  scene.add(mesh);
+  const Placement wide{{5, 0, 0}, {0, 8, 0}, {0, 0, 1}, {1, 0, 0}};
+  const OccluderId house = scene.add(std::make_shared<OccluderMesh>(::house()), wide);
+  scene.update();
+  const ObjectId late = scene.add(Aabb{});
+  ids.push_back(late);
+  std::map<Reason, std::size_t> counts;
+  std::size_t by_house = 0;
+  for (int i = 0; i < 8; ++i) {
+    SceneView view;
+    const Camera camera = random_camera(random);
+    SceneOptions options{.mask = 1, .least_size = 0.03F};
+    if (i % 4 == 0) options.cover.triangles = 500;
+    std::vector<std::uint32_t> drawn;
+    for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(object.id.slot);
+    const std::vector<ObjectFate> fates = scene.why(camera, options, view, ids);
+    ASSERT_EQ(fates.size(), ids.size());
+    const glm::dvec3 forward = camera.axes().forward;
+    const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const ObjectFate& fate = fates[k];
+      ++counts[fate.reason];
+      const bool is_drawn = std::ranges::count(drawn, ids[k].slot) != 0;
+      ASSERT_EQ(is_drawn, fate.reason == Reason::drawn || fate.reason == Reason::always_drawn);
+      ASSERT_EQ(fate.by.empty(), fate.reason != Reason::hidden);
+      for (const ObjectFate::Hiding& hiding : fate.by) by_house += hiding.occluder == house;
+      if (fate.reason != Reason::hidden || counts[fate.reason] % 20 != 0) continue;
+      std::vector<kernel::Cover::Polygon> polygons;
+      for (const auto& [occluder, polygon, corners] : fate.by) {
+        polygons.push_back(corners);
+        const PolygonSoup& soup = occluder == house ? ::house() : town;
+        const Vec3 corner = to_kernel(soup.vertices[soup.loop(polygon)[0]]);
+        ASSERT_EQ(corners[0], placed(occluder == house ? wide : Placement{}, corner));
+      }
+      const auto cover = kernel::Cover::make(camera.viewpoint(), polygons, beyond_near);
+      ASSERT_TRUE(cover.cover);
+      std::mt19937 again(kSeed);
+      Box box;
+      for (std::size_t j = 0; j <= k; ++j) box = random_box(again);
+      ASSERT_EQ(kernel::overlap_certified(*cover.cover, outer_box(box)).relation, kernel::Relation::inside);
+    }
+  }
+  for (const Reason reason : {Reason::drawn, Reason::always_drawn, Reason::out_of_view, Reason::hidden, Reason::too_small,
+                              Reason::in_no_layer, Reason::not_in_scene}) {
+    EXPECT_GT(counts[reason], 0U) << static_cast<int>(reason);
+  }
+  EXPECT_GT(counts[Reason::hidden], 500U);
+  EXPECT_GT(by_house, 0U);
+}
+
 TEST(Scene, AViewMayBeUsedWithAnyScene) {
   std::mt19937 random(kSeed);
   const auto town = std::make_shared<OccluderMesh>(random_town_of_houses(2, 1500));

@@ -8,6 +8,7 @@
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_set.h"
 #include "occlude/culler/preprocess.h"
 #include "occlude/culler/view.h"
@@ -46,6 +47,10 @@ class Culler {
   /// or scene starts anew. If the camera or the rounding mode is refused, the view keeps its last frame.
   const CullResult& cull(const Camera& camera, const CullOptions& options, View& view) const;
 
+  /// Both for a camera that is a matrix. Throws std::invalid_argument for a camera with a fault(), the method's included.
+  [[nodiscard]] CullResult cull(const MatrixCamera& camera, const CullOptions& options = {}) const;
+  const CullResult& cull(const MatrixCamera& camera, const CullOptions& options, View& view) const;
+
   // What takes a `frame` REQUIRES that it is a frame of this culler, and that `camera` and `options` are those of the frame.
   // Neither is checked.
 
@@ -79,6 +84,10 @@ class Culler {
   [[nodiscard]] const OccluderSet& occluders() const { return occluders_; }
 
  private:
+  template <class AnyCamera>
+  CullResult cull_alone(const AnyCamera& camera, const CullOptions& options) const;
+  template <class AnyCamera>
+  const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
 
   Identity identity_;

@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "occlude/culler/box.h"
 #include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/placement.h"
 #include "occlude/culler/scene_id.h"
@@ -101,6 +103,14 @@ class Scene {
   /// What to draw for the next frame of this view. Returns view.result(). Throws std::invalid_argument for a camera with a
   /// fault(); the view then keeps its last frame.
   const SceneResult& cull(const Camera& camera, const SceneOptions& options, SceneView& view) const;
+  const SceneResult& cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const;
+
+  /// What became of these objects in the last frame of the view. `camera` and `options` are those of that frame, and the
+  /// scene was not updated since. Takes the time of some frames, and allocates. Throws as cull().
+  [[nodiscard]] std::vector<ObjectFate> why(const Camera& camera, const SceneOptions& options, const SceneView& view,
+                                            std::span<const ObjectId> objects) const;
+  [[nodiscard]] std::vector<ObjectFate> why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
+                                            std::span<const ObjectId> objects) const;
 
   /// Objects and occluders that are in the scene, disabled ones included.
   [[nodiscard]] std::size_t objects() const;

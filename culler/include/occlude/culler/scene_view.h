@@ -59,6 +59,29 @@ struct SceneResult {
   SceneStats stats;
 };
 
+/// What became of an object in a frame, and why.
+struct ObjectFate {
+  enum class Reason {
+    drawn,
+    always_drawn,  ///< it has no place, or ObjectOptions::is_always_drawn
+    out_of_view,   ///< its box is beyond SceneResult::view[plane]
+    hidden,        ///< `by` hide its box
+    too_small,     ///< it looks smaller than SceneOptions::least_size
+    in_no_layer,   ///< it is disabled, or has no bit of SceneOptions::mask
+    not_in_scene,  ///< there was no such object at the last update
+  };
+  /// A polygon that hides.
+  struct Hiding {
+    OccluderId occluder;
+    std::uint32_t polygon = 0;          ///< its number in the soup of the occluder's mesh
+    std::vector<kernel::Vec3> corners;  ///< where they are in the scene
+  };
+
+  Reason reason = Reason::not_in_scene;
+  std::uint32_t plane = 0;
+  std::vector<Hiding> by = {};  ///< each once; together they hide the box, beyond the near plane of the camera
+};
+
 /// One camera, and its last frame.
 /// 1. One thread at a time may cull with it. Different views may be culled at once.
 /// 2. It may be used with any scene at any time. A frame does not depend on those before it.

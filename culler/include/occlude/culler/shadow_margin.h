@@ -28,6 +28,20 @@ class ShrunkShadow;  // src/shrunk_shadow.h
 ///
 /// It is computed in doubles and has their rounding. That cannot make a cull wrong: the margin only takes away from what is
 /// exactly in the shadow. Const calls may run on several threads at once.
+///
+/// Where the eye V of a camera is not known exactly (MatrixCamera), a box must be in the shadow from wherever it may be, V +
+/// e with |e| <= d. Let all points within r = d (D + d) / (w - d) of a point b of the box be in the shadow from V, where the
+/// corners of the silhouette are w or more along the line of sight and b is D or less. Then the segment from V + e to b
+/// meets the occluder:
+/// 1. The point at the share t of this segment is also at the share t of the segment from V to b(t) = b + e (1 - t) / t.
+/// 2. From t0 = (w - d) / (D + d) on, b(t) is within r of b, so that the segment from V to b(t) meets the occluder. It
+/// enters at
+///    a share a(t) <= 1. It passes the hull of the silhouette's corners, of the occluder or behind its surface, at a share
+///    of w or more along the line of sight, which is t0 or more; so it leaves the occluder at c(t) >= t0.
+/// 3. m(t) = max(a(t), min(c(t), t0)) is in the occluder, and continuous. It is at least t0 at t0, and at most 1 at 1. So
+///    somewhere it is t.
+/// The kernel decides exactly whether the box grown by r is in the shadow. With parallel rays points move by at most d, and
+/// r is 2 d. Of two shadows together this is not true, as a gap may open between them: they hide nothing then.
 class ShadowMargin {
  public:
   /// No margin: the shadow itself.
@@ -35,7 +49,8 @@ class ShadowMargin {
   /// A margin of `share` times the height of the view's picture; no margin if `share` is 0. REQUIRES: share >= 0.
   ShadowMargin(const FrameView& view, double share);
 
-  [[nodiscard]] bool is_none() const { return size_ == 0; }
+  /// Whether shadows are not made smaller.
+  [[nodiscard]] bool is_none() const { return size_ == 0 && eye_error_ == 0; }
 
   /// Whether a box that is in the shadow is also in the shadow less the margin. False if the shadow is none.
   /// REQUIRES: the box is in the shadow; the shadow is from the view's viewpoint.
@@ -54,6 +69,8 @@ class ShadowMargin {
   template <class Visit>
   [[nodiscard]] bool all_moved_planes(const kernel::ShadowFrustum& shadow, const Visit& visit) const;
   [[nodiscard]] kernel::HalfSpace moved(const kernel::HalfSpace& plane, double size) const;
+  /// Whether a box that is in the shadow is in it from wherever the eye may be.
+  [[nodiscard]] bool holds_from_all_eyes(const kernel::ShadowFrustum& shadow, const kernel::Aabb& box) const;
   /// m of this shadow.
   [[nodiscard]] double size(const kernel::ShadowFrustum& shadow) const;
   /// Holds all that the box becomes by moves of up to m in the picture, and some more.
@@ -64,6 +81,7 @@ class ShadowMargin {
   glm::dvec3 eye_{0, 0, 0}, forward_{1, 0, 0};
   bool is_perspective_ = true;
   double size_ = 0, rounding_ = 0;  ///< m, and units of the scene
+  double eye_error_ = 0;            ///< d
 };
 
 }  // namespace occlude::culler

@@ -50,7 +50,7 @@ class View {
   ///    certified, whatever the frame's arithmetic. Shadows begin strictly beyond their near planes.
   /// 2. Before the first frame everything is visible.
   /// 3. The box may reach farther from the eye than everything that the culler or scene holds. Then the half-spaces are
-  ///    moved outwards by another 2^-20 of its L1 distance (append_view_frustum()), and no cover hides it.
+  ///    moved outwards by another margin, that of its L1 distance (append_view_frustum()), and no cover hides it.
   /// 4. Allocates nothing. Many threads may ask the same view at once, while no frame of it is being culled.
   /// Throws std::invalid_argument for a box that is not legal, and std::runtime_error while the processor does not round to
   /// nearest (occlude/kernel/validity.h).

@@ -1,0 +1,498 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cases/to_oracle.h"
+#include "occlude/culler/scene.h"
+#include "occlude/oracle/cover.h"
+#include "occlude/oracle/questions.h"
+#include "proof/camera_picture.h"
+#include "rows.h"
+#include "small_scenes.h"
+#include "verdict.h"
+
+namespace occlude::fuzz {
+namespace {
+
+using cases::to_oracle;
+using culler::Camera;
+using culler::ObjectFate;
+using culler::ObjectId;
+using culler::ObjectOptions;
+using culler::OccluderId;
+using culler::OccluderMesh;
+using culler::OccluderOptions;
+using culler::Placement;
+using culler::Scene;
+using culler::SceneOptions;
+using culler::SceneView;
+using culler::Visibility;
+using glm::dvec3;
+using kernel::Aabb;
+using kernel::Vec3;
+using Reason = ObjectFate::Reason;
+
+Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
+dvec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+struct Mesh {
+  culler::PolygonSoup soup;
+  std::shared_ptr<const OccluderMesh> prepared;
+};
+
+Mesh mesh_of(culler::PolygonSoup soup) {
+  auto prepared = std::make_shared<OccluderMesh>(soup);
+  return {std::move(soup), std::move(prepared)};
+}
+
+/// The box from -1 to 1 on each axis, its faces turned outwards.
+culler::PolygonSoup box_soup() {
+  culler::PolygonSoup soup;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    soup.add_vertex({(i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1});
+  }
+  using Face = std::array<std::uint32_t, 4>;
+  for (const Face& f : {Face{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+    soup.add_polygon(f);
+  }
+  return soup;
+}
+
+/// A square across an axis, of panels that share edges.
+culler::PolygonSoup wall_soup(int axis, std::uint32_t panels) {
+  culler::PolygonSoup soup;
+  for (std::uint32_t i = 0; i <= panels; ++i) {
+    for (std::uint32_t k = 0; k <= panels; ++k) {
+      dvec3 v{};
+      v[(axis + 1) % 3] = 4.0 * i / panels - 2;
+      v[(axis + 2) % 3] = 4.0 * k / panels - 2;
+      soup.add_vertex(v);
+    }
+  }
+  for (std::uint32_t i = 0; i < panels; ++i) {
+    for (std::uint32_t k = 0; k < panels; ++k) {
+      const std::uint32_t at = i * (panels + 1) + k, next = at + panels + 1;
+      soup.add_polygon(std::array{at, at + 1, next + 1, next});
+    }
+  }
+  return soup;
+}
+
+Placement some_placement(Random& random) {
+  Placement at;
+  at.origin = to_kernel(lattice_point(random, 6));
+  if (random.chance(0.3)) at.origin.x += std::ldexp(1.0, -random.integer(4, 60));
+  if (random.chance(0.3)) {
+    const double angle = random.real(0, 6.3), c = std::cos(angle), s = std::sin(angle);
+    at.x = {c, s, 0};
+    at.y = {-s, c, 0};
+  }
+  if (random.chance(0.2)) std::swap(at.x, at.y);  // a mirror
+  if (random.chance(0.2)) at.z = {random.real(-1, 1), 0, random.real(0.2, 3)};
+  if (random.chance(0.02)) at.z = {};
+  return at;
+}
+
+/// What a scene should hold.
+struct World {
+  struct Object {
+    ObjectId id;
+    culler::Box box;
+    ObjectOptions options;
+    bool is_enabled = true;
+
+    [[nodiscard]] std::uint32_t mask() const { return is_enabled ? options.mask : 0; }
+  };
+  struct Standing {
+    OccluderId id;
+    const Mesh* mesh;
+    Placement placement;
+    OccluderOptions options;
+    bool is_enabled = true;
+  };
+  std::map<std::uint32_t, Object> objects;  ///< by slots
+  std::map<std::uint32_t, Standing> occluders;
+
+  [[nodiscard]] const Object* find(ObjectId id) const {
+    const auto found = objects.find(id.slot);
+    return found == objects.end() || found->second.id != id ? nullptr : &found->second;
+  }
+};
+
+/// Makes changes to a scene, and finds out what is wrong with its frames.
+class WorldJudge {
+ public:
+  WorldJudge(Random& random, Report& report) : random_(random), report_(report), soup_(some_soup(random)) {
+    meshes_.push_back(mesh_of(box_soup()));
+    meshes_.push_back(mesh_of(wall_soup(random.integer(0, 2), static_cast<std::uint32_t>(random.integer(1, 5)))));
+    meshes_.push_back(mesh_of(soup_));
+    meshes_.push_back(mesh_of({}));
+  }
+
+  /// Returns what was wrong; empty if nothing was.
+  std::string run(int rounds) {
+    for (int i = random_.integer(2, 8); i > 0; --i) add_occluder();
+    for (int i = random_.integer(5, 40); i > 0; --i) add_object();
+    for (int round = 0; round < rounds; ++round) {
+      for (int steps = random_.integer(0, 12); steps > 0; --steps) {
+        ++report_.tally.cases;
+        if (std::string wrong = step(); !wrong.empty()) return wrong;
+      }
+      if (random_.chance(0.8)) {
+        scene_.update();
+        seen_ = world_;
+      }
+      if (std::string wrong = fault_of_frame(); !wrong.empty()) return wrong;
+    }
+    return "";
+  }
+
+ private:
+  template <class Things>
+  auto& any(Things& things) {
+    auto at = things.begin();
+    std::advance(at, static_cast<std::ptrdiff_t>(random_.index(things.size())));
+    return at->second;
+  }
+
+  std::uint32_t some_mask() { return random_.chance(0.7) ? ~std::uint32_t{0} : std::uint32_t{1} << random_.index(3); }
+
+  culler::Box some_box() {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (random_.chance(0.02)) return Aabb{{-kInfinity, 0, 0}, {1, 1, 1e300}};
+    const dvec3 at = lattice_point(random_, 7);
+    const Aabb around = random_.chance(0.5) && !soup_.empty() ? soup_.box(random_.index(soup_.size()))
+                                                              : Aabb{to_kernel(at), to_kernel(at + dvec3(0.5))};
+    if (random_.chance(0.6)) return around;
+    const dvec3 low = to_glm(around.min), high = to_glm(around.max), half = (high - low) / 2.0;
+    kernel::Obb turned{to_kernel((low + high) / 2.0), {{{half.x, half.y, 0}, {-half.y, half.x, 0}, {0, 0, half.z}}}};
+    if (random_.chance(0.1)) turned.half_edges[0].z = 3.7e-33;
+    return turned;
+  }
+
+  /// The box as the oracle takes it: numbers that the kernel takes for too near to zero are zero, which moves nothing by
+  /// more than 2^-98.
+  static culler::Box legal(culler::Box box) {
+    if (auto* const turned = std::get_if<kernel::Obb>(&box); turned != nullptr) {
+      for (Vec3& edge : turned->half_edges) {
+        if (std::fabs(edge.z) < 0x1p-100) edge.z = 0;
+      }
+    }
+    return box;
+  }
+
+  void add_object() {
+    World::Object object{{}, some_box(), {random_.chance(0.4), random_.chance(0.05), some_mask()}};
+    object.id = scene_.add(object.box, object.options);
+    world_.objects[object.id.slot] = object;
+  }
+
+  void add_occluder() {
+    World::Standing standing{{}, &meshes_[random_.index(meshes_.size())], some_placement(random_), {}};
+    standing.options = {random_.chance(0.3), random_.chance(0.4), some_mask(), {}};
+    if (random_.chance(0.3) && !world_.objects.empty()) standing.options.object = any(world_.objects).id;
+    standing.id = scene_.add(standing.mesh->prepared, standing.placement, standing.options);
+    world_.occluders[standing.id.slot] = standing;
+  }
+
+  void add_tile() {
+    std::vector<culler::Box> boxes;
+    for (int i = random_.integer(2, 30); i > 0; --i) boxes.push_back(some_box());
+    const ObjectOptions options{random_.chance(0.2), false, some_mask()};
+    std::vector<ObjectId> ids(boxes.size());
+    scene_.add(boxes, options, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) world_.objects[ids[i].slot] = {ids[i], boxes[i], options};
+  }
+
+  std::string step() {
+    switch (random_.index(12)) {
+      case 0:
+        add_object();
+        return "";
+      case 1:
+        add_occluder();
+        return "";
+      case 2:
+        if (world_.objects.size() < 100) add_tile();
+        return "";
+      case 3:
+        return fault_of_stale_ids();
+      case 4:
+      case 5:
+      case 6:
+        change_occluder();
+        return "";
+      default:
+        change_object();
+        return "";
+    }
+  }
+
+  void change_object() {
+    if (world_.objects.empty()) return;
+    World::Object& object = any(world_.objects);
+    const ObjectId id = object.id;
+    switch (random_.index(5)) {
+      case 0:
+        scene_.remove(id);
+        gone_.push_back(id);
+        world_.objects.erase(id.slot);
+        return;
+      case 1:
+        return scene_.set_enabled(id, object.is_enabled = !object.is_enabled);
+      case 2:
+        return scene_.set_mask(id, object.options.mask = some_mask());
+      default:
+        return scene_.move(id, object.box = some_box());
+    }
+  }
+
+  void change_occluder() {
+    if (world_.occluders.empty()) return;
+    World::Standing& standing = any(world_.occluders);
+    const OccluderId id = standing.id;
+    switch (random_.index(6)) {
+      case 0:
+        scene_.remove(id);
+        gone_occluders_.push_back(id);
+        world_.occluders.erase(id.slot);
+        return;
+      case 1:
+        return scene_.set_enabled(id, standing.is_enabled = !standing.is_enabled);
+      case 2:
+        return scene_.set_mask(id, standing.options.mask = some_mask());
+      case 3:
+        standing.mesh = &meshes_[random_.index(meshes_.size())];
+        return scene_.replace(id, standing.mesh->prepared);
+      default:
+        return scene_.move(id, standing.placement = some_placement(random_));
+    }
+  }
+
+  template <class Change>
+  static bool is_refused(const Change& change) {
+    try {
+      change();
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+    return false;
+  }
+
+  std::string fault_of_stale_ids() {
+    if (!gone_.empty()) {
+      const ObjectId id = gone_[random_.index(gone_.size())];
+      if (scene_.contains(id) || !is_refused([&] { scene_.move(id, Aabb{}); }) || !is_refused([&] { scene_.remove(id); })) {
+        return "the id of an object that was removed is taken for another";
+      }
+    }
+    if (!gone_occluders_.empty()) {
+      const OccluderId id = gone_occluders_[random_.index(gone_occluders_.size())];
+      if (scene_.contains(id) || !is_refused([&] { scene_.set_enabled(id, true); })) {
+        return "the id of an occluder that was removed is taken for another";
+      }
+    }
+    return "";
+  }
+
+  std::string fault_of_frame() {
+    const Camera camera = some_camera(random_, soup_);
+    if (!culler::fault(camera).empty()) return "";
+    SceneOptions options;
+    options.cover.width = std::array{64, 128, 256}[random_.index(3)];
+    options.cover.height = std::array{64, 96, 160}[random_.index(3)];
+    if (random_.chance(0.1)) options.cover.triangles = random_.index(20);
+    if (random_.chance(0.3)) options.margin = std::array{0x1p-80, 0x1p-20, 0x1p-6}[random_.index(3)];
+    if (random_.chance(0.3)) options.mask = static_cast<std::uint32_t>(random_.integer(0, 7));
+    if (random_.chance(0.2)) options.least_size = static_cast<float>(random_.real(0, 0.3));
+    options.is_front_to_back = random_.chance(0.3);
+    scene_.cull(camera, options, view_);
+    if (std::string wrong = fault_of_list(options); !wrong.empty()) return wrong;
+    if (std::string wrong = fault_of_fates(camera, options); !wrong.empty()) return wrong;
+    return random_.chance(0.3) ? fault_beside_scene_anew(camera, options) : "";
+  }
+
+  /// Whether each object in a layer of the frame is listed or counted once.
+  std::string fault_of_list(const SceneOptions& options) {
+    const culler::SceneResult& result = view_.result();
+    drawn_.clear();
+    for (std::size_t i = 0; i < result.drawn.size(); ++i) {
+      const culler::DrawnObject& object = result.drawn[i];
+      if (options.is_front_to_back && i > 0 && result.drawn[i - 1].distance > object.distance)
+        return "not from front to back";
+      const World::Object* known = seen_.find(object.id);
+      if (known == nullptr) return "an object is drawn that is not in the scene";
+      if ((known->mask() & options.mask) == 0) return "an object is drawn that is in no layer of the frame";
+      drawn_.push_back(object.id.slot);
+    }
+    std::ranges::sort(drawn_);
+    if (std::ranges::adjacent_find(drawn_) != drawn_.end()) return "an object is drawn twice";
+    const auto in_layers =
+        std::ranges::count_if(seen_.objects, [&](const auto& entry) { return (entry.second.mask() & options.mask) != 0; });
+    const culler::SceneStats& stats = result.stats;
+    report_.tally.relations[0] += stats.hidden;
+    report_.tally.relations[1] += stats.drawn;
+    report_.tally.relations[2] += stats.out_of_view;
+    const std::size_t counted = stats.drawn + stats.hidden + stats.out_of_view + stats.too_small;
+    if (stats.drawn != drawn_.size() || counted != static_cast<std::size_t>(in_layers))
+      return "objects are not counted once";
+    return "";
+  }
+
+  std::string fault_of_fates(const Camera& camera, const SceneOptions& options) {
+    std::vector<ObjectId> ids = gone_;
+    for (const auto& [slot, object] : seen_.objects) ids.push_back(object.id);
+    const std::vector<ObjectFate> fates = scene_.why(camera, options, view_, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const World::Object* object = seen_.find(ids[i]);
+      if (std::string wrong = fault_of_fate(camera, options, object, fates[i]); !wrong.empty()) return wrong;
+    }
+    return "";
+  }
+
+  std::string fault_of_fate(const Camera& camera, const SceneOptions& options, const World::Object* object,
+                            const ObjectFate& fate) {
+    if ((object == nullptr) != (fate.reason == Reason::not_in_scene)) return "why: not in the scene, or is it";
+    if (object == nullptr) return "";
+    const bool is_in_layer = (object->mask() & options.mask) != 0;
+    if (is_in_layer == (fate.reason == Reason::in_no_layer)) return "why: the layers are others";
+    const bool is_drawn = std::ranges::binary_search(drawn_, object->id.slot);
+    if (is_drawn != (fate.reason == Reason::drawn || fate.reason == Reason::always_drawn)) return "why: not what was drawn";
+    if (fate.reason == Reason::out_of_view) return fault_of_plane(legal(object->box), view_.result().view[fate.plane]);
+    if (fate.reason == Reason::hidden) return fault_of_hidden(camera, options, legal(object->box), fate);
+    return "";
+  }
+
+  static std::string fault_of_plane(const culler::Box& box, const culler::HalfSpace& h) {
+    const std::array<oracle::HalfSpaceCoefficients, 1> planes{{{h.normal.x, h.normal.y, h.normal.z, h.offset}}};
+    const oracle::Answer answer = oracle::relation_to_half_spaces(planes, to_oracle(box));
+    return answer.relation == oracle::Relation::outside ? "" : "an object is not beyond the plane of the view that culls it";
+  }
+
+  std::string fault_of_hidden(const Camera& camera, const SceneOptions& options, const culler::Box& box,
+                              const ObjectFate& fate) {
+    std::vector<oracle::Loop> polygons;
+    for (const auto& [id, polygon, corners] : fate.by) {
+      const auto found = seen_.occluders.find(id.slot);
+      if (found == seen_.occluders.end() || found->second.id != id) return "hidden by what is not in the scene";
+      const World::Standing& standing = found->second;
+      if (!standing.is_enabled || (standing.options.mask & options.mask) == 0) return "hidden by what is in no layer";
+      if (const ObjectId its = standing.options.object; !its.is_none()) {
+        const World::Object* object = seen_.find(its);
+        if (object == nullptr || (object->mask() & options.mask) == 0) return "hidden by an occluder without its object";
+      }
+      if (!is_placed(standing, polygon, corners)) return "hidden by an occluder where it is not";
+      if (standing.options.is_one_sided && is_certainly_back(camera, standing, corners)) return "hidden by a back face";
+      polygons.emplace_back();
+      for (const Vec3& corner : corners) polygons.back().push_back(to_oracle(corner));
+    }
+    const bool is_perspective = camera.projection == culler::Projection::perspective;
+    const dvec3 from = is_perspective ? camera.eye : camera.axes().forward;
+    const oracle::Answer answer = oracle::relation_to_cover({to_oracle(to_kernel(from)), !is_perspective}, polygons,
+                                                            to_oracle(box), proof::drawn(camera, to_oracle(extent())));
+    if (answer.relation == oracle::Relation::inside && answer.refusal.empty()) return "";
+    return "an object is hidden, and the polygons named do not hide it";
+  }
+
+  /// The box around all occluders that may hide. Where what is drawn begins depends on how far the scene reaches.
+  [[nodiscard]] Aabb extent() const {
+    dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const auto& [slot, standing] : seen_.occluders) {
+      if (!standing.is_enabled) continue;
+      const Placement& at = standing.placement;
+      for (const dvec3& v : standing.mesh->soup.vertices) {
+        const dvec3 p = v.x * to_glm(at.x) + v.y * to_glm(at.y) + v.z * to_glm(at.z) + to_glm(at.origin);
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
+    return {to_kernel(low), to_kernel(high)};
+  }
+
+  static bool is_placed(const World::Standing& standing, std::uint32_t polygon, const std::vector<Vec3>& corners) {
+    const culler::PolygonSoup& soup = standing.mesh->soup;
+    if (polygon >= soup.size() || soup.loop(polygon).size() != corners.size()) return false;
+    const Placement& at = standing.placement;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const dvec3& v = soup.vertices[soup.loop(polygon)[i]];
+      const dvec3 exact = v.x * to_glm(at.x) + v.y * to_glm(at.y) + v.z * to_glm(at.z) + to_glm(at.origin);
+      if (glm::length(exact - to_glm(corners[i])) > 1e-12) return false;
+    }
+    return true;
+  }
+
+  static bool is_certainly_back(const Camera& camera, const World::Standing& standing, const std::vector<Vec3>& corners) {
+    const dvec3 a = to_glm(corners[0]);
+    // Of other polygons, which need not be flat, some triangles may be front faces.
+    if (corners.size() > 3) return false;
+    const dvec3 along = to_glm(corners[1]) - a, across = to_glm(corners[2]) - a, normal = glm::cross(along, across);
+    if (glm::length(normal) <= 1e-9 * glm::length(along) * glm::length(across)) return false;  // a line, which rounds
+    const Placement& at = standing.placement;
+    const double determinant = glm::dot(to_glm(at.x), glm::cross(to_glm(at.y), to_glm(at.z)));
+    if (std::fabs(determinant) < 1e-9) return false;
+    const dvec3 sight = camera.projection == culler::Projection::perspective ? a - camera.eye : camera.axes().forward;
+    const double facing = glm::dot(normal, sight) * (determinant < 0 ? -1 : 1);
+    return facing > 1e-9 * glm::length(normal) * glm::length(sight);
+  }
+
+  /// A scene with the same content, made at once, draws the same objects.
+  std::string fault_beside_scene_anew(const Camera& camera, const SceneOptions& options) {
+    Scene anew;
+    const ObjectId gone = anew.add(Aabb{});
+    anew.remove(gone);
+    std::map<std::uint32_t, ObjectId> ids;
+    std::map<std::uint32_t, std::uint32_t> slots;
+    for (const auto& [slot, object] : seen_.objects) {
+      ids[slot] = anew.add(object.box, object.options);
+      slots[ids[slot].slot] = slot;
+      if (!object.is_enabled) anew.set_enabled(ids[slot], false);
+    }
+    for (const auto& [slot, standing] : seen_.occluders) {
+      OccluderOptions its = standing.options;
+      if (!its.object.is_none()) its.object = seen_.find(its.object) == nullptr ? gone : ids[its.object.slot];
+      const OccluderId id = anew.add(standing.mesh->prepared, standing.placement, its);
+      if (!standing.is_enabled) anew.set_enabled(id, false);
+    }
+    anew.update();
+    SceneView view;
+    std::vector<std::uint32_t> drawn;
+    for (const culler::DrawnObject& object : anew.cull(camera, options, view).drawn) drawn.push_back(slots[object.id.slot]);
+    std::ranges::sort(drawn);
+    return drawn == drawn_ ? "" : "a scene made anew draws other objects";
+  }
+
+  Random& random_;
+  Report& report_;
+  culler::PolygonSoup soup_;
+  std::vector<Mesh> meshes_;
+  Scene scene_;
+  SceneView view_;
+  World world_, seen_;  ///< as it will be, and as views see it
+  std::vector<ObjectId> gone_;
+  std::vector<OccluderId> gone_occluders_;
+  std::vector<std::uint32_t> drawn_;  ///< slots, in the last frame
+};
+
+}  // namespace
+
+void run_worlds(std::uint64_t seed, Report& report) {
+  Random random(seed);
+  const std::string wrong = WorldJudge(random, report).run(12);
+  report.tally.stages[0] = report.tally.cases;
+  if (!wrong.empty()) add_finding(report, "scene", wrong);
+}
+
+}  // namespace occlude::fuzz

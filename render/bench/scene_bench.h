@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Measures a scene that streams: changes, updates and culls, frame by frame.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "occlude/culler/scene.h"
+#include "scene_world.h"
+
+namespace occlude::experiments {
+
+struct SceneBenchOptions {
+  WorldSize world;
+  std::size_t frames = 600;
+  std::size_t settling = 100;     ///< frames before those that count
+  std::size_t check_every = 100;  ///< frames; 0: nothing is checked
+  std::size_t proofs = 20;        ///< culls that are proved, for each view of a frame that is checked
+  std::uint64_t seed = 1;
+  culler::CoverOptions cover = {};
+};
+
+/// Median, 99th percentile and maximum; milliseconds or numbers.
+struct Spread {
+  double median = 0, most_of_99 = 0, most = 0;
+};
+
+struct SceneBenchResult {
+  std::size_t objects = 0, occluders = 0;  ///< at the end
+  double build_ms = 0;                     ///< of the whole world
+  double bytes_of_object = 0;
+  Spread change_ms, update_ms;
+  struct View {
+    Spread cull_ms, drawn, hidden, out_of_view;
+  };
+  std::vector<View> views;
+  std::size_t frames_checked = 0, objects_compared = 0;
+  std::size_t different = 0;             ///< objects that a scene made anew culls otherwise
+  std::size_t proved = 0, unproved = 0;  ///< culls by occluders
+};
+
+/// Whether the polygons that are named hide the box of the object from the camera.
+using Prove = std::function<bool(const culler::Camera&, const culler::ObjectFate&, const culler::Box&)>;
+
+/// progress(done, all) is called after each frame, and may throw.
+[[nodiscard]] SceneBenchResult bench_scene(const SceneBenchOptions& options, const Prove& prove,
+                                           const std::function<void(std::size_t, std::size_t)>& progress);
+
+/// As text, and as JSON.
+[[nodiscard]] std::string text_of(const SceneBenchResult& result, const SceneBenchOptions& options);
+[[nodiscard]] std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& options);
+
+}  // namespace occlude::experiments

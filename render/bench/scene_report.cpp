@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "occlude/render/machine.h"
+#include "scene_bench.h"
+#include "tables.h"
+
+namespace occlude::experiments {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> row_of(const std::string& name, const Spread& spread, int digits) {
+  const auto number = [&](double x) { return fmt::format("{:.{}f}", x, digits); };
+  return {name, number(spread.median), number(spread.most_of_99), number(spread.most)};
+}
+
+Json json_of(const Spread& spread) {
+  return {{"median", spread.median}, {"percentile_99", spread.most_of_99}, {"maximum", spread.most}};
+}
+
+}  // namespace
+
+std::string text_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
+  Table table{.title = "A scene that streams",
+              .head = {fmt::format("{} frames", options.frames), "median", "99th percentile", "maximum"},
+              .rows = {row_of("changes, ms", result.change_ms, 2), row_of("update, ms", result.update_ms, 2)},
+              .notes = {}};
+  for (std::size_t v = 0; v < result.views.size(); ++v) {
+    const SceneBenchResult::View& view = result.views[v];
+    const std::string of = fmt::format("view {}: ", v + 1);
+    table.rows.push_back(row_of(of + "cull, ms", view.cull_ms, 2));
+    table.rows.push_back(row_of(of + "objects drawn", view.drawn, 0));
+    table.rows.push_back(row_of(of + "objects hidden", view.hidden, 0));
+    table.rows.push_back(row_of(of + "objects out of view", view.out_of_view, 0));
+  }
+  const WorldSize& world = options.world;
+  table.notes = {
+      fmt::format(
+          "{} objects, {} of them in tiles that come and go, 1,000 in each frame, {} moving; {} occluders, {} moving.",
+          result.objects, world.streamed, world.moving, result.occluders, world.moving_occluders),
+      fmt::format("{:.0f} bytes an object; the whole world took {:.0f} ms to make.", result.bytes_of_object,
+                  result.build_ms),
+      fmt::format("{} frames checked: {} of {} objects culled otherwise than in a scene made anew; {} culls proved, {} not.",
+                  result.frames_checked, result.different, result.objects_compared, result.proved, result.unproved),
+      fmt::format("One thread of {}; {}.", render::processor_name(), render::compiler_name())};
+  return text_of(table);
+}
+
+std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
+  const WorldSize& world = options.world;
+  Json views = Json::array();
+  for (const SceneBenchResult::View& view : result.views) {
+    views.push_back({{"cull_ms", json_of(view.cull_ms)},
+                     {"drawn", json_of(view.drawn)},
+                     {"hidden", json_of(view.hidden)},
+                     {"out_of_view", json_of(view.out_of_view)}});
+  }
+  const Json json{{"objects", result.objects},
+                  {"streamed", world.streamed},
+                  {"moving", world.moving},
+                  {"occluders", result.occluders},
+                  {"moving_occluders", world.moving_occluders},
+                  {"frames", options.frames},
+                  {"seed", options.seed},
+                  {"cover_size", {options.cover.width, options.cover.height}},
+                  {"build_ms", result.build_ms},
+                  {"bytes_of_object", result.bytes_of_object},
+                  {"change_ms", json_of(result.change_ms)},
+                  {"update_ms", json_of(result.update_ms)},
+                  {"views", views},
+                  {"checked",
+                   {{"frames", result.frames_checked},
+                    {"objects", result.objects_compared},
+                    {"different", result.different},
+                    {"proved", result.proved},
+                    {"unproved", result.unproved}}},
+                  {"machine", {{"processor", render::processor_name()}, {"compiler", render::compiler_name()}}}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace occlude::experiments
