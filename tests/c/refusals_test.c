@@ -9,6 +9,8 @@
 static void null_pointers(occlude_scene* scene, occlude_view* view, const occlude_mesh* mesh) {
   const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
   const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  const occlude_matrix_camera matrix = OCCLUDE_MATRIX_CAMERA_INIT;
+  occlude_fate fate = {OCCLUDE_DRAWN, 0, 0, NULL};
   const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
   const occlude_boxes boxes = boxes_of(&kBehind, 1);
   const occlude_placement placement = OCCLUDE_PLACEMENT_INIT;
@@ -61,6 +63,13 @@ static void null_pointers(occlude_scene* scene, occlude_view* view, const occlud
   CHECK_REFUSED(refused, "scene is null", occlude_scene_update(NULL));
   CHECK(occlude_scene_objects(NULL) == 0 && occlude_scene_occluders(NULL) == 0 && occlude_scene_object_bytes(NULL) == 0);
 
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_cull(NULL, &matrix, NULL, view));
+  CHECK_REFUSED(refused, "camera is null", occlude_scene_cull(scene, NULL, NULL, view));
+  CHECK_REFUSED(refused, "view is null", occlude_scene_cull(scene, &matrix, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_why(NULL, view, &object, 1, &fate));
+  CHECK_REFUSED(refused, "view is null", occlude_scene_why(scene, NULL, &object, 1, &fate));
+  CHECK_REFUSED(refused, "objects is null", occlude_scene_why(scene, view, NULL, 1, &fate));
+  CHECK_REFUSED(refused, "fates is null", occlude_scene_why(scene, view, &object, 1, NULL));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_cull_look_at(NULL, &camera, NULL, view));
   CHECK_REFUSED(refused, "camera is null", occlude_scene_cull_look_at(scene, NULL, NULL, view));
   CHECK_REFUSED(refused, "view is null", occlude_scene_cull_look_at(scene, &camera, NULL, NULL));

@@ -313,6 +313,138 @@ static void arrays_with_strides(void) {
   occlude_mesh_destroy(mesh);
 }
 
+/// The default look-at camera as a matrix for column vectors, row after row: clip x is to the right, -y; clip y is up, z.
+static const double kMatrix[16] = {0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0, -0.2, 1, 0, 0, 0};
+
+static void matrix_cameras(void) {
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+  occlude_occluder occluder;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
+  occlude_mesh_destroy(wall);
+  const occlude_box boxes[] = {kBehind, kBefore, kAway, {{11, 5.1, -1}, {12, 5.5, 1}}};
+  const occlude_boxes array = boxes_of(boxes, 4);
+  occlude_object ids[5];
+  CHECK_OK(occlude_scene_add_objects(scene, &array, NULL, ids));
+  CHECK_OK(occlude_scene_update(scene));
+
+  double columns[16];
+  float in_floats[16];
+  for (int i = 0; i < 16; ++i) {
+    columns[i % 4 * 4 + i / 4] = kMatrix[i];
+    in_floats[i] = (float)kMatrix[i];
+  }
+  unsigned char odd[sizeof kMatrix + 1];
+  memcpy(odd + 1, columns, sizeof columns);
+  occlude_matrix_camera camera = OCCLUDE_MATRIX_CAMERA_INIT;
+  camera.depth = OCCLUDE_DEPTH_MINUS_W_TO_W;
+  for (int way = 0; way < 4; ++way) {
+    camera.matrix = way == 0 ? (const void*)columns : way == 1 ? kMatrix : way == 2 ? (const void*)in_floats : odd + 1;
+    camera.type = way == 2 ? OCCLUDE_FLOAT : OCCLUDE_DOUBLE;
+    camera.order = way == 1 || way == 2 ? OCCLUDE_ROWS : OCCLUDE_COLUMNS;
+    camera.nearer = way == 3 ? OCCLUDE_NEARER_LESS : OCCLUDE_NEARER_UNSAID;
+    CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+    CHECK(!draws(view, ids[0]) && draws(view, ids[1]) && !draws(view, ids[2]));
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(view, &frame));
+    CHECK(frame.plane_count == 5);
+  }
+
+  // The depth of the near plane follows from what is said of the depth: w = x, z = x - 0.2, so z >= 0 from x = 0.2, z >= -w
+  // from 0.1.
+  for (int is_zero = 0; is_zero < 2; ++is_zero) {
+    camera.depth = is_zero ? OCCLUDE_DEPTH_ZERO_TO_W : OCCLUDE_DEPTH_MINUS_W_TO_W;
+    CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(view, &frame));
+    const occlude_half_space* near_plane = &frame.planes[4];
+    CHECK(fabs(near_plane->offset / near_plane->normal[0] + (is_zero ? 0.2 : 0.1)) < 1e-3);
+  }
+
+  // What is seen past the edge of the wall by an eye that may move.
+  camera.depth = OCCLUDE_DEPTH_MINUS_W_TO_W;
+  const occlude_box at_the_edge = {{30, 12, -1}, {31, 12.5, 1}};
+  CHECK_OK(occlude_scene_move_object(scene, ids[3], &at_the_edge));
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+  CHECK(!draws(view, ids[3]));
+  camera.eye_radius = 3;
+  CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+  CHECK(draws(view, ids[3]));
+  camera.eye_radius = 0;
+
+  // What is refused.
+  const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
+  camera.depth = OCCLUDE_DEPTH_UNSAID;
+  CHECK_REFUSED(refused, "depth of the camera is not said", occlude_scene_cull(scene, &camera, NULL, view));
+  camera.depth = 3;
+  CHECK_REFUSED(refused, "depth of the camera is 3, which is none of its enumerators",
+                occlude_scene_cull(scene, &camera, NULL, view));
+  camera.depth = OCCLUDE_DEPTH_MINUS_W_TO_W;
+  camera.nearer = 3;
+  CHECK_REFUSED(refused, "nearer is 3, which is none of its enumerators", occlude_scene_cull(scene, &camera, NULL, view));
+  camera.nearer = OCCLUDE_NEARER_GREATER;
+  CHECK(occlude_scene_cull(scene, &camera, NULL, view) == refused);  // the matrix says otherwise
+  camera.nearer = OCCLUDE_NEARER_LESS;
+  camera.order = 2;
+  CHECK_REFUSED(refused, "matrix order is 2, which is none of its enumerators",
+                occlude_scene_cull(scene, &camera, NULL, view));
+  camera.order = OCCLUDE_COLUMNS;
+  camera.type = -1;
+  CHECK_REFUSED(refused, "number type is -1, which is none of its enumerators",
+                occlude_scene_cull(scene, &camera, NULL, view));
+  camera.type = OCCLUDE_DOUBLE;
+  camera.matrix = NULL;
+  CHECK_REFUSED(refused, "matrix is null", occlude_scene_cull(scene, &camera, NULL, view));
+  CHECK(draws(view, ids[3]));  // the last frame is kept
+
+  // Why: by both kinds of cameras.
+  occlude_fate fates[5];
+  camera.matrix = columns;
+  ids[4] = OCCLUDE_NONE;
+  const occlude_look_at_camera look_at = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  for (int way = 0; way < 2; ++way) {
+    if (way == 0) CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+    if (way == 1) CHECK_OK(occlude_scene_cull_look_at(scene, &look_at, NULL, view));
+    CHECK_OK(occlude_scene_why(scene, view, ids, 5, fates));
+    CHECK(fates[1].reason == OCCLUDE_DRAWN && fates[1].by_count == 0);
+    CHECK(fates[4].reason == OCCLUDE_NOT_IN_SCENE);
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(view, &frame));
+    CHECK(fates[2].reason == OCCLUDE_OUT_OF_PLANE && fates[2].plane < frame.plane_count);
+    CHECK(fates[0].reason == OCCLUDE_HIDDEN && fates[0].by_count == 2 && fates[3].reason == OCCLUDE_HIDDEN);
+    for (size_t i = 0; i < fates[0].by_count; ++i) {
+      const occlude_hiding* by = &fates[0].by[i];
+      CHECK(by->occluder == occluder && by->polygon < 2 && by->corner_count == 3);
+      for (size_t k = 0; k < by->corner_count; ++k) CHECK(by->corners[3 * k] == 10 && fabs(by->corners[3 * k + 1]) == 5);
+    }
+    CHECK(fates[0].by_count != 2 || fates[0].by[0].polygon != fates[0].by[1].polygon);
+  }
+  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  options.least_size = 0.2F;
+  options.mask = 1;
+  CHECK_OK(occlude_scene_mask_object(scene, ids[1], 2));
+  occlude_object_options always = OCCLUDE_OBJECT_OPTIONS_INIT;
+  always.is_always_drawn = 1;
+  CHECK_OK(occlude_scene_add_object(scene, &kAway, &always, &ids[4]));
+  CHECK_OK(occlude_scene_enable_occluder(scene, occluder, 0));
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull_look_at(scene, &look_at, &options, view));
+  CHECK_OK(occlude_scene_why(scene, view, ids, 5, fates));
+  CHECK(fates[0].reason == OCCLUDE_TOO_SMALL && fates[1].reason == OCCLUDE_IN_NO_LAYER);
+  CHECK(fates[4].reason == OCCLUDE_ALWAYS_DRAWN);
+  CHECK_OK(occlude_scene_why(scene, view, NULL, 0, NULL));
+  occlude_view* unused = NULL;
+  CHECK_OK(occlude_view_create(&unused));
+  CHECK_REFUSED(refused, "the view has no frame", occlude_scene_why(scene, unused, ids, 4, fates));
+  occlude_view_destroy(unused);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+}
+
 /// Whether the frame lists what is nearer first.
 static int is_front_to_back(const occlude_scene* scene, int32_t wanted) {
   occlude_view* view = NULL;
@@ -350,6 +482,7 @@ int main(void) {
   options_of_objects_and_occluders();
   occluders_in_arrays();
   arrays_with_strides();
+  matrix_cameras();
   order();
   return end_of_test();
 }

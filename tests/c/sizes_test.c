@@ -95,6 +95,24 @@ static void outputs(void) {
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame: its size is 3, which is of no version", occlude_view_frame(view, &frame));
 }
 
+/// The first version's matrix, depth and order are needed; the radius is not.
+static void matrix_camera(void) {
+  const float matrix[] = {0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0, -0.2F, 1, 0, 0, 0};
+  occlude_matrix_camera camera = OCCLUDE_MATRIX_CAMERA_INIT;
+  camera.matrix = matrix;
+  camera.type = OCCLUDE_FLOAT;
+  camera.order = OCCLUDE_ROWS;
+  camera.depth = OCCLUDE_DEPTH_ZERO_TO_W;
+  camera.eye_radius = -1;
+  CHECK(occlude_scene_cull(scene, &camera, NULL, view) == OCCLUDE_INVALID_ARGUMENT);
+  occlude_matrix_camera* shorter = shortened(&camera, offsetof(occlude_matrix_camera, eye_radius));
+  CHECK_OK(occlude_scene_cull(scene, shorter, NULL, view));
+  free(shorter);
+  camera.size = sizeof camera + sizeof(size_t);
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "camera is of a newer version than the library",
+                occlude_scene_cull(scene, &camera, NULL, view));
+}
+
 static void reserved(void) {
   occlude_object_options object = OCCLUDE_OBJECT_OPTIONS_INIT;
   object.reserved = 1;
@@ -129,6 +147,7 @@ int main(void) {
   CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &options, view));
   outputs();
   reserved();
+  matrix_camera();
   occlude_mesh_destroy(wall);
   occlude_view_destroy(view);
   occlude_scene_destroy(scene);

@@ -264,6 +264,47 @@ OCCLUDE_API size_t occlude_scene_object_bytes(const occlude_scene* scene) OCCLUD
 
 // ---- Cameras ----
 
+typedef int32_t occlude_matrix_order;
+enum {
+  OCCLUDE_COLUMNS = 0,  ///< column after column: OpenGL, GLM; and row after row of Direct3D, for row vectors
+  OCCLUDE_ROWS = 1      ///< row after row, for column vectors
+};
+
+/// The clip volume is -w <= x <= w, -w <= y <= w, and of the depth z:
+typedef int32_t occlude_clip_depth;
+enum {
+  OCCLUDE_DEPTH_UNSAID = 0,        ///< refused: with the wrong one, what is visible might be hidden
+  OCCLUDE_DEPTH_MINUS_W_TO_W = 1,  ///< -w <= z <= w, as in OpenGL
+  OCCLUDE_DEPTH_ZERO_TO_W = 2      ///< 0 <= z <= w, as in Vulkan, Direct3D and Metal
+};
+
+/// Which of two depths z / w the renderer draws before the other.
+typedef int32_t occlude_nearer;
+enum {
+  OCCLUDE_NEARER_UNSAID = 0,  ///< that which the matrix has nearer to its eye; must be said with parallel rays
+  OCCLUDE_NEARER_LESS = 1,    ///< the usual
+  OCCLUDE_NEARER_GREATER = 2  ///< reversed depth
+};
+
+/// A camera that is any projective matrix: the one that the renderer has, from the coordinates of the scene to clip space.
+/// The matrix times the column (x, y, z, 1) is (x, y, z, w) in clip space. Perspective or parallel rays, either handedness,
+/// reversed or infinite depth, off-centre or oblique: all of it follows from the matrix. More is said in
+/// occlude/culler/matrix_camera.h.
+typedef struct occlude_matrix_camera {
+  size_t size;         ///< of this struct
+  const void* matrix;  ///< 16 numbers of this type, in this order; need not be aligned
+  occlude_number_type type;
+  occlude_matrix_order order;
+  occlude_clip_depth depth;  ///< must be said
+  occlude_nearer nearer;
+  /// The frame holds for all eyes within this distance of the matrix's: two eyes of one person, or where the eye may be when
+  /// the picture is drawn.
+  double eye_radius;
+} occlude_matrix_camera;
+
+#define OCCLUDE_MATRIX_CAMERA_INIT \
+  { sizeof(occlude_matrix_camera), NULL, OCCLUDE_DOUBLE, OCCLUDE_COLUMNS, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_UNSAID, 0 }
+
 typedef int32_t occlude_projection;
 enum { OCCLUDE_PERSPECTIVE = 0, OCCLUDE_ORTHOGRAPHIC = 1 };
 
@@ -319,6 +360,8 @@ typedef struct occlude_cull_options {
 
 /// What to draw, for the next frame of the view. If the camera is refused, the view keeps its last frame. When memory runs
 /// out, it may be empty.
+OCCLUDE_API occlude_status occlude_scene_cull(const occlude_scene* scene, const occlude_matrix_camera* camera,
+                                              const occlude_cull_options* options, occlude_view* view) OCCLUDE_NO_THROW;
 OCCLUDE_API occlude_status occlude_scene_cull_look_at(const occlude_scene* scene, const occlude_look_at_camera* camera,
                                                       const occlude_cull_options* options,
                                                       occlude_view* view) OCCLUDE_NO_THROW;
@@ -384,6 +427,39 @@ enum {
 /// first of these are written.
 OCCLUDE_API occlude_status occlude_view_visibility(const occlude_view* view, const occlude_boxes* boxes,
                                                    occlude_visibility* visibilities) OCCLUDE_NO_THROW;
+
+/// A polygon that hides: its number in the mesh of the occluder, and where its corners are in the scene.
+typedef struct occlude_hiding {
+  occlude_occluder occluder;
+  uint32_t polygon;
+  uint32_t corner_count;
+  const double* corners;  ///< x, y, z of each
+} occlude_hiding;
+
+typedef int32_t occlude_reason;
+enum {
+  OCCLUDE_DRAWN = 0,
+  OCCLUDE_ALWAYS_DRAWN = 1,  ///< it has no place, or occlude_object_options.is_always_drawn
+  OCCLUDE_OUT_OF_PLANE = 2,  ///< its box is beyond occlude_frame.planes[plane]
+  OCCLUDE_HIDDEN = 3,        ///< `by` hide its box
+  OCCLUDE_TOO_SMALL = 4,
+  OCCLUDE_IN_NO_LAYER = 5,  ///< it is disabled, or has no bit of occlude_cull_options.mask
+  OCCLUDE_NOT_IN_SCENE = 6  ///< there was no such object at the last update
+};
+
+/// What became of an object in a frame, and why.
+typedef struct occlude_fate {
+  occlude_reason reason;
+  uint32_t plane;
+  size_t by_count;
+  const occlude_hiding* by;  ///< each polygon once; together they hide the box
+} occlude_fate;
+
+/// What became of these objects in the last frame of the view, which must be of this scene, not updated since. Takes the
+/// time of some frames. Writes as many fates as there are objects; their arrays belong to the view, until its next frame or
+/// the next call of this function. Refused before the first frame.
+OCCLUDE_API occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view, const occlude_object* objects,
+                                             size_t count, occlude_fate* fates) OCCLUDE_NO_THROW;
 
 #ifdef __cplusplus
 }

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "occlude.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/scene.h"
 #include "occlude/culler/scene_view.h"
@@ -24,4 +27,10 @@ struct occlude_view {
   std::vector<occlude_object> objects;
   std::vector<float> sizes, distances;
   std::vector<occlude_half_space> planes;
+  // How it was asked for.
+  std::variant<std::monostate, occlude::culler::Camera, occlude::culler::MatrixCamera> camera;
+  occlude::culler::SceneOptions options;
+  // What the last fates refer to.
+  std::vector<occlude_hiding> hiding;
+  std::vector<double> corners;
 };
