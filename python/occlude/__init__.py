@@ -5,6 +5,8 @@ import enum
 from ._occlude import (
     Camera,
     Culler,
+    Fate,
+    MatrixCamera,
     ModelFrame,
     OccluderMesh,
     Scene,
@@ -21,6 +23,18 @@ class Visibility(enum.IntEnum):
     VISIBLE = 0  # neither of the other two could be shown
     OCCLUDED = 1  # all of it is hidden
     OUT_OF_VIEW = 2  # all of it is beyond one plane of the view
+
+
+class Reason(enum.IntEnum):
+    """What became of an object in a frame of a scene."""
+
+    DRAWN = 0
+    ALWAYS_DRAWN = 1
+    OUT_OF_VIEW = 2
+    HIDDEN = 3
+    TOO_SMALL = 4
+    IN_NO_LAYER = 5
+    NOT_IN_SCENE = 6
 
 
 class CulledBy(enum.IntEnum):

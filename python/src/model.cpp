@@ -151,6 +151,7 @@ void define_models(py::module_& module) {
           },
           "The number that each polygon of the culler's order had when given.");
   define_cull<culler::Camera>(culler);
+  define_cull<culler::MatrixCamera>(culler);
 }
 
 }  // namespace occlude::python

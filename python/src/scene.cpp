@@ -160,6 +160,8 @@ SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* g
     const std::scoped_lock lock(view.mutex);
     const culler::SceneResult& result = s.cull(camera, options, view.scene);
     view.is_of_scene = true;
+    view.camera = camera;
+    view.options = options;
     rows.reserve(result.drawn.size());
     for (const auto& [id, size, distance] : result.drawn) rows.push_back({c::packed(id), size, distance});
     planes = result.view;
@@ -182,6 +184,43 @@ void define_meshes(py::module_& module) {
 }
 
 using Class = py::class_<SharedScene>;
+
+std::vector<culler::ObjectFate> fates(const SharedScene& scene, const py::object& numbers, AnyView& view) {
+  const auto ids = to_ids<ObjectId>(numbers);
+  return scene.look([&](const culler::Scene& s) {
+    const std::scoped_lock lock(view.mutex);
+    if (const auto* camera = std::get_if<culler::Camera>(&view.camera)) return s.why(*camera, view.options, view.scene, ids);
+    if (const auto* camera = std::get_if<culler::MatrixCamera>(&view.camera)) {
+      return s.why(*camera, view.options, view.scene, ids);
+    }
+    throw std::invalid_argument("the view has no frame of a scene");
+  });
+}
+
+/// What hides, as tuples (occluder, polygon, corners).
+py::list hiding(const culler::ObjectFate& fate) {
+  py::list result;
+  for (const auto& [occluder, polygon, corners] : fate.by) {
+    std::vector<double> numbers;
+    for (const kernel::Vec3& v : corners) numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    const auto rows = static_cast<py::ssize_t>(corners.size());
+    result.append(py::make_tuple(c::packed(occluder), polygon, to_array(std::move(numbers), {rows, 3})));
+  }
+  return result;
+}
+
+void define_why(py::module_& module, Class& scene) {
+  using py::literals::operator""_a;
+  using culler::ObjectFate;
+  py::class_<ObjectFate>(module, "Fate", "What became of an object in a frame, and why.")
+      .def_property_readonly(
+          "reason", [](const ObjectFate& fate) { return static_cast<int>(fate.reason); }, "A Reason.")
+      .def_readonly("plane", &ObjectFate::plane, "Of SceneFrame.planes, where the object is out of view.")
+      .def_property_readonly("by", &hiding, "The polygons that hide it: (occluder, polygon, corners).");
+  scene.def("why", &fates, "ids"_a, "view"_a,
+            "What became of these objects in the last frame of the view, after which the scene was not updated: a list of "
+            "Fate.");
+}
 
 void define_objects(Class& scene) {
   using py::literals::operator""_a;
@@ -303,6 +342,8 @@ void define_scenes(py::module_& module) {
   define_objects(scene);
   define_occluders(scene);
   define_cull<culler::Camera>(scene);
+  define_cull<culler::MatrixCamera>(scene);
+  define_why(module, scene);
   scene.def("update", &SharedScene::update)
       .def_property_readonly("objects",
                              [](const SharedScene& s) { return s.look([](const auto& in) { return in.objects(); }); })

@@ -35,6 +35,27 @@ Camera make_camera(const Doubles& eye, const Doubles& target, const Doubles& up,
   return camera;
 }
 
+culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string& depth, const py::object& nearer,
+                                        double eye_radius) {
+  if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) {
+    throw std::invalid_argument("matrix must have shape (4, 4)");
+  }
+  culler::MatrixCamera camera;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) camera.matrix[column][row] = matrix.at(row, column);
+  }
+  camera.depth =
+      to_choice(depth, "depth",
+                {std::pair{"minus_w_to_w", culler::ClipDepth::minus_w_to_w}, {"zero_to_w", culler::ClipDepth::zero_to_w}});
+  if (!nearer.is_none()) {
+    camera.nearer = to_choice(nearer.cast<std::string>(), "nearer",
+                              {std::pair{"less", culler::Nearer::less}, {"greater", culler::Nearer::greater}});
+  }
+  camera.eye_radius = eye_radius;
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
+  return camera;
+}
+
 std::vector<std::uint8_t> visibilities(AnyView& view, const std::vector<culler::Box>& boxes) {
   const py::gil_scoped_release others_run;
   const std::scoped_lock lock(view.mutex);
@@ -72,6 +93,19 @@ void define_cameras(py::module_& module) {
       .def(py::init(&make_camera), "eye"_a, "target"_a, "up"_a = std::vector<double>{0, 0, 1},
            "projection"_a = "perspective", "fov_y_deg"_a = Camera{}.fov_y_deg, "height"_a = Camera{}.height,
            "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near, "far"_a = Camera{}.far);
+}
+
+void define_matrix_cameras(py::module_& module) {
+  using py::literals::operator""_a;
+  py::class_<culler::MatrixCamera>(
+      module, "MatrixCamera",
+      "Any projective matrix: matrix @ (x, y, z, 1) is a point in clip space. The depth is 'minus_w_to_w', as in OpenGL, "
+      "or 'zero_to_w', as in Vulkan, Direct3D and Metal. With parallel rays, 'less' or 'greater' is nearer.")
+      .def(py::init(&make_matrix_camera), "matrix"_a, "depth"_a, "nearer"_a = py::none(), "eye_radius"_a = 0.0)
+      .def_property_readonly("eye", [](const culler::MatrixCamera& camera) {
+        const glm::dvec3 eye = camera.eye();
+        return to_array(std::vector<double>{eye.x, eye.y, eye.z});
+      });
 }
 
 void define_views(py::module_& module) {

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <mutex>
+#include <variant>
 #include <vector>
 
 #include "numbers.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/scene_view.h"
 #include "occlude/culler/view.h"
 
@@ -18,6 +21,9 @@ struct AnyView {
   culler::SceneView scene;
   culler::View model;
   bool is_of_scene = true;  ///< which of the two has the last frame
+  // How the last frame of a scene was asked for.
+  std::variant<std::monostate, culler::Camera, culler::MatrixCamera> camera;
+  culler::SceneOptions options;
 };
 
 /// A frame's half-spaces: rows (a, b, c, d), a x + b y + c z + d >= 0 in view.
@@ -28,6 +34,7 @@ struct AnyView {
                                                     const py::object& ms);
 
 void define_cameras(py::module_& module);
+void define_matrix_cameras(py::module_& module);
 void define_views(py::module_& module);
 void define_scenes(py::module_& module);
 void define_models(py::module_& module);

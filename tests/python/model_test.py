@@ -30,8 +30,8 @@ class Models(unittest.TestCase):
             frame = culler.cull(occlude.Camera(eye, eye + [1, 0.7, -0.1]), view, **options)
             in_ranges = [p for first, count in frame.drawn for p in culler.order[first : first + count]]
             np.testing.assert_array_equal(frame.polygons, in_ranges)
-            not_drawn = np.concatenate([culler.order[c["first"] : c["first"] + c["count"]] for c in frame.culled])
-            np.testing.assert_array_equal(np.sort(np.concatenate([frame.polygons, not_drawn])), np.arange(len(triangles)))
+            ranges = [culler.order[row["first"] : row["first"] + row["count"]] for row in frame.culled]
+            np.testing.assert_array_equal(np.sort(np.concatenate([frame.polygons, *ranges])), np.arange(len(triangles)))
             self.assertEqual(frame.statistics["drawn_polygons"], len(frame.polygons))
             hidden = []
             for row in frame.culled:
@@ -67,9 +67,27 @@ class Models(unittest.TestCase):
         culler.prepare_cover()
         many = self.check_path(culler, view, triangles, rng, method="cover", cover_size=(512, 512))
         self.assertGreater(many, 600)
-        seen = view.visibility([[40, 30, 0.2, 41, 31, 0.4], [-50, 0, 0, -49, 1, 1]])
+        seen = view.visibility([[30, 31, 0.2, 31, 32, 0.4], [-50, 0, 0, -49, 1, 1]])
         self.assertEqual(list(seen), [Visibility.OCCLUDED, Visibility.OUT_OF_VIEW])
         self.assertEqual(self.check_path(culler, view, triangles, rng, method="cover", cover_triangles=0), 0)
+
+    def test_matrix_cameras(self):
+        rng = brute.random()
+        vertices, polygons, _ = houses(rng)
+        culler = occlude.Culler(vertices, polygons, leaf_size=4)
+        # From (-4, -3, 2) along x, left is y: the matrix of the camera below.
+        look = np.array([[0, -1, 0, -3], [0, 0, 1, -2], [-1, 0, 0, -4], [0, 0, 0, 1]])
+        projection = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]])
+        matrix = occlude.MatrixCamera(projection @ look, "minus_w_to_w")
+        camera = occlude.Camera([-4, -3, 2], [0, -3, 2], fov_y_deg=90, aspect=1)
+        for method in ("frusta", "cover"):
+            expected, frame = culler.cull(camera, method=method), culler.cull(matrix, occlude.View(), method=method)
+            self.assertLess(len(set(expected.polygons) ^ set(frame.polygons)), 20)
+            self.assertGreater(frame.statistics["shadow_culled_polygons"], 30)
+        several = occlude.MatrixCamera(projection @ look, "minus_w_to_w", eye_radius=0.5)
+        self.assertGreater(len(culler.cull(several, method="cover").polygons), 0)
+        with self.assertRaises(ValueError):
+            culler.cull(several, method="frusta")
 
     def test_polygons_of_all_kinds(self):
         square = np.array([[5, -1, -1], [5, 1, -1], [5, 1, 1], [5, -1, 1]])

@@ -6,7 +6,7 @@ import numpy as np
 
 import brute
 import occlude
-from occlude import Visibility
+from occlude import Reason, Visibility
 
 
 def camera_towards(rng):
@@ -162,6 +162,57 @@ class Scenes(unittest.TestCase):
         self.assertFalse(scene.has_occluder(wall))
         self.assertEqual(occlude.slot(behind), 0)
         self.assertEqual(occlude.slot(np.array([wall_object], "u8"))[0], 1)
+
+    def test_matrix_cameras(self):
+        rng = brute.random()
+        world, view = World(rng), occlude.View()
+        world.add(1500)
+        for _ in range(40):
+            world.add_wall()
+        world.scene.update()
+        axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        axes[0] *= np.linalg.det(axes)  # not mirrored
+        eye = np.array([1.0, 2, 3])
+        model = np.eye(4)
+        model[:3, :3], model[:3, 3] = axes, -axes @ eye
+        projection = np.array([[1, 0, 0, 0], [0, 1.5, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]])
+        camera = occlude.MatrixCamera(projection @ model, "minus_w_to_w")
+        np.testing.assert_allclose(camera.eye, eye)
+        same = occlude.Camera(eye, eye - axes[2], axes[1], fov_y_deg=np.degrees(2 * np.arctan(1 / 1.5)), aspect=1.5)
+        frame = world.scene.cull(camera, view)
+        other = world.scene.cull(same)
+        self.assertLess(len(set(frame.drawn["id"]) ^ set(other.drawn["id"])), 10)
+        fates = world.scene.why(list(world.boxes), view)
+        drawn = set(frame.drawn["id"].tolist())
+        reasons = dict(zip(world.boxes, fates))
+        for id, fate in reasons.items():
+            self.assertEqual(id in drawn, fate.reason == Reason.DRAWN)
+            points = brute.points_of(world.boxes[id], rng, 24)
+            if fate.reason == Reason.HIDDEN:
+                corners = [c[[0, i, i + 1]] for _, _, c in fate.by for i in range(1, len(c) - 1)]
+                self.assertTrue(np.all(brute.is_hidden(camera.eye, points, corners)))
+                self.assertTrue(all(occluder in world.walls for occluder, _, _ in fate.by))
+            elif fate.reason == Reason.OUT_OF_VIEW:
+                plane = frame.planes[fate.plane]
+                self.assertTrue(np.all(points @ plane[:3] + plane[3] < 0))
+        self.assertEqual(frame.statistics["hidden"], sum(f.reason == Reason.HIDDEN for f in fates))
+        self.assertGreater(frame.statistics["hidden"], 10)
+        several = world.scene.cull(occlude.MatrixCamera(projection @ model, "minus_w_to_w", eye_radius=2))
+        self.assertLessEqual(drawn, set(several.drawn["id"].tolist()))
+        self.assertLess(len(drawn), len(several.drawn))
+        parallel = np.diag([0.02, 0.02, -0.02, 1]) @ model
+        self.assertGreater(len(world.scene.cull(occlude.MatrixCamera(parallel, "zero_to_w", "less")).drawn), 0)
+        for text, arguments in (
+            ("matrix must have shape", (np.eye(3), "zero_to_w")),
+            ("depth is 'z', must be 'minus_w_to_w' or 'zero_to_w'", (parallel, "z")),
+            ("nearer is 'more', must be 'less' or 'greater'", (parallel, "zero_to_w", "more")),
+            ("near", (parallel, "zero_to_w")),
+            (".", (np.zeros((4, 4)), "zero_to_w", "less")),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                occlude.MatrixCamera(*arguments)
+        with self.assertRaisesRegex(ValueError, "the view has no frame of a scene"):
+            world.scene.why([1], occlude.View())
 
     def test_refusals(self):
         scene = occlude.Scene()
