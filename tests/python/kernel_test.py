@@ -69,7 +69,11 @@ class Answers(unittest.TestCase):
         conservative, _ = shadow.relations(boxes, test="conservative")
         np.testing.assert_array_equal(overlap == Relation.INSIDE, conservative == Relation.INSIDE)
         self.assertTrue(np.all(overlap[conservative == Relation.OUTSIDE] == Relation.OUTSIDE))
-        self.assertTrue(np.any(overlap != conservative))
+        # No single plane of the frustum separates this box from it, but another plane does.
+        slanted = [[[2, -3, 2], [-2, -4, -3], [0, -1, -1], [-3, 4, -2]]]
+        ahead = occlude.ShadowFrustum(SQUARE, eye=[0, 0, 0])
+        self.assertEqual(ahead.relations(slanted)[0], [Relation.OUTSIDE])
+        self.assertEqual(ahead.relations(slanted, test="conservative")[0], [Relation.PARTIAL])
         plain, stages = shadow.relations(boxes, arithmetic="plain")
         self.assertTrue(np.mean(plain == overlap) > 0.9 and not np.any(stages))
 

@@ -20,7 +20,7 @@ class World:
     def __init__(self, rng):
         self.rng, self.scene = rng, occlude.Scene()
         self.boxes, self.walls = {}, {}
-        low, high = np.array([-0.5, -3, -3]), np.array([0.5, 3, 3])
+        low, high = np.array([-0.5, -4, -2]), np.array([0.5, 3, 3.5])
         vertices, polygons = brute.cube(low, high)
         self.mesh = occlude.OccluderMesh(vertices.astype("f4"), polygons.astype("u2"))
         self.triangles = np.concatenate([brute.fan(vertices, polygon) for polygon in polygons])
