@@ -24,8 +24,9 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   picture_ = BeamPicture(view, {width, height, kBorder}, margin > 0 ? kSinglePrecision * view.depth : 0);
   piece_.begin(picture_);
   tiles_across_ = width / kTile;
-  // With a margin that is negative or not a number, nothing is hidden.
-  boxes_ = BoxPicture(picture_, margin >= 0 ? margin * (height - 2 * kBorder) : std::numeric_limits<double>::infinity());
+  // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
+  const double up = margin >= 0 ? margin * (height - 2 * kBorder) : std::numeric_limits<double>::infinity();
+  boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up});
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);

@@ -117,12 +117,12 @@ HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) 
   hn::StoreU(high_y, kD, &boxes.high_y[i]);
 
   const IntegerTag di;
-  const Lanes wider = hn::Set(kD, p.wider);
+  const Lanes wider_x = hn::Set(kD, p.wider_x), wider_y = hn::Set(kD, p.wider_y);
   const auto next = hn::Set(di, 1);
-  hn::StoreU(pixel(hn::Sub(low_x, wider), p.width), di, &boxes.x0[i]);
-  hn::StoreU(pixel(hn::Sub(low_y, wider), p.height), di, &boxes.y0[i]);
-  hn::StoreU(hn::Add(pixel(hn::Add(high_x, wider), p.width), next), di, &boxes.x1[i]);
-  hn::StoreU(hn::Add(pixel(hn::Add(high_y, wider), p.height), next), di, &boxes.y1[i]);
+  hn::StoreU(pixel(hn::Sub(low_x, wider_x), p.width), di, &boxes.x0[i]);
+  hn::StoreU(pixel(hn::Sub(low_y, wider_y), p.height), di, &boxes.y0[i]);
+  hn::StoreU(hn::Add(pixel(hn::Add(high_x, wider_x), p.width), next), di, &boxes.x1[i]);
+  hn::StoreU(hn::Add(pixel(hn::Add(high_y, wider_y), p.height), next), di, &boxes.y1[i]);
 
   // False if one of them is NaN.
   const auto is_known = hn::And(hn::Gt(least, hn::Set(kD, p.near)), hn::Lt(error, hn::Set(kD, kMostError)));
@@ -158,7 +158,7 @@ std::array<float, 3> to_floats(const glm::dvec3& v) {
 }
 }  // namespace
 
-BoxPicture::BoxPicture(const BeamPicture& picture, double margin)
+BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
     : eye(picture.eye()),
       is_perspective(picture.is_perspective()),
       right(to_floats(picture.right())),
@@ -172,7 +172,8 @@ BoxPicture::BoxPicture(const BeamPicture& picture, double margin)
       height(static_cast<float>(picture.height())),
       near(rounded_up(picture.near())),
       moved(rounded_up(picture.error() + picture.rounding())),
-      wider(rounded_up(margin)) {}
+      wider_x(rounded_up(margin.x)),
+      wider_y(rounded_up(margin.y)) {}
 
 void SeenBoxes::see(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(see)(picture, *this); }
 

@@ -16,8 +16,8 @@ namespace occlude::culler {
 class BoxPicture {
  public:
   BoxPicture() = default;
-  /// `margin` is the number of pixels around each box that belong to it; infinity if nothing may be hidden.
-  BoxPicture(const BeamPicture& picture, double margin);
+  /// `margin` is the number of pixels across and up around each box that belong to it; infinity if nothing may be hidden.
+  BoxPicture(const BeamPicture& picture, const Place& margin);
 
   glm::dvec3 eye{};
   bool is_perspective = true;
@@ -26,7 +26,7 @@ class BoxPicture {
   float width = 0, height = 0;
   float near = 0;   ///< not less than the picture's
   float moved = 0;  ///< not less than the picture's error() and rounding() together
-  float wider = 0;  ///< the margin
+  float wider_x = 0, wider_y = 0;  ///< the margin
 };
 
 /// At most eight boxes, and what is known of them in a picture. Each array has a value for each box.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
 #include <map>
 #include <memory>
@@ -104,6 +106,34 @@ Placement some_placement(Random& random) {
   if (random.chance(0.2)) at.z = {random.real(-1, 1), 0, random.real(0.2, 3)};
   if (random.chance(0.02)) at.z = {};
   return at;
+}
+
+/// The matrix of a camera, as an engine of some kind makes it: a depth of either kind, reversed or not, without a far plane,
+/// or with one where the camera has one.
+culler::MatrixCamera matrix_of(Random& random, const Camera& camera) {
+  const auto [right, up, forward] = camera.axes();
+  const bool is_perspective = camera.projection == culler::Projection::perspective;
+  const double half = is_perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
+  const auto row = [&](const dvec3& axis, double scale) {
+    return glm::dvec4(axis * scale, -glm::dot(axis, camera.eye) * scale);
+  };
+  const glm::dvec4 along = row(forward, 1), one(0, 0, 0, 1);
+  const bool is_reversed = random.chance(0.5), is_zero_to_w = random.chance(0.5), has_far = std::isfinite(camera.far);
+  // The depth is 0 at the near plane and w at the far plane, or the other way round.
+  const double near = camera.near, far = camera.far;
+  glm::dvec4 depth = along - near * one;
+  if (is_perspective && has_far) depth = far / (far - near) * depth;
+  if (!is_perspective) depth = (has_far ? 1 / (far - near) : 0x1p-20) * depth;
+  const glm::dvec4 w = is_perspective ? along : one;
+  if (is_reversed) depth = w - depth;
+  if (!is_zero_to_w) depth = 2.0 * depth - w;
+  const std::array rows{row(right, 1 / (half * camera.aspect)), row(up, 1 / half), depth, w};
+  std::array<double, 16> numbers{};
+  const double scale = std::ldexp(1.0, random.integer(-8, 8));
+  for (std::size_t i = 0; i < 16; ++i) numbers[i] = scale * rows[i / 4][static_cast<int>(i % 4)];
+  return culler::MatrixCamera::from_rows(numbers.data(),
+                                         is_zero_to_w ? culler::ClipDepth::zero_to_w : culler::ClipDepth::minus_w_to_w,
+                                         is_reversed ? culler::Nearer::greater : culler::Nearer::less);
 }
 
 /// What a scene should hold.
@@ -319,6 +349,34 @@ class WorldJudge {
     if (random_.chance(0.3)) options.mask = static_cast<std::uint32_t>(random_.integer(0, 7));
     if (random_.chance(0.2)) options.least_size = static_cast<float>(random_.real(0, 0.3));
     options.is_front_to_back = random_.chance(0.3);
+    if (random_.chance(0.6)) {
+      eyes_ = {camera};
+      return fault_of_culls(camera, options);
+    }
+    culler::MatrixCamera matrix = matrix_of(random_, camera);
+    if (random_.chance(0.5)) matrix.eye_radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random_.index(4)];
+    if (!culler::fault(matrix).empty()) return "";
+    set_eyes(camera, matrix);
+    return fault_of_culls(matrix, options);
+  }
+
+  /// The cameras from all of which what is hidden must be hidden.
+  void set_eyes(const Camera& camera, const culler::MatrixCamera& matrix) {
+    eyes_.clear();
+    for (int i = 0; i < (matrix.eye_radius > 0 ? 3 : 1); ++i) {
+      dvec3 aside(random_.real(-1, 1), random_.real(-1, 1), random_.real(-1, 1));
+      aside *= 0.999 * matrix.eye_radius / std::max(glm::length(aside), 0.5);
+      Camera moved = camera;
+      // Of parallel rays the eye only says where the near plane is, and that the matrix says to rounding.
+      const bool is_perspective = camera.projection == culler::Projection::perspective;
+      moved.eye = (is_perspective && matrix.eye_radius == 0 ? matrix.eye() : camera.eye) + aside;
+      moved.target += moved.eye - camera.eye;
+      eyes_.push_back(moved);
+    }
+  }
+
+  template <class AnyCamera>
+  std::string fault_of_culls(const AnyCamera& camera, const SceneOptions& options) {
     scene_.cull(camera, options, view_);
     if (std::string wrong = fault_of_list(options); !wrong.empty()) return wrong;
     if (std::string wrong = fault_of_fates(camera, options); !wrong.empty()) return wrong;
@@ -352,19 +410,19 @@ class WorldJudge {
     return "";
   }
 
-  std::string fault_of_fates(const Camera& camera, const SceneOptions& options) {
+  template <class AnyCamera>
+  std::string fault_of_fates(const AnyCamera& camera, const SceneOptions& options) {
     std::vector<ObjectId> ids = gone_;
     for (const auto& [slot, object] : seen_.objects) ids.push_back(object.id);
     const std::vector<ObjectFate> fates = scene_.why(camera, options, view_, ids);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const World::Object* object = seen_.find(ids[i]);
-      if (std::string wrong = fault_of_fate(camera, options, object, fates[i]); !wrong.empty()) return wrong;
+      if (std::string wrong = fault_of_fate(options, object, fates[i]); !wrong.empty()) return wrong;
     }
     return "";
   }
 
-  std::string fault_of_fate(const Camera& camera, const SceneOptions& options, const World::Object* object,
-                            const ObjectFate& fate) {
+  std::string fault_of_fate(const SceneOptions& options, const World::Object* object, const ObjectFate& fate) {
     if ((object == nullptr) != (fate.reason == Reason::not_in_scene)) return "why: not in the scene, or is it";
     if (object == nullptr) return "";
     const bool is_in_layer = (object->mask() & options.mask) != 0;
@@ -372,7 +430,10 @@ class WorldJudge {
     const bool is_drawn = std::ranges::binary_search(drawn_, object->id.slot);
     if (is_drawn != (fate.reason == Reason::drawn || fate.reason == Reason::always_drawn)) return "why: not what was drawn";
     if (fate.reason == Reason::out_of_view) return fault_of_plane(legal(object->box), view_.result().view[fate.plane]);
-    if (fate.reason == Reason::hidden) return fault_of_hidden(camera, options, legal(object->box), fate);
+    for (const Camera& eye : eyes_) {
+      if (fate.reason != Reason::hidden) break;
+      if (std::string wrong = fault_of_hidden(eye, options, legal(object->box), fate); !wrong.empty()) return wrong;
+    }
     return "";
   }
 
@@ -395,7 +456,8 @@ class WorldJudge {
         if (object == nullptr || (object->mask() & options.mask) == 0) return "hidden by an occluder without its object";
       }
       if (!is_placed(standing, polygon, corners)) return "hidden by an occluder where it is not";
-      if (standing.options.is_one_sided && is_certainly_back(camera, standing, corners)) return "hidden by a back face";
+      // Of several eyes, some may see the back of a polygon. Those that they see from the front must hide.
+      if (standing.options.is_one_sided && is_certainly_back(camera, standing, corners)) continue;
       polygons.emplace_back();
       for (const Vec3& corner : corners) polygons.back().push_back(to_oracle(corner));
     }
@@ -449,7 +511,8 @@ class WorldJudge {
   }
 
   /// A scene with the same content, made at once, draws the same objects.
-  std::string fault_beside_scene_anew(const Camera& camera, const SceneOptions& options) {
+  template <class AnyCamera>
+  std::string fault_beside_scene_anew(const AnyCamera& camera, const SceneOptions& options) {
     Scene anew;
     const ObjectId gone = anew.add(Aabb{});
     anew.remove(gone);
@@ -484,6 +547,7 @@ class WorldJudge {
   std::vector<ObjectId> gone_;
   std::vector<OccluderId> gone_occluders_;
   std::vector<std::uint32_t> drawn_;  ///< slots, in the last frame
+  std::vector<Camera> eyes_;          ///< of the last frame
 };
 
 }  // namespace

@@ -180,6 +180,21 @@ TEST(CoverBuffer, TheMarginIsKept) {
   EXPECT_TRUE(hides(0.125, 1.25));
 }
 
+/// It is a share of the picture's height in both directions, whatever the shape of the pixels.
+TEST(CoverBuffer, TheMarginIsAsWideAsHigh) {
+  const Mesh mesh = square(2, 1);
+  for (const double aspect : {0.6, 1.0, 2.0, 3.0}) {
+    Camera camera = looking_along_x();
+    camera.aspect = aspect;
+    const Judge judge(camera, mesh, 100, 0.125);
+    // The picture is 1.155 high at a distance of 1. Where a box at distance 4 hides begins at 4 (0.5 - 0.125 * 1.155).
+    for (const glm::dvec3& aside : {glm::dvec3{0, 1, 0}, {0, 0, 1}}) {
+      EXPECT_FALSE(judge.hides(cube(glm::dvec3{4, 0, 0} + 1.44 * aside, 0.001))) << aspect;
+      EXPECT_TRUE(judge.hides(cube(glm::dvec3{4, 0, 0} + 1.0 * aside, 0.001))) << aspect;
+    }
+  }
+}
+
 TEST(CoverBuffer, BeginningOpensAllPixels) {
   const Mesh mesh = square(2, 1);
   CoverBuffer buffer;

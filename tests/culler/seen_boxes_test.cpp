@@ -55,7 +55,7 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
     if (!fault(camera).empty()) continue;
     const double depth = 3 * away + 300;
     const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : 1e-6);
-    const BoxPicture boxes(picture, 0);
+    const BoxPicture boxes(picture, {0, 0});
     SeenBoxes batch;
     std::vector<kernel::Aabb> asked;
     for (std::size_t k = 0; k < SeenBoxes::kMost; ++k) {
@@ -108,7 +108,7 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
 TEST(SeenBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
   Camera camera;  // along +x
   const BeamPicture picture(FrameView(camera, 100), {128, 96, 16}, 0);
-  const BoxPicture boxes(picture, 0);
+  const BoxPicture boxes(picture, {0, 0});
   SeenBoxes batch;
   batch.add(boxes, {{0.05, -1, -1}, {2, 1, 1}});
   batch.add(boxes, {{-2, -1, -1}, {2, 1, 1}});
