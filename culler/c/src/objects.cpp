@@ -26,7 +26,7 @@ culler::ObjectOptions to_options(const occlude_object_options* given) {
   return {.moves = options.moves != 0, .is_always_drawn = options.is_always_drawn != 0, .mask = options.mask};
 }
 
-ObjectId known(const occlude_scene* scene, occlude_object object, const std::string& place = {}) {
+ObjectId known_object(const occlude_scene* scene, occlude_object object, const std::string& place = {}) {
   require(scene, "scene");
   const auto id = unpacked<ObjectId>(object);
   if (!scene->scene.contains(id)) throw UnknownId(place + "the scene has no such object");
@@ -36,7 +36,7 @@ ObjectId known(const occlude_scene* scene, occlude_object object, const std::str
 void require_known(const occlude_scene* scene, std::span<const occlude_object> objects) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (!scene->scene.contains(unpacked<ObjectId>(objects[i]))) {
-      static_cast<void>(known(scene, objects[i], "object " + std::to_string(i) + ": "));
+      static_cast<void>(known_object(scene, objects[i], "object " + std::to_string(i) + ": "));
     }
   }
 }
@@ -102,7 +102,7 @@ occlude_status occlude_scene_add_objects(occlude_scene* scene, const occlude_box
 
 occlude_status occlude_scene_remove_object(occlude_scene* scene, occlude_object object) noexcept {
   return guarded([&] {
-    const ObjectId id = known(scene, object);
+    const ObjectId id = known_object(scene, object);
     scene->scene.remove(id);
   });
 }
@@ -122,7 +122,7 @@ occlude_status occlude_scene_remove_objects(occlude_scene* scene, const occlude_
 
 occlude_status occlude_scene_move_object(occlude_scene* scene, occlude_object object, const occlude_box* box) noexcept {
   return guarded([&] {
-    const ObjectId id = known(scene, object);
+    const ObjectId id = known_object(scene, object);
     scene->scene.move(id, to_box(box));
   });
 }
@@ -141,14 +141,14 @@ occlude_status occlude_scene_move_objects(occlude_scene* scene, const occlude_ob
 
 occlude_status occlude_scene_enable_object(occlude_scene* scene, occlude_object object, int32_t is_enabled) noexcept {
   return guarded([&] {
-    const ObjectId id = known(scene, object);
+    const ObjectId id = known_object(scene, object);
     scene->scene.set_enabled(id, is_enabled != 0);
   });
 }
 
 occlude_status occlude_scene_mask_object(occlude_scene* scene, occlude_object object, uint32_t mask) noexcept {
   return guarded([&] {
-    const ObjectId id = known(scene, object);
+    const ObjectId id = known_object(scene, object);
     scene->scene.set_mask(id, mask);
   });
 }

@@ -33,7 +33,7 @@ culler::Placement to_placement(const occlude_placement* given) {
   return {vec3(given->x), vec3(given->y), vec3(given->z), vec3(given->origin)};
 }
 
-OccluderId known(const occlude_scene* scene, occlude_occluder occluder) {
+OccluderId known_occluder(const occlude_scene* scene, occlude_occluder occluder) {
   require(scene, "scene");
   const auto id = unpacked<OccluderId>(occluder);
   if (!scene->scene.contains(id)) throw UnknownId("the scene has no such occluder");
@@ -79,7 +79,7 @@ occlude_status occlude_scene_add_occluders(occlude_scene* scene, const occlude_m
 
 occlude_status occlude_scene_remove_occluder(occlude_scene* scene, occlude_occluder occluder) noexcept {
   return guarded([&] {
-    const OccluderId id = known(scene, occluder);
+    const OccluderId id = known_occluder(scene, occluder);
     scene->scene.remove(id);
   });
 }
@@ -87,7 +87,7 @@ occlude_status occlude_scene_remove_occluder(occlude_scene* scene, occlude_occlu
 occlude_status occlude_scene_move_occluder(occlude_scene* scene, occlude_occluder occluder,
                                            const occlude_placement* placement) noexcept {
   return guarded([&] {
-    const OccluderId id = known(scene, occluder);
+    const OccluderId id = known_occluder(scene, occluder);
     scene->scene.move(id, to_placement(placement));
   });
 }
@@ -95,7 +95,7 @@ occlude_status occlude_scene_move_occluder(occlude_scene* scene, occlude_occlude
 occlude_status occlude_scene_replace_occluder(occlude_scene* scene, occlude_occluder occluder,
                                               const occlude_mesh* mesh) noexcept {
   return guarded([&] {
-    const OccluderId id = known(scene, occluder);
+    const OccluderId id = known_occluder(scene, occluder);
     require(mesh, "mesh");
     scene->scene.replace(id, mesh->mesh);
   });
@@ -103,14 +103,14 @@ occlude_status occlude_scene_replace_occluder(occlude_scene* scene, occlude_occl
 
 occlude_status occlude_scene_enable_occluder(occlude_scene* scene, occlude_occluder occluder, int32_t is_enabled) noexcept {
   return guarded([&] {
-    const OccluderId id = known(scene, occluder);
+    const OccluderId id = known_occluder(scene, occluder);
     scene->scene.set_enabled(id, is_enabled != 0);
   });
 }
 
 occlude_status occlude_scene_mask_occluder(occlude_scene* scene, occlude_occluder occluder, uint32_t mask) noexcept {
   return guarded([&] {
-    const OccluderId id = known(scene, occluder);
+    const OccluderId id = known_occluder(scene, occluder);
     scene->scene.set_mask(id, mask);
   });
 }
