@@ -237,7 +237,7 @@ MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const
   asking.descend({0, all()}, root.count / kShares, [&](Subtree&& s) { subtrees.push_back(std::move(s)); });
   Counts total{.missed = asking.missed_in(root)};
   std::vector<Counts> counts(subtrees.size());
-  parallel_for(subtrees.size(), [&](std::size_t i) {
+  const auto count_subtree = [&](std::size_t i) {
     // Half of the work that is left is divided equally, for the way down. The other half is divided in proportion to the
     // missed polygons.
     const double even = 1 / static_cast<double>(subtrees.size());
@@ -247,7 +247,8 @@ MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const
     Work part(static_cast<std::size_t>(share * static_cast<double>(work.left())), checkpoint);
     Asking below(*this, missed, part);
     below.descend(subtrees[i], 0, [&](const Subtree& leaf) { below.count_leaf(leaf, counts[i]); });
-  });
+  };
+  parallel_for(subtrees.size(), count_subtree, checkpoint);
   for (const Counts& some : counts) total += some;
   return total;
 }

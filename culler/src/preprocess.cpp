@@ -67,13 +67,14 @@ Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const 
   std::mutex mutex;
   std::size_t done = 0;
   const std::size_t regions = culler.occluders().lists().partition().regions();
-  parallel_for(regions, [&](std::size_t region) {
+  const auto sample_region = [&](std::size_t region) {
     const std::size_t first = result.lists.first[region], count = result.lists.first[region + 1] - first;
     if (count != 0) sample(culler, samples, region, std::span(result.lists.hidden).subspan(first, count), checkpoint);
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, regions);
-  });
+  };
+  parallel_for(regions, sample_region, checkpoint);
   return result;
 }
 

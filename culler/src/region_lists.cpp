@@ -128,13 +128,14 @@ class RegionDescent {
       return static_cast<std::size_t>(std::ranges::lower_bound(lists_.cells, all / kShares * share + 1, {}, &Listed::end) -
                                       lists_.cells.begin());
     };
-    parallel_for(kShares, [&](std::size_t s) {
+    const auto work_on_share = [&](std::size_t s) {
       const std::size_t end = s + 1 < kShares ? first_of(s + 1) : lists_.cells.size();
       for (std::size_t c = first_of(s); c < end; ++c) {
         checkpoint_();
         work(c, shares[s]);
       }
-    });
+    };
+    parallel_for(kShares, work_on_share, checkpoint_);
     lists_ = {};
     std::size_t cells = 0, occluders = 0;
     for (const CellLists& share : shares) {

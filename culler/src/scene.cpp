@@ -82,8 +82,8 @@ void Scene::set_enabled(OccluderId occluder, bool is_enabled) { parts_->occluder
 void Scene::set_mask(OccluderId occluder, std::uint32_t mask) { parts_->occluders.set_mask(occluder, mask); }
 bool Scene::contains(OccluderId occluder) const { return parts_->occluders.contains(occluder); }
 
-void Scene::update() {
-  parts_->objects.update();
+void Scene::update(const Executor& executor) {
+  parts_->objects.update(executor);
   parts_->occluders.update();
 }
 

@@ -2,19 +2,20 @@
 #include "scene_frame.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "bounds.h"
 #include "cover_descent.h"
 #include "drawn_groups.h"
+#include "object_listing.h"
 #include "placed.h"
 #include "prepared_mesh.h"
-#include "seen_boxes.h"
 
 namespace occlude::culler {
 namespace {
@@ -38,18 +39,21 @@ auto volumes_of(std::span<const HierarchyNode> nodes) {
   return [nodes](std::uint32_t node, const auto& question) { return question(nodes[node].box); };
 }
 
+/// Groups that are worth a thread of their own.
+constexpr std::size_t kGroupsOfPart = 4;
+
 class SceneFrame {
  public:
-  SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
-             const SceneOptions& options, SceneView::Memory& memory)
+  SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+             SceneView::Memory& memory)
       : objects_(objects),
         occluders_(occluders),
         options_(options),
         memory_(memory),
-        result_(memory.result),
-        work_(memory.result.stats.work),
+        stats_(memory.result.stats),
         buffer_(memory.cover.buffer),
-        painter_(view, options.cover, options.margin, memory.cover, work_) {}
+        painter_(memory.view, options.cover, options.margin, memory.cover, stats_.work),
+        asking_(options, planes_, buffer_, {}) {}
 
   /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
   template <class Joined>
@@ -59,8 +63,28 @@ class SceneFrame {
         draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.across, joined);
       };
       descend(
-          forest.tree.nodes(), see, [](const Culled&) {}, planes_.all());
+          forest.tree.nodes(), see, [](const Culled&) {}, stats_.work);
     }
+  }
+
+  /// Lists the objects that are neither hidden nor out of view: first finds the groups that are neither, then lists the
+  /// objects of these, perhaps on several threads. Each part lists to room of its own, and the parts are put together in
+  /// their order. So the result does not depend on the threads.
+  void list_objects() {
+    make_room();
+    ObjectListing all = listing(0, objects_.standing_unplaced().size() + objects_.moving_unplaced().size());
+    for (const auto unplaced : {objects_.standing_unplaced(), objects_.moving_unplaced()}) {
+      for (const auto& [id, mask] : unplaced) {
+        if ((mask & options_.mask) != 0) all.draw({id, kInfinity, -kInfinity});
+      }
+    }
+    find_groups(all);
+    add(all);
+    list_parts();
+    if (!options_.is_front_to_back) return;
+    std::ranges::sort(memory_.result.drawn, [](const DrawnObject& a, const DrawnObject& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.id.slot < b.id.slot;
+    });
   }
 
   /// What becomes of an object; not yet what hides it. REQUIRES: the occluders were drawn.
@@ -71,44 +95,20 @@ class SceneFrame {
     if ((object->mask & options_.mask) == 0) return {Reason::in_no_layer};
     if (object->group == nullptr) return {Reason::always_drawn};
     for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) {
-      if (is_out_of_view(*object->group, object->index, 1U << plane)) return {Reason::out_of_view, plane};
+      if (asking_.is_out_of_view(*object->group, object->index, 1U << plane)) return {Reason::out_of_view, plane};
     }
     const kernel::Aabb& box = object->group->outer(object->index);
     if (buffer_.hides(box)) return {Reason::hidden};
-    return {size_of(box) < options_.least_size ? Reason::too_small : Reason::drawn};
-  }
-
-  /// Lists the objects that are neither hidden nor out of view.
-  void list_objects() {
-    for (const auto unplaced : {objects_.standing_unplaced(), objects_.moving_unplaced()}) {
-      for (const auto& [id, mask] : unplaced) {
-        if ((mask & options_.mask) != 0) draw({id, kInfinity, -kInfinity});
-      }
-    }
-    const LinearTree& groups = objects_.groups();
-    const auto see = [&](const SeenNode& leaf) {
-      list(objects_.group(groups.order()[groups.nodes()[leaf.node].first]), leaf.across);
-    };
-    const auto cull = [&](const Culled& culled) {
-      const HierarchyNode& node = groups.nodes()[culled.node];
-      for (const std::uint32_t i : groups.order().subspan(node.first, node.count)) {
-        const ObjectGroup& group = objects_.group(i);
-        count(culled.by, group.count(group.nodes()[0], options_.mask));
-      }
-    };
-    descend(groups.nodes(), see, cull, planes_.all());
-    if (!options_.is_front_to_back) return;
-    std::ranges::sort(result_.drawn, [](const DrawnObject& a, const DrawnObject& b) {
-      return a.distance != b.distance ? a.distance < b.distance : a.id.slot < b.id.slot;
-    });
+    return {asking_.size_of(box) < options_.least_size ? Reason::too_small : Reason::drawn};
   }
 
  private:
   template <class See, class Cull>
-  void descend(std::span<const HierarchyNode> nodes, const See& see, const Cull& cull, std::uint32_t across) {
+  void descend(std::span<const HierarchyNode> nodes, const See& see, const Cull& cull, CullStats& work) {
     const auto ask = volumes_of(nodes);
+    const auto join = [] {};
     const StandingTree tree{nodes, ask};
-    CoverDescent(tree, planes_, buffer_, work_, see, cull, [] {}).run(across);
+    CoverDescent(tree, planes_, buffer_, work, see, cull, join).run(planes_.all());
   }
 
   [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
@@ -116,7 +116,7 @@ class SceneFrame {
     if (occluder.object.is_none()) return true;
     const auto object = objects_.seen(occluder.object);
     if (!object || (object->mask & options_.mask) == 0) return false;
-    return object->group == nullptr || !(size_of(object->group->outer(object->index)) < options_.least_size);
+    return object->group == nullptr || !(asking_.size_of(object->group->outer(object->index)) < options_.least_size);
   }
 
   template <class Joined>
@@ -138,83 +138,86 @@ class SceneFrame {
     };
     const auto ignore = [](const Culled&) {};
     const PlacedTree tree{source.nodes, occluder.placement};
-    CoverDescent(tree, planes_, buffer_, work_, see, ignore, join).run(across);
-    if (painter_.groups() != before) ++result_.stats.occluders;
+    CoverDescent(tree, planes_, buffer_, stats_.work, see, ignore, join).run(across);
+    if (painter_.groups() != before) ++stats_.occluders;
   }
 
-  /// The objects of a group whose box is neither hidden nor out of view.
-  void list(const ObjectGroup& group, std::uint32_t across) {
-    const auto see = [&](const SeenNode& leaf) { list(group, group.nodes()[leaf.node], leaf.across); };
-    const auto cull = [&](const Culled& culled) {
-      count(culled.by, group.count(group.nodes()[culled.node], options_.mask));
+  void make_room() {
+    const std::size_t most = objects_.seen_size();
+    memory_.result.drawn.reserve(std::bit_ceil(most));
+    if (memory_.room_size >= most) return;
+    memory_.room_size = std::bit_ceil(most);
+    memory_.room = std::make_unique_for_overwrite<DrawnObject[]>(memory_.room_size);
+  }
+
+  [[nodiscard]] ObjectListing listing(std::size_t first, std::size_t objects) {
+    return {options_, planes_, buffer_, std::span(memory_.room.get(), memory_.room_size).subspan(first, objects)};
+  }
+
+  void find_groups(ObjectListing& listing) {
+    const LinearTree& groups = objects_.groups();
+    memory_.groups.clear();
+    memory_.groups.reserve(std::bit_ceil(groups.order().size()));
+    const auto see = [&](const SeenNode& leaf) {
+      memory_.groups.push_back({groups.order()[groups.nodes()[leaf.node].first], leaf.across});
     };
-    descend(group.nodes(), see, cull, across);
-  }
-
-  /// Those of a leaf.
-  void list(const ObjectGroup& group, const HierarchyNode& leaf, std::uint32_t across) {
-    static_assert(ObjectGroup::kLeaf <= SeenBoxes::kMost);
-    SeenBoxes boxes;
-    std::array<std::uint32_t, SeenBoxes::kMost> at{};
-    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      if ((group.mask(i) & options_.mask) == 0) continue;
-      if (is_out_of_view(group, i, across)) {
-        count(Culled::By::view, 1);
-        continue;
+    const auto cull = [&](const Culled& culled) {
+      const HierarchyNode& node = groups.nodes()[culled.node];
+      for (const std::uint32_t i : groups.order().subspan(node.first, node.count)) {
+        const ObjectGroup& group = objects_.group(i);
+        listing.count(culled.by, group, group.nodes()[0]);
       }
-      at[boxes.size] = i;
-      boxes.add(buffer_.box_picture(), group.outer(i));
-    }
-    boxes.see(buffer_.box_picture());
-    for (std::size_t k = 0; k < boxes.size; ++k) {
-      ++work_.cover_tests;
-      const float size = buffer_.seen_size(boxes, k);
-      if (buffer_.hides(buffer_.footprint(boxes, k))) {
-        count(Culled::By::cover, 1);
-      } else if (size < options_.least_size) {
-        ++result_.stats.too_small;
-      } else {
-        draw({group.id(at[k]), size, boxes.distance[k]});
+    };
+    descend(groups.nodes(), see, cull, listing.stats().work);
+  }
+
+  void list_parts() {
+    const std::span<const SceneView::SeenGroup> groups = memory_.groups;
+    const std::size_t threads = options_.executor == nullptr ? 1 : options_.executor->threads();
+    const std::size_t parts = std::clamp<std::size_t>(groups.size() / kGroupsOfPart, 1, 4 * threads);
+    const std::size_t length = (groups.size() + parts - 1) / parts;
+    memory_.parts.clear();
+    memory_.parts.reserve(4 * threads);
+    std::size_t first_object = 0;
+    for (std::size_t first = 0; first < groups.size(); first += length) {
+      std::size_t objects = 0;
+      for (const auto& [group, across] : groups.subspan(first, std::min(length, groups.size() - first))) {
+        objects += objects_.group(group).size();
       }
+      memory_.parts.push_back(listing(first_object, objects));
+      first_object += objects;
     }
+    const auto list_part = [&](std::size_t part) {
+      for (std::size_t i = part * length; i < std::min((part + 1) * length, groups.size()); ++i) {
+        memory_.parts[part].list(objects_.group(groups[i].group), groups[i].across);
+      }
+    };
+    (options_.executor == nullptr ? Executor() : *options_.executor).run(memory_.parts.size(), std::cref(list_part));
+    for (ObjectListing& part : memory_.parts) add(part);
+    memory_.parts.clear();  // they refer to this frame
   }
 
-  [[nodiscard]] bool is_out_of_view(const ObjectGroup& group, std::uint32_t i, std::uint32_t across) {
-    for (std::uint32_t left = across; left != 0; left &= left - 1) {
-      const auto plane = static_cast<std::size_t>(std::countr_zero(left));
-      ++work_.view_tests;
-      const kernel::Relation relation =
-          group.ask(i, [&](const auto& box) { return kernel::relation(planes_.planes[plane], box, planes_.arithmetic); });
-      if (relation == kernel::Relation::outside) return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] float size_of(const kernel::Aabb& box) const {
-    SeenBoxes boxes;
-    boxes.add(buffer_.box_picture(), box);
-    boxes.see(buffer_.box_picture());
-    return buffer_.seen_size(boxes, 0);
-  }
-
-  void draw(const DrawnObject& object) {
-    result_.drawn.push_back(object);
-    ++result_.stats.drawn;
-  }
-
-  void count(Culled::By by, std::size_t objects) {
-    (by == Culled::By::view ? result_.stats.out_of_view : result_.stats.hidden) += objects;
+  void add(ObjectListing& listing) {
+    memory_.result.drawn.insert(memory_.result.drawn.end(), listing.drawn().begin(), listing.drawn().end());
+    const SceneStats& part = listing.stats();
+    stats_.drawn += part.drawn;
+    stats_.out_of_view += part.out_of_view;
+    stats_.hidden += part.hidden;
+    stats_.too_small += part.too_small;
+    stats_.work.nodes_visited += part.work.nodes_visited;
+    stats_.work.view_tests += part.work.view_tests;
+    stats_.work.cover_tests += part.work.cover_tests;
   }
 
   const SceneObjects& objects_;
   const SceneOccluders& occluders_;
   const SceneOptions& options_;
   SceneView::Memory& memory_;
-  SceneResult& result_;
-  CullStats& work_;
+  SceneStats& stats_;
   const CoverBuffer& buffer_;
   CoverPainter painter_;
   ViewPlanes planes_{memory_.planes, kernel::Arithmetic::certified};
+  ObjectListing asking_;  ///< which lists nothing
 };
 
 /// Appends the polygons that hide the box, each once.
@@ -257,8 +260,7 @@ double reach(const SceneObjects& objects, const SceneOccluders& occluders, const
 void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
                 SceneView::Memory& memory) {
   begin_frame(memory);
-  memory.result.drawn.reserve(std::bit_ceil(objects.seen_size()));
-  SceneFrame frame(objects, occluders, memory.view, options, memory);
+  SceneFrame frame(objects, occluders, options, memory);
   frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
   frame.list_objects();
 }
@@ -268,7 +270,7 @@ std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOcclude
   SceneView::Memory memory;
   memory.view = view;
   begin_frame(memory);
-  SceneFrame frame(objects, occluders, memory.view, options, memory);
+  SceneFrame frame(objects, occluders, options, memory);
   memory.cover.buffer.keep_owners();
   DrawnGroups drawn;
   std::vector<const SceneOccluders::Standing*> drawn_occluders;

@@ -2,12 +2,16 @@
 // A frame of a scene from the camera to the list of what to draw.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "cover_painter.h"
 #include "frame_view.h"
+#include "object_listing.h"
 #include "occlude/culler/scene_view.h"
 #include "occlude/kernel/half_space.h"
 #include "scene_objects.h"
@@ -15,12 +19,22 @@
 
 namespace occlude::culler {
 
+/// A group of objects that is neither hidden nor out of view, and a bit for each plane that may cross it.
+struct SceneView::SeenGroup {
+  std::uint32_t group;  ///< in the order of SceneObjects::groups()
+  std::uint32_t across;
+};
+
 /// What is kept of a view, and memory that its frames reuse.
 struct SceneView::Memory {
   SceneResult result;
   FrameView view;  ///< of the last frame
   CoverMemory cover;
   std::vector<kernel::HalfSpace> planes;
+  std::vector<SeenGroup> groups;
+  std::vector<ObjectListing> parts;     ///< of the groups
+  std::unique_ptr<DrawnObject[]> room;  ///< where the parts list; memory that is never written to takes only addresses
+  std::size_t room_size = 0;
 };
 
 /// How far the scene reaches from the eye, in the sum of the axes.

@@ -2,6 +2,8 @@
 #include "scene_objects.h"
 
 #include <algorithm>
+#include <exception>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -159,13 +161,13 @@ void SceneObjects::set_layers(ObjectId id, std::uint32_t mask, bool is_enabled) 
   changed(slot);
 }
 
-void SceneObjects::update() {
+void SceneObjects::update(const Executor& executor) {
   if (!has_changed_ && !has_moved_) return;
   places_.resize(slots_.size());
   remove_departed();
   mask_again();
   if (has_moved_) place_moving();
-  place_arrivals();
+  place_arrivals(executor);
   tidy_loose();
   if (small_groups_.size() >= kMostSmall) join_small();
   build_top();
@@ -224,7 +226,7 @@ void SceneObjects::place_moving() {
 }
 
 /// Puts what was added or moved into groups of objects that are near each other.
-void SceneObjects::place_arrivals() {
+void SceneObjects::place_arrivals(const Executor& executor) {
   batch_.clear();
   for (const auto& [object, is_unplaced] : arrivals_) {
     if (object.id.is_none()) continue;
@@ -241,26 +243,56 @@ void SceneObjects::place_arrivals() {
   if (batch_.size() <= kMost) {
     place_group(batch_);
   } else {
-    boxes_.clear();
-    for (const SceneObject& object : batch_) boxes_.push_back(outer_box(object.box));
-    chunks_.build(boxes_, kMost);
-    for (const HierarchyNode& node : chunks_.nodes()) {
-      if (!node.is_leaf()) continue;
-      chunk_.clear();
-      for (const std::uint32_t i : chunks_.order().subspan(node.first, node.count)) chunk_.push_back(batch_[i]);
-      place_group(chunk_);
-    }
-    forget(boxes_);
-    if (batch_.capacity() > kKept) chunks_ = {};
+    place_large_batch(executor);
   }
   forget(batch_);
+}
+
+/// Divides the batch into groups of objects that are near each other. They are built in parts, by the executor.
+void SceneObjects::place_large_batch(const Executor& executor) {
+  std::vector<kernel::Aabb> boxes;
+  for (const SceneObject& object : batch_) boxes.push_back(outer_box(object.box));
+  LinearTree chunks;
+  chunks.build(boxes, kMost);
+  struct Chunk {
+    std::span<const std::uint32_t> objects;
+    std::uint32_t group;
+  };
+  std::vector<Chunk> work;
+  for (const HierarchyNode& node : chunks.nodes()) {
+    if (node.is_leaf()) work.push_back({chunks.order().subspan(node.first, node.count), free_group(node.count)});
+  }
+  const std::size_t length = (work.size() + executor.threads() - 1) / executor.threads();
+  std::vector<GroupBuilder> builders(executor.threads());
+  std::vector<std::vector<SceneObject>> objects(executor.threads());
+  for (std::vector<SceneObject>& of_part : objects) of_part.reserve(kMost);
+  std::exception_ptr failure;
+  std::mutex mutex;
+  executor.run(executor.threads(), [&](std::size_t part) {
+    try {
+      for (std::size_t i = part * length; i < std::min((part + 1) * length, work.size()); ++i) {
+        objects[part].clear();
+        for (const std::uint32_t k : work[i].objects) objects[part].push_back(batch_[k]);
+        groups_[work[i].group].assign(objects[part], builders[part]);
+      }
+    } catch (...) {  // out of memory
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+    }
+  });
+  if (failure) std::rethrow_exception(failure);
+  for (const Chunk& chunk : work) note_places(chunk.group);
 }
 
 void SceneObjects::place_group(std::span<const SceneObject> objects) {
   if (objects.empty()) return;
   const std::uint32_t number = free_group(objects.size());
-  ObjectGroup& group = groups_[number];
-  group.assign(objects, builder_);
+  groups_[number].assign(objects, builder_);
+  note_places(number);
+}
+
+void SceneObjects::note_places(std::uint32_t number) {
+  const ObjectGroup& group = groups_[number];
   for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot] = {group.id(i).generation, number, i};
   if (group.size() < kSmall) small_groups_.push_back(number);
 }
@@ -341,8 +373,7 @@ std::size_t SceneObjects::bytes() const {
                       bytes_of(departed_) + bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) +
                       bytes_of(unplaced_) + bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() +
                       bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) + bytes_of(batch_) +
-                      bytes_of(chunk_) + chunks_.bytes() + builder_.tree.bytes() + bytes_of(builder_.boxes) +
-                      bytes_of(boxes_);
+                      builder_.tree.bytes() + bytes_of(builder_.boxes) + bytes_of(boxes_);
   for (const ObjectGroup& group : groups_) bytes += group.bytes();
   return bytes;
 }

@@ -13,6 +13,7 @@
 #include "linear_tree.h"
 #include "object_group.h"
 #include "occlude/culler/box.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/scene_id.h"
 
 namespace occlude::culler {
@@ -37,7 +38,7 @@ class SceneObjects {
   [[nodiscard]] bool contains(ObjectId id) const;
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  void update();
+  void update(const Executor& executor);
 
   /// What views see. The leaves of groups() are groups, one each.
   [[nodiscard]] const LinearTree& groups() const { return top_; }
@@ -95,8 +96,10 @@ class SceneObjects {
   void remove_from_place(std::uint32_t slot);
   void mask_again();
   void place_moving();
-  void place_arrivals();
+  void place_arrivals(const Executor& executor);
+  void place_large_batch(const Executor& executor);
   void place_group(std::span<const SceneObject> objects);
+  void note_places(std::uint32_t group);
   void join_small();
   void tidy_loose();
   void empty_group(std::uint32_t group);
@@ -125,8 +128,6 @@ class SceneObjects {
   // Of update().
   std::vector<std::uint32_t> free_groups_, small_groups_, loose_groups_;
   std::vector<SceneObject> batch_;
-  std::vector<SceneObject> chunk_;
-  LinearTree chunks_;
   GroupBuilder builder_;
   std::vector<kernel::Aabb> boxes_;
 };

@@ -24,8 +24,8 @@ class BoxPicture {
   std::array<float, 3> right{}, up{}, forward{};
   float middle_x = 0, middle_y = 0, scale_x = 0, scale_y = 0;  ///< as in BeamPicture
   float width = 0, height = 0;
-  float near = 0;   ///< not less than the picture's
-  float moved = 0;  ///< not less than the picture's error() and rounding() together
+  float near = 0;                  ///< not less than the picture's
+  float moved = 0;                 ///< not less than the picture's error() and rounding() together
   float wider_x = 0, wider_y = 0;  ///< the margin
 };
 

@@ -65,6 +65,18 @@ TEST(Checkpoint, StopsAnOccluderMesh) {
   expect_stops_anywhere([&](const Checkpoint& checkpoint) { const OccluderMesh mesh(soup, checkpoint); });
 }
 
+/// A model is prepared on the threads that the caller gives, and is the same.
+TEST(Checkpoint, SaysOnWhichThreads) {
+  const PolygonSoup soup = random_town_of_houses(3, 300);
+  std::size_t parts = 0;
+  const Executor mine(3, [&](std::size_t count, const Executor::Part& part) {
+    for (std::size_t i = 0; i < count; ++i, ++parts) part(i);
+  });
+  const Culler culler(soup, BuildConfig{}, Checkpoint(mine)), other(soup);
+  EXPECT_GT(parts, 0U);
+  EXPECT_EQ(culler.occluders().lists().stored().first, other.occluders().lists().stored().first);
+}
+
 TEST(ParallelSort, IsStable) {
   std::mt19937 random(2);
   std::vector<std::uint32_t> order(500000), keys(order.size());

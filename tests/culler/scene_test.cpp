@@ -806,6 +806,50 @@ TEST(Scene, IsCulledOnSeveralThreadsWhileItIsChanged) {
   }
 }
 
+/// Parts in the reverse order, and parts on threads.
+std::vector<Executor> some_executors() {
+  const auto backwards = [](std::size_t count, const Executor::Part& part) {
+    while (count > 0) part(--count);
+  };
+  const auto threads = [](std::size_t count, const Executor::Part& part) {
+    std::vector<std::jthread> all;
+    for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
+  };
+  return {Executor(), Executor(5, backwards), Executor(3, threads), Executor::own_threads()};
+}
+
+TEST(Scene, ResultsDoNotDependOnTheExecutor) {
+  const auto town = std::make_shared<OccluderMesh>(random_town_of_houses(7, 1500));
+  std::vector<std::vector<std::uint32_t>> drawn;
+  std::vector<std::array<std::size_t, 5>> counts;
+  for (const Executor& executor : some_executors()) {
+    std::mt19937 random(kSeed);
+    Scene scene;
+    std::vector<Box> boxes;
+    while (boxes.size() < 20000) boxes.push_back(random_box(random));
+    std::vector<ObjectId> ids(boxes.size());
+    scene.add(boxes, {}, ids);
+    scene.add(town);
+    scene.update(executor);
+    SceneView view;
+    drawn.emplace_back();
+    counts.emplace_back();
+    for (int i = 0; i < 5; ++i) {
+      const SceneResult& result = scene.cull(random_camera(random), {.executor = &executor}, view);
+      for (const DrawnObject& object : result.drawn) drawn.back().push_back(object.id.slot);
+      const SceneStats& stats = result.stats;
+      const std::array now{stats.drawn, stats.hidden, stats.out_of_view, stats.work.nodes_visited, stats.work.cover_tests};
+      for (std::size_t k = 0; k < now.size(); ++k) counts.back()[k] += now[k];
+    }
+  }
+  for (std::size_t i = 1; i < drawn.size(); ++i) {
+    EXPECT_EQ(drawn[i], drawn[0]) << "executor " << i;
+    EXPECT_EQ(counts[i], counts[0]) << "executor " << i;
+  }
+  EXPECT_GT(counts[0][0], 500U);
+  EXPECT_GT(counts[0][1], 500U);
+}
+
 /// Tiles that come and go leave no memory behind, however the objects are divided.
 TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
   std::mt19937 random(kSeed);

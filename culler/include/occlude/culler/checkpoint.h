@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a caller stops work that takes seconds.
+// How a caller takes part in work that takes seconds: stops it, and says on which threads it is done. Reading order: 1.
 #pragma once
 
 #include <concepts>
@@ -8,17 +8,23 @@
 #include <type_traits>
 #include <utility>
 
+#include "occlude/culler/executor.h"
+
 namespace occlude::culler {
 
 /// A function of the caller that long work calls every few milliseconds, on any of its threads and on several at once. What
 /// it throws stops the work and is thrown on to the caller. So an engine cancels loading by throwing.
 class Checkpoint {
  public:
-  /// Calls nothing.
+  /// Calls nothing, and works on all processors.
   Checkpoint() = default;
   template <std::invocable Call>
   requires(!std::same_as<std::remove_cvref_t<Call>, Checkpoint>) Checkpoint(Call&& call)
       : call_(std::forward<Call>(call)) {}  // NOLINT: any call is one
+  /// Calls nothing, and works by this executor.
+  explicit Checkpoint(Executor executor) : executor_(std::move(executor)) {}
+  template <std::invocable Call>
+  Checkpoint(Call&& call, Executor executor) : call_(std::forward<Call>(call)), executor_(std::move(executor)) {}
 
   void operator()() const {
     if (call_) call_();
@@ -29,8 +35,11 @@ class Checkpoint {
     if (i % kSteps == 0) (*this)();
   }
 
+  [[nodiscard]] const Executor& executor() const { return executor_; }
+
  private:
   std::function<void()> call_;
+  Executor executor_ = Executor::own_threads();
 };
 
 }  // namespace occlude::culler

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same work on all processors.
+// The same work on several threads.
 #pragma once
 
 #include <algorithm>
@@ -7,23 +7,21 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <system_error>
-#include <thread>
-#include <vector>
 
 #include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 
 namespace occlude::culler {
 
-/// Calls checkpoint() and then work(i), once for every i < count, on several threads at once: one for each processor, or as
-/// many as the system can start. The calling thread is one of them. Returns when all calls have returned.
-/// If a call throws, no further calls begin. Once those that run have returned, the first exception is thrown on.
+/// Calls checkpoint() and then work(i), once for every i < count, by the executor of the checkpoint. Returns when all calls
+/// have returned. If a call throws, no further calls begin. Once those that run have returned, the first exception is thrown
+/// on.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work, const Checkpoint& checkpoint = {}) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
-  const auto share = [&] {
+  const auto share = [&](std::size_t) {
     try {
       for (std::size_t i = next++; i < count; i = next++) {
         checkpoint();
@@ -35,16 +33,8 @@ void parallel_for(std::size_t count, Work&& work, const Checkpoint& checkpoint =
       if (!failure) failure = std::current_exception();
     }
   };
-  {
-    std::vector<std::jthread> others;
-    const std::size_t threads = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count);
-    try {
-      for (std::size_t t = 1; t < threads; ++t) others.emplace_back(share);
-    } catch (const std::system_error&) {
-      // Fewer do it as well.
-    }
-    share();
-  }
+  const Executor& executor = checkpoint.executor();
+  executor.run(std::min(executor.threads(), count), share);
   if (failure) std::rethrow_exception(failure);
 }
 

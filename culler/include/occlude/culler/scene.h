@@ -11,6 +11,7 @@
 
 #include "occlude/culler/box.h"
 #include "occlude/culler/camera.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/placement.h"
@@ -96,9 +97,10 @@ class Scene {
   [[nodiscard]] bool contains(OccluderId occluder) const;
 
   /// Makes all changes since the last update. Takes time in proportion to what changed, and to the number of objects with
-  /// ObjectOptions::moves if one of them moved; likewise for occluders. After the scene has had its largest size, nothing
-  /// more is allocated: README.md, Growth and budgets.
-  void update();
+  /// ObjectOptions::moves if one of them moved; likewise for occluders. Large tiles, of thousands of objects that stand
+  /// still, are built by the executor. After the scene has had its largest size, nothing more is allocated: README.md,
+  /// Growth and budgets. If memory runs out, std::bad_alloc is thrown, and the scene may only be destroyed.
+  void update(const Executor& executor = {});
 
   /// What to draw for the next frame of this view. Returns view.result(). Throws std::invalid_argument for a camera with a
   /// fault(); the view then keeps its last frame.

@@ -11,6 +11,7 @@
 #include "occlude/culler/box.h"
 #include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/scene_id.h"
 #include "occlude/culler/view.h"
 
@@ -29,6 +30,9 @@ struct SceneOptions {
   float least_size = 0;
   /// Whether the objects to draw are listed from front to back. This takes time n log n.
   bool is_front_to_back = false;
+  /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
+  /// result is the same, to the order of the list.
+  const Executor* executor = nullptr;
 };
 
 /// An object to draw, and how it looks.
@@ -101,6 +105,7 @@ class SceneView {
 
   /// For scenes only: src/scene_frame.h. Not protected by `const`.
   struct Memory;
+  struct SeenGroup;
   [[nodiscard]] Memory& memory() const { return *memory_; }
 
  private:

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Which objects of a frame are drawn, once all is in the coarse picture that hides.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "cover_buffer.h"
+#include "cover_descent.h"
+#include "object_group.h"
+#include "occlude/culler/scene_view.h"
+
+namespace occlude::culler {
+
+/// Lists objects of some groups. Several listings may be at work at once.
+class ObjectListing {
+ public:
+  /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
+  ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& buffer, std::span<DrawnObject> room)
+      : options_(options), view_(view), buffer_(buffer), room_(room) {}
+
+  /// The objects of a group that are neither hidden nor out of view. `across` has a bit for each plane of the view that may
+  /// cross the group.
+  void list(const ObjectGroup& group, std::uint32_t across);
+  /// Lists an object.
+  void draw(const DrawnObject& object) { room_[stats_.drawn++] = object; }
+  /// Counts the objects of a node that is culled.
+  void count(Culled::By by, const ObjectGroup& group, const HierarchyNode& node) {
+    count(by, group.count(node, options_.mask));
+  }
+
+  [[nodiscard]] bool is_out_of_view(const ObjectGroup& group, std::uint32_t object, std::uint32_t across);
+  /// As DrawnObject::size.
+  [[nodiscard]] float size_of(const kernel::Aabb& box) const;
+
+  [[nodiscard]] std::span<const DrawnObject> drawn() const { return room_.first(stats_.drawn); }
+  [[nodiscard]] SceneStats& stats() { return stats_; }
+
+ private:
+  void list_leaf(const ObjectGroup& group, const HierarchyNode& leaf, std::uint32_t across);
+  void count(Culled::By by, std::size_t objects) {
+    (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
+  }
+
+  const SceneOptions& options_;
+  const ViewPlanes& view_;
+  const CoverBuffer& buffer_;
+  std::span<DrawnObject> room_;
+  SceneStats stats_;
+};
+
+}  // namespace occlude::culler
