@@ -182,7 +182,7 @@ class SceneFrame {
     for (std::size_t first = 0; first < groups.size(); first += length) {
       std::size_t objects = 0;
       for (const auto& [group, across] : groups.subspan(first, std::min(length, groups.size() - first))) {
-        objects += objects_.group(group).size();
+        objects += objects_.group(group).living();
       }
       memory_.parts.push_back(listing(first_object, objects));
       first_object += objects;
