@@ -46,9 +46,9 @@ struct CellLists {
 constexpr std::size_t kShares = 64;
 
 /// A cell as occluders look from there.
-class Place {
+class RegionPlace {
  public:
-  explicit Place(const kernel::Aabb& box)
+  explicit RegionPlace(const kernel::Aabb& box)
       : middle_((to_glm(box.min) + to_glm(box.max)) / 2.0), half_((to_glm(box.max) - to_glm(box.min)) / 2.0) {}
 
   /// Whether the area-angle may exceed the threshold from somewhere in the cell. That is so of viewpoints within `reach`,
@@ -117,7 +117,7 @@ class RegionDescent {
 
  private:
   [[nodiscard]] const Partition::Cell& cell(const Listed& listed) const { return partition_.cells()[listed.cell]; }
-  [[nodiscard]] Place place(std::uint32_t cell) const { return Place(partition_.cell_box(cell)); }
+  [[nodiscard]] RegionPlace place(std::uint32_t cell) const { return RegionPlace(partition_.cell_box(cell)); }
 
   /// Puts what work(c, result) appends to `result` for each list in the place of the lists.
   template <class Work>
@@ -175,7 +175,7 @@ class RegionDescent {
 
   /// Lists for a part of cell c what may be seen from there.
   void list(std::uint32_t part, std::size_t c, CellLists& result) const {
-    const Place from = place(part);
+    const RegionPlace from = place(part);
     for (const std::uint32_t i : lists_.list(c)) {
       if (from.may_see(occluders_[i], reach_[i], config_.threshold)) result.occluders.push_back(i);
     }
@@ -209,7 +209,7 @@ class RegionDescent {
     });
   }
 
-  void append_largest(std::span<const std::uint32_t> list, const Place& from, std::size_t count,
+  void append_largest(std::span<const std::uint32_t> list, const RegionPlace& from, std::size_t count,
                       std::vector<std::uint32_t>& result) const {
     if (count == 0) return;
     std::vector<double> looks;
