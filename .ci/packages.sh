@@ -12,6 +12,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
   libgtest-dev patch python3                  # tests
+  python3-dev python3-numpy pybind11-dev      # python
   "$@"
 )
 

@@ -68,4 +68,7 @@ function(occlude_module name)
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_compile_features(occlude_${name} PUBLIC cxx_std_20)
   target_link_libraries(occlude_${name} PRIVATE $<BUILD_INTERFACE:occlude_options>)
+  # For shared libraries and modules that are made of it. What is hidden is called directly there, too.
+  set_target_properties(occlude_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
 endfunction()

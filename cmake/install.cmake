@@ -1,5 +1,5 @@
-# What `cmake --install` puts under a prefix: the kernel and the culler, which other programs link, with descriptions for
-# CMake and pkg-config; and the command if it is built. No file contains the path of the build or of the prefix, so the
+# What `cmake --install` puts under a prefix: the kernel, the culler and the C interface, which other programs link, with
+# descriptions for CMake and pkg-config; and the command if it is built. No file contains the path of the build or of the prefix, so the
 # prefix may be moved. Included once, from the top.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -10,6 +10,10 @@ foreach(name IN ITEMS kernel culler)
   install(TARGETS occlude_${name} EXPORT occlude INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(DIRECTORY ${OCCLUDE_SOURCES}/${name}/include/ TYPE INCLUDE)
 endforeach()
+set_target_properties(occlude_c PROPERTIES EXPORT_NAME c)
+set_target_properties(occlude_c_shared PROPERTIES EXPORT_NAME c_shared)
+install(TARGETS occlude_c occlude_c_shared EXPORT occlude INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${OCCLUDE_SOURCES}/culler/c/include/ TYPE INCLUDE)
 install(EXPORT occlude NAMESPACE occlude:: FILE occlude-targets.cmake DESTINATION ${package_folder})
 
 # Before 1.0 a new minor version may change the interface.
@@ -20,8 +24,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/occlude-config.cmake ${version_file} D
 set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 set(pc_to_prefix /prefix)
 cmake_path(RELATIVE_PATH pc_to_prefix BASE_DIRECTORY /prefix/${pc_folder})
-configure_file(${PROJECT_SOURCE_DIR}/cmake/occlude.pc.in ${PROJECT_BINARY_DIR}/package/occlude.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/package/occlude.pc DESTINATION ${pc_folder})
+foreach(name IN ITEMS occlude occlude-c)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/package/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/package/${name}.pc DESTINATION ${pc_folder})
+endforeach()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
 if(OCCLUDE_TOOLS)

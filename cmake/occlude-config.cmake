@@ -1,4 +1,4 @@
-# The installed package: occlude::kernel and occlude::culler.
+# The installed package: occlude::kernel, occlude::culler, occlude::c and occlude::c_shared.
 include(CMakeFindDependencyMacro)
 find_dependency(glm)
 find_dependency(Threads)

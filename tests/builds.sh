@@ -39,7 +39,7 @@ on_platform() {
   bash tests/platforms/libraries.sh "$1" "$folder" || { echo "FAILED to build libraries: $folder/libraries.txt"; return 1; }
   local options=("-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$1.cmake" "-DCMAKE_PREFIX_PATH=$folder/prefix"
     -DCMAKE_BUILD_TYPE=Release)
-  local targets=(kernel_tests culler_tests model_example scene_example) chosen='^(kernel|culler)$'
+  local targets=(kernel_tests culler_tests model_example scene_example matrix_example c_tests) chosen='^(kernel|culler)$'
   build_and_test "$folder/build"
 }
 

@@ -10,8 +10,10 @@ cd "$(dirname "$0")/.."
 layers='
 kernel:
 culler: kernel
+culler/c: kernel culler
 oracle:
 render: kernel culler
+python: kernel culler culler/c oracle
 oracle/cases: kernel oracle render
 oracle/proof: kernel culler oracle render oracle/cases
 fuzz: kernel oracle/cases

@@ -13,7 +13,7 @@
 namespace occlude::culler {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 /// A sheet that is narrower than this, in pixels, closes at most a few of them.
 constexpr int kLeastSide = 4;
@@ -23,7 +23,7 @@ constexpr int kLeastSide = 4;
 struct CoverPiece::Outline {
   /// The smallest upright rectangle around positions and their errors.
   struct Extent {
-    Place low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+    Place low{kNoBound, kNoBound}, high{-kNoBound, -kNoBound};
 
     void hold(const Corner& corner) {
       low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
@@ -92,7 +92,7 @@ void CoverPiece::see(const CoverMesh& mesh) {
 bool CoverPiece::find(std::size_t sheet) {
   sheet_ = sheets_[sheet];
   Outline::Extent all;
-  double nearest = kInfinity;
+  double nearest = kNoBound;
   for (const std::uint32_t t : sheet_) {
     const Outline outline = this->outline(mesh_.triangles[t]);
     all.hold(outline.extent);
@@ -213,7 +213,7 @@ void CoverPiece::lay_depth(const CoverMesh::Triangle& triangle, const Outline& o
     const double* const slopes = slopes_x_.data();
     const double of_rows = plane.of_rows(slopes_y_[static_cast<std::size_t>(y)], slopes_y_[static_cast<std::size_t>(y) + 1]);
     for (int x = x0; x < x1; ++x) {
-      const double of_plane = plane.is_known() ? plane.least_nearness(of_rows, slopes[x], slopes[x + 1]) : -kInfinity;
+      const double of_plane = plane.is_known() ? plane.least_nearness(of_rows, slopes[x], slopes[x + 1]) : -kNoBound;
       lay(x, y, of_plane > outline.nearness ? rounded_down(of_plane) : outline.nearness);
     }
   }

@@ -22,7 +22,7 @@ constexpr double kLeastDeterminant = 0x1p-32;
 /// The squares of shorter vectors may be subnormal numbers, which are less precise. Such a row counts as 0.
 constexpr double kLeastLength = 0x1p-400;
 /// A bound that is computed with such numbers is multiplied by this.
-constexpr double kBoundRounded = 1 + 0x1p-10;
+constexpr double kErrorRounded = 1 + 0x1p-10;
 
 /// Half of a picture's width or height at a distance of 1. These are the limits of Camera: a tangent of half of 0.001 or of
 /// 179 degrees, times or divided by 65536; rounded outwards.
@@ -78,10 +78,10 @@ double distance_bound(const std::array<MatrixRow, 3>& rows, const Basis& basis, 
     const double residual = std::fabs(rows[i].at(point)) + rows[i].error_at(point);
     bound += residual / glm::length(rows[i].normal) * glm::length(basis.dual[i]);
   }
-  return kBoundRounded * bound;
+  return kErrorRounded * bound;
 }
 
-bool is_legal(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }
+bool is_legal_eye(const glm::dvec3& v) { return kernel::check(to_kernel(v)) == kernel::Refusal::none; }
 
 }  // namespace
 
@@ -119,7 +119,7 @@ std::string_view MatrixEye::find_perspective() {
   if (std::min({of_x, of_y, of_w}) < kLeastLength || basis.is_singular()) return "the matrix is singular: it has no eye";
   const std::array<MatrixRow, 3> rows{x_, y_, w_};
   eye_ = meeting_point(rows, basis);
-  if (!is_legal(eye_)) return "the eye is out of range";
+  if (!is_legal_eye(eye_)) return "the eye is out of range";
   eye_error_ = distance_bound(rows, basis, eye_);
   axes_ = {x_.normal / of_x, y_.normal / of_y, without_negligible(w_.normal / of_w)};
   half_width_ = of_w / of_x;
@@ -128,7 +128,7 @@ std::string_view MatrixEye::find_perspective() {
   if (!(std::min(half_width_, half_height_) >= kLeastSlope && std::max(half_width_, half_height_) <= kMostSlope))
     return "the picture must have an extent, and a bound";
   const double depth = z_.at(eye_);
-  if (!(std::fabs(depth) > z_.error_at(eye_) + kBoundRounded * glm::length(z_.normal) * eye_error_))
+  if (!(std::fabs(depth) > z_.error_at(eye_) + kErrorRounded * glm::length(z_.normal) * eye_error_))
     return "the matrix is singular: it has no depth";
   is_reversed_ = depth > 0;  // z / w falls along the line of sight
   return "";
@@ -149,12 +149,12 @@ std::string_view MatrixEye::find_parallel(Nearer nearer) {
   // What is left of x and y along it tells how much it is turned.
   const double turned =
       std::fabs(glm::dot(axes_.right, axes_.forward)) + std::fabs(glm::dot(axes_.up, axes_.forward)) + 0x1p-49;
-  direction_error_ = kBoundRounded * turned / glm::length(glm::cross(axes_.right, axes_.up));
+  direction_error_ = kErrorRounded * turned / glm::length(glm::cross(axes_.right, axes_.up));
   bend_ = sum_of(w_.normal) / w_.constant;
   MatrixRow depth = z_;
   depth.constant -= is_reversed_ ? w_.constant : depth_ == ClipDepth::zero_to_w ? 0 : -w_.constant;
   eye_ = meeting_point({x_, y_, depth}, basis);
-  if (!is_legal(eye_)) return "the eye is out of range";
+  if (!is_legal_eye(eye_)) return "the eye is out of range";
   half_width_ = w_.constant / of_x;
   half_height_ = w_.constant / of_y;
   height_ = 2 * half_height_;
@@ -174,7 +174,7 @@ std::string_view MatrixEye::find_parallel(Nearer nearer) {
 double MatrixEye::moved(double depth) const {
   if (is_perspective_) return eye_error_;
   const double reach = sum_of(eye_) + depth;
-  return kBoundRounded * (direction_error_ * depth + 2 * bend_ * reach * reach);
+  return kErrorRounded * (direction_error_ * depth + 2 * bend_ * reach * reach);
 }
 
 MatrixEye::Vector MatrixEye::vector(double right, double up, double forward) const {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kAllLayers = ~std::uint32_t{0};
 
 template <class T>
-std::size_t bytes_of(const std::vector<T>& v) {
+std::size_t capacity_of(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
 }
 
@@ -77,8 +77,8 @@ void ObjectGroup::append_living(std::vector<SceneObject>& objects) const {
 }
 
 std::size_t ObjectGroup::bytes() const {
-  return bytes_of(nodes_) + bytes_of(ids_) + bytes_of(masks_) + bytes_of(outer_) + bytes_of(oriented_) +
-         bytes_of(oriented_boxes_);
+  return capacity_of(nodes_) + capacity_of(ids_) + capacity_of(masks_) + capacity_of(outer_) + capacity_of(oriented_) +
+         capacity_of(oriented_boxes_);
 }
 
 std::size_t ObjectGroup::count(const HierarchyNode& node, std::uint32_t mask) const {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The libraries as other programs meet them: installed, the installed folder moved, and one small program that links them
-# through CMake, through pkg-config, and with the sources inside its own project, whatever that compiles with.
+# The libraries as other programs meet them: installed, the installed folder moved, and small programs in C++ and in C that
+# link them through CMake, through pkg-config, and with the sources inside their own project, whatever that compiles with.
 # Usage: consumers_test.sh BUILD_FOLDER COMPILER
 set -uo pipefail
 build=$(realpath "$1") compiler=$2
@@ -17,9 +17,9 @@ fail() {
   failures=$((failures + 1))
 }
 
-# run_consumer HOW: the program's answer.
+# run_consumer HOW [PROGRAM]: the program's answer.
 run_consumer() {
-  "$1/consumer" >stdout 2>&1 || fail "$1: exit code $?: $(cat stdout)"
+  "$1/${2:-consumer}" >stdout 2>&1 || fail "$1: exit code $?: $(cat stdout)"
 }
 
 launcher=$(command -v ccache || true)
@@ -33,6 +33,7 @@ cmake_consumer() {
   grep '"command".*/consumer\.dir/' "$1/compile_commands.json" >command || fail "$1: no command compiles it"
   grep -E -- '-fno-fast-math|-ffp-contract|-Wconversion' command && fail "$1: compiled with our flags"
   run_consumer "$1"
+  run_consumer "$1" c_consumer
 }
 
 cmake --install "$build" --prefix "$here/first" >log 2>&1 || { fail "install: $(cat log)"; exit 1; }
@@ -43,6 +44,7 @@ prefix=$here/elsewhere/second
 headers() { (cd "$1" && find occlude -name '*.h'); }
 diff <({ headers "$source/kernel/include"; headers "$source/culler/include"; } | sort) <(headers "$prefix/include" | sort) ||
   fail "not the public headers"
+cmp "$source/culler/c/include/occlude.h" "$prefix/include/occlude.h" || fail "not the header of the C interface"
 [ -s "$prefix/share/doc/occlude/LICENSE" ] || fail "no licence"
 if [ -e "$build/occlude" ]; then
   "$prefix/bin/occlude" --version >log 2>&1 || fail "the command: $(cat log)"
@@ -72,6 +74,23 @@ if flags=$(pkg-config --cflags --libs occlude 2>&1) &&
   run_consumer pkg-config
 else
   fail "pkg-config: does not build: $flags $(cat log)"
+fi
+
+# A program in C, by a C compiler: with the shared library nothing of C++ is needed.
+compiler_of_c=$(command -v cc)
+if flags=$(pkg-config --cflags --libs occlude-c 2>&1) &&
+  "$compiler_of_c" -std=c11 -pedantic -Wall -Wextra -Werror "$tests/c_consumer/main.c" $flags -o pkg-config/c_consumer \
+    >log 2>&1; then
+  LD_LIBRARY_PATH=$(pkg-config --variable=libdir occlude-c) run_consumer pkg-config c_consumer
+else
+  fail "pkg-config in C: does not build: $flags $(cat log)"
+fi
+if {
+  cmake -S "$tests/c_consumer" -B c_alone -G Ninja -DCMAKE_PREFIX_PATH="$prefix" && cmake --build c_alone
+} >log 2>&1; then
+  run_consumer c_alone
+else
+  fail "CMake in C: does not build: $(cat log)"
 fi
 
 # These build the libraries anew: in few optimisations and few files, because that is most of the time.

@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: MIT
+// The C interface of occlude: a world of objects and occluders that changes, culled from any number of cameras. It is the
+// interface for programs in C, for other languages, and for C++ without exceptions. README.md has an introduction; what
+// culling promises is written at `class Scene` in occlude/culler/scene.h.
+//
+// 1. **No exceptions.** No function throws, ends the program or prints. Each that can fail returns an occlude_status;
+//    occlude_last_error() then says why. What fails changes nothing, unless it is said.
+// 2. **Arguments** are checked. Null pointers, ids of nothing, numbers that are not legal and unknown enumerators are
+//    refused. Not checked: that a handle is one of this library and was not destroyed, and that memory has the size that
+//    was said.
+// 3. **Structs** of options, cameras, data, frames and statistics begin with their size, which the OCCLUDE_..._INIT macros
+//    fill in. A newer library takes the shorter struct of an older header, and uses defaults for what that does not have. A
+//    longer one is refused. Options may be null: all defaults.
+// 4. **Truth values** are of type int32_t: 0 is false, everything else true.
+// 5. **Threads.** Functions that take a pointer to a const scene may run on several threads at once, each with a view of
+//    its own. Changes may be made while others cull, one change at a time; but different objects that have
+//    occlude_object_options.moves may be moved on several threads at once. occlude_scene_update() must run alone. A view
+//    belongs to one thread while it is culled with; between frames any number of threads may ask it. Meshes may be made on
+//    any thread, and used on all.
+// 6. **Coordinates** are right-handed and in any unit. They are 0 or of a magnitude in [2^-100, 2^100].
+#ifndef OCCLUDE_H
+#define OCCLUDE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+// To use the shared library on Windows, define OCCLUDE_SHARED, as CMake does.
+#if defined(_WIN32) && defined(OCCLUDE_BUILDS_SHARED)
+#define OCCLUDE_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(OCCLUDE_SHARED)
+#define OCCLUDE_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define OCCLUDE_API __attribute__((visibility("default")))
+#else
+#define OCCLUDE_API
+#endif
+
+// A function that never throws.
+#ifdef __cplusplus
+#define OCCLUDE_NO_THROW noexcept
+extern "C" {
+#else
+#define OCCLUDE_NO_THROW
+#endif
+
+// ---- Version and errors ----
+
+/// The version of this header: 10000 major + 100 minor + patch.
+#define OCCLUDE_VERSION 100
+
+/// The version of the library, as OCCLUDE_VERSION. While major is 0, another minor version is another interface.
+OCCLUDE_API uint32_t occlude_version(void) OCCLUDE_NO_THROW;
+
+typedef int32_t occlude_status;
+enum {
+  OCCLUDE_OK = 0,
+  OCCLUDE_INVALID_ARGUMENT = 1,  ///< a null pointer, a number that is not legal, an unknown enumerator
+  OCCLUDE_UNKNOWN_ID = 2,        ///< an id of nothing that is in the scene
+  OCCLUDE_OUT_OF_MEMORY = 3,
+  OCCLUDE_ROUNDING_MODE = 4,  ///< the processor does not round to nearest: nothing is made, culled or answered then
+  OCCLUDE_STOPPED = 5,        ///< the caller's `should_stop` said so
+  OCCLUDE_FAILED = 6          ///< anything else, such as a thread that could not be started
+};
+
+/// The name of a status in English; never null.
+OCCLUDE_API const char* occlude_status_text(occlude_status status) OCCLUDE_NO_THROW;
+
+/// Why the last function of this library that failed on this thread did so, with the place: "box 3: box has min > max". An
+/// empty string if none did. Valid until the next one fails on this thread.
+OCCLUDE_API const char* occlude_last_error(void) OCCLUDE_NO_THROW;
+
+// ---- Numbers, points and boxes ----
+
+typedef int32_t occlude_number_type;
+enum { OCCLUDE_DOUBLE = 0, OCCLUDE_FLOAT = 1 };
+
+typedef int32_t occlude_box_kind;
+enum {
+  OCCLUDE_ALIGNED = 0,  ///< 6 numbers: the least x, y, z, then the greatest
+  OCCLUDE_ORIENTED = 1  ///< 12 numbers: the centre, then three half edges, any vectors
+};
+
+/// An axis-aligned box: 6 numbers as OCCLUDE_ALIGNED has them.
+typedef struct occlude_box {
+  double min[3], max[3];
+} occlude_box;
+
+/// An oriented box {center + a h0 + b h1 + g h2 : |a|, |b|, |g| <= 1}: 12 numbers as OCCLUDE_ORIENTED has them.
+typedef struct occlude_oriented_box {
+  double center[3], half_edges[3][3];
+} occlude_oriented_box;
+
+/// Points in memory of the caller: three numbers each. `data` may be null if `count` is 0. Nothing need be aligned.
+typedef struct occlude_points {
+  const void* data;
+  size_t count;
+  size_t stride;  ///< bytes from one point to the next; 0: they follow one another
+  occlude_number_type type;
+} occlude_points;
+
+/// Boxes in memory of the caller: 6 or 12 numbers each. Otherwise as occlude_points.
+typedef struct occlude_boxes {
+  const void* data;
+  size_t count;
+  size_t stride;
+  occlude_number_type type;
+  occlude_box_kind kind;
+} occlude_boxes;
+
+// ---- Meshes: what hides ----
+
+/// Geometry that hides, prepared once and shared by all occluders that have it. It cannot be changed.
+typedef struct occlude_mesh occlude_mesh;
+
+/// Polygons, drawn as the fan (v0, vi, vi+1) of their loop and opaque from both sides. They may have any shape, overlap and
+/// leave gaps. What they hide together is hidden.
+typedef struct occlude_mesh_data {
+  size_t size;  ///< of this struct
+  occlude_points vertices;
+  const uint32_t* indices;  ///< the loops of all polygons, one after another
+  size_t index_count;
+  const uint32_t* polygon_sizes;  ///< how many indices each polygon has, at least 3; null: all are triangles
+  size_t polygon_count;           ///< 0 if polygon_sizes is null
+  /// Asked every few milliseconds, on any thread and on several at once; not 0: making the mesh is given up. Null: never.
+  int (*should_stop)(void* context);
+  void* context;
+} occlude_mesh_data;
+
+#define OCCLUDE_MESH_DATA_INIT \
+  { sizeof(occlude_mesh_data), {NULL, 0, 0, OCCLUDE_DOUBLE}, NULL, 0, NULL, 0, NULL, NULL }
+
+/// Copies the data, and writes the mesh to `mesh`. A mesh without polygons is legal and hides nothing.
+OCCLUDE_API occlude_status occlude_mesh_create(const occlude_mesh_data* data, occlude_mesh** mesh) OCCLUDE_NO_THROW;
+/// Occluders that have the mesh keep it for as long as they need it. Null is nothing.
+OCCLUDE_API void occlude_mesh_destroy(occlude_mesh* mesh) OCCLUDE_NO_THROW;
+/// The number of polygons; 0 for null.
+OCCLUDE_API size_t occlude_mesh_polygons(const occlude_mesh* mesh) OCCLUDE_NO_THROW;
+/// The box that holds all vertices; the origin if there are none.
+OCCLUDE_API occlude_status occlude_mesh_box(const occlude_mesh* mesh, occlude_box* box) OCCLUDE_NO_THROW;
+
+// ---- Scenes: objects and occluders ----
+
+/// Objects with boxes, and occluders that need not be what is drawn. Changes show at the next occlude_scene_update().
+typedef struct occlude_scene occlude_scene;
+
+/// Name one object, or one occluder, of a scene until it is removed; what is added later never has the same id. 0 is none.
+/// The higher 32 bits are a generation, the lower 32 bits a slot plus 1.
+typedef uint64_t occlude_object;
+typedef uint64_t occlude_occluder;
+enum { OCCLUDE_NONE = 0 };
+
+/// A small number that what is in the scene has to itself: objects apart from occluders. What is added takes the slot of
+/// what was removed, so an array of the caller's own that is indexed by slots stays short. Means nothing for OCCLUDE_NONE.
+#define OCCLUDE_SLOT(id) ((uint32_t)((id)&0xffffffffu) - 1u)
+
+OCCLUDE_API occlude_status occlude_scene_create(occlude_scene** scene) OCCLUDE_NO_THROW;
+/// Null is nothing.
+OCCLUDE_API void occlude_scene_destroy(occlude_scene* scene) OCCLUDE_NO_THROW;
+
+typedef struct occlude_object_options {
+  size_t size;  ///< of this struct
+  /// Whether it is moved often: those that are cost time in each update, the others only when they are moved.
+  int32_t moves;
+  /// Whether it is in every frame whose mask it has, wherever it is.
+  int32_t is_always_drawn;
+  /// Layers: see occlude_cull_options.mask.
+  uint32_t mask;
+  uint32_t reserved;  ///< 0
+} occlude_object_options;
+
+#define OCCLUDE_OBJECT_OPTIONS_INIT \
+  { sizeof(occlude_object_options), 0, 0, 0xffffffffu, 0 }
+
+/// Boxes of objects may have any numbers but NaN, with min <= max. One that reaches beyond 2^100 has no place, and its
+/// object is always drawn.
+OCCLUDE_API occlude_status occlude_scene_add_object(occlude_scene* scene, const occlude_box* box,
+                                                    const occlude_object_options* options,
+                                                    occlude_object* object) OCCLUDE_NO_THROW;
+/// Adds an object for each box and writes as many ids. Objects that are near each other are best added together. When memory
+/// runs out, the ids of objects that were not added are OCCLUDE_NONE.
+OCCLUDE_API occlude_status occlude_scene_add_objects(occlude_scene* scene, const occlude_boxes* boxes,
+                                                     const occlude_object_options* options,
+                                                     occlude_object* objects) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_remove_object(occlude_scene* scene, occlude_object object) OCCLUDE_NO_THROW;
+/// All of them are in the scene, else nothing is removed. One that is named twice counts once. When memory runs out, the
+/// first of them are removed.
+OCCLUDE_API occlude_status occlude_scene_remove_objects(occlude_scene* scene, const occlude_object* objects,
+                                                        size_t count) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_move_object(occlude_scene* scene, occlude_object object,
+                                                     const occlude_box* box) OCCLUDE_NO_THROW;
+/// Moves as many objects as there are boxes. When memory runs out, the first of them are moved.
+OCCLUDE_API occlude_status occlude_scene_move_objects(occlude_scene* scene, const occlude_object* objects,
+                                                      const occlude_boxes* boxes) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_enable_object(occlude_scene* scene, occlude_object object,
+                                                       int32_t is_enabled) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_mask_object(occlude_scene* scene, occlude_object object,
+                                                     uint32_t mask) OCCLUDE_NO_THROW;
+/// Whether the scene has it: 1 or 0. 0 for a null scene.
+OCCLUDE_API int32_t occlude_scene_has_object(const occlude_scene* scene, occlude_object object) OCCLUDE_NO_THROW;
+
+/// An affine map: the point p of a mesh is at p.x x + p.y y + p.z z + origin in the scene. These are the columns of a
+/// matrix. They need be neither unit vectors nor perpendicular.
+typedef struct occlude_placement {
+  double x[3], y[3], z[3], origin[3];
+} occlude_placement;
+
+/// The mesh where its vertices are.
+#define OCCLUDE_PLACEMENT_INIT                   \
+  {                                              \
+    {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, { 0, 0, 0 } \
+  }
+
+typedef struct occlude_occluder_options {
+  size_t size;  ///< of this struct
+  /// As occlude_object_options.moves.
+  int32_t moves;
+  /// Whether it hides only with the polygons that look counter-clockwise from the eye, for renderers that cull back faces. A
+  /// mirrored placement turns no polygon over.
+  int32_t is_one_sided;
+  /// Layers: see occlude_cull_options.mask.
+  uint32_t mask;
+  uint32_t reserved;  ///< 0
+  /// The object that draws it, if any. It hides nothing in frames without that object: while the object is removed,
+  /// disabled, in no layer of the frame or too small.
+  occlude_object object;
+} occlude_occluder_options;
+
+#define OCCLUDE_OCCLUDER_OPTIONS_INIT \
+  { sizeof(occlude_occluder_options), 0, 0, 0xffffffffu, 0, OCCLUDE_NONE }
+
+/// Every point of an occluder must be on or inside something opaque that is drawn unless this scene hides it. A placement
+/// may be null: OCCLUDE_PLACEMENT_INIT. Refused is one with a number that is not finite, or that takes its mesh beyond
+/// 2^100.
+OCCLUDE_API occlude_status occlude_scene_add_occluder(occlude_scene* scene, const occlude_mesh* mesh,
+                                                      const occlude_placement* placement,
+                                                      const occlude_occluder_options* options,
+                                                      occlude_occluder* occluder) OCCLUDE_NO_THROW;
+/// Adds an occluder of this mesh for each placement and writes as many ids. When memory runs out, the ids of those that were
+/// not added are OCCLUDE_NONE.
+OCCLUDE_API occlude_status occlude_scene_add_occluders(occlude_scene* scene, const occlude_mesh* mesh,
+                                                       const occlude_placement* placements, size_t count,
+                                                       const occlude_occluder_options* options,
+                                                       occlude_occluder* occluders) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_remove_occluder(occlude_scene* scene, occlude_occluder occluder) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_move_occluder(occlude_scene* scene, occlude_occluder occluder,
+                                                       const occlude_placement* placement) OCCLUDE_NO_THROW;
+/// Gives it another mesh.
+OCCLUDE_API occlude_status occlude_scene_replace_occluder(occlude_scene* scene, occlude_occluder occluder,
+                                                          const occlude_mesh* mesh) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_enable_occluder(occlude_scene* scene, occlude_occluder occluder,
+                                                         int32_t is_enabled) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_mask_occluder(occlude_scene* scene, occlude_occluder occluder,
+                                                       uint32_t mask) OCCLUDE_NO_THROW;
+/// Whether the scene has it: 1 or 0. 0 for a null scene.
+OCCLUDE_API int32_t occlude_scene_has_occluder(const occlude_scene* scene, occlude_occluder occluder) OCCLUDE_NO_THROW;
+
+/// Makes all changes since the last update. When memory runs out, the scene may only be destroyed.
+OCCLUDE_API occlude_status occlude_scene_update(occlude_scene* scene) OCCLUDE_NO_THROW;
+
+/// What is in the scene, disabled ones included, and bytes of memory held for objects; 0 for null.
+OCCLUDE_API size_t occlude_scene_objects(const occlude_scene* scene) OCCLUDE_NO_THROW;
+OCCLUDE_API size_t occlude_scene_occluders(const occlude_scene* scene) OCCLUDE_NO_THROW;
+OCCLUDE_API size_t occlude_scene_object_bytes(const occlude_scene* scene) OCCLUDE_NO_THROW;
+
+// ---- Cameras ----
+
+typedef int32_t occlude_matrix_order;
+enum {
+  OCCLUDE_COLUMNS = 0,  ///< column after column: OpenGL, GLM; and row after row of Direct3D, for row vectors
+  OCCLUDE_ROWS = 1      ///< row after row, for column vectors
+};
+
+/// The clip volume is -w <= x <= w, -w <= y <= w, and of the depth z:
+typedef int32_t occlude_clip_depth;
+enum {
+  OCCLUDE_DEPTH_UNSAID = 0,        ///< refused: with the wrong one, what is visible might be hidden
+  OCCLUDE_DEPTH_MINUS_W_TO_W = 1,  ///< -w <= z <= w, as in OpenGL
+  OCCLUDE_DEPTH_ZERO_TO_W = 2      ///< 0 <= z <= w, as in Vulkan, Direct3D and Metal
+};
+
+/// Which of two depths z / w the renderer draws before the other.
+typedef int32_t occlude_nearer;
+enum {
+  OCCLUDE_NEARER_UNSAID = 0,  ///< that which the matrix has nearer to its eye; must be said with parallel rays
+  OCCLUDE_NEARER_LESS = 1,    ///< the usual
+  OCCLUDE_NEARER_GREATER = 2  ///< reversed depth
+};
+
+/// A camera that is any projective matrix: the one that the renderer has, from the coordinates of the scene to clip space.
+/// The matrix times the column (x, y, z, 1) is (x, y, z, w) in clip space. Perspective or parallel rays, either handedness,
+/// reversed or infinite depth, off-centre or oblique: all of it follows from the matrix. More is said in
+/// occlude/culler/matrix_camera.h.
+typedef struct occlude_matrix_camera {
+  size_t size;         ///< of this struct
+  const void* matrix;  ///< 16 numbers of this type, in this order; need not be aligned
+  occlude_number_type type;
+  occlude_matrix_order order;
+  occlude_clip_depth depth;  ///< must be said
+  occlude_nearer nearer;
+  /// The frame holds for all eyes within this distance of the matrix's: two eyes of one person, or where the eye may be when
+  /// the picture is drawn.
+  double eye_radius;
+} occlude_matrix_camera;
+
+#define OCCLUDE_MATRIX_CAMERA_INIT \
+  { sizeof(occlude_matrix_camera), NULL, OCCLUDE_DOUBLE, OCCLUDE_COLUMNS, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_UNSAID, 0 }
+
+typedef int32_t occlude_projection;
+enum { OCCLUDE_PERSPECTIVE = 0, OCCLUDE_ORTHOGRAPHIC = 1 };
+
+/// A right-handed camera that looks from `eye` to `target`, with `up` towards the top of the picture.
+typedef struct occlude_look_at_camera {
+  size_t size;  ///< of this struct
+  double eye[3], target[3], up[3];
+  double fov_y_deg;   ///< full vertical opening angle, in [0.001, 179]; perspective only
+  double height;      ///< full vertical extent in units of the scene; orthographic only
+  double aspect;      ///< width over height of the picture
+  double near_plane;  ///< distance of the near plane from the eye, above 0
+  double far_plane;   ///< as `near_plane`; 0 or infinite: no far plane
+  occlude_projection projection;
+  int32_t reserved;  ///< 0
+} occlude_look_at_camera;
+
+#define OCCLUDE_LOOK_AT_CAMERA_INIT \
+  { sizeof(occlude_look_at_camera), {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 60, 100, 16.0 / 9.0, 0.1, 0, OCCLUDE_PERSPECTIVE, 0 }
+
+// ---- Frames ----
+
+/// One camera, and its last frame. It may be used with any scene at any time. A frame does not depend on those before it.
+typedef struct occlude_view occlude_view;
+
+OCCLUDE_API occlude_status occlude_view_create(occlude_view** view) OCCLUDE_NO_THROW;
+/// Null is nothing.
+OCCLUDE_API void occlude_view_destroy(occlude_view* view) OCCLUDE_NO_THROW;
+
+/// How a frame is culled.
+typedef struct occlude_cull_options {
+  size_t size;  ///< of this struct
+  /// The coarse picture in pixels, clamped to [64, 4096] and rounded up to multiples of 8. A larger one hides more and costs
+  /// more.
+  int32_t cover_width, cover_height;
+  /// Once so many triangles are drawn into the picture, or the frame has taken so long, no more are drawn; the nearest come
+  /// first. 0: no limit. With a limit of time, what is hidden depends on the machine's speed; nothing visible is.
+  uint64_t cover_triangles;
+  double cover_ms;
+  /// By how much shadows are taken smaller, as a share of the picture's height: for a rasteriser to draw the same pixels
+  /// with and without culling, at least what it rounds positions by. Nothing is hidden if it is negative or not a number.
+  double margin;
+  /// Objects and occluders take part if their mask and this one have a bit in common.
+  uint32_t mask;
+  /// Objects that look smaller are left out (occlude_frame.sizes).
+  float least_size;
+  /// Whether the objects to draw are listed from front to back.
+  int32_t is_front_to_back;
+  int32_t reserved;  ///< 0
+} occlude_cull_options;
+
+#define OCCLUDE_CULL_OPTIONS_INIT \
+  { sizeof(occlude_cull_options), 512, 288, 0, 0, 0, 0xffffffffu, 0, 0, 0 }
+
+/// What to draw, for the next frame of the view. If the camera is refused, the view keeps its last frame. When memory runs
+/// out, it may be empty.
+OCCLUDE_API occlude_status occlude_scene_cull(const occlude_scene* scene, const occlude_matrix_camera* camera,
+                                              const occlude_cull_options* options, occlude_view* view) OCCLUDE_NO_THROW;
+OCCLUDE_API occlude_status occlude_scene_cull_look_at(const occlude_scene* scene, const occlude_look_at_camera* camera,
+                                                      const occlude_cull_options* options,
+                                                      occlude_view* view) OCCLUDE_NO_THROW;
+
+/// The half-space of the points x with normal . x + offset >= 0.
+typedef struct occlude_half_space {
+  double normal[3], offset;
+} occlude_half_space;
+
+/// The objects to draw, each once, and the planes of the view. The arrays belong to the view.
+typedef struct occlude_frame {
+  size_t size;   ///< of this struct
+  size_t count;  ///< objects to draw: elements of the three arrays
+  const occlude_object* objects;
+  /// No less than the height and the width of each box in the picture, as a share of the picture's height. Infinity for a
+  /// box that reaches before the near plane, and for one that is always drawn.
+  const float* sizes;
+  /// About the square of the distance from the eye to each box, or how far along the line of sight it begins if rays are
+  /// parallel. -infinity for what is always drawn.
+  const float* distances;
+  const occlude_half_space* planes;  ///< those that objects are tested against
+  size_t plane_count;
+} occlude_frame;
+
+#define OCCLUDE_FRAME_INIT \
+  { sizeof(occlude_frame), 0, NULL, NULL, NULL, NULL, 0 }
+
+/// The last frame of the view; empty before the first. Valid until the next frame of this view.
+OCCLUDE_API occlude_status occlude_view_frame(const occlude_view* view, occlude_frame* frame) OCCLUDE_NO_THROW;
+
+/// Each object with a layer of the frame is counted in exactly one of the first four numbers.
+typedef struct occlude_statistics {
+  size_t size;               ///< of this struct
+  size_t drawn;              ///< objects to draw
+  size_t out_of_view;        ///< beyond a plane of the view
+  size_t hidden;             ///< behind occluders
+  size_t too_small;          ///< smaller than occlude_cull_options.least_size
+  size_t occluders;          ///< of which at least a part was drawn into the coarse picture
+  size_t nodes_visited;      ///< of the trees of objects and of occluders
+  size_t view_tests;         ///< box against half-space
+  size_t cover_tests;        ///< box against the coarse picture
+  size_t cover_groups;       ///< joined meshes drawn into the picture
+  size_t cover_groups_left;  ///< not drawn into it, because a limit was reached
+  size_t cover_triangles;    ///< drawn into it
+} occlude_statistics;
+
+#define OCCLUDE_STATISTICS_INIT \
+  { sizeof(occlude_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/// Of the last frame; zeros before the first.
+OCCLUDE_API occlude_status occlude_view_statistics(const occlude_view* view,
+                                                   occlude_statistics* statistics) OCCLUDE_NO_THROW;
+
+typedef int32_t occlude_visibility;
+enum {
+  OCCLUDE_VISIBLE = 0,     ///< neither of the other two could be shown
+  OCCLUDE_OCCLUDED = 1,    ///< all of it is behind occluders
+  OCCLUDE_OUT_OF_VIEW = 2  ///< all of it is beyond one plane of the view
+};
+
+/// Whether boxes, such as those of objects about to be created, would be visible in the last frame; before the first all
+/// are. Writes as many answers as there are boxes. Refuses boxes with a number that is not legal (6); the answers before the
+/// first of these are written.
+OCCLUDE_API occlude_status occlude_view_visibility(const occlude_view* view, const occlude_boxes* boxes,
+                                                   occlude_visibility* visibilities) OCCLUDE_NO_THROW;
+
+/// A polygon that hides: its number in the mesh of the occluder, and where its corners are in the scene.
+typedef struct occlude_hiding {
+  occlude_occluder occluder;
+  uint32_t polygon;
+  uint32_t corner_count;
+  const double* corners;  ///< x, y, z of each
+} occlude_hiding;
+
+typedef int32_t occlude_reason;
+enum {
+  OCCLUDE_DRAWN = 0,
+  OCCLUDE_ALWAYS_DRAWN = 1,  ///< it has no place, or occlude_object_options.is_always_drawn
+  OCCLUDE_OUT_OF_PLANE = 2,  ///< its box is beyond occlude_frame.planes[plane]
+  OCCLUDE_HIDDEN = 3,        ///< `by` hide its box
+  OCCLUDE_TOO_SMALL = 4,
+  OCCLUDE_IN_NO_LAYER = 5,  ///< it is disabled, or has no bit of occlude_cull_options.mask
+  OCCLUDE_NOT_IN_SCENE = 6  ///< there was no such object at the last update
+};
+
+/// What became of an object in a frame, and why.
+typedef struct occlude_fate {
+  occlude_reason reason;
+  uint32_t plane;
+  size_t by_count;
+  const occlude_hiding* by;  ///< each polygon once; together they hide the box
+} occlude_fate;
+
+/// What became of these objects in the last frame of the view, which must be of this scene, not updated since. Takes the
+/// time of some frames. Writes as many fates as there are objects; their arrays belong to the view, until its next frame or
+/// the next call of this function. Refused before the first frame.
+OCCLUDE_API occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view, const occlude_object* objects,
+                                             size_t count, occlude_fate* fates) OCCLUDE_NO_THROW;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What the handles of the C interface are.
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "occlude.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
+#include "occlude/culler/occluder_mesh.h"
+#include "occlude/culler/scene.h"
+#include "occlude/culler/scene_view.h"
+
+struct occlude_mesh {
+  std::shared_ptr<const occlude::culler::OccluderMesh> mesh;
+};
+
+struct occlude_scene {
+  occlude::culler::Scene scene;
+};
+
+struct occlude_view {
+  occlude::culler::SceneView view;
+  // The last frame, as arrays.
+  std::vector<occlude_object> objects;
+  std::vector<float> sizes, distances;
+  std::vector<occlude_half_space> planes;
+  // How it was asked for.
+  std::variant<std::monostate, occlude::culler::Camera, occlude::culler::MatrixCamera> camera;
+  occlude::culler::SceneOptions options;
+  // What the last fates refer to.
+  std::vector<occlude_hiding> hiding;
+  std::vector<double> corners;
+};

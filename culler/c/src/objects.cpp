@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Scenes of the C interface, and their objects.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "arrays.h"
+#include "handles.h"
+#include "ids.h"
+#include "status.h"
+#include "structs.h"
+
+namespace occlude::c {
+namespace {
+
+using culler::ObjectId;
+
+static_assert(sizeof(occlude_object_options) == sizeof(std::size_t) + 16, "no padding: structs.h");
+
+culler::ObjectOptions to_options(const occlude_object_options* given) {
+  const auto options = read_options(given, occlude_object_options OCCLUDE_OBJECT_OPTIONS_INIT, "options");
+  return {.moves = options.moves != 0, .is_always_drawn = options.is_always_drawn != 0, .mask = options.mask};
+}
+
+ObjectId known_object(const occlude_scene* scene, occlude_object object, const std::string& place = {}) {
+  require(scene, "scene");
+  const auto id = unpacked<ObjectId>(object);
+  if (!scene->scene.contains(id)) throw UnknownId(place + "the scene has no such object");
+  return id;
+}
+
+void require_known(const occlude_scene* scene, std::span<const occlude_object> objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!scene->scene.contains(unpacked<ObjectId>(objects[i]))) {
+      static_cast<void>(known_object(scene, objects[i], "object " + std::to_string(i) + ": "));
+    }
+  }
+}
+
+bool has_nan(const kernel::Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); }
+
+const char* fault(const kernel::Aabb& box) {
+  if (has_nan(box.min) || has_nan(box.max)) return "box has a number that is NaN";
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min[axis] > box.max[axis]) return "box has min > max";
+  }
+  return nullptr;
+}
+
+const char* fault(const kernel::Obb& box) {
+  const bool is_bad = has_nan(box.center) || std::ranges::any_of(box.half_edges, has_nan);
+  return is_bad ? "box has a number that is NaN" : nullptr;
+}
+
+/// What a scene would refuse, found before anything is changed.
+void require_legal(const Boxes& boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const char* reason = std::visit([](const auto& box) { return fault(box); }, boxes[i]);
+    if (reason != nullptr) throw std::invalid_argument("box " + std::to_string(i) + ": " + reason);
+  }
+}
+
+}  // namespace
+}  // namespace occlude::c
+
+using namespace occlude::c;
+
+occlude_status occlude_scene_create(occlude_scene** scene) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    *scene = new occlude_scene;
+  });
+}
+
+void occlude_scene_destroy(occlude_scene* scene) noexcept { delete scene; }
+
+occlude_status occlude_scene_add_object(occlude_scene* scene, const occlude_box* box, const occlude_object_options* options,
+                                        occlude_object* object) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    require(object, "object");
+    *object = packed(scene->scene.add(to_box(box), to_options(options)));
+  });
+}
+
+occlude_status occlude_scene_add_objects(occlude_scene* scene, const occlude_boxes* boxes,
+                                         const occlude_object_options* options, occlude_object* objects) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    const Boxes all(boxes);
+    if (all.size() != 0) require(objects, "objects");
+    const occlude::culler::ObjectOptions each = to_options(options);
+    require_legal(all);
+    std::fill_n(objects, all.size(), OCCLUDE_NONE);
+    for (std::size_t i = 0; i < all.size(); ++i) objects[i] = packed(scene->scene.add(all[i], each));
+  });
+}
+
+occlude_status occlude_scene_remove_object(occlude_scene* scene, occlude_object object) noexcept {
+  return guarded([&] {
+    const ObjectId id = known_object(scene, object);
+    scene->scene.remove(id);
+  });
+}
+
+occlude_status occlude_scene_remove_objects(occlude_scene* scene, const occlude_object* objects, size_t count) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    if (count != 0) require(objects, "objects");
+    const std::span all(objects, count);
+    require_known(scene, all);
+    for (const occlude_object object : all) {
+      const auto id = unpacked<ObjectId>(object);
+      if (scene->scene.contains(id)) scene->scene.remove(id);  // not so the second time
+    }
+  });
+}
+
+occlude_status occlude_scene_move_object(occlude_scene* scene, occlude_object object, const occlude_box* box) noexcept {
+  return guarded([&] {
+    const ObjectId id = known_object(scene, object);
+    scene->scene.move(id, to_box(box));
+  });
+}
+
+occlude_status occlude_scene_move_objects(occlude_scene* scene, const occlude_object* objects,
+                                          const occlude_boxes* boxes) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    const Boxes all(boxes);
+    if (all.size() != 0) require(objects, "objects");
+    require_known(scene, {objects, all.size()});
+    require_legal(all);
+    for (std::size_t i = 0; i < all.size(); ++i) scene->scene.move(unpacked<ObjectId>(objects[i]), all[i]);
+  });
+}
+
+occlude_status occlude_scene_enable_object(occlude_scene* scene, occlude_object object, int32_t is_enabled) noexcept {
+  return guarded([&] {
+    const ObjectId id = known_object(scene, object);
+    scene->scene.set_enabled(id, is_enabled != 0);
+  });
+}
+
+occlude_status occlude_scene_mask_object(occlude_scene* scene, occlude_object object, uint32_t mask) noexcept {
+  return guarded([&] {
+    const ObjectId id = known_object(scene, object);
+    scene->scene.set_mask(id, mask);
+  });
+}
+
+int32_t occlude_scene_has_object(const occlude_scene* scene, occlude_object object) noexcept {
+  return scene != nullptr && scene->scene.contains(unpacked<ObjectId>(object)) ? 1 : 0;
+}
+
+occlude_status occlude_scene_update(occlude_scene* scene) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    scene->scene.update();
+  });
+}
+
+size_t occlude_scene_objects(const occlude_scene* scene) noexcept { return scene == nullptr ? 0 : scene->scene.objects(); }
+
+size_t occlude_scene_object_bytes(const occlude_scene* scene) noexcept {
+  return scene == nullptr ? 0 : scene->scene.object_bytes();
+}

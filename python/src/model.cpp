@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <string>
+
+#include "occlude/culler/culler.h"
+#include "view.h"
+
+namespace occlude::python {
+namespace {
+
+using culler::Culler;
+
+struct RangeRow {
+  std::uint32_t first, count;
+};
+
+struct CulledRow {
+  std::uint32_t first, count, by, index;
+};
+
+/// A frame that Python keeps.
+struct ModelFrame {
+  py::array_t<RangeRow> drawn;
+  py::array_t<std::uint32_t> polygons;
+  py::array_t<CulledRow> culled;
+  py::array_t<double> planes;
+  py::dict statistics;
+};
+
+/// The same before it is Python's: made while other threads run.
+struct FrameRows {
+  std::vector<RangeRow> drawn;
+  std::vector<std::uint32_t> polygons;
+  std::vector<CulledRow> culled;
+  std::vector<culler::HalfSpace> planes;
+  culler::CullStats stats;
+};
+
+FrameRows to_rows(const Culler& culler, const culler::CullResult& result) {
+  FrameRows rows;
+  rows.planes = result.view;
+  rows.stats = result.stats;
+  for (const auto [first, count] : result.drawn) {
+    rows.drawn.push_back({first, count});
+    for (std::uint32_t p = first; p < first + count; ++p) rows.polygons.push_back(culler.hierarchy().original(p));
+  }
+  for (const culler::Culled& culled : result.culled) {
+    const culler::HierarchyNode& node = culler.hierarchy().nodes()[culled.node];
+    rows.culled.push_back({node.first, node.count, static_cast<std::uint32_t>(culled.by), culled.index});
+  }
+  return rows;
+}
+
+py::dict to_dict(const culler::CullStats& stats) {
+  using py::literals::operator""_a;
+  return py::dict("drawn_polygons"_a = stats.drawn_polygons, "view_culled_polygons"_a = stats.view_culled_polygons,
+                  "shadow_culled_polygons"_a = stats.shadow_culled_polygons, "nodes_visited"_a = stats.nodes_visited,
+                  "view_tests"_a = stats.view_tests, "shadow_tests"_a = stats.shadow_tests,
+                  "exact_shadow_tests"_a = stats.exact_shadow_tests, "cover_tests"_a = stats.cover_tests,
+                  "cover_triangles"_a = stats.cover_triangles);
+}
+
+template <class Camera>
+ModelFrame cull_model(const Culler& culler, const Camera& camera, AnyView* view, const std::string& method,
+                      std::size_t occluders, std::size_t probes, const std::string& near, const std::string& arithmetic,
+                      const std::string& test, double margin, bool unions, const std::pair<int, int>& cover_size,
+                      const py::object& cover_triangles, const py::object& cover_ms) {
+  using culler::Method;
+  const culler::CullOptions options{
+      .method = to_choice(method, "method", {std::pair{"frusta", Method::frusta}, {"cover", Method::cover}}),
+      .cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+      .occluders = occluders,
+      .probes = probes,
+      .near = to_choice(near, "near", {std::pair{"surface", kernel::Near::surface}, {"farthest", kernel::Near::farthest}}),
+      .arithmetic = to_choice(arithmetic, "arithmetic",
+                              {std::pair{"certified", kernel::Arithmetic::certified}, {"plain", kernel::Arithmetic::plain}}),
+      .test = to_choice(test, "test",
+                        {std::pair{"conservative", kernel::Test::conservative}, {"overlap", kernel::Test::overlap}}),
+      .margin = margin,
+      .unions = unions};
+  if (!(margin >= 0)) throw std::invalid_argument("margin is below 0 or not a number");
+  FrameRows rows;
+  {
+    const py::gil_scoped_release others_run;
+    if (view == nullptr) {
+      rows = to_rows(culler, culler.cull(camera, options));
+    } else {
+      const std::scoped_lock lock(view->mutex);
+      rows = to_rows(culler, culler.cull(camera, options, view->model));
+      view->is_of_scene = false;
+    }
+  }
+  return {to_array(std::move(rows.drawn)), to_array(std::move(rows.polygons)), to_array(std::move(rows.culled)),
+          to_array(rows.planes), to_dict(rows.stats)};
+}
+
+std::unique_ptr<Culler> make_culler(const Doubles& vertices, const py::object& polygons, const py::object& sizes,
+                                    std::uint32_t leaf_size, const std::string& bounds) {
+  culler::BuildConfig config;
+  config.hierarchy.leaf_size = leaf_size;
+  config.hierarchy.bounds =
+      to_choice(bounds, "bounds", {std::pair{"aabb", culler::Bounds::aabb}, {"obb", culler::Bounds::obb}});
+  const culler::PolygonSoup soup = to_soup(vertices, polygons, sizes);
+  const py::gil_scoped_release others_run;
+  return std::make_unique<Culler>(soup, config);
+}
+
+template <class Camera>
+void define_cull(py::class_<Culler>& culler) {
+  using py::literals::operator""_a;
+  const culler::CullOptions defaults;
+  culler.def("cull", &cull_model<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(), "method"_a = "frusta",
+             "occluders"_a = defaults.occluders, "probes"_a = defaults.probes, "near"_a = "surface",
+             "arithmetic"_a = "certified", "test"_a = "conservative", "margin"_a = defaults.margin,
+             "unions"_a = defaults.unions, "cover_size"_a = std::pair{defaults.cover.width, defaults.cover.height},
+             "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "What to draw: a ModelFrame.");
+}
+
+}  // namespace
+
+void define_models(py::module_& module) {
+  using py::literals::operator""_a;
+  PYBIND11_NUMPY_DTYPE(RangeRow, first, count);
+  PYBIND11_NUMPY_DTYPE(CulledRow, first, count, by, index);
+  py::class_<ModelFrame>(module, "ModelFrame", "The polygons to draw in one frame.")
+      .def_readonly("drawn", &ModelFrame::drawn, "Rows (first, count): ranges of Culler.order.")
+      .def_readonly("polygons", &ModelFrame::polygons, "The polygons to draw, as they were numbered when given.")
+      .def_readonly("culled", &ModelFrame::culled, "Rows (first, count, by, index): what is not drawn, and why (CulledBy).")
+      .def_readonly("planes", &ModelFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
+      .def_readonly("statistics", &ModelFrame::statistics);
+  py::class_<Culler> culler(module, "Culler", "A model that stands still, prepared once.");
+  culler
+      .def(py::init(&make_culler), "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
+           "leaf_size"_a = culler::Hierarchy::Config{}.leaf_size, "bounds"_a = "aabb")
+      .def(
+          "prepare_cover",
+          [](const Culler& c) {
+            const py::gil_scoped_release others_run;
+            c.prepare_cover();
+          },
+          "Makes what frames by cover need; else the first of them does.")
+      .def("__len__", [](const Culler& c) { return c.hierarchy().soup().size(); })
+      .def_property_readonly(
+          "order",
+          [](const Culler& c) {
+            std::vector<std::uint32_t> order(c.hierarchy().soup().size());
+            for (std::uint32_t p = 0; p < order.size(); ++p) order[p] = c.hierarchy().original(p);
+            return to_array(std::move(order));
+          },
+          "The number that each polygon of the culler's order had when given.");
+  define_cull<culler::Camera>(culler);
+  define_cull<culler::MatrixCamera>(culler);
+}
+
+}  // namespace occlude::python

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/scene.h"
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <shared_mutex>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "ids.h"
+#include "view.h"
+
+namespace occlude::python {
+namespace {
+
+using culler::ObjectId;
+using culler::OccluderId;
+using culler::OccluderMesh;
+
+/// A scene that several Python threads may use at once, in any way.
+class SharedScene {
+ public:
+  /// Runs work that may run beside changes: all that takes a const scene.
+  template <class Work>
+  auto look(Work&& work) const {
+    const py::gil_scoped_release others_run;
+    const std::shared_lock lock(updates_);
+    return work(scene_);
+  }
+  /// Runs a change, one at a time.
+  template <class Work>
+  auto change(Work&& work) {
+    const py::gil_scoped_release others_run;
+    const std::shared_lock lock(updates_);
+    const std::scoped_lock one(changes_);
+    return work(scene_);
+  }
+  void update() {
+    const py::gil_scoped_release others_run;
+    const std::unique_lock lock(updates_);
+    scene_.update();
+  }
+
+ private:
+  culler::Scene scene_;
+  mutable std::shared_mutex updates_;
+  std::mutex changes_;
+};
+
+struct DrawnRow {
+  std::uint64_t id;
+  float size, distance;
+};
+
+/// A frame that Python keeps.
+struct SceneFrame {
+  py::array_t<DrawnRow> drawn;
+  py::array_t<double> planes;
+  py::dict statistics;
+};
+
+constexpr std::uint64_t kMostId = std::numeric_limits<std::uint64_t>::max();
+
+template <class Id>
+std::vector<Id> to_ids(const py::object& numbers) {
+  std::vector<Id> ids;
+  for (const std::uint64_t number : to_whole(numbers, "ids", kMostId)) ids.push_back(c::unpacked<Id>(number));
+  return ids;
+}
+
+template <class Id>
+std::uint64_t added(const Id& id) {
+  return c::packed(id);
+}
+
+/// Does `work` with each id, or with none if one of them names nothing.
+template <class Id, class Work>
+void for_each_id(SharedScene& scene, const py::object& numbers, const Work& work) {
+  const auto ids = to_ids<Id>(numbers);
+  scene.change([&](culler::Scene& s) {
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (s.contains(ids[i])) continue;
+      throw std::invalid_argument("id " + std::to_string(i) + ": the scene has nothing of that name");
+    }
+    for (const Id& id : ids) work(s, id);
+  });
+}
+
+py::array_t<std::uint64_t> add_objects(SharedScene& scene, const Doubles& given, const culler::ObjectOptions& options) {
+  const std::vector<culler::Box> boxes = to_boxes(given);
+  std::vector<ObjectId> ids(boxes.size());
+  scene.change([&](culler::Scene& s) { s.add(boxes, options, ids); });
+  std::vector<std::uint64_t> numbers;
+  for (const ObjectId& id : ids) numbers.push_back(c::packed(id));
+  return to_array(std::move(numbers));
+}
+
+bool is_refused(const culler::Box& box) {
+  const auto is_nan = [](const kernel::Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); };
+  if (const auto* o = std::get_if<kernel::Obb>(&box)) {
+    return is_nan(o->center) || is_nan(o->half_edges[0]) || is_nan(o->half_edges[1]) || is_nan(o->half_edges[2]);
+  }
+  const auto& [min, max] = std::get<kernel::Aabb>(box);
+  return !(min.x <= max.x && min.y <= max.y && min.z <= max.z);
+}
+
+void move_objects(SharedScene& scene, const py::object& numbers, const Doubles& given) {
+  const std::vector<culler::Box> boxes = to_boxes(given);
+  if (to_ids<ObjectId>(numbers).size() != boxes.size()) throw std::invalid_argument("as many ids as boxes are needed");
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (is_refused(boxes[i])) throw std::invalid_argument("box " + std::to_string(i) + " has a NaN or min > max");
+  }
+  std::size_t next = 0;
+  for_each_id<ObjectId>(scene, numbers, [&](culler::Scene& s, const ObjectId& id) { s.move(id, boxes[next++]); });
+}
+
+/// From a matrix of 3 or 4 rows and 4 columns, which takes column vectors; None is the identity.
+culler::Placement to_placement(const py::object& given) {
+  if (given.is_none()) return {};
+  const auto m = given.cast<Doubles>();
+  if (m.ndim() != 2 || (m.shape(0) != 3 && m.shape(0) != 4) || m.shape(1) != 4) {
+    throw std::invalid_argument("placement must have shape (3, 4) or (4, 4)");
+  }
+  if (m.shape(0) == 4 && (m.at(3, 0) != 0 || m.at(3, 1) != 0 || m.at(3, 2) != 0 || m.at(3, 3) != 1)) {
+    throw std::invalid_argument("placement must be affine: its last row is (0, 0, 0, 1)");
+  }
+  const auto column = [&](py::ssize_t c) -> kernel::Vec3 { return {m.at(0, c), m.at(1, c), m.at(2, c)}; };
+  return {column(0), column(1), column(2), column(3)};
+}
+
+py::dict to_dict(const culler::SceneStats& stats) {
+  using py::literals::operator""_a;
+  return py::dict("drawn"_a = stats.drawn, "out_of_view"_a = stats.out_of_view, "hidden"_a = stats.hidden,
+                  "too_small"_a = stats.too_small, "occluders"_a = stats.occluders,
+                  "nodes_visited"_a = stats.work.nodes_visited, "view_tests"_a = stats.work.view_tests,
+                  "cover_tests"_a = stats.work.cover_tests, "cover_groups"_a = stats.work.cover_groups,
+                  "cover_groups_left"_a = stats.work.cover_groups_left, "cover_triangles"_a = stats.work.cover_triangles);
+}
+
+template <class Camera>
+SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* given, const std::pair<int, int>& cover_size,
+                      const py::object& cover_triangles, const py::object& cover_ms, double margin, std::uint32_t mask,
+                      float least_size, bool front_to_back) {
+  const culler::SceneOptions options{.cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+                                     .margin = margin,
+                                     .mask = mask,
+                                     .least_size = least_size,
+                                     .is_front_to_back = front_to_back};
+  AnyView own;
+  AnyView& view = given == nullptr ? own : *given;
+  std::vector<DrawnRow> rows;
+  std::vector<culler::HalfSpace> planes;
+  culler::SceneStats stats;
+  scene.look([&](const culler::Scene& s) {
+    const std::scoped_lock lock(view.mutex);
+    const culler::SceneResult& result = s.cull(camera, options, view.scene);
+    view.is_of_scene = true;
+    view.camera = camera;
+    view.options = options;
+    rows.reserve(result.drawn.size());
+    for (const auto& [id, size, distance] : result.drawn) rows.push_back({c::packed(id), size, distance});
+    planes = result.view;
+    stats = result.stats;
+  });
+  return {to_array(std::move(rows)), to_array(planes), to_dict(stats)};
+}
+
+void define_meshes(py::module_& module) {
+  using py::literals::operator""_a;
+  py::class_<OccluderMesh, std::shared_ptr<OccluderMesh>>(module, "OccluderMesh",
+                                                          "Geometry that hides, shared by occluders.")
+      .def(py::init([](const Doubles& vertices, const py::object& polygons, const py::object& sizes) {
+             culler::PolygonSoup soup = to_soup(vertices, polygons, sizes);
+             const py::gil_scoped_release others_run;
+             return std::make_shared<OccluderMesh>(std::move(soup));
+           }),
+           "vertices"_a, "polygons"_a, "sizes"_a = py::none())
+      .def("__len__", &OccluderMesh::size);
+}
+
+using Class = py::class_<SharedScene>;
+
+std::vector<culler::ObjectFate> fates(const SharedScene& scene, const py::object& numbers, AnyView& view) {
+  const auto ids = to_ids<ObjectId>(numbers);
+  return scene.look([&](const culler::Scene& s) {
+    const std::scoped_lock lock(view.mutex);
+    if (const auto* camera = std::get_if<culler::Camera>(&view.camera)) return s.why(*camera, view.options, view.scene, ids);
+    if (const auto* camera = std::get_if<culler::MatrixCamera>(&view.camera)) {
+      return s.why(*camera, view.options, view.scene, ids);
+    }
+    throw std::invalid_argument("the view has no frame of a scene");
+  });
+}
+
+/// What hides, as tuples (occluder, polygon, corners).
+py::list hiding(const culler::ObjectFate& fate) {
+  py::list result;
+  for (const auto& [occluder, polygon, corners] : fate.by) {
+    std::vector<double> numbers;
+    for (const kernel::Vec3& v : corners) numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    const auto rows = static_cast<py::ssize_t>(corners.size());
+    result.append(py::make_tuple(c::packed(occluder), polygon, to_array(std::move(numbers), {rows, 3})));
+  }
+  return result;
+}
+
+void define_why(py::module_& module, Class& scene) {
+  using py::literals::operator""_a;
+  using culler::ObjectFate;
+  py::class_<ObjectFate>(module, "Fate", "What became of an object in a frame, and why.")
+      .def_property_readonly(
+          "reason", [](const ObjectFate& fate) { return static_cast<int>(fate.reason); }, "A Reason.")
+      .def_readonly("plane", &ObjectFate::plane, "Of SceneFrame.planes, where the object is out of view.")
+      .def_property_readonly("by", &hiding, "The polygons that hide it: (occluder, polygon, corners).");
+  scene.def("why", &fates, "ids"_a, "view"_a,
+            "What became of these objects in the last frame of the view, after which the scene was not updated: a list of "
+            "Fate.");
+}
+
+void define_objects(Class& scene) {
+  using py::literals::operator""_a;
+  constexpr std::uint32_t kAll = ~std::uint32_t{0};
+  scene
+      .def(
+          "add_object",
+          [](SharedScene& s, const Doubles& given, bool moves, bool is_always_drawn, std::uint32_t mask) {
+            const culler::Box box = to_box(given);
+            return s.change([&](culler::Scene& in) { return added(in.add(box, {moves, is_always_drawn, mask})); });
+          },
+          "box"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAll, "Adds an object; its id.")
+      .def(
+          "add_objects",
+          [](SharedScene& s, const Doubles& boxes, bool moves, bool is_always_drawn, std::uint32_t mask) {
+            return add_objects(s, boxes, {moves, is_always_drawn, mask});
+          },
+          "boxes"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAll,
+          "Adds an object for each box; an array of their ids.")
+      .def("move_objects", &move_objects, "ids"_a, "boxes"_a)
+      .def(
+          "remove_objects",
+          [](SharedScene& s, const py::object& ids) {
+            for_each_id<ObjectId>(s, ids, [](culler::Scene& in, const ObjectId& id) {
+              if (in.contains(id)) in.remove(id);  // not so the second time
+            });
+          },
+          "ids"_a)
+      .def(
+          "enable_objects",
+          [](SharedScene& s, const py::object& ids, bool is_enabled) {
+            for_each_id<ObjectId>(s, ids, [&](culler::Scene& in, const ObjectId& id) { in.set_enabled(id, is_enabled); });
+          },
+          "ids"_a, "is_enabled"_a)
+      .def(
+          "mask_objects",
+          [](SharedScene& s, const py::object& ids, std::uint32_t mask) {
+            for_each_id<ObjectId>(s, ids, [&](culler::Scene& in, const ObjectId& id) { in.set_mask(id, mask); });
+          },
+          "ids"_a, "mask"_a)
+      .def("has_object", [](const SharedScene& s, std::uint64_t id) {
+        return s.look([&](const culler::Scene& in) { return in.contains(c::unpacked<ObjectId>(id)); });
+      });
+}
+
+void define_occluders(Class& scene) {
+  using py::literals::operator""_a;
+  using Mesh = std::shared_ptr<OccluderMesh>;
+  scene
+      .def(
+          "add_occluder",
+          [](SharedScene& s, const Mesh& mesh, const py::object& placement, bool moves, bool is_one_sided,
+             std::uint32_t mask, std::uint64_t object) {
+            const culler::Placement at = to_placement(placement);
+            const culler::OccluderOptions options{moves, is_one_sided, mask, c::unpacked<ObjectId>(object)};
+            return s.change([&](culler::Scene& in) { return added(in.add(mesh, at, options)); });
+          },
+          "mesh"_a.none(false), "placement"_a = py::none(), py::kw_only(), "moves"_a = false, "is_one_sided"_a = false,
+          "mask"_a = ~std::uint32_t{0}, "object"_a = 0, "Adds an occluder; its id.")
+      .def(
+          "move_occluder",
+          [](SharedScene& s, std::uint64_t id, const py::object& placement) {
+            const culler::Placement at = to_placement(placement);
+            s.change([&](culler::Scene& in) { in.move(c::unpacked<OccluderId>(id), at); });
+          },
+          "id"_a, "placement"_a)
+      .def(
+          "replace_occluder",
+          [](SharedScene& s, std::uint64_t id, const Mesh& mesh) {
+            s.change([&](culler::Scene& in) { in.replace(c::unpacked<OccluderId>(id), mesh); });
+          },
+          "id"_a, "mesh"_a.none(false))
+      .def(
+          "remove_occluders",
+          [](SharedScene& s, const py::object& ids) {
+            for_each_id<OccluderId>(s, ids, [](culler::Scene& in, const OccluderId& id) {
+              if (in.contains(id)) in.remove(id);
+            });
+          },
+          "ids"_a)
+      .def(
+          "enable_occluders",
+          [](SharedScene& s, const py::object& ids, bool is_enabled) {
+            for_each_id<OccluderId>(s, ids,
+                                    [&](culler::Scene& in, const OccluderId& id) { in.set_enabled(id, is_enabled); });
+          },
+          "ids"_a, "is_enabled"_a)
+      .def(
+          "mask_occluders",
+          [](SharedScene& s, const py::object& ids, std::uint32_t mask) {
+            for_each_id<OccluderId>(s, ids, [&](culler::Scene& in, const OccluderId& id) { in.set_mask(id, mask); });
+          },
+          "ids"_a, "mask"_a)
+      .def("has_occluder", [](const SharedScene& s, std::uint64_t id) {
+        return s.look([&](const culler::Scene& in) { return in.contains(c::unpacked<OccluderId>(id)); });
+      });
+}
+
+template <class Camera>
+void define_cull(Class& scene) {
+  using py::literals::operator""_a;
+  scene.def("cull", &cull_scene<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(),
+            "cover_size"_a = std::pair{culler::CoverOptions{}.width, culler::CoverOptions{}.height},
+            "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = ~std::uint32_t{0},
+            "least_size"_a = 0.0F, "front_to_back"_a = false, "What to draw: a SceneFrame.");
+}
+
+}  // namespace
+
+void define_scenes(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(DrawnRow, id, size, distance);
+  define_meshes(module);
+  py::class_<SceneFrame>(module, "SceneFrame", "The objects to draw in one frame.")
+      .def_readonly("drawn", &SceneFrame::drawn, "Rows (id, size, distance).")
+      .def_readonly("planes", &SceneFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
+      .def_readonly("statistics", &SceneFrame::statistics);
+  Class scene(module, "Scene", "A world of objects and occluders that changes. Changes show at the next update().");
+  scene.def(py::init<>());
+  define_objects(scene);
+  define_occluders(scene);
+  define_cull<culler::Camera>(scene);
+  define_cull<culler::MatrixCamera>(scene);
+  define_why(module, scene);
+  scene.def("update", &SharedScene::update)
+      .def_property_readonly("objects",
+                             [](const SharedScene& s) { return s.look([](const auto& in) { return in.objects(); }); })
+      .def_property_readonly("occluders",
+                             [](const SharedScene& s) { return s.look([](const auto& in) { return in.occluders(); }); });
+}
+
+}  // namespace occlude::python

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "view.h"
+
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "occlude/culler/camera.h"
+
+namespace occlude::python {
+namespace {
+
+using culler::Camera;
+
+Camera make_camera(const Doubles& eye, const Doubles& target, const Doubles& up, const std::string& projection,
+                   double fov_y_deg, double height, double aspect, double near, double far) {
+  const auto dvec3 = [](const Doubles& v, const char* name) -> glm::dvec3 {
+    const auto [x, y, z] = to_vec3(v, name);
+    return {x, y, z};
+  };
+  const Camera camera{.eye = dvec3(eye, "eye"),
+                      .target = dvec3(target, "target"),
+                      .up = dvec3(up, "up"),
+                      .projection = to_choice(projection, "projection",
+                                              {std::pair{"perspective", culler::Projection::perspective},
+                                               {"orthographic", culler::Projection::orthographic}}),
+                      .fov_y_deg = fov_y_deg,
+                      .height = height,
+                      .aspect = aspect,
+                      .near = near,
+                      .far = far};
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
+  return camera;
+}
+
+culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string& depth, const py::object& nearer,
+                                        double eye_radius) {
+  if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) {
+    throw std::invalid_argument("matrix must have shape (4, 4)");
+  }
+  culler::MatrixCamera camera;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) camera.matrix[column][row] = matrix.at(row, column);
+  }
+  camera.depth =
+      to_choice(depth, "depth",
+                {std::pair{"minus_w_to_w", culler::ClipDepth::minus_w_to_w}, {"zero_to_w", culler::ClipDepth::zero_to_w}});
+  if (!nearer.is_none()) {
+    camera.nearer = to_choice(nearer.cast<std::string>(), "nearer",
+                              {std::pair{"less", culler::Nearer::less}, {"greater", culler::Nearer::greater}});
+  }
+  camera.eye_radius = eye_radius;
+  if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
+  return camera;
+}
+
+std::vector<std::uint8_t> visibilities(AnyView& view, const std::vector<culler::Box>& boxes) {
+  const py::gil_scoped_release others_run;
+  const std::scoped_lock lock(view.mutex);
+  std::vector<std::uint8_t> result;
+  result.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    try {
+      const culler::Visibility seen = view.is_of_scene ? view.scene.visibility(boxes[i]) : view.model.visibility(boxes[i]);
+      result.push_back(static_cast<std::uint8_t>(seen));
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument("box " + std::to_string(i) + ": " + e.what());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+py::array_t<double> to_array(const std::vector<culler::HalfSpace>& planes) {
+  std::vector<double> numbers;
+  for (const auto& [normal, offset] : planes) numbers.insert(numbers.end(), {normal.x, normal.y, normal.z, offset});
+  return to_array(std::move(numbers), {static_cast<py::ssize_t>(planes.size()), 4});
+}
+
+culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles, const py::object& ms) {
+  culler::CoverOptions options{.width = size.first, .height = size.second};
+  if (!triangles.is_none()) options.triangles = triangles.cast<std::size_t>();
+  if (!ms.is_none()) options.ms = ms.cast<double>();
+  return options;
+}
+
+void define_cameras(py::module_& module) {
+  using py::literals::operator""_a;
+  py::class_<Camera>(module, "Camera", "A right-handed camera that looks from `eye` to `target`.")
+      .def(py::init(&make_camera), "eye"_a, "target"_a, "up"_a = std::vector<double>{0, 0, 1},
+           "projection"_a = "perspective", "fov_y_deg"_a = Camera{}.fov_y_deg, "height"_a = Camera{}.height,
+           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near, "far"_a = Camera{}.far);
+}
+
+void define_matrix_cameras(py::module_& module) {
+  using py::literals::operator""_a;
+  py::class_<culler::MatrixCamera>(
+      module, "MatrixCamera",
+      "Any projective matrix: matrix @ (x, y, z, 1) is a point in clip space. The depth is 'minus_w_to_w', as in OpenGL, "
+      "or 'zero_to_w', as in Vulkan, Direct3D and Metal. With parallel rays, 'less' or 'greater' is nearer.")
+      .def(py::init(&make_matrix_camera), "matrix"_a, "depth"_a, "nearer"_a = py::none(), "eye_radius"_a = 0.0)
+      .def_property_readonly("eye", [](const culler::MatrixCamera& camera) {
+        const glm::dvec3 eye = camera.eye();
+        return to_array(std::vector<double>{eye.x, eye.y, eye.z});
+      });
+}
+
+void define_views(py::module_& module) {
+  using py::literals::operator""_a;
+  py::class_<AnyView>(module, "View", "One camera from frame to frame, of any scene or model.")
+      .def(py::init<>())
+      .def(
+          "visibility", [](AnyView& view, const Doubles& boxes) { return to_array(visibilities(view, to_boxes(boxes))); },
+          "boxes"_a,
+          "Whether boxes would be visible in the last frame: an array of Visibility. Before the first frame all are.");
+}
+
+}  // namespace occlude::python

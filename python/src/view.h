@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// A view of a scene or of a model, which several Python threads may hold.
+#pragma once
+
+#include <mutex>
+#include <variant>
+#include <vector>
+
+#include "numbers.h"
+#include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
+#include "occlude/culler/scene_view.h"
+#include "occlude/culler/view.h"
+
+namespace occlude::python {
+
+/// Python code may not crash the program, whatever its threads do. So a view is locked while it is used. The lock is taken
+/// without the interpreter's, so that nothing waits for both.
+struct AnyView {
+  std::mutex mutex;
+  culler::SceneView scene;
+  culler::View model;
+  bool is_of_scene = true;  ///< which of the two has the last frame
+  // How the last frame of a scene was asked for.
+  std::variant<std::monostate, culler::Camera, culler::MatrixCamera> camera;
+  culler::SceneOptions options;
+};
+
+/// A frame's half-spaces: rows (a, b, c, d), a x + b y + c z + d >= 0 in view.
+[[nodiscard]] py::array_t<double> to_array(const std::vector<culler::HalfSpace>& planes);
+
+/// How the coarse picture is asked for.
+[[nodiscard]] culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles,
+                                                    const py::object& ms);
+
+void define_cameras(py::module_& module);
+void define_matrix_cameras(py::module_& module);
+void define_views(py::module_& module);
+void define_scenes(py::module_& module);
+void define_models(py::module_& module);
+void define_kernel(py::module_& module);
+
+}  // namespace occlude::python

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// What is refused, and how: nothing crashes, and nothing is changed.
+#include <fenv.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "check.h"
+
+static void null_pointers(occlude_scene* scene, occlude_view* view, const occlude_mesh* mesh) {
+  const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  const occlude_matrix_camera matrix = OCCLUDE_MATRIX_CAMERA_INIT;
+  occlude_fate fate = {OCCLUDE_DRAWN, 0, 0, NULL};
+  const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  const occlude_boxes boxes = boxes_of(&kBehind, 1);
+  const occlude_placement placement = OCCLUDE_PLACEMENT_INIT;
+  occlude_mesh* made = NULL;
+  occlude_object object = OCCLUDE_NONE;
+  occlude_box box;
+  occlude_frame frame = OCCLUDE_FRAME_INIT;
+  occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
+  occlude_visibility visibility = OCCLUDE_VISIBLE;
+
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_create(NULL));
+  CHECK_REFUSED(refused, "view is null", occlude_view_create(NULL));
+  CHECK_REFUSED(refused, "mesh is null", occlude_mesh_create(&data, NULL));
+  CHECK_REFUSED(refused, "data is null", occlude_mesh_create(NULL, &made));
+  CHECK_REFUSED(refused, "mesh is null", occlude_mesh_box(NULL, &box));
+  CHECK_REFUSED(refused, "box is null", occlude_mesh_box(mesh, NULL));
+  occlude_mesh_destroy(NULL);
+  occlude_scene_destroy(NULL);
+  occlude_view_destroy(NULL);
+
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_object(NULL, &kBehind, NULL, &object));
+  CHECK_REFUSED(refused, "box is null", occlude_scene_add_object(scene, NULL, NULL, &object));
+  CHECK_REFUSED(refused, "object is null", occlude_scene_add_object(scene, &kBehind, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_objects(NULL, &boxes, NULL, &object));
+  CHECK_REFUSED(refused, "boxes is null", occlude_scene_add_objects(scene, NULL, NULL, &object));
+  CHECK_REFUSED(refused, "objects is null", occlude_scene_add_objects(scene, &boxes, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_object(NULL, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_objects(NULL, &object, 1));
+  CHECK_REFUSED(refused, "objects is null", occlude_scene_remove_objects(scene, NULL, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_object(NULL, 1, &kBehind));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_objects(NULL, &object, &boxes));
+  CHECK_REFUSED(refused, "boxes is null", occlude_scene_move_objects(scene, &object, NULL));
+  CHECK_REFUSED(refused, "objects is null", occlude_scene_move_objects(scene, NULL, &boxes));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_object(NULL, 1, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_object(NULL, 1, 1));
+  CHECK(!occlude_scene_has_object(NULL, 1) && !occlude_scene_has_occluder(NULL, 1));
+
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluder(NULL, mesh, NULL, NULL, &object));
+  CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluder(scene, NULL, NULL, NULL, &object));
+  CHECK_REFUSED(refused, "occluder is null", occlude_scene_add_occluder(scene, mesh, NULL, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluders(NULL, mesh, &placement, 1, NULL, &object));
+  CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluders(scene, NULL, &placement, 1, NULL, &object));
+  CHECK_REFUSED(refused, "placements is null", occlude_scene_add_occluders(scene, mesh, NULL, 1, NULL, &object));
+  CHECK_REFUSED(refused, "occluders is null", occlude_scene_add_occluders(scene, mesh, &placement, 1, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_occluder(NULL, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_occluder(NULL, 1, &placement));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_replace_occluder(NULL, 1, mesh));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_occluder(NULL, 1, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_occluder(NULL, 1, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_update(NULL));
+  CHECK(occlude_scene_objects(NULL) == 0 && occlude_scene_occluders(NULL) == 0 && occlude_scene_object_bytes(NULL) == 0);
+
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_cull(NULL, &matrix, NULL, view));
+  CHECK_REFUSED(refused, "camera is null", occlude_scene_cull(scene, NULL, NULL, view));
+  CHECK_REFUSED(refused, "view is null", occlude_scene_cull(scene, &matrix, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_why(NULL, view, &object, 1, &fate));
+  CHECK_REFUSED(refused, "view is null", occlude_scene_why(scene, NULL, &object, 1, &fate));
+  CHECK_REFUSED(refused, "objects is null", occlude_scene_why(scene, view, NULL, 1, &fate));
+  CHECK_REFUSED(refused, "fates is null", occlude_scene_why(scene, view, &object, 1, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_cull_look_at(NULL, &camera, NULL, view));
+  CHECK_REFUSED(refused, "camera is null", occlude_scene_cull_look_at(scene, NULL, NULL, view));
+  CHECK_REFUSED(refused, "view is null", occlude_scene_cull_look_at(scene, &camera, NULL, NULL));
+  CHECK_REFUSED(refused, "view is null", occlude_view_frame(NULL, &frame));
+  CHECK_REFUSED(refused, "frame is null", occlude_view_frame(view, NULL));
+  CHECK_REFUSED(refused, "view is null", occlude_view_statistics(NULL, &statistics));
+  CHECK_REFUSED(refused, "statistics is null", occlude_view_statistics(view, NULL));
+  CHECK_REFUSED(refused, "view is null", occlude_view_visibility(NULL, &boxes, &visibility));
+  CHECK_REFUSED(refused, "boxes is null", occlude_view_visibility(view, NULL, &visibility));
+  CHECK_REFUSED(refused, "visibilities is null", occlude_view_visibility(view, &boxes, NULL));
+}
+
+static void ids_of_nothing(occlude_scene* scene, const occlude_mesh* mesh) {
+  occlude_object gone = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &gone));
+  CHECK_OK(occlude_scene_remove_object(scene, gone));
+  const occlude_object strange[] = {OCCLUDE_NONE, UINT64_MAX, gone, 1000, UINT64_C(1) << 32};
+  const char* no_object = "the scene has no such object";
+  const char* no_occluder = "the scene has no such occluder";
+  for (int i = 0; i < 5; ++i) {
+    const occlude_object id = strange[i];
+    CHECK(!occlude_scene_has_object(scene, id) && !occlude_scene_has_occluder(scene, id));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_remove_object(scene, id));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_move_object(scene, id, &kBehind));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_enable_object(scene, id, 1));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_mask_object(scene, id, 1));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_remove_occluder(scene, id));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_move_occluder(scene, id, NULL));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_replace_occluder(scene, id, mesh));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_enable_occluder(scene, id, 1));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_mask_occluder(scene, id, 1));
+  }
+  occlude_occluder occluder = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_occluder(scene, mesh, NULL, NULL, &occluder));
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "mesh is null", occlude_scene_replace_occluder(scene, occluder, NULL));
+
+  // In arrays: nothing is changed.
+  occlude_object living = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &living));
+  const occlude_object both[] = {living, gone};
+  const occlude_box boxes[] = {kBehind, kBefore};
+  const occlude_boxes array = boxes_of(boxes, 2);
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, "object 1: the scene has no such object", occlude_scene_remove_objects(scene, both, 2));
+  CHECK(occlude_scene_has_object(scene, living));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, "object 1: the scene has no such object",
+                occlude_scene_move_objects(scene, both, &array));
+}
+
+static void numbers(occlude_scene* scene, occlude_view* view) {
+  const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
+  const size_t before = occlude_scene_objects(scene);
+  occlude_object ids[2] = {7, 7};
+  occlude_box boxes[] = {kBehind, kBehind};
+  occlude_boxes array = boxes_of(boxes, 2);
+  boxes[1].max[2] = NAN;
+  CHECK_REFUSED(refused, "box 1: box has a number that is NaN", occlude_scene_add_objects(scene, &array, NULL, ids));
+  CHECK_REFUSED(refused, "box has a number that is NaN", occlude_scene_add_object(scene, &boxes[1], NULL, ids));
+  boxes[1].max[2] = -2;
+  CHECK_REFUSED(refused, "box 1: box has min > max", occlude_scene_add_objects(scene, &array, NULL, ids));
+  CHECK_REFUSED(refused, "box has min > max", occlude_scene_add_object(scene, &boxes[1], NULL, ids));
+  CHECK(ids[0] == 7 && occlude_scene_objects(scene) == before);
+  const float oriented[] = {0, 0, 0, 1, 0, 0, 0, NAN, 0, 0, 0, 1};
+  const occlude_boxes turned = {oriented, 1, 0, OCCLUDE_FLOAT, OCCLUDE_ORIENTED};
+  CHECK_REFUSED(refused, "box 0: box has a number that is NaN", occlude_scene_add_objects(scene, &turned, NULL, ids));
+
+  // Moves likewise. Boxes without end are legal.
+  const occlude_box everywhere = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+  CHECK_OK(occlude_scene_add_object(scene, &everywhere, NULL, &ids[0]));
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &ids[1]));
+  CHECK_REFUSED(refused, "box 1: box has min > max", occlude_scene_move_objects(scene, ids, &array));
+  CHECK_REFUSED(refused, "box has min > max", occlude_scene_move_object(scene, ids[0], &boxes[1]));
+  CHECK_REFUSED(refused, "box is null", occlude_scene_move_object(scene, ids[0], NULL));
+  cull(scene, view);
+  CHECK(draws(view, ids[0]));
+
+  occlude_visibility seen[] = {9, 9};
+  CHECK_REFUSED(refused, "box 1: box has min > max", occlude_view_visibility(view, &array, seen));
+  CHECK(seen[0] != 9 && seen[1] == 9);
+
+  // Enumerators.
+  array.type = 2;
+  CHECK_REFUSED(refused, "number type is 2, which is none of its enumerators", occlude_view_visibility(view, &array, seen));
+  array.type = OCCLUDE_DOUBLE;
+  array.kind = -1;
+  CHECK_REFUSED(refused, "kind of boxes is -1, which is none of its enumerators",
+                occlude_scene_add_objects(scene, &array, NULL, ids));
+  array.kind = OCCLUDE_ALIGNED;
+  array.data = NULL;
+  CHECK_REFUSED(refused, "data of boxes is null", occlude_view_visibility(view, &array, seen));
+
+  // Cameras. The view keeps its last frame.
+  occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  camera.projection = 5;
+  CHECK_REFUSED(refused, "projection is 5, which is none of its enumerators",
+                occlude_scene_cull_look_at(scene, &camera, NULL, view));
+  camera.projection = OCCLUDE_PERSPECTIVE;
+  camera.target[0] = 0;
+  CHECK(occlude_scene_cull_look_at(scene, &camera, NULL, view) == refused);
+  CHECK(strlen(occlude_last_error()) > 0);
+  camera.target[0] = 1;
+  camera.near_plane = 0;
+  CHECK(occlude_scene_cull_look_at(scene, &camera, NULL, view) == refused);
+  camera.near_plane = NAN;
+  CHECK(occlude_scene_cull_look_at(scene, &camera, NULL, view) == refused);
+  CHECK(draws(view, ids[0]));
+}
+
+static int stop_now(void* context) {
+  ++*(int*)context;
+  return 1;
+}
+
+static void meshes(void) {
+  const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
+  double vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  uint32_t indices[] = {0, 1, 2, 3};
+  uint32_t sizes[] = {3, 2};
+  occlude_mesh* mesh = NULL;
+  occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  CHECK_OK(occlude_mesh_create(&data, &mesh));  // nothing
+  CHECK(occlude_mesh_polygons(mesh) == 0);
+  occlude_mesh_destroy(mesh);
+  mesh = NULL;
+  data.vertices.count = 3;
+  CHECK_REFUSED(refused, "data of vertices is null", occlude_mesh_create(&data, &mesh));
+  data.vertices.data = vertices;
+  data.index_count = 4;
+  CHECK_REFUSED(refused, "indices is null", occlude_mesh_create(&data, &mesh));
+  data.indices = indices;
+  CHECK_REFUSED(refused, "triangles: index_count is not a multiple of 3", occlude_mesh_create(&data, &mesh));
+  data.polygon_count = 1;
+  CHECK_REFUSED(refused, "polygon_sizes is null", occlude_mesh_create(&data, &mesh));
+  data.polygon_sizes = sizes;
+  CHECK_REFUSED(refused, "the mesh has indices after its last polygon", occlude_mesh_create(&data, &mesh));
+  data.polygon_count = 2;
+  CHECK_REFUSED(refused, "polygon 1: its corners are not among the indices", occlude_mesh_create(&data, &mesh));
+  sizes[1] = 1;
+  CHECK_REFUSED(refused, "polygon 1: fewer than 3 corners", occlude_mesh_create(&data, &mesh));
+  data.polygon_count = 1;
+  data.index_count = 3;
+  indices[2] = 3;
+  CHECK_REFUSED(refused, "polygon 0: corner 2 is vertex 3 of 3", occlude_mesh_create(&data, &mesh));
+  indices[2] = 2;
+  vertices[4] = INFINITY;
+  CHECK_REFUSED(refused, "vertex 1: number is not finite", occlude_mesh_create(&data, &mesh));
+  data.vertices.type = 9;
+  CHECK_REFUSED(refused, "number type is 9, which is none of its enumerators", occlude_mesh_create(&data, &mesh));
+  data.vertices.type = OCCLUDE_DOUBLE;
+  vertices[4] = 0;
+  int asked = 0;
+  data.should_stop = stop_now;
+  data.context = &asked;
+  CHECK_REFUSED(OCCLUDE_STOPPED, "stopped by the caller", occlude_mesh_create(&data, &mesh));
+  CHECK(asked > 0 && mesh == NULL);
+}
+
+static void rounding(occlude_scene* scene, occlude_view* view) {
+#ifdef FE_UPWARD
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  const occlude_boxes boxes = boxes_of(&kBehind, 1);
+  occlude_visibility visibility;
+  const char* text = "processor does not round to nearest";
+  fesetround(FE_UPWARD);
+  CHECK_REFUSED(OCCLUDE_ROUNDING_MODE, text, occlude_scene_cull_look_at(scene, &camera, NULL, view));
+  CHECK_REFUSED(OCCLUDE_ROUNDING_MODE, text, occlude_view_visibility(view, &boxes, &visibility));
+  fesetround(FE_TONEAREST);
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
+#else
+  (void)scene;
+  (void)view;
+#endif
+}
+
+static void statuses(void) {
+  for (occlude_status status = OCCLUDE_OK; status <= OCCLUDE_FAILED; ++status) {
+    CHECK(strcmp(occlude_status_text(status), "unknown status") != 0);
+  }
+  CHECK(strcmp(occlude_status_text(-1), "unknown status") == 0);
+}
+
+int main(void) {
+  CHECK(strcmp(occlude_last_error(), "") == 0);
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+  null_pointers(scene, view, wall);
+  ids_of_nothing(scene, wall);
+  numbers(scene, view);
+  meshes();
+  rounding(scene, view);
+  statuses();
+  occlude_mesh_destroy(wall);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+  return end_of_test();
+}

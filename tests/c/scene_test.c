@@ -1,0 +1,488 @@
+// SPDX-License-Identifier: MIT
+// What scenes do, by the C interface.
+#include <math.h>
+
+#include "check.h"
+
+static void objects_come_and_go(void) {
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+  occlude_occluder occluder = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
+  occlude_mesh_destroy(wall);  // the occluder keeps it
+
+  const occlude_box boxes[] = {kBehind, kBefore, kBeside, kAway};
+  const occlude_boxes array = {boxes, 4, 0, OCCLUDE_DOUBLE, OCCLUDE_ALIGNED};
+  occlude_object ids[4];
+  CHECK_OK(occlude_scene_add_objects(scene, &array, NULL, ids));
+  CHECK(occlude_scene_objects(scene) == 4 && occlude_scene_occluders(scene) == 1);
+  CHECK(occlude_scene_object_bytes(scene) > 0);
+  for (uint32_t i = 0; i < 4; ++i) CHECK(ids[i] != OCCLUDE_NONE && OCCLUDE_SLOT(ids[i]) == i);
+
+  CHECK(!draws(view, ids[1]));  // before the first frame
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]) && draws(view, ids[1]) && draws(view, ids[2]) && !draws(view, ids[3]));
+  occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
+  CHECK_OK(occlude_view_statistics(view, &statistics));
+  CHECK(statistics.drawn == 2 && statistics.hidden == 1 && statistics.out_of_view == 1 && statistics.too_small == 0);
+  CHECK(statistics.occluders == 1 && statistics.cover_triangles == 2 && statistics.cover_groups == 1);
+  CHECK(statistics.nodes_visited > 0 && statistics.view_tests > 0 && statistics.cover_tests > 0);
+  CHECK(statistics.cover_groups_left == 0);
+
+  // A disabled wall hides nothing; nor does one in another layer, one that was moved away, or one that is gone.
+  CHECK_OK(occlude_scene_enable_occluder(scene, occluder, 0));
+  cull(scene, view);
+  CHECK(draws(view, ids[0]));
+  CHECK_OK(occlude_scene_enable_occluder(scene, occluder, 1));
+  CHECK_OK(occlude_scene_mask_occluder(scene, occluder, 0));
+  cull(scene, view);
+  CHECK(draws(view, ids[0]));
+  CHECK_OK(occlude_scene_mask_occluder(scene, occluder, 2));
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]));
+  occlude_placement up = OCCLUDE_PLACEMENT_INIT;
+  up.origin[2] = 100;
+  CHECK_OK(occlude_scene_move_occluder(scene, occluder, &up));
+  cull(scene, view);
+  CHECK(draws(view, ids[0]));
+  CHECK_OK(occlude_scene_move_occluder(scene, occluder, NULL));
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]));
+  CHECK(occlude_scene_has_occluder(scene, occluder));
+  CHECK_OK(occlude_scene_remove_occluder(scene, occluder));
+  CHECK(!occlude_scene_has_occluder(scene, occluder));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, "the scene has no such occluder", occlude_scene_remove_occluder(scene, occluder));
+  cull(scene, view);
+  CHECK(draws(view, ids[0]));
+
+  // Objects likewise.
+  CHECK_OK(occlude_scene_enable_object(scene, ids[0], 0));
+  CHECK_OK(occlude_scene_mask_object(scene, ids[1], 0));
+  CHECK_OK(occlude_scene_move_object(scene, ids[2], &kAway));
+  CHECK_OK(occlude_scene_move_object(scene, ids[3], &kBeside));
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]) && !draws(view, ids[1]) && !draws(view, ids[2]) && draws(view, ids[3]));
+  CHECK_OK(occlude_scene_enable_object(scene, ids[0], 7));
+  CHECK_OK(occlude_scene_mask_object(scene, ids[1], 1));
+  CHECK_OK(occlude_scene_move_objects(scene, ids, &array));
+  cull(scene, view);
+  CHECK(draws(view, ids[0]) && draws(view, ids[1]) && draws(view, ids[2]) && !draws(view, ids[3]));
+
+  CHECK_OK(occlude_scene_remove_object(scene, ids[0]));
+  CHECK(!occlude_scene_has_object(scene, ids[0]) && occlude_scene_has_object(scene, ids[1]));
+  const occlude_object twice[] = {ids[1], ids[2], ids[1]};
+  CHECK_OK(occlude_scene_remove_objects(scene, twice, 3));
+  CHECK(occlude_scene_objects(scene) == 1);
+  occlude_object next = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(scene, &kBefore, NULL, &next));
+  CHECK(OCCLUDE_SLOT(next) < 3);  // that of one of the three
+  for (int i = 0; i < 4; ++i) CHECK(next != ids[i]);
+  cull(scene, view);
+  CHECK(draws(view, next) && !draws(view, ids[1]));
+  occlude_scene_destroy(scene);
+  CHECK(draws(view, next));  // a view outlives its scenes
+  occlude_view_destroy(view);
+}
+
+static void options_of_objects_and_occluders(void) {
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+
+  occlude_object_options options = OCCLUDE_OBJECT_OPTIONS_INIT;
+  options.is_always_drawn = 1;
+  occlude_object sky, bus, layered, behind;
+  CHECK_OK(occlude_scene_add_object(scene, &kAway, &options, &sky));
+  options.is_always_drawn = 0;
+  options.moves = 1;
+  CHECK_OK(occlude_scene_add_object(scene, &kBefore, &options, &bus));
+  options.moves = 0;
+  options.mask = 4;
+  CHECK_OK(occlude_scene_add_object(scene, &kBefore, &options, &layered));
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &behind));
+
+  // The wall hides only while the bus is there.
+  occlude_occluder_options wall_options = OCCLUDE_OCCLUDER_OPTIONS_INIT;
+  wall_options.object = bus;
+  wall_options.moves = 1;
+  occlude_occluder body;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, &wall_options, &body));
+  cull(scene, view);
+  CHECK(draws(view, sky) && draws(view, bus) && draws(view, layered) && !draws(view, behind));
+  CHECK_OK(occlude_scene_enable_object(scene, bus, 0));
+  cull(scene, view);
+  CHECK(draws(view, behind));
+  CHECK_OK(occlude_scene_enable_object(scene, bus, 1));
+
+  // A frame in one layer; sizes and distances; from front to back.
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  occlude_cull_options frame_options = OCCLUDE_CULL_OPTIONS_INIT;
+  frame_options.mask = 8;
+  frame_options.is_front_to_back = 1;
+  frame_options.cover_width = 256;
+  frame_options.cover_height = 128;
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &frame_options, view));
+  CHECK(draws(view, sky) && draws(view, bus) && !draws(view, layered) && !draws(view, behind));
+  occlude_frame frame = OCCLUDE_FRAME_INIT;
+  CHECK_OK(occlude_view_frame(view, &frame));
+  CHECK(frame.count == 2 && frame.objects[0] == sky && frame.objects[1] == bus);
+  CHECK(isinf(frame.sizes[0]) && isinf(frame.distances[0]) && frame.distances[0] < 0);
+  CHECK(fabs((double)frame.distances[1] - 25) < 1);
+  CHECK(frame.sizes[1] > 0.3F && frame.sizes[1] < 0.5F);  // 2 of 5.8 at a distance of 5
+  CHECK(frame.plane_count == 5);
+  const occlude_half_space* plane = &frame.planes[4];  // near
+  CHECK(fabs(plane->normal[0] * 0.1 + plane->offset) < 1e-3 && plane->normal[0] > 0);
+  frame_options.least_size = 0.6F;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &frame_options, view));
+  occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
+  CHECK_OK(occlude_view_statistics(view, &statistics));
+  CHECK(draws(view, sky) && !draws(view, bus) && statistics.drawn == 1 && statistics.too_small == 2);
+
+  // Limits of the picture: without triangles nothing is hidden. Nor is it with a margin that is not a number.
+  frame_options.least_size = 0;
+  frame_options.cover_ms = 1e-9;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &frame_options, view));
+  CHECK_OK(occlude_view_statistics(view, &statistics));
+  CHECK(draws(view, behind) && statistics.cover_triangles == 0);
+  frame_options.cover_ms = 0;
+  frame_options.cover_triangles = UINT64_MAX;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &frame_options, view));
+  CHECK(!draws(view, behind));
+  frame_options.margin = NAN;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &frame_options, view));
+  CHECK(draws(view, behind));
+
+  // One-sided: the wall of make_wall() turns its back to the eye.
+  CHECK_OK(occlude_scene_remove_occluder(scene, body));
+  wall_options.is_one_sided = 1;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, &wall_options, &body));
+  cull(scene, view);
+  CHECK(draws(view, behind));
+
+  // Another mesh: a pentagon that looks to the eye, with a corner in the middle of an edge.
+  const double vertices[] = {10, -5, -5, 10, -5, 5, 10, 5, 5, 10, 5, 0, 10, 5, -5};
+  const uint32_t indices[] = {0, 1, 2, 3, 4}, sizes[] = {5};
+  occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  data.vertices.data = vertices;
+  data.vertices.count = 5;
+  data.indices = indices;
+  data.index_count = 5;
+  data.polygon_sizes = sizes;
+  data.polygon_count = 1;
+  occlude_mesh* pentagon = NULL;
+  CHECK_OK(occlude_mesh_create(&data, &pentagon));
+  CHECK(occlude_mesh_polygons(pentagon) == 1 && occlude_mesh_polygons(wall) == 2 && occlude_mesh_polygons(NULL) == 0);
+  occlude_box box;
+  CHECK_OK(occlude_mesh_box(pentagon, &box));
+  CHECK(box.min[0] == 10 && box.min[1] == -5 && box.max[0] == 10 && box.max[2] == 5);
+  CHECK_OK(occlude_scene_replace_occluder(scene, body, pentagon));
+  cull(scene, view);
+  CHECK(!draws(view, behind));
+  occlude_mesh_destroy(pentagon);
+  occlude_mesh_destroy(wall);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+}
+
+static void occluders_in_arrays(void) {
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+  // A wall and its mirror image beside it.
+  occlude_placement placements[] = {OCCLUDE_PLACEMENT_INIT, OCCLUDE_PLACEMENT_INIT};
+  placements[1].y[1] = -1;
+  placements[1].origin[1] = 10;
+  occlude_occluder ids[2];
+  CHECK_OK(occlude_scene_add_occluders(scene, wall, placements, 2, NULL, ids));
+  CHECK(ids[0] != ids[1] && occlude_scene_occluders(scene) == 2);
+  occlude_object behind, beside;
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &behind));
+  CHECK_OK(occlude_scene_add_object(scene, &kBeside, NULL, &beside));
+  occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  camera.aspect = 3;
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
+  CHECK(!draws(view, behind));
+  occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
+  CHECK_OK(occlude_view_statistics(view, &statistics));
+  CHECK(statistics.occluders == 2);
+
+  // Parallel rays, and a far plane.
+  camera.projection = OCCLUDE_ORTHOGRAPHIC;
+  camera.height = 30;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
+  CHECK(!draws(view, behind) && !draws(view, beside));
+  CHECK_OK(occlude_scene_remove_occluder(scene, ids[1]));
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
+  CHECK(draws(view, beside));
+  camera.far_plane = 15;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
+  CHECK(!draws(view, beside));
+
+  // All or none.
+  placements[1].x[0] = NAN;
+  ids[0] = 123;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "placement 1: an occluder's placement is not finite, or takes it beyond 2^100",
+                occlude_scene_add_occluders(scene, wall, placements, 2, NULL, ids));
+  CHECK(ids[0] == OCCLUDE_NONE && ids[1] == OCCLUDE_NONE && occlude_scene_occluders(scene) == 1);
+  CHECK_OK(occlude_scene_add_occluders(scene, wall, NULL, 0, NULL, NULL));
+  occlude_mesh_destroy(wall);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+}
+
+/// Boxes in records of the caller, in floats or doubles, of either kind and at odd places of memory.
+static void arrays_with_strides(void) {
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+  occlude_occluder occluder;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
+  occlude_mesh_destroy(wall);
+
+  struct record {
+    int name;
+    float box[6];
+    char text[5];
+  } records[] = {{1, {20, -1, -1, 21, 1, 1}, "one"}, {2, {5, -1, -1, 6, 1, 1}, "two"}, {3, {20, 8, -1, 21, 10, 1}, "3"}};
+  occlude_boxes boxes = {records[0].box, 3, sizeof records[0], OCCLUDE_FLOAT, OCCLUDE_ALIGNED};
+  occlude_object ids[3];
+  CHECK_OK(occlude_scene_add_objects(scene, &boxes, NULL, ids));
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]) && draws(view, ids[1]) && draws(view, ids[2]));
+  occlude_visibility seen[4];
+  CHECK_OK(occlude_view_visibility(view, &boxes, seen));
+  CHECK(seen[0] == OCCLUDE_OCCLUDED && seen[1] == OCCLUDE_VISIBLE && seen[2] == OCCLUDE_VISIBLE);
+
+  // One after another in doubles, not aligned.
+  const occlude_box away[] = {kAway, kBehind, kBefore};
+  unsigned char bytes[sizeof away + 1];
+  memcpy(bytes + 1, away, sizeof away);
+  const occlude_boxes odd = {bytes + 1, 3, 0, OCCLUDE_DOUBLE, OCCLUDE_ALIGNED};
+  CHECK_OK(occlude_view_visibility(view, &odd, seen));
+  CHECK(seen[0] == OCCLUDE_OUT_OF_VIEW && seen[1] == OCCLUDE_OCCLUDED && seen[2] == OCCLUDE_VISIBLE);
+  CHECK_OK(occlude_scene_move_objects(scene, ids, &odd));
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]) && !draws(view, ids[1]) && draws(view, ids[2]));
+
+  // Oriented boxes. A diagonal one looks past the edge of the wall with its box only.
+  const occlude_oriented_box oriented[] = {{{20, 0, 0}, {{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}}},
+                                           {{20, 11.5, 0}, {{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}}}};
+  const occlude_boxes turned = {oriented, 2, 0, OCCLUDE_DOUBLE, OCCLUDE_ORIENTED};
+  CHECK_OK(occlude_view_visibility(view, &turned, seen));
+  CHECK(seen[0] == OCCLUDE_OCCLUDED && seen[1] == OCCLUDE_VISIBLE);
+  const float in_floats[] = {20, 0, 0, 1, 1, 0, -1, 1, 0, 0, 0, 1};
+  const occlude_boxes single = {in_floats, 1, 0, OCCLUDE_FLOAT, OCCLUDE_ORIENTED};
+  CHECK_OK(occlude_view_visibility(view, &single, seen));
+  CHECK(seen[0] == OCCLUDE_OCCLUDED);
+  CHECK_OK(occlude_scene_add_objects(scene, &turned, NULL, ids));
+  cull(scene, view);
+  CHECK(!draws(view, ids[0]) && draws(view, ids[1]));
+  const occlude_boxes none = {NULL, 0, 0, OCCLUDE_DOUBLE, OCCLUDE_ALIGNED};
+  CHECK_OK(occlude_scene_add_objects(scene, &none, NULL, NULL));
+  CHECK_OK(occlude_view_visibility(view, &none, NULL));
+  CHECK_OK(occlude_scene_remove_objects(scene, NULL, 0));
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+
+  // Vertices in records.
+  const double vertices[] = {10, -5, -5, 77, 10, 5, -5, 77, 10, 5, 5, 77};
+  const uint32_t indices[] = {0, 1, 2};
+  occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  data.vertices.data = vertices;
+  data.vertices.count = 3;
+  data.vertices.stride = 4 * sizeof(double);
+  data.indices = indices;
+  data.index_count = 3;
+  occlude_mesh* mesh = NULL;
+  CHECK_OK(occlude_mesh_create(&data, &mesh));
+  occlude_box box;
+  CHECK_OK(occlude_mesh_box(mesh, &box));
+  CHECK(box.min[0] == 10 && box.max[0] == 10 && box.min[1] == -5 && box.max[1] == 5 && box.max[2] == 5);
+  occlude_mesh_destroy(mesh);
+}
+
+/// The default look-at camera as a matrix for column vectors, row after row: clip x is to the right, -y; clip y is up, z.
+static const double kMatrix[16] = {0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0, -0.2, 1, 0, 0, 0};
+
+static void matrix_cameras(void) {
+  occlude_scene* scene = NULL;
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  occlude_mesh* wall = make_wall();
+  occlude_occluder occluder;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
+  occlude_mesh_destroy(wall);
+  const occlude_box boxes[] = {kBehind, kBefore, kAway, {{11, 5.1, -1}, {12, 5.5, 1}}};
+  const occlude_boxes array = boxes_of(boxes, 4);
+  occlude_object ids[5];
+  CHECK_OK(occlude_scene_add_objects(scene, &array, NULL, ids));
+  CHECK_OK(occlude_scene_update(scene));
+
+  double columns[16];
+  float in_floats[16];
+  for (int i = 0; i < 16; ++i) {
+    columns[i % 4 * 4 + i / 4] = kMatrix[i];
+    in_floats[i] = (float)kMatrix[i];
+  }
+  unsigned char odd[sizeof kMatrix + 1];
+  memcpy(odd + 1, columns, sizeof columns);
+  occlude_matrix_camera camera = OCCLUDE_MATRIX_CAMERA_INIT;
+  camera.depth = OCCLUDE_DEPTH_MINUS_W_TO_W;
+  for (int way = 0; way < 4; ++way) {
+    camera.matrix = way == 0 ? (const void*)columns : way == 1 ? kMatrix : way == 2 ? (const void*)in_floats : odd + 1;
+    camera.type = way == 2 ? OCCLUDE_FLOAT : OCCLUDE_DOUBLE;
+    camera.order = way == 1 || way == 2 ? OCCLUDE_ROWS : OCCLUDE_COLUMNS;
+    camera.nearer = way == 3 ? OCCLUDE_NEARER_LESS : OCCLUDE_NEARER_UNSAID;
+    CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+    CHECK(!draws(view, ids[0]) && draws(view, ids[1]) && !draws(view, ids[2]));
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(view, &frame));
+    CHECK(frame.plane_count == 5);
+  }
+
+  // The depth of the near plane follows from what is said of the depth: w = x, z = x - 0.2, so z >= 0 from x = 0.2, z >= -w
+  // from 0.1.
+  for (int is_zero = 0; is_zero < 2; ++is_zero) {
+    camera.depth = is_zero ? OCCLUDE_DEPTH_ZERO_TO_W : OCCLUDE_DEPTH_MINUS_W_TO_W;
+    CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(view, &frame));
+    const occlude_half_space* near_plane = &frame.planes[4];
+    CHECK(fabs(near_plane->offset / near_plane->normal[0] + (is_zero ? 0.2 : 0.1)) < 1e-3);
+  }
+
+  // What is seen past the edge of the wall by an eye that may move.
+  camera.depth = OCCLUDE_DEPTH_MINUS_W_TO_W;
+  const occlude_box at_the_edge = {{30, 12, -1}, {31, 12.5, 1}};
+  CHECK_OK(occlude_scene_move_object(scene, ids[3], &at_the_edge));
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+  CHECK(!draws(view, ids[3]));
+  camera.eye_radius = 3;
+  CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+  CHECK(draws(view, ids[3]));
+  camera.eye_radius = 0;
+
+  // What is refused.
+  const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
+  camera.depth = OCCLUDE_DEPTH_UNSAID;
+  CHECK_REFUSED(refused, "depth of the camera is not said", occlude_scene_cull(scene, &camera, NULL, view));
+  camera.depth = 3;
+  CHECK_REFUSED(refused, "depth of the camera is 3, which is none of its enumerators",
+                occlude_scene_cull(scene, &camera, NULL, view));
+  camera.depth = OCCLUDE_DEPTH_MINUS_W_TO_W;
+  camera.nearer = 3;
+  CHECK_REFUSED(refused, "nearer is 3, which is none of its enumerators", occlude_scene_cull(scene, &camera, NULL, view));
+  camera.nearer = OCCLUDE_NEARER_GREATER;
+  CHECK(occlude_scene_cull(scene, &camera, NULL, view) == refused);  // the matrix says otherwise
+  camera.nearer = OCCLUDE_NEARER_LESS;
+  camera.order = 2;
+  CHECK_REFUSED(refused, "matrix order is 2, which is none of its enumerators",
+                occlude_scene_cull(scene, &camera, NULL, view));
+  camera.order = OCCLUDE_COLUMNS;
+  camera.type = -1;
+  CHECK_REFUSED(refused, "number type is -1, which is none of its enumerators",
+                occlude_scene_cull(scene, &camera, NULL, view));
+  camera.type = OCCLUDE_DOUBLE;
+  camera.matrix = NULL;
+  CHECK_REFUSED(refused, "matrix is null", occlude_scene_cull(scene, &camera, NULL, view));
+  CHECK(draws(view, ids[3]));  // the last frame is kept
+
+  // Why: by both kinds of cameras.
+  occlude_fate fates[5];
+  camera.matrix = columns;
+  ids[4] = OCCLUDE_NONE;
+  const occlude_look_at_camera look_at = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  for (int way = 0; way < 2; ++way) {
+    if (way == 0) CHECK_OK(occlude_scene_cull(scene, &camera, NULL, view));
+    if (way == 1) CHECK_OK(occlude_scene_cull_look_at(scene, &look_at, NULL, view));
+    CHECK_OK(occlude_scene_why(scene, view, ids, 5, fates));
+    CHECK(fates[1].reason == OCCLUDE_DRAWN && fates[1].by_count == 0);
+    CHECK(fates[4].reason == OCCLUDE_NOT_IN_SCENE);
+    occlude_frame frame = OCCLUDE_FRAME_INIT;
+    CHECK_OK(occlude_view_frame(view, &frame));
+    CHECK(fates[2].reason == OCCLUDE_OUT_OF_PLANE && fates[2].plane < frame.plane_count);
+    CHECK(fates[0].reason == OCCLUDE_HIDDEN && fates[0].by_count == 2 && fates[3].reason == OCCLUDE_HIDDEN);
+    for (size_t i = 0; i < fates[0].by_count; ++i) {
+      const occlude_hiding* by = &fates[0].by[i];
+      CHECK(by->occluder == occluder && by->polygon < 2 && by->corner_count == 3);
+      for (size_t k = 0; k < by->corner_count; ++k) CHECK(by->corners[3 * k] == 10 && fabs(by->corners[3 * k + 1]) == 5);
+    }
+    CHECK(fates[0].by_count != 2 || fates[0].by[0].polygon != fates[0].by[1].polygon);
+  }
+  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  options.least_size = 0.2F;
+  options.mask = 1;
+  CHECK_OK(occlude_scene_mask_object(scene, ids[1], 2));
+  occlude_object_options always = OCCLUDE_OBJECT_OPTIONS_INIT;
+  always.is_always_drawn = 1;
+  CHECK_OK(occlude_scene_add_object(scene, &kAway, &always, &ids[4]));
+  CHECK_OK(occlude_scene_enable_occluder(scene, occluder, 0));
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK_OK(occlude_scene_cull_look_at(scene, &look_at, &options, view));
+  CHECK_OK(occlude_scene_why(scene, view, ids, 5, fates));
+  CHECK(fates[0].reason == OCCLUDE_TOO_SMALL && fates[1].reason == OCCLUDE_IN_NO_LAYER);
+  CHECK(fates[4].reason == OCCLUDE_ALWAYS_DRAWN);
+  CHECK_OK(occlude_scene_why(scene, view, NULL, 0, NULL));
+  occlude_view* unused = NULL;
+  CHECK_OK(occlude_view_create(&unused));
+  CHECK_REFUSED(refused, "the view has no frame", occlude_scene_why(scene, unused, ids, 4, fates));
+  occlude_view_destroy(unused);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+}
+
+/// Whether the frame lists what is nearer first.
+static int is_front_to_back(const occlude_scene* scene, int32_t wanted) {
+  occlude_view* view = NULL;
+  CHECK_OK(occlude_view_create(&view));
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  options.is_front_to_back = wanted;
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &options, view));
+  occlude_frame frame = OCCLUDE_FRAME_INIT;
+  CHECK_OK(occlude_view_frame(view, &frame));
+  CHECK(frame.count == 100);
+  int is_sorted = 1;
+  for (size_t i = 1; i < frame.count; ++i) is_sorted = is_sorted && frame.distances[i - 1] <= frame.distances[i];
+  occlude_view_destroy(view);
+  return is_sorted;
+}
+
+static void order(void) {
+  occlude_scene* scene = NULL;
+  CHECK_OK(occlude_scene_create(&scene));
+  for (int i = 0; i < 100; ++i) {
+    const double y = i * 37 % 100 - 50;
+    const occlude_box box = {{100, y, 0}, {101, y + 0.5, 1}};
+    occlude_object object = OCCLUDE_NONE;
+    CHECK_OK(occlude_scene_add_object(scene, &box, NULL, &object));
+  }
+  CHECK_OK(occlude_scene_update(scene));
+  CHECK(is_front_to_back(scene, 1) && !is_front_to_back(scene, 0));
+  occlude_scene_destroy(scene);
+}
+
+int main(void) {
+  CHECK(occlude_version() == OCCLUDE_VERSION);
+  objects_come_and_go();
+  options_of_objects_and_occluders();
+  occluders_in_arrays();
+  arrays_with_strides();
+  matrix_cameras();
+  order();
+  return end_of_test();
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Structs of older headers, which are shorter, and of newer ones, which are longer.
+#include <stdlib.h>
+
+#include "check.h"
+
+/// A copy of the first `size` bytes, in memory that ends there: a read beyond shows under a sanitizer.
+static void* shortened(const void* whole, size_t size) {
+  void* copy = malloc(size);
+  if (copy == NULL) abort();
+  memcpy(copy, whole, size);
+  memcpy(copy, &size, sizeof size);
+  return copy;
+}
+
+/// Every length of a struct is taken that ends with a whole word; `works` uses it.
+static void every_length(const void* whole, size_t full, occlude_status (*works)(const void* options)) {
+  for (size_t size = sizeof(size_t); size <= full; ++size) {
+    void* options = shortened(whole, size);
+    const occlude_status expected = size % sizeof(size_t) == 0 ? OCCLUDE_OK : OCCLUDE_INVALID_ARGUMENT;
+    check_at(works(options) == expected, "the struct is taken as its size says", __FILE__, (int)size);
+    free(options);
+  }
+  unsigned char longer[512] = {0};
+  memcpy(longer, whole, full);
+  size_t size = full + sizeof(size_t);
+  memcpy(longer, &size, sizeof size);
+  CHECK(works(longer) == OCCLUDE_INVALID_ARGUMENT && strstr(occlude_last_error(), "is of a newer version than the library"));
+  size = 0;
+  memcpy(longer, &size, sizeof size);
+  CHECK(works(longer) == OCCLUDE_INVALID_ARGUMENT && strstr(occlude_last_error(), "its size is 0, which is of no version"));
+}
+
+static occlude_scene* scene = NULL;
+static occlude_view* view = NULL;
+static occlude_mesh* wall = NULL;
+static occlude_object behind = OCCLUDE_NONE;
+
+static occlude_status add_object(const void* options) {
+  occlude_object object = OCCLUDE_NONE;
+  const occlude_status status = occlude_scene_add_object(scene, &kBefore, options, &object);
+  if (status == OCCLUDE_OK) {
+    cull(scene, view);
+    CHECK(draws(view, object));  // by the default mask, whatever the struct has of it
+    CHECK_OK(occlude_scene_remove_object(scene, object));
+  }
+  return status;
+}
+
+static occlude_status add_occluder(const void* options) {
+  occlude_occluder occluder = OCCLUDE_NONE;
+  const occlude_status status = occlude_scene_add_occluder(scene, wall, NULL, options, &occluder);
+  if (status == OCCLUDE_OK) {
+    cull(scene, view);
+    CHECK(!draws(view, behind));
+    CHECK_OK(occlude_scene_remove_occluder(scene, occluder));
+  }
+  return status;
+}
+
+static occlude_status cull_by_camera(const void* camera) {
+  const occlude_status status = occlude_scene_cull_look_at(scene, camera, NULL, view);
+  if (status == OCCLUDE_OK) CHECK(draws(view, behind));
+  return status;
+}
+
+static occlude_status cull_by_options(const void* options) {
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  const occlude_status status = occlude_scene_cull_look_at(scene, &camera, options, view);
+  if (status == OCCLUDE_OK) CHECK(draws(view, behind));
+  return status;
+}
+
+static occlude_status make_mesh(const void* data) {
+  occlude_mesh* mesh = NULL;
+  const occlude_status status = occlude_mesh_create(data, &mesh);
+  occlude_mesh_destroy(mesh);
+  return status;
+}
+
+/// What is written ends where the struct does.
+static void outputs(void) {
+  occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
+  statistics.size = 2 * sizeof(size_t);
+  statistics.out_of_view = 77;
+  CHECK_OK(occlude_view_statistics(view, &statistics));
+  CHECK(statistics.size == 2 * sizeof(size_t) && statistics.drawn == 1 && statistics.out_of_view == 77);
+  occlude_frame frame = OCCLUDE_FRAME_INIT;
+  frame.size = offsetof(occlude_frame, sizes);
+  CHECK_OK(occlude_view_frame(view, &frame));
+  CHECK(frame.count == 1 && frame.objects[0] == behind && frame.sizes == NULL && frame.plane_count == 0);
+  frame.size = sizeof frame + sizeof(size_t);
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame is of a newer version than the library", occlude_view_frame(view, &frame));
+  frame.size = 3;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "frame: its size is 3, which is of no version", occlude_view_frame(view, &frame));
+}
+
+/// The first version's matrix, depth and order are needed; the radius is not.
+static void matrix_camera(void) {
+  const float matrix[] = {0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0, -0.2F, 1, 0, 0, 0};
+  occlude_matrix_camera camera = OCCLUDE_MATRIX_CAMERA_INIT;
+  camera.matrix = matrix;
+  camera.type = OCCLUDE_FLOAT;
+  camera.order = OCCLUDE_ROWS;
+  camera.depth = OCCLUDE_DEPTH_ZERO_TO_W;
+  camera.eye_radius = -1;
+  CHECK(occlude_scene_cull(scene, &camera, NULL, view) == OCCLUDE_INVALID_ARGUMENT);
+  occlude_matrix_camera* shorter = shortened(&camera, offsetof(occlude_matrix_camera, eye_radius));
+  CHECK_OK(occlude_scene_cull(scene, shorter, NULL, view));
+  free(shorter);
+  camera.size = sizeof camera + sizeof(size_t);
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "camera is of a newer version than the library",
+                occlude_scene_cull(scene, &camera, NULL, view));
+}
+
+static void reserved(void) {
+  occlude_object_options object = OCCLUDE_OBJECT_OPTIONS_INIT;
+  object.reserved = 1;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", add_object(&object));
+  occlude_occluder_options occluder = OCCLUDE_OCCLUDER_OPTIONS_INIT;
+  occluder.reserved = 1;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", add_occluder(&occluder));
+  occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  camera.reserved = 1;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "camera: reserved is not 0", cull_by_camera(&camera));
+  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  options.reserved = 1;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", cull_by_options(&options));
+}
+
+int main(void) {
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  wall = make_wall();
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &behind));
+  const occlude_object_options object = OCCLUDE_OBJECT_OPTIONS_INIT;
+  const occlude_occluder_options occluder = OCCLUDE_OCCLUDER_OPTIONS_INIT;
+  const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  const occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  const occlude_mesh_data data = OCCLUDE_MESH_DATA_INIT;
+  every_length(&object, sizeof object, add_object);
+  every_length(&occluder, sizeof occluder, add_occluder);
+  CHECK_OK(occlude_scene_update(scene));
+  every_length(&camera, sizeof camera, cull_by_camera);
+  every_length(&options, sizeof options, cull_by_options);
+  every_length(&data, sizeof data, make_mesh);
+  CHECK_OK(occlude_scene_cull_look_at(scene, &camera, &options, view));
+  outputs();
+  reserved();
+  matrix_camera();
+  occlude_mesh_destroy(wall);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+  return end_of_test();
+}

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Models, against rays."""
+import unittest
+
+import numpy as np
+
+import brute
+import occlude
+from occlude import CulledBy, Visibility
+
+
+def houses(rng):
+    """A model of boxes on a grid, and its triangles by polygon."""
+    vertices, polygons = [], []
+    for x in range(6):
+        for y in range(6):
+            low = np.array([6 * x, 6 * y, 0]) + rng.uniform(0, 1, 3)
+            corners, faces = brute.cube(low, low + rng.uniform(2, 4, 3))
+            polygons.append(faces + 8 * len(vertices))
+            vertices.append(corners)
+    vertices, polygons = np.concatenate(vertices), np.concatenate(polygons)
+    return vertices, polygons, np.array([brute.fan(vertices, polygon) for polygon in polygons])
+
+
+class Models(unittest.TestCase):
+    def check_path(self, culler, view, triangles, rng, **options):
+        culled, weights = 0, rng.dirichlet([1, 1, 1], 4)
+        for step in range(6):
+            eye = np.array([-4.0 + 2 * step, -3, 2])
+            frame = culler.cull(occlude.Camera(eye, eye + [1, 0.7, -0.1]), view, **options)
+            in_ranges = [p for first, count in frame.drawn for p in culler.order[first : first + count]]
+            np.testing.assert_array_equal(frame.polygons, in_ranges)
+            ranges = [culler.order[row["first"] : row["first"] + row["count"]] for row in frame.culled]
+            np.testing.assert_array_equal(np.sort(np.concatenate([frame.polygons, *ranges])), np.arange(len(triangles)))
+            self.assertEqual(frame.statistics["drawn_polygons"], len(frame.polygons))
+            hidden = []
+            for row in frame.culled:
+                polygons = culler.order[row["first"] : row["first"] + row["count"]]
+                points = (weights @ triangles[polygons]).reshape(-1, 3)
+                if row["by"] == CulledBy.VIEW:
+                    plane = frame.planes[row["index"]]
+                    self.assertTrue(np.all(points @ plane[:3] + plane[3] < 0))
+                else:
+                    self.assertEqual(row["by"], CulledBy.COVER if options.get("method") == "cover" else CulledBy.SHADOW)
+                    hidden.append(points)
+                    culled += row["count"]
+            if hidden:
+                self.assertTrue(np.all(brute.is_hidden(eye, np.concatenate(hidden), triangles.reshape(-1, 3, 3))))
+        return culled
+
+    def test_frusta(self):
+        rng = brute.random()
+        vertices, polygons, triangles = houses(rng)
+        culler, view = occlude.Culler(vertices, polygons, leaf_size=4), occlude.View()
+        self.assertEqual(len(culler), len(polygons))
+        np.testing.assert_array_equal(np.sort(culler.order), np.arange(len(polygons)))
+        few = self.check_path(culler, view, triangles, rng)
+        self.assertGreater(few, 300)
+        self.assertEqual(self.check_path(culler, view, triangles, rng, occluders=0), 0)
+        self.check_path(culler, None, triangles, rng, test="overlap", near="farthest", unions=True)
+        self.check_path(occlude.Culler(vertices, polygons, bounds="obb"), None, triangles, rng)
+
+    def test_cover(self):
+        rng = brute.random()
+        vertices, polygons, triangles = houses(rng)
+        culler, view = occlude.Culler(vertices, polygons, leaf_size=4), occlude.View()
+        culler.prepare_cover()
+        many = self.check_path(culler, view, triangles, rng, method="cover", cover_size=(512, 512))
+        self.assertGreater(many, 600)
+        seen = view.visibility([[30, 31, 0.2, 31, 32, 0.4], [-50, 0, 0, -49, 1, 1]])
+        self.assertEqual(list(seen), [Visibility.OCCLUDED, Visibility.OUT_OF_VIEW])
+        self.assertEqual(self.check_path(culler, view, triangles, rng, method="cover", cover_triangles=0), 0)
+
+    def test_matrix_cameras(self):
+        rng = brute.random()
+        vertices, polygons, _ = houses(rng)
+        culler = occlude.Culler(vertices, polygons, leaf_size=4)
+        # From (-4, -3, 2) along x, left is y: the matrix of the camera below.
+        look = np.array([[0, -1, 0, -3], [0, 0, 1, -2], [-1, 0, 0, -4], [0, 0, 0, 1]])
+        projection = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]])
+        matrix = occlude.MatrixCamera(projection @ look, "minus_w_to_w")
+        camera = occlude.Camera([-4, -3, 2], [0, -3, 2], fov_y_deg=90, aspect=1)
+        for method in ("frusta", "cover"):
+            expected, frame = culler.cull(camera, method=method), culler.cull(matrix, occlude.View(), method=method)
+            self.assertLess(len(set(expected.polygons) ^ set(frame.polygons)), 20)
+            self.assertGreater(frame.statistics["shadow_culled_polygons"], 30)
+        several = occlude.MatrixCamera(projection @ look, "minus_w_to_w", eye_radius=0.5)
+        self.assertGreater(len(culler.cull(several, method="cover").polygons), 0)
+        with self.assertRaises(ValueError):
+            culler.cull(several, method="frusta")
+
+    def test_polygons_of_all_kinds(self):
+        square = np.array([[5, -1, -1], [5, 1, -1], [5, 1, 1], [5, -1, 1]])
+        camera = occlude.Camera([0, 0, 0], [1, 0, 0])
+        for polygons, sizes in (([[0, 1, 2], [0, 1, 2, 3]], None), (np.array([0, 1, 2, 0, 1, 2, 3]), [3, 4])):
+            culler = occlude.Culler(square, polygons, sizes)
+            self.assertEqual(len(culler), 2)
+            self.assertEqual(sorted(culler.cull(camera).polygons), [0, 1])
+
+    def test_one_view_for_everything(self):
+        rng = brute.random()
+        vertices, polygons, _ = houses(rng)
+        culler, scene, view = occlude.Culler(vertices, polygons), occlude.Scene(), occlude.View()
+        camera, box = occlude.Camera([0, 0, 0], [1, 0, 0]), [[3, -0.5, -0.5, 4, 0.5, 0.5]]
+        self.assertEqual(view.visibility(box)[0], Visibility.VISIBLE)
+        culler.cull(camera, view)
+        self.assertEqual(view.visibility([[-4, 0, 0, -3, 1, 1]])[0], Visibility.OUT_OF_VIEW)
+        scene.cull(occlude.Camera([0, 0, 0], [-1, 0, 0]), view)
+        self.assertEqual(view.visibility(box)[0], Visibility.OUT_OF_VIEW)
+        culler.cull(camera, view)
+        self.assertEqual(view.visibility(box)[0], Visibility.VISIBLE)
+
+    def test_refusals(self):
+        camera, square = occlude.Camera([0, 0, 0], [1, 0, 0]), [[5, -1, -1], [5, 1, -1], [5, 1, 1], [5, -1, 1]]
+        culler = occlude.Culler(square, [[0, 1, 2, 3]])
+        for text, call in (
+            ("soup", lambda: occlude.Culler(square, [])),
+            ("vertex 0: number out of range", lambda: occlude.Culler([[1e300, 0, 0]] * 3, [[0, 1, 2]])),
+            ("bounds is 'sphere', must be 'aabb' or 'obb'", lambda: occlude.Culler(square, [[0, 1, 2]], bounds="sphere")),
+            ("method is 'both', must be 'frusta' or 'cover'", lambda: culler.cull(camera, method="both")),
+            ("margin is below 0", lambda: culler.cull(camera, margin=-1)),
+            ("margin is below 0", lambda: culler.cull(camera, margin=np.nan)),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                call()
+        with self.assertRaises(TypeError):
+            culler.cull("camera")
+
+
+if __name__ == "__main__":
+    unittest.main()
