@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
@@ -803,6 +804,83 @@ TEST(Scene, IsCulledOnSeveralThreadsWhileItIsChanged) {
     });
     threads.clear();
     for (const auto& mine : found) EXPECT_EQ(mine, expected);
+  }
+}
+
+/// How walls are made.
+struct Panels {
+  const char* name;
+  bool is_one_mesh, shares_corners;
+  double overlap;  ///< metres; negative: a seam
+  double turn;     ///< radians, about the vertical
+  double least_share;
+};
+
+/// The share of 2,000 boxes, each in the shadow of a wall of ten panels, that is hidden. Boxes whose middle shows exactly
+/// through a seam must not be hidden; they are not counted.
+double share_hidden(const Panels& how) {
+  constexpr int kPanels = 10;
+  constexpr double kWidth = 2;
+  const double c = std::cos(how.turn), s = std::sin(how.turn);
+  Scene scene;
+  PolygonSoup all;
+  std::vector<std::uint32_t> corners;
+  for (int i = 0; i < kPanels; ++i) {
+    const double low = kWidth * i - kWidth * kPanels / 2 - how.overlap / 2, high = low + kWidth + how.overlap;
+    const auto corner = [&](double y, double z) { return glm::dvec3{12 - s * y, c * y, z}; };
+    if (how.shares_corners) {
+      if (i == 0) corners = {all.add_vertex(corner(low, -3)), all.add_vertex(corner(low, 3))};
+      const std::uint32_t below = all.add_vertex(corner(high, -3)), above = all.add_vertex(corner(high, 3));
+      all.add_polygon(std::array{corners[0], below, above, corners[1]});
+      corners = {below, above};
+    } else {
+      PolygonSoup panel;
+      PolygonSoup& soup = how.is_one_mesh ? all : panel;
+      add(soup, {corner(low, -3), corner(high, -3), corner(high, 3), corner(low, 3)});
+      if (!how.is_one_mesh) scene.add(std::make_shared<OccluderMesh>(panel));
+    }
+  }
+  if (!all.empty()) scene.add(std::make_shared<OccluderMesh>(all));
+  std::mt19937 random(kSeed);
+  std::vector<ObjectId> ids;
+  while (ids.size() < 2000) {
+    // Seen through the wall, well inside of its border.
+    const double across = uniform(random, -8, 8), up = uniform(random, -2, 2), farther = uniform(random, 1.3, 4);
+    const glm::dvec3 at = farther * glm::dvec3{12 - s * across, c * across, up};
+    ids.push_back(scene.add(Aabb{{at.x - 0.2, at.y - 0.2, at.z - 0.2}, {at.x + 0.2, at.y + 0.2, at.z + 0.2}}));
+  }
+  std::vector<ObjectId> behind_seams;
+  for (int i = 1; how.overlap < 0 && i < kPanels; ++i) {
+    const double seam = kWidth * i - kWidth * kPanels / 2;
+    const glm::dvec3 at = 2.0 * glm::dvec3{12 - s * seam, c * seam, 0};
+    behind_seams.push_back(scene.add(Aabb{{at.x, at.y - 0.01, at.z - 0.01}, {at.x, at.y + 0.01, at.z + 0.01}}));
+  }
+  scene.update();
+  SceneView view;
+  Camera camera;
+  const SceneResult& result = scene.cull(camera, {}, view);
+  EXPECT_EQ(result.stats.out_of_view, 0U) << how.name;
+  std::vector<std::uint32_t> drawn;
+  for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot);
+  for (const ObjectId id : behind_seams) EXPECT_EQ(std::ranges::count(drawn, id.slot), 1) << how.name;
+  return static_cast<double>(result.stats.hidden) / static_cast<double>(ids.size());
+}
+
+/// The table in ENGINES.md.
+TEST(Scene, WallsOfPanelsHide) {
+  for (const Panels& how :
+       {Panels{"one mesh, shared edges", true, true, 0, 0, 0.99},
+        {"one mesh, equal corners", true, false, 0, 0, 0.99},
+        {"one mesh, overlap of 0.1 m", true, false, 0.1, 0, 0.9},
+        {"one mesh, seams of 2e-6 m", true, false, -2e-6, 0, 0.5},
+        {"a mesh for each panel, touching", false, false, 0, 0, 0.5},
+        {"a mesh for each panel, overlap of 0.1 m", false, false, 0.1, 0, 0.9},
+        {"a mesh for each panel, seams of 2e-6 m", false, false, -2e-6, 0, 0.5},
+        {"one mesh, shared edges, turned by 30 degrees", true, true, 0, 0.5236, 0.99},
+        {"a mesh for each panel, overlap of 0.1 m, turned by 30 degrees", false, false, 0.1, 0.5236, 0.9}}) {
+    const double share = share_hidden(how);
+    std::printf("%-64s %5.1f %%\n", how.name, 100 * share);
+    EXPECT_GE(share, how.least_share) << how.name;
   }
 }
 
