@@ -17,7 +17,8 @@
 //    occlude_object_options.moves may be moved on several threads at once. occlude_scene_update() must run alone. A view
 //    belongs to one thread while it is culled with; between frames any number of threads may ask it. Meshes may be made on
 //    any thread, and used on all.
-// 6. **Coordinates** are right-handed and in any unit. They are 0 or of a magnitude in [2^-100, 2^100].
+// 6. **Coordinates** are right-handed and in any unit. Those of meshes are at most 2^100; boxes may have any numbers but NaN
+//    (`class Scene`, Boxes).
 #ifndef OCCLUDE_H
 #define OCCLUDE_H
 
