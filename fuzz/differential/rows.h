@@ -49,9 +49,10 @@ void run_forgeries(std::uint64_t seed, Report& report);
 /// Checks a small scene from a few viewpoints: every polygon is drawn or culled once, and every cull by cover is proved.
 void run_joined(std::uint64_t seed, Report& report);
 
-/// Changes a small scene at random, with stale ids and frames between. A case is a change: objects and occluders come, go,
-/// move, are disabled and change layers. Each object must be drawn or counted once; what is culled is proved by the oracle;
-/// a scene that is made anew with the same content must draw the same.
+/// Changes a small scene at random, some seventy times, with stale ids and frames between. A case is an object of a frame:
+/// `inside` means hidden, `partial` drawn, `outside` out of view. Objects and occluders come, go, move, are disabled and
+/// change layers. Each object must be drawn or counted once; what is culled is proved by the oracle; a scene that is made
+/// anew with the same content must draw the same.
 void run_worlds(std::uint64_t seed, Report& report);
 
 }  // namespace occlude::fuzz

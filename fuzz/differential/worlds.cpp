@@ -178,7 +178,6 @@ class WorldJudge {
     for (int i = random_.integer(5, 40); i > 0; --i) add_object();
     for (int round = 0; round < rounds; ++round) {
       for (int steps = random_.integer(0, 12); steps > 0; --steps) {
-        ++report_.tally.cases;
         if (std::string wrong = step(); !wrong.empty()) return wrong;
       }
       if (random_.chance(0.8)) {
@@ -401,6 +400,7 @@ class WorldJudge {
     const auto in_layers =
         std::ranges::count_if(seen_.objects, [&](const auto& entry) { return (entry.second.mask() & options.mask) != 0; });
     const culler::SceneStats& stats = result.stats;
+    report_.tally.cases += stats.hidden + stats.drawn + stats.out_of_view;
     report_.tally.relations[0] += stats.hidden;
     report_.tally.relations[1] += stats.drawn;
     report_.tally.relations[2] += stats.out_of_view;
