@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "bounds.h"
 #include "outer_box.h"
 
 namespace occlude::culler {
@@ -44,6 +45,7 @@ void ObjectGroup::assign(std::span<const SceneObject> objects, GroupBuilder& bui
     if (oriented != nullptr) oriented_boxes_.push_back(*oriented);
   }
   living_ = objects.size();
+  if (living_ > 0) box_ = nodes_[0].box;
 }
 
 void ObjectGroup::clear() {
@@ -54,6 +56,7 @@ void ObjectGroup::clear() {
   oriented_.clear();
   oriented_boxes_.clear();
   living_ = 0;
+  is_box_loose_ = false;
   is_in_all_layers_ = true;
 }
 
@@ -61,7 +64,17 @@ void ObjectGroup::remove(std::uint32_t i) {
   ids_[i] = {};
   masks_[i] = 0;
   is_in_all_layers_ = false;
+  is_box_loose_ = true;
   --living_;
+}
+
+void ObjectGroup::fit_box() {
+  if (!is_box_loose_) return;
+  is_box_loose_ = false;
+  box_ = empty_box();
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (!ids_[i].is_none()) grow(box_, outer_[i]);
+  }
 }
 
 void ObjectGroup::set_mask(std::uint32_t i, std::uint32_t mask) {

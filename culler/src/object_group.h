@@ -37,8 +37,10 @@ class ObjectGroup {
 
   void assign(std::span<const SceneObject> objects, GroupBuilder& builder);
   void clear();
-  /// Removes object i. Its place stays empty, and in no layer.
+  /// Removes object i. Its place stays empty, and in no layer. The tree stays, so its boxes may be larger than they need be.
   void remove(std::uint32_t i);
+  /// Makes box() that of what is left.
+  void fit_box();
   void set_mask(std::uint32_t i, std::uint32_t mask);
   /// Appends what is left.
   void append_living(std::vector<SceneObject>& objects) const;
@@ -46,6 +48,8 @@ class ObjectGroup {
   /// The places of objects, in the order of the leaves; of these, those that are not empty.
   [[nodiscard]] std::size_t size() const { return ids_.size(); }
   [[nodiscard]] std::size_t living() const { return living_; }
+  /// The box around all objects, those removed since the last fit_box() included.
+  [[nodiscard]] const kernel::Aabb& box() const { return box_; }
   /// How many objects have room without allocating.
   [[nodiscard]] std::size_t capacity() const { return ids_.capacity(); }
   [[nodiscard]] std::size_t bytes() const;
@@ -74,6 +78,8 @@ class ObjectGroup {
   std::vector<std::uint32_t> oriented_;  ///< of each object, the index in oriented_boxes_ or kNone; empty if there is none
   std::vector<kernel::Obb> oriented_boxes_;
   std::size_t living_ = 0;
+  kernel::Aabb box_;
+  bool is_box_loose_ = false;
   bool is_in_all_layers_ = true;  ///< whether every place has an object in all layers
 };
 

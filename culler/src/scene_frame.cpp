@@ -252,7 +252,7 @@ void begin_frame(SceneView::Memory& memory) {
 
 double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye) {
   kernel::Aabb all = occluders.box();
-  if (!objects.groups().nodes().empty()) grow(all, objects.groups().nodes()[0].box);
+  grow(all, objects.box());
   const bool is_empty = all.min.x > all.max.x;
   return is_empty ? 0 : depth(all, eye);
 }

@@ -349,9 +349,12 @@ void SceneObjects::build_top() {
   top_groups_.clear();
   boxes_.clear();
   seen_ = unplaced_.size() + moving_unplaced_.size();
+  box_ = empty_box();
   for (std::uint32_t g = 0; g < groups_.size(); ++g) {
     if (groups_[g].living() == 0) continue;
     seen_ += groups_[g].living();
+    groups_[g].fit_box();
+    grow(box_, groups_[g].box());
     top_groups_.push_back(g);
     boxes_.push_back(groups_[g].nodes()[0].box);
   }

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "bounds.h"
 #include "linear_tree.h"
 #include "object_group.h"
 #include "occlude/culler/box.h"
@@ -59,6 +60,8 @@ class SceneObjects {
   [[nodiscard]] std::optional<Seen> seen(ObjectId id) const;
   /// The number of objects that views see, those in no layer included.
   [[nodiscard]] std::size_t seen_size() const { return seen_; }
+  /// The box around all that have a place; empty_box() if there are none.
+  [[nodiscard]] const kernel::Aabb& box() const { return box_; }
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -124,6 +127,7 @@ class SceneObjects {
   std::vector<std::uint32_t> top_groups_;  ///< the groups in the order of the leaves of top_
   LinearTree top_;
   std::size_t seen_ = 0;
+  kernel::Aabb box_ = empty_box();
 
   // Of update().
   std::vector<std::uint32_t> free_groups_, small_groups_, loose_groups_;

@@ -215,10 +215,14 @@ class WorldJudge {
   /// The box as the oracle takes it: numbers that the kernel takes for too near to zero are zero, which moves nothing by
   /// more than 2^-98.
   static culler::Box legal(culler::Box box) {
-    if (auto* const turned = std::get_if<kernel::Obb>(&box); turned != nullptr) {
-      for (Vec3& edge : turned->half_edges) {
-        if (std::fabs(edge.z) < 0x1p-100) edge.z = 0;
+    const auto flush = [](Vec3& v) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::fabs(v[axis]) < 0x1p-100) v[axis] = 0;
       }
+    };
+    if (auto* const turned = std::get_if<kernel::Obb>(&box); turned != nullptr) {
+      flush(turned->center);
+      for (Vec3& edge : turned->half_edges) flush(edge);
     }
     return box;
   }
