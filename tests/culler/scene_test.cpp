@@ -251,7 +251,8 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
     const auto cover = kernel::Cover::make(camera.viewpoint(), hiding(options.mask, camera), beyond_near);
     for (const auto& [slot, entry] : world_.objects) {
-      const auto& [id, object] = entry;
+      const ObjectId id = entry.first;
+      const World::Object& object = entry.second;
       const bool is_drawn = std::ranges::binary_search(drawn, slot, {}, &ObjectId::slot);
       if ((object.mask() & options.mask) == 0) {
         ASSERT_FALSE(is_drawn);
