@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <osg/GraphicsContext>
+#include <osg/Image>
 #include <osg/ref_ptr>
 #include <string>
 #include <unordered_map>
@@ -18,9 +19,9 @@
 namespace occlude::example {
 
 struct ComparisonSize {
-  int side = 16;    ///< blocks along each side of the town
-  int frames = 60;  ///< of the flight
-  int rounds = 5;   ///< how often each way flies
+  int side = 16;     ///< blocks along each side of the town
+  int frames = 120;  ///< of the flight, in excerpts of 20
+  int rounds = 5;    ///< how often each way flies
   int width = 640, height = 360;
 };
 
@@ -33,6 +34,7 @@ struct Way {
   std::vector<FrameTimes> runs = {};  ///< for each round, means of its frames
   /// Of all frames of the first round:
   std::size_t drawn = 0, culled_hidden = 0, false_culls = 0;
+  std::size_t wrong_pixels = 0;  ///< other than by the view frustum alone
 
   Way(std::string called, TownKind kind, int side) : name(std::move(called)), town(side, kind) {}
 };
@@ -64,6 +66,7 @@ class Comparison {
   osg::ref_ptr<osg::GraphicsContext> context_;
   std::vector<std::unique_ptr<Way>> ways_;          ///< the first by the view frustum alone, the last by the culler
   std::vector<std::vector<bool>> shows_, in_view_;  ///< for each frame and thing
+  std::vector<osg::ref_ptr<osg::Image>> pictures_;  ///< for each frame, by the view frustum alone
   std::size_t hidden_ = 0, visible_ = 0;
   unsigned int frame_number_ = 0;
 };

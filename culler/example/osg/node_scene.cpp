@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node_scene.h"
 
-#include <limits>
+#include <algorithm>
 #include <memory>
 #include <osg/Transform>
 #include <typeinfo>
@@ -17,6 +17,12 @@ using culler::MatrixCamera;
 using culler::ObjectId;
 
 kernel::Vec3 to_occlude(const osg::Vec3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Of the three sides of a box, the second longest.
+double middle_side(const osg::BoundingBoxd& bounds) {
+  const osg::Vec3d size = bounds._max - bounds._min;
+  return std::max(std::min(size.x(), size.y()), std::min(std::max(size.x(), size.y()), size.z()));
+}
 
 /// Where the coordinates below a node are in those above it.
 osg::Matrixd place_of(osg::Node& node) {
@@ -56,7 +62,7 @@ ObjectId NodeScene::add(osg::Node& node) {
   Mirrored mirrored{&node, geometry.bounds, place_of(node), {}};
   const bool is_bounded = geometry.is_bounded && geometry.bounds.valid();
   const ObjectId object = scene_.add(box_of(mirrored), {.moves = moves, .is_always_drawn = !is_bounded});
-  if (!geometry.opaque.empty()) {
+  if (!geometry.opaque.empty() && middle_side(geometry.bounds) >= options_.least_occluder) {
     // Tied to the object: it hides only in frames that draw this object, or hide it.
     mirrored.occluder = scene_.add(std::make_shared<culler::OccluderMesh>(std::move(geometry.opaque)),
                                    placement_of(mirrored), {.moves = moves, .object = object});
@@ -113,15 +119,19 @@ bool NodeScene::cull(osgUtil::CullVisitor& visitor) {
   const MatrixCamera camera = MatrixCamera::from_columns(to_clip.ptr(), culler::ClipDepth::minus_w_to_w);
   if (!culler::fault(camera).empty()) return false;
   const culler::SceneOptions options{.margin = options_.margin / visitor.getViewport()->height()};
-  for (const culler::DrawnObject& drawn : scene_.cull(camera, options, view_of(visitor)).drawn) {
-    mirrored_[drawn.id.slot].node->accept(visitor);
+  Viewing& viewing = viewing_of(visitor);
+  viewing.slots.clear();
+  for (const culler::DrawnObject& drawn : scene_.cull(camera, options, viewing.view).drawn) {
+    viewing.slots.push_back(drawn.id.slot);
   }
+  std::ranges::sort(viewing.slots);
+  for (const std::uint32_t slot : viewing.slots) mirrored_[slot].node->accept(visitor);
   return true;
 }
 
-culler::SceneView& NodeScene::view_of(const osgUtil::CullVisitor& visitor) {
-  const std::lock_guard lock(views_mutex_);
-  return views_[&visitor];
+NodeScene::Viewing& NodeScene::viewing_of(const osgUtil::CullVisitor& visitor) {
+  const std::lock_guard lock(viewings_mutex_);
+  return viewings_[&visitor];
 }
 
 }  // namespace occlude::example

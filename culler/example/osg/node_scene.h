@@ -5,6 +5,7 @@
 #include <occlude/culler/scene.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <osg/Group>
@@ -19,6 +20,9 @@ namespace occlude::example {
 struct NodeSceneOptions {
   /// As SceneOptions::margin, in pixels.
   double margin = 1.0 / 128;
+  /// What is smaller does not hide: the least length of the second longest side of what a node fills. Small things hide
+  /// little and cost time, most of all if they move.
+  double least_occluder = 0;
   /// Moves each occluder away from what draws it, and so makes culls wrong: to see that a check of them finds it.
   osg::Vec3d misplaced = {0, 0, 0};
 };
@@ -43,9 +47,11 @@ class NodeScene : public osg::Referenced {
   /// Takes over where dynamic nodes are now, and updates the scene.
   void follow();
 
-  /// Culls the scene as the visitor sees it, and lets the visitor traverse what is to be drawn. The visitor is at the group.
+  /// Culls the scene as the visitor sees it, and lets the visitor traverse what is to be drawn, in the order in which it was
+  /// added: where surfaces coincide, that which is drawn first shows, with and without culling. The visitor is at the group.
   /// Returns false, and does nothing, if its camera cannot be used: while OpenSceneGraph computes the near plane from what
   /// is drawn (CullSettings::setComputeNearFarMode()), nobody knows yet what that plane will clip, and so what can hide.
+  /// What OpenSceneGraph leaves out of itself although it shows, by SMALL_FEATURE_CULLING, hides nevertheless.
   bool cull(osgUtil::CullVisitor& visitor);
 
   [[nodiscard]] const culler::Scene& scene() const { return scene_; }
@@ -57,18 +63,22 @@ class NodeScene : public osg::Referenced {
     osg::Matrixd place;  ///< when last followed
     culler::OccluderId occluder;
   };
+  struct Viewing {
+    culler::SceneView view;
+    std::vector<std::uint32_t> slots;  ///< of what is to be drawn
+  };
 
   void add_below(osg::Group& group);
   [[nodiscard]] culler::Box box_of(const Mirrored& mirrored) const;
   [[nodiscard]] culler::Placement placement_of(const Mirrored& mirrored) const;
-  culler::SceneView& view_of(const osgUtil::CullVisitor& visitor);
+  Viewing& viewing_of(const osgUtil::CullVisitor& visitor);
 
   NodeSceneOptions options_;
   culler::Scene scene_;
   std::vector<Mirrored> mirrored_;          ///< by slots of objects
   std::vector<culler::ObjectId> followed_;  ///< those that may move
-  std::mutex views_mutex_;
-  std::map<const osgUtil::CullVisitor*, culler::SceneView> views_;  ///< a visitor is used by one thread at a time
+  std::mutex viewings_mutex_;
+  std::map<const osgUtil::CullVisitor*, Viewing> viewings_;  ///< a visitor is used by one thread at a time
 };
 
 }  // namespace occlude::example
