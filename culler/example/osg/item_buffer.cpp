@@ -28,8 +28,8 @@ osg::ref_ptr<osg::Group> coloured(std::span<const Thing> things, bool has_glass)
   constexpr auto kOverride = osg::StateAttribute::OVERRIDE;
   osg::StateSet& state = *group->getOrCreateStateSet();
   state.setAttributeAndModes(program, osg::StateAttribute::ON | kOverride);
-  for (const osg::StateAttribute::GLMode mode : {GL_BLEND, GL_DITHER, GL_LIGHTING}) {
-    state.setMode(mode, osg::StateAttribute::OFF | kOverride);
+  for (const int mode : {GL_BLEND, GL_DITHER, GL_LIGHTING}) {
+    state.setMode(static_cast<osg::StateAttribute::GLMode>(mode), osg::StateAttribute::OFF | kOverride);
   }
   for (std::size_t i = 0; i < things.size(); ++i) {
     if (things[i].is_glass && !has_glass) continue;

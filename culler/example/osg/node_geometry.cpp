@@ -31,9 +31,10 @@ namespace {
 bool is_opaque(const osg::StateSet* state) {
   if (state == nullptr) return true;
   if (state->getRenderingHint() == osg::StateSet::TRANSPARENT_BIN) return false;
-  const auto is_on = [&](osg::StateAttribute::GLMode mode) { return (state->getMode(mode) & osg::StateAttribute::ON) != 0; };
-  for (const osg::StateAttribute::GLMode mode :
-       {GL_BLEND, GL_ALPHA_TEST, GL_CULL_FACE, GL_POLYGON_STIPPLE, GL_STENCIL_TEST}) {
+  const auto is_on = [&](int mode) {
+    return (state->getMode(static_cast<osg::StateAttribute::GLMode>(mode)) & osg::StateAttribute::ON) != 0;
+  };
+  for (const int mode : {GL_BLEND, GL_ALPHA_TEST, GL_CULL_FACE, GL_POLYGON_STIPPLE, GL_STENCIL_TEST}) {
     if (is_on(mode)) return false;
   }
   for (const auto type : {osg::StateAttribute::PROGRAM, osg::StateAttribute::POLYGONMODE, osg::StateAttribute::COLORMASK,
