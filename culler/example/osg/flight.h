@@ -7,7 +7,7 @@
 
 namespace occlude::example {
 
-/// Along a street to the east, behind a bus; round a corner to the north; and up, to look over the roofs.
+/// Along a street to the east, with a bus ahead; round a corner to the north; and up, to look over the roofs.
 class Flight {
  public:
   explicit Flight(int side);

@@ -74,6 +74,7 @@ class Gather : public osg::NodeVisitor {
   void apply(osg::Drawable& drawable) override {
     const osg::BoundingBox& box = drawable.getBoundingBox();  // of single precision, as the vertices: exact
     if (!box.valid()) return;
+    if (may_change(drawable)) found_.is_bounded = false;
     for (unsigned int i = 0; i < 8; ++i) found_.bounds.expandBy(osg::Vec3d(box.corner(i)) * place_.back());
     if (osg::Geometry* const geometry = drawable.asGeometry(); geometry != nullptr && hides(*geometry)) {
       osg::TriangleFunctor<AddTriangles> add;
@@ -124,17 +125,17 @@ class Gather : public osg::NodeVisitor {
     if (&node != top_) {
       node.computeLocalToWorldMatrix(place, this);
       // What moves within the subtree is not where it was found.
-      if (node.getDataVariance() == DYNAMIC) found_.is_bounded = false;
+      if (may_change(node)) found_.is_bounded = false;
     }
     place_.push_back(place);
-    descend(node, &node == top_ || node.getDataVariance() != DYNAMIC);
+    descend(node, &node == top_ || !may_change(node));
     place_.pop_back();
   }
 
   [[nodiscard]] bool hides(const osg::Geometry& geometry) const {
     return is_hiding_ && is_opaque(geometry.getStateSet()) && geometry.getCullCallback() == nullptr &&
            geometry.getDrawCallback() == nullptr && geometry.getNodeMask() == ~osg::Node::NodeMask{0} &&
-           geometry.getDataVariance() != DYNAMIC;
+           !may_change(geometry);
   }
 
   osg::Node* top_;
@@ -145,6 +146,10 @@ class Gather : public osg::NodeVisitor {
 };
 
 }  // namespace
+
+bool may_change(const osg::Node& node) {
+  return node.getDataVariance() == osg::Object::DYNAMIC || node.getUpdateCallback() != nullptr;
+}
 
 NodeGeometry geometry_of(osg::Node& node) {
   Gather gather(node);

@@ -15,13 +15,16 @@ struct NodeGeometry {
   /// Holds everything that the subtree may ever draw, whatever its switches and levels of detail show. Not valid if it draws
   /// nothing.
   osg::BoundingBoxd bounds;
-  /// False if it has parts that `bounds` cannot hold: places that depend on the camera, as billboards, and what changes how
-  /// others are drawn, as lights.
+  /// False if it has parts that `bounds` cannot hold: places that depend on the camera, as billboards; what moves or changes
+  /// within the subtree; and what changes how others are drawn, as lights.
   bool is_bounded = true;
   /// The triangles that are drawn in each frame and are certainly opaque. Corners at the same place are one vertex, so that
   /// no seam is open between the triangles.
   culler::PolygonSoup opaque;
 };
+
+/// Whether a node says that it changes: by its data variance, DYNAMIC, or an update callback.
+[[nodiscard]] bool may_change(const osg::Node& node);
 
 /// REQUIRES: the subtree does not change while it is read. Opaque is what neither the node nor anything below it has
 /// blended, discarded, culled by its facing or drawn by a shader or a callback; state that the node inherits is not looked

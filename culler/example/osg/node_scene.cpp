@@ -58,7 +58,7 @@ void NodeScene::add_below(osg::Group& group) {
 
 ObjectId NodeScene::add(osg::Node& node) {
   NodeGeometry geometry = geometry_of(node);
-  const bool moves = node.getDataVariance() == osg::Object::DYNAMIC;
+  const bool moves = may_change(node);
   Mirrored mirrored{&node, geometry.bounds, place_of(node), {}};
   const bool is_bounded = geometry.is_bounded && geometry.bounds.valid();
   const ObjectId object = scene_.add(box_of(mirrored), {.moves = moves, .is_always_drawn = !is_bounded});

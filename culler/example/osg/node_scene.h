@@ -30,8 +30,9 @@ struct NodeSceneOptions {
 /// Mirrors what is below a group. Groups that do nothing but hold others (no state, callback or mask) are looked into, down
 /// to what draws or transforms. Each such node is an object, and what is opaque of it an occluder.
 ///
-/// Nodes whose data variance is DYNAMIC are followed: as many as do move should be, and no more. The others must stay where
-/// they are. The geometry of a node must not change while it is in the scene.
+/// Nodes that may_change() are followed: as many as do move should be, and no more. The others must stay where they are.
+/// What a node draws must not change in its own coordinates while it is in the scene, unless the parts that do may_change()
+/// too: such a node is drawn in each frame.
 ///
 /// Threads, as OpenSceneGraph has its traversals: follow(), add() and remove() run while nothing is culled. cull() may run
 /// on several threads at once, each with its own cull visitor.

@@ -124,6 +124,7 @@ struct Town::Builder {
   std::vector<House> houses = {};
   std::vector<TownMesh> furniture = {}, trees = {};
   TownMesh shed = shed_mesh(), ground = ground_mesh();
+  TownMesh plants = box_mesh({1.6F, 1.2F, 1.4F}, {0.5F, 0.2F, 0.25F});
   TownMesh glasshouse = box_mesh({3, 2.4F, 2.2F}, {0.6F, 0.8F, 0.75F});
   osg::ref_ptr<osg::StateSet> glass = new osg::StateSet;
 
@@ -148,7 +149,7 @@ struct Town::Builder {
     town.things_.push_back({node, drawable, is_glass});
   }
 
-  /// A house with its front at y = 0 of `lot`, three things in it, and two behind it.
+  /// A house with its front at y = 0 of `lot`, three things in it, and two or three behind it.
   void add_lot(osg::Group& block, const osg::Matrixd& lot) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     if (kind == TownKind::occlusion_query) {
@@ -175,6 +176,7 @@ struct Town::Builder {
     const osg::Vec3 yard = somewhere(house.depth + 2.5F, house.depth + 6);
     const bool is_glass = random() % 4 == 0;
     add(*group, turned(uniform(random, -20, 20), yard) * lot, is_glass ? glasshouse : shed, is_glass);
+    if (is_glass) add(*group, osg::Matrixd::translate(yard) * lot, plants);
     add(*group, osg::Matrixd::translate(somewhere(house.depth + 7, house.depth + 13)) * lot, trees[random() % trees.size()]);
     block.addChild(group);
   }
