@@ -2,12 +2,12 @@
 #include "scene_objects.h"
 
 #include <algorithm>
-#include <exception>
-#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "bounds.h"
+#include "occlude/culler/parallel.h"
 #include "occlude/culler/scene.h"
 #include "outer_box.h"
 #include "scene_box.h"
@@ -38,66 +38,35 @@ void forget(std::vector<T>& v) {
   if (v.capacity() > kKept) v.shrink_to_fit();
 }
 
-/// Makes room for one more, so that adding it cannot fail.
-template <class T>
-void make_room(std::vector<T>& v) {
-  if (v.size() == v.capacity()) v.reserve(std::max<std::size_t>(16, 2 * v.size()));
-}
-
 }  // namespace
 
 SceneObjects::SceneObjects() : groups_(1) {}
-
-SceneObjects::Slot& SceneObjects::slot(ObjectId id) {
-  if (!contains(id)) throw std::invalid_argument("the scene has no such object");
-  return slots_[id.slot];
-}
-
-bool SceneObjects::contains(ObjectId id) const {
-  return id.slot < slots_.size() && slots_[id.slot].is_used && slots_[id.slot].generation == id.generation;
-}
 
 ObjectId SceneObjects::add(const Box& box, const ObjectOptions& options) { return insert(legal_box(box), options); }
 
 void SceneObjects::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    try {
-      static_cast<void>(legal_box(boxes[i]));
-    } catch (const std::invalid_argument& e) {
-      throw std::invalid_argument("object " + std::to_string(i) + ": " + e.what());
-    }
+    const std::string_view reason = fault(boxes[i]);
+    if (!reason.empty()) throw std::invalid_argument("object " + std::to_string(i) + ": " + std::string(reason));
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) ids[i] = insert(legal_box(boxes[i]), options);
-}
-
-ObjectId SceneObjects::take_slot(const ObjectOptions& options) {
-  if (free_slots_.empty()) {
-    make_room(slots_);
-    free_slots_.reserve(slots_.capacity());  // so that removing cannot fail either
-    free_slots_.push_back(static_cast<std::uint32_t>(slots_.size()));
-    slots_.emplace_back();
-  }
-  const std::uint32_t i = free_slots_.back();
-  free_slots_.pop_back();
-  slots_[i] = {.generation = slots_[i].generation, .mask = options.mask, .is_used = true, .moves = options.moves};
-  ++size_;
-  return {i, slots_[i].generation};
 }
 
 ObjectId SceneObjects::insert(const std::optional<Box>& legal, const ObjectOptions& options) {
   std::vector<Change>& changes = options.moves ? moving_ : arrivals_;
   make_room(changes);
-  const ObjectId id = take_slot(options);
-  Slot& slot = slots_[id.slot];
-  slot.next = static_cast<std::uint32_t>(changes.size());
-  slot.is_unplaced = options.is_always_drawn;
-  changes.push_back({{id, slot.mask, legal.value_or(Box{})}, !legal || options.is_always_drawn});
-  changed(slot);
+  const Object object{.mask = options.mask,
+                      .next = static_cast<std::uint32_t>(changes.size()),
+                      .moves = options.moves,
+                      .is_always_drawn = options.is_always_drawn};
+  const ObjectId id = objects_.add(object);
+  changes.push_back({{id, object.mask, legal.value_or(Box{})}, !legal || object.is_always_drawn});
+  changed(object);
   return id;
 }
 
-void SceneObjects::changed(const Slot& slot) {
-  if (slot.moves) {
+void SceneObjects::changed(const Object& object) {
+  if (object.moves) {
     has_moved_.store(true, std::memory_order_relaxed);
   } else {
     has_changed_ = true;
@@ -105,65 +74,49 @@ void SceneObjects::changed(const Slot& slot) {
 }
 
 void SceneObjects::remove(ObjectId id) {
-  Slot& slot = this->slot(id);
+  const Object& object = objects_[id];
   departed_.push_back(id.slot);
-  changed(slot);
-  if (slot.moves) {
+  changed(object);
+  if (object.moves) {
     // The last one takes its place.
-    moving_[slot.next] = moving_.back();
-    slots_[moving_[slot.next].object.id.slot].next = slot.next;
+    moving_[object.next] = moving_.back();
+    objects_.at(moving_[object.next].object.id.slot).next = object.next;
     moving_.pop_back();
-  } else if (slot.next != kNone) {
-    arrivals_[slot.next].object.id = {};
+  } else if (object.next != kNone) {
+    arrivals_[object.next].object.id = {};
   }
-  slot.is_used = false;
-  --size_;
-  // A slot whose generations have all been used is not used again.
-  if (++slot.generation != 0) free_slots_.push_back(id.slot);
+  objects_.remove(id);
 }
 
 void SceneObjects::move(ObjectId id, const Box& box) {
   const std::optional<Box> legal = legal_box(box);
-  Slot& slot = this->slot(id);
-  const bool is_unplaced = !legal || slot.is_unplaced;
-  if (slot.moves) {
-    Change& change = moving_[slot.next];
-    change.object.box = legal.value_or(Box{});
-    change.is_unplaced = is_unplaced;
-    changed(slot);
-    return;
+  Object& object = objects_[id];
+  if (!object.moves && object.next == kNone) {
+    arrivals_.push_back({{id, seen_mask(object), {}}, false});
+    object.next = static_cast<std::uint32_t>(arrivals_.size() - 1);
   }
-  if (slot.next == kNone) {
-    arrivals_.push_back({{id, seen_mask(slot), {}}, false});
-    slot.next = static_cast<std::uint32_t>(arrivals_.size() - 1);
-  }
-  arrivals_[slot.next].object.box = legal.value_or(Box{});
-  arrivals_[slot.next].is_unplaced = is_unplaced;
-  changed(slot);
+  Change& change = (object.moves ? moving_ : arrivals_)[object.next];
+  change.object.box = legal.value_or(Box{});
+  change.is_unplaced = !legal || object.is_always_drawn;
+  changed(object);
 }
 
-void SceneObjects::set_enabled(ObjectId id, bool is_enabled) {
-  const Slot& slot = this->slot(id);
-  set_layers(id, slot.mask, is_enabled);
-}
+void SceneObjects::set_enabled(ObjectId id, bool is_enabled) { set_layers(id, objects_[id].mask, is_enabled); }
 
-void SceneObjects::set_mask(ObjectId id, std::uint32_t mask) {
-  const Slot& slot = this->slot(id);
-  set_layers(id, mask, slot.is_enabled);
-}
+void SceneObjects::set_mask(ObjectId id, std::uint32_t mask) { set_layers(id, mask, objects_[id].is_enabled); }
 
 void SceneObjects::set_layers(ObjectId id, std::uint32_t mask, bool is_enabled) {
   remasked_.push_back(id.slot);
-  Slot& slot = slots_[id.slot];
-  slot.mask = mask;
-  slot.is_enabled = is_enabled;
-  if (slot.next != kNone) (slot.moves ? moving_ : arrivals_)[slot.next].object.mask = seen_mask(slot);
-  changed(slot);
+  Object& object = objects_[id];
+  object.mask = mask;
+  object.is_enabled = is_enabled;
+  if (object.next != kNone) (object.moves ? moving_ : arrivals_)[object.next].object.mask = seen_mask(object);
+  changed(object);
 }
 
 void SceneObjects::update(const Executor& executor) {
   if (!has_changed_ && !has_moved_) return;
-  places_.resize(slots_.size());
+  places_.resize(objects_.slots());
   remove_departed();
   mask_again();
   if (has_moved_) place_moving();
@@ -200,9 +153,9 @@ void SceneObjects::mask_again() {
   for (const std::uint32_t slot : remasked_) {
     const Place& place = places_[slot];
     if (place.group == kUnplaced) {
-      unplaced_[place.index].mask = seen_mask(slots_[slot]);
+      unplaced_[place.index].mask = seen_mask(objects_.at(slot));
     } else if (place.group < kMovingUnplaced) {
-      groups_[place.group].set_mask(place.index, seen_mask(slots_[slot]));
+      groups_[place.group].set_mask(place.index, seen_mask(objects_.at(slot)));
     }
   }
   remasked_.clear();
@@ -230,7 +183,7 @@ void SceneObjects::place_arrivals(const Executor& executor) {
   batch_.clear();
   for (const auto& [object, is_unplaced] : arrivals_) {
     if (object.id.is_none()) continue;
-    slots_[object.id.slot].next = kNone;
+    objects_.at(object.id.slot).next = kNone;
     remove_from_place(object.id.slot);
     if (!is_unplaced) {
       batch_.push_back(object);
@@ -262,25 +215,17 @@ void SceneObjects::place_large_batch(const Executor& executor) {
   for (const HierarchyNode& node : chunks.nodes()) {
     if (node.is_leaf()) work.push_back({chunks.order().subspan(node.first, node.count), free_group(node.count)});
   }
-  const std::size_t length = (work.size() + executor.threads() - 1) / executor.threads();
-  std::vector<GroupBuilder> builders(executor.threads());
-  std::vector<std::vector<SceneObject>> objects(executor.threads());
-  for (std::vector<SceneObject>& of_part : objects) of_part.reserve(kMost);
-  std::exception_ptr failure;
-  std::mutex mutex;
-  executor.run(executor.threads(), [&](std::size_t part) {
-    try {
-      for (std::size_t i = part * length; i < std::min((part + 1) * length, work.size()); ++i) {
-        objects[part].clear();
-        for (const std::uint32_t k : work[i].objects) objects[part].push_back(batch_[k]);
-        groups_[work[i].group].assign(objects[part], builders[part]);
-      }
-    } catch (...) {  // out of memory
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
+  const std::size_t parts = executor.threads(), length = (work.size() + parts - 1) / parts;
+  const auto build_part = [&](std::size_t part) {
+    GroupBuilder builder;
+    std::vector<SceneObject> objects;
+    for (std::size_t i = part * length; i < std::min((part + 1) * length, work.size()); ++i) {
+      objects.clear();
+      for (const std::uint32_t k : work[i].objects) objects.push_back(batch_[k]);
+      groups_[work[i].group].assign(objects, builder);
     }
-  });
-  if (failure) std::rethrow_exception(failure);
+  };
+  parallel_for(parts, build_part, Checkpoint(executor));
   for (const Chunk& chunk : work) note_places(chunk.group);
 }
 
@@ -372,11 +317,11 @@ std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
 }
 
 std::size_t SceneObjects::bytes() const {
-  std::size_t bytes = bytes_of(slots_) + bytes_of(free_slots_) + bytes_of(moving_) + bytes_of(arrivals_) +
-                      bytes_of(departed_) + bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) +
-                      bytes_of(unplaced_) + bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() +
-                      bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) + bytes_of(batch_) +
-                      builder_.tree.bytes() + bytes_of(builder_.boxes) + bytes_of(boxes_);
+  std::size_t bytes = objects_.bytes() + bytes_of(moving_) + bytes_of(arrivals_) + bytes_of(departed_) +
+                      bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) + bytes_of(unplaced_) +
+                      bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() + bytes_of(free_groups_) +
+                      bytes_of(small_groups_) + bytes_of(loose_groups_) + bytes_of(batch_) + builder_.tree.bytes() +
+                      bytes_of(builder_.boxes) + bytes_of(boxes_);
   for (const ObjectGroup& group : groups_) bytes += group.bytes();
   return bytes;
 }

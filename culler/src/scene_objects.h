@@ -16,6 +16,7 @@
 #include "occlude/culler/box.h"
 #include "occlude/culler/executor.h"
 #include "occlude/culler/scene_id.h"
+#include "slots.h"
 
 namespace occlude::culler {
 
@@ -36,8 +37,8 @@ class SceneObjects {
   void move(ObjectId id, const Box& box);
   void set_enabled(ObjectId id, bool is_enabled);
   void set_mask(ObjectId id, std::uint32_t mask);
-  [[nodiscard]] bool contains(ObjectId id) const;
-  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool contains(ObjectId id) const { return objects_.contains(id); }
+  [[nodiscard]] std::size_t size() const { return objects_.size(); }
 
   void update(const Executor& executor);
 
@@ -69,11 +70,10 @@ class SceneObjects {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   /// What the caller has made of an object.
-  struct Slot {
-    std::uint32_t generation = 0;
+  struct Object {
     std::uint32_t mask = 0;
     std::uint32_t next = kNone;  ///< its index in moving_, or in arrivals_ if it has arrived there since the last update
-    bool is_used = false, is_enabled = true, moves = false, is_unplaced = false;
+    bool is_enabled = true, moves = false, is_always_drawn = false;
   };
   /// An object that will stand somewhere, or was moved to there. The id is none if it was removed again.
   struct Change {
@@ -88,12 +88,10 @@ class SceneObjects {
   static constexpr std::uint32_t kMoving = 0;  ///< the group of the objects that move
   static constexpr std::uint32_t kUnplaced = kNone - 1, kMovingUnplaced = kNone - 2;
 
-  [[nodiscard]] Slot& slot(ObjectId id);
-  [[nodiscard]] static std::uint32_t seen_mask(const Slot& slot) { return slot.is_enabled ? slot.mask : 0; }
-  ObjectId take_slot(const ObjectOptions& options);
+  [[nodiscard]] static std::uint32_t seen_mask(const Object& object) { return object.is_enabled ? object.mask : 0; }
   ObjectId insert(const std::optional<Box>& legal, const ObjectOptions& options);
   void set_layers(ObjectId id, std::uint32_t mask, bool is_enabled);
-  void changed(const Slot& slot);
+  void changed(const Object& object);
 
   void remove_departed();
   void remove_from_place(std::uint32_t slot);
@@ -110,9 +108,7 @@ class SceneObjects {
   void build_top();
 
   // Of the caller.
-  std::vector<Slot> slots_;
-  std::vector<std::uint32_t> free_slots_;
-  std::size_t size_ = 0;
+  Slots<ObjectId, Object> objects_{"object"};
   std::vector<Change> moving_;           ///< all objects that move, as they will be
   std::vector<Change> arrivals_;         ///< objects that stand still and were added or moved
   std::vector<std::uint32_t> departed_;  ///< slots to be taken out of their places

@@ -14,6 +14,7 @@
 #include "occlude/culler/placement.h"
 #include "occlude/culler/scene.h"
 #include "occlude/culler/scene_id.h"
+#include "slots.h"
 
 namespace occlude::culler {
 
@@ -27,8 +28,8 @@ class SceneOccluders {
   void replace(OccluderId id, std::shared_ptr<const OccluderMesh> mesh);
   void set_enabled(OccluderId id, bool is_enabled);
   void set_mask(OccluderId id, std::uint32_t mask);
-  [[nodiscard]] bool contains(OccluderId id) const;
-  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool contains(OccluderId id) const { return slots_.contains(id); }
+  [[nodiscard]] std::size_t size() const { return slots_.size(); }
 
   void update();
 
@@ -53,21 +54,18 @@ class SceneOccluders {
   [[nodiscard]] kernel::Aabb box() const;
 
  private:
-  struct Slot {
-    std::uint32_t generation = 0;
-    bool is_used = false, is_enabled = true;
-    OccluderOptions options;
-    Placement placement;
+  /// What the caller has made of an occluder.
+  struct Placed {
     std::shared_ptr<const OccluderMesh> mesh;
+    Placement placement;
+    OccluderOptions options;
+    bool is_enabled = true;
   };
 
-  [[nodiscard]] Slot& slot(OccluderId id);
-  void changed(const Slot& slot) { has_changed_[slot.options.moves ? 1 : 0] = true; }
+  void changed(const Placed& occluder) { has_changed_[occluder.options.moves ? 1 : 0] = true; }
   void build(std::size_t forest);
 
-  std::vector<Slot> slots_;
-  std::vector<std::uint32_t> free_slots_;
-  std::size_t size_ = 0;
+  Slots<OccluderId, Placed> slots_{"occluder"};
   std::vector<std::shared_ptr<const OccluderMesh>> retired_;  ///< which views may still see
   std::array<bool, 2> has_changed_{};
 

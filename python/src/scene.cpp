@@ -3,7 +3,6 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <mutex>
@@ -100,20 +99,12 @@ py::array_t<std::uint64_t> add_objects(SharedScene& scene, const Doubles& given,
   return to_array(std::move(numbers));
 }
 
-bool is_refused(const culler::Box& box) {
-  const auto is_nan = [](const kernel::Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); };
-  if (const auto* o = std::get_if<kernel::Obb>(&box)) {
-    return is_nan(o->center) || is_nan(o->half_edges[0]) || is_nan(o->half_edges[1]) || is_nan(o->half_edges[2]);
-  }
-  const auto& [min, max] = std::get<kernel::Aabb>(box);
-  return !(min.x <= max.x && min.y <= max.y && min.z <= max.z);
-}
-
 void move_objects(SharedScene& scene, const py::object& numbers, const Doubles& given) {
   const std::vector<culler::Box> boxes = to_boxes(given);
   if (to_ids<ObjectId>(numbers).size() != boxes.size()) throw std::invalid_argument("as many ids as boxes are needed");
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (is_refused(boxes[i])) throw std::invalid_argument("box " + std::to_string(i) + " has a NaN or min > max");
+    if (!culler::fault(boxes[i]).empty())
+      throw std::invalid_argument("box " + std::to_string(i) + " has a NaN or min > max");
   }
   std::size_t next = 0;
   for_each_id<ObjectId>(scene, numbers, [&](culler::Scene& s, const ObjectId& id) { s.move(id, boxes[next++]); });

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Scenes of the C interface, and their objects.
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-#include <variant>
+#include <string_view>
 
 #include "arrays.h"
 #include "handles.h"
@@ -41,26 +39,11 @@ void require_known(const occlude_scene* scene, std::span<const occlude_object> o
   }
 }
 
-bool has_nan(const kernel::Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); }
-
-const char* fault(const kernel::Aabb& box) {
-  if (has_nan(box.min) || has_nan(box.max)) return "box has a number that is NaN";
-  for (int axis = 0; axis < 3; ++axis) {
-    if (box.min[axis] > box.max[axis]) return "box has min > max";
-  }
-  return nullptr;
-}
-
-const char* fault(const kernel::Obb& box) {
-  const bool is_bad = has_nan(box.center) || std::ranges::any_of(box.half_edges, has_nan);
-  return is_bad ? "box has a number that is NaN" : nullptr;
-}
-
 /// What a scene would refuse, found before anything is changed.
 void require_legal(const Boxes& boxes) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const char* reason = std::visit([](const auto& box) { return fault(box); }, boxes[i]);
-    if (reason != nullptr) throw std::invalid_argument("box " + std::to_string(i) + ": " + reason);
+    const std::string_view reason = culler::fault(boxes[i]);
+    if (!reason.empty()) throw std::invalid_argument("box " + std::to_string(i) + ": " + std::string(reason));
   }
 }
 
