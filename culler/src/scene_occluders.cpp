@@ -75,17 +75,17 @@ void SceneOccluders::update() {
 }
 
 void SceneOccluders::build(std::size_t forest) {
-  auto& [tree, occluders, boxes] = forests_[forest];
-  occluders.clear();
-  boxes.clear();
+  Forest& built = forests_[forest];
+  built.occluders.clear();
+  built.boxes.clear();
   slots_.for_each([&](OccluderId id, const Placed& occluder) {
     const auto& [mesh, placement, options, is_enabled] = occluder;
     if (!is_enabled || mesh->size() == 0 || options.moves != (forest == 1)) return;
-    occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
-                         placement == Placement{}, is_mirrored(placement)});
-    boxes.push_back(placed(placement, mesh->box()));
+    built.occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
+                               placement == Placement{}, is_mirrored(placement)});
+    built.boxes.push_back(placed(placement, mesh->box()));
   });
-  tree.build(boxes, 1);
+  built.tree.build(built.boxes, 1);
 }
 
 kernel::Aabb SceneOccluders::box() const {
