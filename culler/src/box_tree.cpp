@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 #include "bounds.h"
 
@@ -129,34 +130,26 @@ struct Builder {
 
 }  // namespace
 
-void BoxTree::append(std::span<const Aabb> boxes, std::uint32_t first, std::uint32_t count, std::uint32_t leaf_size,
-                     const Checkpoint& checkpoint) {
-  spare.reserve(order.size());
-  Builder{boxes, order, nodes, spare, leaf_size, checkpoint}.build(first, count);
+BoxTree BoxTree::build(std::span<const Aabb> boxes, std::uint32_t leaf_size, const Checkpoint& checkpoint) {
+  BoxTree tree;
+  tree.order.resize(boxes.size());
+  std::iota(tree.order.begin(), tree.order.end(), 0U);
+  std::vector<std::uint32_t> spare;
+  spare.reserve(boxes.size());
+  Builder{boxes, tree.order, tree.nodes, spare, leaf_size, checkpoint}.build(0, static_cast<std::uint32_t>(boxes.size()));
+  return tree;
 }
 
-void BoxTree::refit(std::span<const Aabb> boxes, std::size_t from) {
-  for (std::size_t i = nodes.size(); i-- > from;) {
+void BoxTree::refit(std::span<const Aabb> boxes) {
+  for (std::size_t i = nodes.size(); i-- > 0;) {
     HierarchyNode& node = nodes[i];
     if (node.is_leaf()) {
       node.box = bounds(boxes, std::span(order).subspan(node.first, node.count));
     } else {
-      join_children(i);
+      node.box = nodes[i + 1].box;
+      grow(node.box, nodes[node.right].box);
     }
   }
-}
-
-void BoxTree::join_children(std::size_t node) {
-  nodes[node].box = nodes[node + 1].box;
-  grow(nodes[node].box, nodes[nodes[node].right].box);
-}
-
-double BoxTree::cost(std::size_t from) const {
-  double sum = 0;
-  for (std::size_t i = from; i < nodes.size(); ++i) {
-    if (!nodes[i].is_leaf()) sum += half_area(nodes[i].box);
-  }
-  return sum;
 }
 
 }  // namespace occlude::culler

@@ -20,20 +20,16 @@
 
 namespace occlude::culler {
 
-/// A tree as a descent sees it: nodes whose boxes are where they are.
-template <class Ask>
-struct StandingTree {
+/// A tree as a descent sees it: its boxes are where they are.
+struct StandingBoxes {
   std::span<const HierarchyNode> nodes;
-  const Ask& ask_volume;  ///< calls a question with the bounding volume of a node
 
   [[nodiscard]] const kernel::Aabb& box(std::uint32_t node) const { return nodes[node].box; }
   template <class Question>
   decltype(auto) ask(std::uint32_t node, const Question& question) const {
-    return ask_volume(node, question);
+    return question(box(node));
   }
 };
-template <class Ask>
-StandingTree(std::span<const HierarchyNode>, const Ask&) -> StandingTree<Ask>;
 
 /// The planes of a view, at most kMostPlanes, and how boxes are held against them.
 struct ViewPlanes {

@@ -44,31 +44,25 @@ inline void require_sound(const MatrixCamera& camera, Method method) {
 [[nodiscard]] inline glm::dvec3 eye_of(const Camera& camera) { return camera.eye; }
 [[nodiscard]] inline glm::dvec3 eye_of(const MatrixCamera& camera) { return camera.eye(); }
 
-/// Begins a frame of either method: empties the result and makes the half-spaces of the view. `depth` is depth() of all that
-/// is drawn. REQUIRES: require_sound(camera).
+/// Begins a frame of either method: empties the result and makes the half-spaces of the view. REQUIRES:
+/// require_sound(camera).
 template <class AnyCamera>
-const FrameView& begin_frame(std::span<const HierarchyNode> nodes, double depth, const AnyCamera& camera,
-                             const CullOptions& options, View::Memory& memory) {
+const FrameView& begin_frame(std::span<const HierarchyNode> nodes, const AnyCamera& camera, const CullOptions& options,
+                             View::Memory& memory) {
   memory.begin_frame(nodes.size());
-  memory.view = FrameView(camera, depth);
+  memory.view = FrameView(camera, depth(nodes[0].box, eye_of(camera)));
   memory.view.append_half_spaces(memory.result.view);
   memory.result.method = Method::frusta;
   memory.result.margin = ShadowMargin(memory.view, options.margin);
   return memory.view;
 }
 
-/// The depth() of the root; 0 without nodes.
-template <class AnyCamera>
-double depth(std::span<const HierarchyNode> nodes, const AnyCamera& camera) {
-  return nodes.empty() ? 0 : depth(nodes[0].box, eye_of(camera));
-}
-
-/// Culls by frusta, as in the paper. `ask` and `holds_part` as in NodeTests. Without nodes nothing is drawn.
+/// Culls by frusta, as in the paper. `ask` and `holds_part` as in NodeTests.
 template <class Ask, class HoldsPart, class AnyCamera>
 void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const HoldsPart& holds_part,
                     const OccluderSet& occluders, const AnyCamera& camera, const CullOptions& options,
                     View::Memory& memory) {
-  const FrameView& view = begin_frame(nodes, depth(nodes, camera), camera, options, memory);
+  const FrameView& view = begin_frame(nodes, camera, options, memory);
 
   // Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
   // frusta. What hid something in earlier frames comes first (4, criterion 3).
@@ -85,11 +79,26 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const Ask& ask, const 
 
   // Section 5: one descent of the tree culls by the half-spaces and by the shadows, and draws.
   const auto unwatched = [](const Occluder&, const auto&) {};
-  if (!nodes.empty()) traverse(nodes, ask, holds_part, unwatched, options, memory);
+  traverse(nodes, ask, holds_part, unwatched, options, memory);
 
   // For the next frame: what each occluder hid, and what each probe would have hidden.
   memory.history.record(occluders.size(), memory.result.occluders, memory.probes);
 }
+
+/// A tree as a descent sees it: of a model. `ask_volume` calls a question with the bounding volume of a node.
+template <class Ask>
+struct ModelTree {
+  std::span<const HierarchyNode> nodes;
+  const Ask& ask_volume;
+
+  [[nodiscard]] const kernel::Aabb& box(std::uint32_t node) const { return nodes[node].box; }
+  template <class Question>
+  decltype(auto) ask(std::uint32_t node, const Question& question) const {
+    return ask_volume(node, question);
+  }
+};
+template <class Ask>
+ModelTree(std::span<const HierarchyNode>, const Ask&) -> ModelTree<Ask>;
 
 /// Observes a frame by cover, and does nothing.
 struct Unwatched {
@@ -102,7 +111,7 @@ struct Unwatched {
 template <class Ask, class AnyCamera, class Watch = Unwatched>
 void cull_by_cover(const CoverSource& source, const Ask& ask, const AnyCamera& camera, const CullOptions& options,
                    View::Memory& memory, Watch&& watch = {}) {
-  const FrameView& view = begin_frame(source.nodes, depth(source.nodes, camera), camera, options, memory);
+  const FrameView& view = begin_frame(source.nodes, camera, options, memory);
   CullResult& result = memory.result;
   CoverPainter painter(view, options.cover, options.margin, memory.cover, result.stats);
   result.method = Method::cover;  // the picture is this frame's from here on
@@ -123,7 +132,7 @@ void cull_by_cover(const CoverSource& source, const Ask& ask, const AnyCamera& c
   };
   memory.take_planes();
   const ViewPlanes planes{memory.planes, options.arithmetic};
-  const StandingTree tree{source.nodes, ask};
+  const ModelTree tree{source.nodes, ask};
   CoverDescent(tree, planes, memory.cover.buffer, result.stats, see, cull, join).run(planes.all());
   frame.finish(cull);
 }

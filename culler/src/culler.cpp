@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cull_frame.h"
-#include "lazy.h"
+#include "lazy_triangles.h"
 #include "legal_soup.h"
 #include "node_tests.h"
 #include "occlude/culler/clearance.h"

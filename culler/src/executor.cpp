@@ -28,7 +28,10 @@ void run_on_own_threads(std::size_t count, const Executor::Part& part) {
 
 Executor::Executor(std::size_t threads, Run run) : threads_(threads), run_(std::move(run)) {}
 
-Executor Executor::own_threads() { return {std::max(1U, std::thread::hardware_concurrency()), run_on_own_threads}; }
+Executor Executor::own_threads() {
+  static const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());  // which asks the system
+  return {processors, run_on_own_threads};
+}
 
 void Executor::run(std::size_t count, const Part& part) const {
   if (run_ && count > 1) return run_(count, part);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -90,11 +89,7 @@ Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree
 }
 
 Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint) {
-  const std::vector<Aabb> boxes = polygon_boxes(soup, checkpoint);
-  BoxTree tree;
-  tree.order.resize(soup.size());
-  std::iota(tree.order.begin(), tree.order.end(), 0U);
-  tree.append(boxes, 0, static_cast<std::uint32_t>(soup.size()), std::max(1U, config.leaf_size), checkpoint);
+  BoxTree tree = BoxTree::build(polygon_boxes(soup, checkpoint), std::max(1U, config.leaf_size), checkpoint);
   return Hierarchy(soup, config, std::move(tree), checkpoint);
 }
 
@@ -108,7 +103,7 @@ Hierarchy Hierarchy::restore(const PolygonSoup& soup, const Config& config, cons
                              const Checkpoint& checkpoint) {
   if (!is_permutation(layout.order, soup.size())) throw std::invalid_argument("the order is not one of this model");
   BoxTree tree{layout.order, nodes_of(layout.left, static_cast<std::uint32_t>(soup.size()))};
-  tree.refit(polygon_boxes(soup, checkpoint), 0);
+  tree.refit(polygon_boxes(soup, checkpoint));
   return Hierarchy(soup, config, std::move(tree), checkpoint);
 }
 

@@ -11,11 +11,10 @@ namespace occlude::culler {
 
 void ObjectListing::list(const ObjectGroup& group, std::uint32_t across) {
   const auto nodes = group.nodes();
-  const auto ask = [nodes](std::uint32_t node, const auto& question) { return question(nodes[node].box); };
   const auto see = [&](const SeenNode& leaf) { list_leaf(group, nodes[leaf.node], leaf.across); };
   const auto cull = [&](const Culled& culled) { count(culled.by, group, nodes[culled.node]); };
   const auto join = [] {};
-  const StandingTree tree{nodes, ask};
+  const StandingBoxes tree{nodes};
   CoverDescent(tree, view_, buffer_, stats_.work, see, cull, join).run(across);
 }
 

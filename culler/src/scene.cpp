@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/scene.h"
 
-#include <limits>
 #include <utility>
 
 #include "asked_box.h"
@@ -30,10 +29,9 @@ const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& o
 template <class AnyCamera>
 std::vector<ObjectFate> why_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
                                 const SceneOptions& options, const SceneView& view, std::span<const ObjectId> ids) {
-  SceneOptions repeated = options;
-  repeated.cover.triangles = view.result().stats.work.cover_triangles;
-  repeated.cover.ms = std::numeric_limits<double>::infinity();
-  return fates_of(objects, occluders, view_of(objects, occluders, camera), repeated, ids);
+  SceneOptions same = options;
+  same.cover = repeated(view.result().stats.work, options.cover);
+  return fates_of(objects, occluders, view_of(objects, occluders, camera), same, ids);
 }
 
 }  // namespace

@@ -35,10 +35,6 @@ struct PlacedTree {
   }
 };
 
-auto volumes_of(std::span<const HierarchyNode> nodes) {
-  return [nodes](std::uint32_t node, const auto& question) { return question(nodes[node].box); };
-}
-
 /// Groups that are worth a thread of their own.
 constexpr std::size_t kGroupsOfPart = 4;
 
@@ -105,9 +101,8 @@ class SceneFrame {
  private:
   template <class See, class Cull>
   void descend(std::span<const HierarchyNode> nodes, const See& see, const Cull& cull, CullStats& work) {
-    const auto ask = volumes_of(nodes);
     const auto join = [] {};
-    const StandingTree tree{nodes, ask};
+    const StandingBoxes tree{nodes};
     CoverDescent(tree, planes_, buffer_, work, see, cull, join).run(planes_.all());
   }
 
@@ -172,12 +167,14 @@ class SceneFrame {
   }
 
   void list_parts() {
-    const std::span<const SceneView::SeenGroup> groups = memory_.groups;
-    const std::size_t threads = options_.executor == nullptr ? 1 : options_.executor->threads();
-    const std::size_t parts = std::clamp<std::size_t>(groups.size() / kGroupsOfPart, 1, 4 * threads);
+    const std::span<const SceneView::Memory::SeenGroup> groups = memory_.groups;
+    const Executor this_thread;
+    const Executor& executor = options_.executor == nullptr ? this_thread : *options_.executor;
+    const std::size_t most = 4 * executor.threads();
+    const std::size_t parts = std::clamp<std::size_t>(groups.size() / kGroupsOfPart, 1, most);
     const std::size_t length = (groups.size() + parts - 1) / parts;
     memory_.parts.clear();
-    memory_.parts.reserve(4 * threads);
+    memory_.parts.reserve(most);
     std::size_t first_object = 0;
     for (std::size_t first = 0; first < groups.size(); first += length) {
       std::size_t objects = 0;
@@ -192,7 +189,7 @@ class SceneFrame {
         memory_.parts[part].list(objects_.group(groups[i].group), groups[i].across);
       }
     };
-    (options_.executor == nullptr ? Executor() : *options_.executor).run(memory_.parts.size(), std::cref(list_part));
+    executor.run(memory_.parts.size(), std::cref(list_part));
     for (ObjectListing& part : memory_.parts) add(part);
     memory_.parts.clear();  // they refer to this frame
   }

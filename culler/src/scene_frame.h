@@ -19,14 +19,14 @@
 
 namespace occlude::culler {
 
-/// A group of objects that is neither hidden nor out of view, and a bit for each plane that may cross it.
-struct SceneView::SeenGroup {
-  std::uint32_t group;  ///< in the order of SceneObjects::groups()
-  std::uint32_t across;
-};
-
 /// What is kept of a view, and memory that its frames reuse.
 struct SceneView::Memory {
+  /// A group of objects that is neither hidden nor out of view.
+  struct SeenGroup {
+    std::uint32_t group;   ///< in the order of SceneObjects::groups()
+    std::uint32_t across;  ///< a bit for each plane that may cross it
+  };
+
   SceneResult result;
   FrameView view;  ///< of the last frame
   CoverMemory cover;

@@ -58,7 +58,7 @@ class Cut {
       parts_.push_back({space.box});
       return;
     }
-    add(space.box, space.root);
+    add(space.box, 0);
     for (std::size_t count = 1; static_cast<double>(count) < regions && !untried_.empty();) {
       checkpoint.at(parts_.size());
       const std::size_t part = untried_.top().part;

@@ -133,7 +133,7 @@ struct CoverWitness {
 };
 
 struct CullStats {
-  std::size_t nodes_visited = 0;                      ///< in a Scene by cover: of the tree of occluders as well
+  std::size_t nodes_visited = 0;                      ///< in a Scene: of the trees of occluders as well
   std::size_t view_tests = 0;                         ///< box against half-space
   std::size_t shadow_tests = 0;                       ///< box against shadow frustum
   std::size_t union_tests = 0;                        ///< box against two shadows as one union
@@ -151,8 +151,7 @@ struct CullStats {
   std::size_t drawn_polygons = 0, view_culled_polygons = 0, shadow_culled_polygons = 0;
 };
 
-/// The result of one frame. Polygons and nodes are those of Hierarchy::soup() and Hierarchy::nodes(); in a Scene, its
-/// objects and their tree.
+/// The result of one frame. Polygons and nodes are those of Hierarchy::soup() and Hierarchy::nodes().
 /// 1. Every polygon is in exactly one range of `drawn` or in the subtree of exactly one element of `culled`.
 /// 2. Both are in ascending order of their polygons.
 struct CullResult {
@@ -168,9 +167,13 @@ struct CullResult {
 
 /// Options that repeat a frame by cover: with these, the same camera gives the same frame, however long it takes. `options`
 /// are those of the frame.
+[[nodiscard]] inline CoverOptions repeated(const CullStats& frame, CoverOptions options) {
+  options.triangles = frame.cover_triangles;
+  options.ms = std::numeric_limits<double>::infinity();
+  return options;
+}
 [[nodiscard]] inline CullOptions repeated(const CullResult& frame, CullOptions options) {
-  options.cover.triangles = frame.stats.cover_triangles;
-  options.cover.ms = std::numeric_limits<double>::infinity();
+  options.cover = repeated(frame.stats, options.cover);
   return options;
 }
 

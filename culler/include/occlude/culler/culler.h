@@ -44,7 +44,7 @@ class Culler {
 
   /// The same for the next frame of a camera that moves. Occluders are chosen by what they hid in the frames before, which
   /// culls far more. Returns view.result(), valid until the next frame of the view. A view that was used with another culler
-  /// or scene starts anew. If the camera or the rounding mode is refused, the view keeps its last frame.
+  /// starts anew. If the camera or the rounding mode is refused, the view keeps its last frame.
   const CullResult& cull(const Camera& camera, const CullOptions& options, View& view) const;
 
   /// Both for a camera that is a matrix. Throws std::invalid_argument for a camera with a fault(), the method's included.

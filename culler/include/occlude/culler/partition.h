@@ -19,9 +19,8 @@ namespace occlude::culler {
 /// Where viewpoints are, about, and what stands there.
 struct Space {
   kernel::Aabb box;
-  /// A hierarchy of what stands in it, and the node from which on it counts. Without nodes it is taken for empty.
+  /// A hierarchy of what stands in it. Without nodes it is taken for empty.
   std::span<const HierarchyNode> nodes = {};
-  std::uint32_t root = 0;
 };
 
 /// Regions are the leaves of a binary tree of cells. The first cell is a box that holds the space. A cell that is no region

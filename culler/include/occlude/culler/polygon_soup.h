@@ -31,8 +31,8 @@ struct PolygonRange {
 /// 1. `first` begins with 0, never descends and ends with indices.size();
 /// 2. each polygon has at least three corners, which may repeat;
 /// 3. all indices are below vertices.size().
-/// Culler, Scene and preprocess() refuse a soup that is not; everything else REQUIRES that it is. Polygon numbers are not
-/// checked.
+/// Culler, OccluderMesh and preprocess() refuse a soup that is not; everything else REQUIRES that it is. Polygon numbers are
+/// not checked.
 struct PolygonSoup {
   std::vector<glm::dvec3> vertices;
   std::vector<std::uint32_t> indices;      ///< the loops of all polygons, one after another

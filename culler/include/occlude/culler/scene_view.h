@@ -105,7 +105,6 @@ class SceneView {
 
   /// For scenes only: src/scene_frame.h. Not protected by `const`.
   struct Memory;
-  struct SeenGroup;
   [[nodiscard]] Memory& memory() const { return *memory_; }
 
  private:

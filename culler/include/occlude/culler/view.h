@@ -17,7 +17,7 @@ enum class Visibility {
   out_of_view,  ///< all of it is beyond one half-space of the view
 };
 
-/// Tells the cullers and scenes of a program apart, so that a view notices which of them it is used with. A copy has the
+/// Tells the cullers of a program apart, so that a view notices which of them it is used with. A copy has the
 /// same identity, as it holds the same. Any thread may make one.
 class Identity {
  public:
@@ -32,7 +32,7 @@ class Identity {
 };
 
 /// 1. A view belongs to one camera, and one thread at a time may cull with it. Different views may be culled at once.
-/// 2. If it is used with another culler or scene than in the frame before, it starts anew, as if it had just been made.
+/// 2. If it is used with another culler than in the frame before, it starts anew, as if it had just been made.
 /// 3. After its first frame nothing more is allocated. Exceptions: README.md, Growth and budgets.
 /// 4. A view that was moved from may only be destroyed or assigned to.
 class View {
@@ -49,7 +49,7 @@ class View {
   /// 1. It is tested against the frame's half-spaces, and its occluders or cover, with the frame's margin. The tests are
   ///    certified, whatever the frame's arithmetic. Shadows begin strictly beyond their near planes.
   /// 2. Before the first frame everything is visible.
-  /// 3. The box may reach farther from the eye than everything that the culler or scene holds. Then the half-spaces are
+  /// 3. The box may reach farther from the eye than everything that the culler holds. Then the half-spaces are
   ///    moved outwards by another margin, that of its L1 distance (append_view_frustum()), and no cover hides it.
   /// 4. Allocates nothing. Many threads may ask the same view at once, while no frame of it is being culled.
   /// Throws std::invalid_argument for a box that is not legal, and std::runtime_error while the processor does not round to
@@ -59,7 +59,7 @@ class View {
   /// For the cullers only: src/view_memory.h. Not protected by `const`.
   struct Memory;
   [[nodiscard]] Memory& memory() const { return *memory_; }
-  /// The same for the next frame with this culler or scene; emptied unless the frame before was with the same one.
+  /// The same for the next frame with this culler; emptied unless the frame before was with the same one.
   [[nodiscard]] Memory& memory_for(const Identity& owner);
 
  private:
