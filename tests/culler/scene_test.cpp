@@ -932,6 +932,29 @@ TEST(Scene, ResultsDoNotDependOnTheExecutor) {
 }
 
 /// Tiles that come and go leave no memory behind, however the objects are divided.
+/// The farther a view reaches, the farther out its half-spaces are.
+TEST(Scene, AViewReachesAsFarAsWhatIsThere) {
+  const std::vector<Box> tile{Aabb{{4, 4, 4}, {5, 5, 5}}, Aabb{{6, 4, 4}, {7, 5, 5}}, Aabb{{4e6, 4, 4}, {5e6, 5, 5}}};
+  const auto offsets = [](const Scene& scene) {
+    SceneView view;
+    std::vector<double> of;
+    for (const HalfSpace& h : scene.cull(Camera{}, {}, view).view) of.push_back(h.offset);
+    return of;
+  };
+  Scene near;
+  near.add(tile[0]);
+  near.add(tile[1]);
+  near.update();
+  Scene scene;
+  std::vector<ObjectId> ids(tile.size());
+  scene.add(tile, {}, ids);
+  scene.update();
+  EXPECT_NE(offsets(scene), offsets(near));
+  scene.remove(ids[2]);
+  scene.update();
+  EXPECT_EQ(offsets(scene), offsets(near));
+}
+
 TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
   std::mt19937 random(kSeed);
   Scene scene;
