@@ -28,21 +28,14 @@ void ObjectGroup::assign(std::span<const SceneObject> objects, GroupBuilder& bui
   // as many objects hardly ever needs more.
   nodes_.reserve(objects.size() / 2 + 1);
   nodes_.assign(builder.tree.nodes().begin(), builder.tree.nodes().end());
-  ids_.reserve(objects.size());
-  masks_.reserve(objects.size());
-  outer_.reserve(objects.size());
-  const bool is_any_oriented =
-      std::ranges::any_of(objects, [](const SceneObject& o) { return std::holds_alternative<kernel::Obb>(o.box); });
+  places_.reserve(objects.size());
   for (const std::uint32_t from : builder.tree.order()) {
     const SceneObject& object = objects[from];
-    ids_.push_back(object.id);
-    masks_.push_back(object.mask);
-    outer_.push_back(builder.boxes[from]);
-    is_in_all_layers_ = is_in_all_layers_ && object.mask == kAllLayers;
-    if (!is_any_oriented) continue;
     const auto* const oriented = std::get_if<kernel::Obb>(&object.box);
-    oriented_.push_back(oriented == nullptr ? kNone : static_cast<std::uint32_t>(oriented_boxes_.size()));
-    if (oriented != nullptr) oriented_boxes_.push_back(*oriented);
+    const std::uint32_t k = oriented == nullptr ? kNone : static_cast<std::uint32_t>(oriented_.size());
+    if (oriented != nullptr) oriented_.push_back(*oriented);
+    places_.push_back({builder.boxes[from], object.id, object.mask, k});
+    is_in_all_layers_ = is_in_all_layers_ && object.mask == kAllLayers;
   }
   living_ = objects.size();
   if (living_ > 0) box_ = nodes_[0].box;
@@ -50,20 +43,16 @@ void ObjectGroup::assign(std::span<const SceneObject> objects, GroupBuilder& bui
 
 void ObjectGroup::clear() {
   nodes_.clear();
-  ids_.clear();
-  masks_.clear();
-  outer_.clear();
+  places_.clear();
   oriented_.clear();
-  oriented_boxes_.clear();
   living_ = 0;
   is_box_loose_ = false;
   is_in_all_layers_ = true;
 }
 
 void ObjectGroup::remove(std::uint32_t i) {
-  ids_[i] = {};
-  masks_[i] = 0;
-  is_in_all_layers_ = false;
+  places_[i].id = {};
+  places_[i].mask = 0;
   is_box_loose_ = true;
   --living_;
 }
@@ -72,33 +61,30 @@ void ObjectGroup::fit_box() {
   if (!is_box_loose_) return;
   is_box_loose_ = false;
   box_ = empty_box();
-  for (std::size_t i = 0; i < ids_.size(); ++i) {
-    if (!ids_[i].is_none()) grow(box_, outer_[i]);
+  for (const Place& place : places_) {
+    if (!place.id.is_none()) grow(box_, place.outer);
   }
 }
 
 void ObjectGroup::set_mask(std::uint32_t i, std::uint32_t mask) {
-  masks_[i] = mask;
+  places_[i].mask = mask;
   is_in_all_layers_ = is_in_all_layers_ && mask == kAllLayers;
 }
 
 void ObjectGroup::append_living(std::vector<SceneObject>& objects) const {
-  for (std::uint32_t i = 0; i < ids_.size(); ++i) {
-    if (ids_[i].is_none()) continue;
-    objects.push_back({ids_[i], masks_[i], ask(i, [](const auto& box) -> Box { return box; })});
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (id(i).is_none()) continue;
+    objects.push_back({id(i), mask(i), ask(i, [](const auto& box) -> Box { return box; })});
   }
 }
 
-std::size_t ObjectGroup::bytes() const {
-  return capacity_of(nodes_) + capacity_of(ids_) + capacity_of(masks_) + capacity_of(outer_) + capacity_of(oriented_) +
-         capacity_of(oriented_boxes_);
-}
+std::size_t ObjectGroup::bytes() const { return capacity_of(nodes_) + capacity_of(places_) + capacity_of(oriented_); }
 
 std::size_t ObjectGroup::count(const HierarchyNode& node, std::uint32_t mask) const {
-  if (is_in_all_layers_ && mask != 0) return node.count;
-  const auto begin = masks_.begin() + node.first;
+  if (is_in_all_layers_ && living_ == size() && mask != 0) return node.count;
+  const auto places = std::span(places_).subspan(node.first, node.count);
   return static_cast<std::size_t>(
-      std::count_if(begin, begin + node.count, [&](std::uint32_t m) { return (m & mask) != 0; }));
+      std::ranges::count_if(places, [&](const Place& place) { return (place.mask & mask) != 0; }));
 }
 
 }  // namespace occlude::culler

@@ -46,41 +46,49 @@ class ObjectGroup {
   void append_living(std::vector<SceneObject>& objects) const;
 
   /// The places of objects, in the order of the leaves; of these, those that are not empty.
-  [[nodiscard]] std::size_t size() const { return ids_.size(); }
+  [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] std::size_t living() const { return living_; }
   /// The box around all objects, those removed since the last fit_box() included.
   [[nodiscard]] const kernel::Aabb& box() const { return box_; }
   /// How many objects have room without allocating.
-  [[nodiscard]] std::size_t capacity() const { return ids_.capacity(); }
+  [[nodiscard]] std::size_t capacity() const { return places_.capacity(); }
   [[nodiscard]] std::size_t bytes() const;
 
   /// Of its tree. A node that is not culled as a whole says nothing of the objects in it.
   [[nodiscard]] std::span<const HierarchyNode> nodes() const { return nodes_; }
-  [[nodiscard]] ObjectId id(std::uint32_t i) const { return ids_[i]; }
-  [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return masks_[i]; }
-  [[nodiscard]] const kernel::Aabb& outer(std::uint32_t i) const { return outer_[i]; }
+  [[nodiscard]] ObjectId id(std::uint32_t i) const { return places_[i].id; }
+  [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return places_[i].mask; }
+  [[nodiscard]] const kernel::Aabb& outer(std::uint32_t i) const { return places_[i].outer; }
   /// Calls question(box) with the box of object i, which may be oriented.
   template <class Question>
   decltype(auto) ask(std::uint32_t i, const Question& question) const {
-    const std::uint32_t k = oriented_.empty() ? kNone : oriented_[i];
-    return k == kNone ? question(outer_[i]) : question(oriented_boxes_[k]);
+    const std::uint32_t k = places_[i].oriented;
+    return k == kNone ? question(outer(i)) : question(oriented_[k]);
   }
+  /// Whether every object is in all layers.
+  [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
   /// How many of the objects of a node are in one of these layers.
   [[nodiscard]] std::size_t count(const HierarchyNode& node, std::uint32_t mask) const;
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  /// An object. What a frame reads of it is in one line of the cache.
+  struct alignas(64) Place {
+    kernel::Aabb outer;
+    ObjectId id;             ///< none if the place is empty
+    std::uint32_t mask;      ///< 0 if the place is empty
+    std::uint32_t oriented;  ///< the index in oriented_, or kNone
+  };
+  static_assert(sizeof(Place) == 64);
+
   std::vector<HierarchyNode> nodes_;
-  std::vector<ObjectId> ids_;
-  std::vector<std::uint32_t> masks_;
-  std::vector<kernel::Aabb> outer_;
-  std::vector<std::uint32_t> oriented_;  ///< of each object, the index in oriented_boxes_ or kNone; empty if there is none
-  std::vector<kernel::Obb> oriented_boxes_;
+  std::vector<Place> places_;
+  std::vector<kernel::Obb> oriented_;
   std::size_t living_ = 0;
   kernel::Aabb box_;
   bool is_box_loose_ = false;
-  bool is_in_all_layers_ = true;  ///< whether every place has an object in all layers
+  bool is_in_all_layers_ = true;
 };
 
 }  // namespace occlude::culler

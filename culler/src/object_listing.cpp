@@ -12,7 +12,7 @@ namespace occlude::culler {
 void ObjectListing::list(const ObjectGroup& group, std::uint32_t across) {
   const auto nodes = group.nodes();
   const auto see = [&](const SeenNode& leaf) { list_leaf(group, nodes[leaf.node], leaf.across); };
-  const auto cull = [&](const Culled& culled) { count(culled.by, group, nodes[culled.node]); };
+  const auto cull = [&](const Culled& culled) { count(culled.by, group.count(nodes[culled.node], options_.mask)); };
   const auto join = [] {};
   const StandingBoxes tree{nodes};
   CoverDescent(tree, view_, buffer_, stats_.work, see, cull, join).run(across);

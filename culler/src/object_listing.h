@@ -25,9 +25,9 @@ class ObjectListing {
   void list(const ObjectGroup& group, std::uint32_t across);
   /// Lists an object.
   void draw(const DrawnObject& object) { room_[stats_.drawn++] = object; }
-  /// Counts the objects of a node that is culled.
-  void count(Culled::By by, const ObjectGroup& group, const HierarchyNode& node) {
-    count(by, group.count(node, options_.mask));
+  /// Counts objects that are culled.
+  void count(Culled::By by, std::size_t objects) {
+    (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
   }
 
   [[nodiscard]] bool is_out_of_view(const ObjectGroup& group, std::uint32_t object, std::uint32_t across);
@@ -39,9 +39,6 @@ class ObjectListing {
 
  private:
   void list_leaf(const ObjectGroup& group, const HierarchyNode& leaf, std::uint32_t across);
-  void count(Culled::By by, std::size_t objects) {
-    (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
-  }
 
   const SceneOptions& options_;
   const ViewPlanes& view_;

@@ -157,11 +157,7 @@ class SceneFrame {
       memory_.groups.push_back({groups.order()[groups.nodes()[leaf.node].first], leaf.across});
     };
     const auto cull = [&](const Culled& culled) {
-      const HierarchyNode& node = groups.nodes()[culled.node];
-      for (const std::uint32_t i : groups.order().subspan(node.first, node.count)) {
-        const ObjectGroup& group = objects_.group(i);
-        listing.count(culled.by, group, group.nodes()[0]);
-      }
+      listing.count(culled.by, objects_.count(groups.nodes()[culled.node], options_.mask));
     };
     descend(groups.nodes(), see, cull, listing.stats().work);
   }

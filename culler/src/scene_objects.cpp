@@ -304,6 +304,33 @@ void SceneObjects::build_top() {
     boxes_.push_back(groups_[g].nodes()[0].box);
   }
   top_.build(boxes_, 1);
+  count_groups();
+}
+
+void SceneObjects::count_groups() {
+  before_.clear();
+  layered_.clear();
+  std::uint32_t objects = 0;
+  for (std::uint32_t i = 0; i < top_.order().size(); ++i) {
+    before_.push_back(objects);
+    const ObjectGroup& group = this->group(top_.order()[i]);
+    if (group.is_in_all_layers()) {
+      objects += static_cast<std::uint32_t>(group.living());
+    } else {
+      layered_.push_back(i);
+    }
+  }
+  before_.push_back(objects);
+}
+
+std::size_t SceneObjects::count(const HierarchyNode& node, std::uint32_t mask) const {
+  const std::uint32_t end = node.first + node.count;
+  std::size_t objects = mask == 0 ? 0 : before_[end] - before_[node.first];
+  for (auto i = std::ranges::lower_bound(layered_, node.first); i != layered_.end() && *i < end; ++i) {
+    const ObjectGroup& layered = group(top_.order()[*i]);
+    objects += layered.count(layered.nodes()[0], mask);
+  }
+  return objects;
 }
 
 std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
@@ -319,9 +346,9 @@ std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
 std::size_t SceneObjects::bytes() const {
   std::size_t bytes = objects_.bytes() + bytes_of(moving_) + bytes_of(arrivals_) + bytes_of(departed_) +
                       bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) + bytes_of(unplaced_) +
-                      bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() + bytes_of(free_groups_) +
-                      bytes_of(small_groups_) + bytes_of(loose_groups_) + bytes_of(batch_) + builder_.tree.bytes() +
-                      bytes_of(builder_.boxes) + bytes_of(boxes_);
+                      bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() + bytes_of(before_) +
+                      bytes_of(layered_) + bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) +
+                      bytes_of(batch_) + builder_.tree.bytes() + bytes_of(builder_.boxes) + bytes_of(boxes_);
   for (const ObjectGroup& group : groups_) bytes += group.bytes();
   return bytes;
 }

@@ -45,6 +45,8 @@ class SceneObjects {
   /// What views see. The leaves of groups() are groups, one each.
   [[nodiscard]] const LinearTree& groups() const { return top_; }
   [[nodiscard]] const ObjectGroup& group(std::uint32_t in_order) const { return groups_[top_groups_[in_order]]; }
+  /// How many of the objects of a node of groups() are in one of these layers.
+  [[nodiscard]] std::size_t count(const HierarchyNode& node, std::uint32_t mask) const;
   /// Objects without a place, which are always drawn.
   struct Unplaced {
     ObjectId id;
@@ -106,6 +108,7 @@ class SceneObjects {
   void empty_group(std::uint32_t group);
   [[nodiscard]] std::uint32_t free_group(std::size_t objects);
   void build_top();
+  void count_groups();
 
   // Of the caller.
   Slots<ObjectId, Object> objects_{"object"};
@@ -122,6 +125,9 @@ class SceneObjects {
   std::vector<Unplaced> unplaced_, moving_unplaced_;
   std::vector<std::uint32_t> top_groups_;  ///< the groups in the order of the leaves of top_
   LinearTree top_;
+  std::vector<std::uint32_t> before_;   ///< for each group in the order of top_, and the end: objects before it, but those
+                                        ///< of layered groups
+  std::vector<std::uint32_t> layered_;  ///< in the order of top_, groups with an object that is not in all layers
   std::size_t seen_ = 0;
   kernel::Aabb box_ = empty_box();
 
