@@ -5,6 +5,8 @@
 // them. Nothing hides itself, because a box is never strictly beyond what it holds.
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -120,6 +122,7 @@ class CoverDescent {
       batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
       return;
     }
+    hwy::Prefetch(&tree_.nodes[node.right]);  // which is far from here
     for (const std::uint32_t below : {visit.node + 1, node.right}) {
       Visit next{below, visit.across, visit.is_part};
       if (is_in_view(next)) gather(next, levels - 1, batch);

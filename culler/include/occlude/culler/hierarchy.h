@@ -22,8 +22,9 @@ namespace occlude::culler {
 enum class Bounds { aabb, obb };
 
 /// A node holds items [first, first + count), in the order of the leaves, and `box` holds all of them. Nodes are in
-/// depth-first order: the left child follows its parent, the right child is node `right`. A leaf has right = 0.
-struct HierarchyNode {
+/// depth-first order: the left child follows its parent, the right child is node `right`. A leaf has right = 0. Each is one
+/// line of the cache.
+struct alignas(64) HierarchyNode {
   kernel::Aabb box;
   std::uint32_t first = 0, count = 0, right = 0;
 
