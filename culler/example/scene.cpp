@@ -3,9 +3,6 @@
 // example walks down the street and prints what must be drawn.
 #include <occlude/culler/scene.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -16,17 +13,9 @@ using occlude::kernel::Aabb;
 namespace {
 
 /// A box as six polygons.
-std::shared_ptr<const OccluderMesh> solid(const Aabb& box) {
+std::shared_ptr<const OccluderMesh> solid(const glm::dvec3& low, const glm::dvec3& high) {
   PolygonSoup soup;
-  std::array<std::uint32_t, 8> corner{};
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    const auto end = [&](int axis) { return (i >> axis & 1U) != 0 ? box.max[axis] : box.min[axis]; };
-    corner[i] = soup.add_vertex({end(0), end(1), end(2)});
-  }
-  using Face = std::array<std::size_t, 4>;
-  for (const auto& [a, b, c, d] : {Face{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
-    soup.add_polygon(std::array{corner[a], corner[b], corner[c], corner[d]});
-  }
+  soup.add_box(low, high);
   return std::make_shared<OccluderMesh>(std::move(soup));
 }
 
@@ -35,7 +24,7 @@ std::shared_ptr<const OccluderMesh> solid(const Aabb& box) {
 int main() {
   Scene scene;
   // Each house is an object with a box. Its walls, half a metre inside the box, are an occluder; all houses share one mesh.
-  const auto walls = solid({{0.5, 0.5, 0.5}, {17.5, 15.5, 9}});
+  const auto walls = solid({0.5, 0.5, 0.5}, {17.5, 15.5, 9});
   for (double x = 0; x < 200; x += 20) {
     for (const double y : {-20.0, 20.0}) {
       const ObjectId house = scene.add(Aabb{{x, y - 8, 0}, {x + 18, y + 8, 12}});
@@ -48,7 +37,7 @@ int main() {
   }
   // The bus moves, and hides what is behind it.
   const ObjectId bus = scene.add(Aabb{}, {.moves = true});
-  const OccluderId body = scene.add(solid({{0, 0, 0.3}, {12, 2.5, 3}}), {}, {.moves = true, .object = bus});
+  const OccluderId body = scene.add(solid({0, 0, 0.3}, {12, 2.5, 3}), {}, {.moves = true, .object = bus});
 
   SceneView view;  // one for each camera; several may be culled at once, each on its own thread
   Camera camera;

@@ -2,35 +2,36 @@
 #include "occlude/culler/executor.h"
 
 #include <algorithm>
+#include <atomic>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 namespace occlude::culler {
-namespace {
-
-/// A thread for each part but the first, which the calling thread does. Parts for which the system starts no thread are done
-/// by the calling thread as well.
-void run_on_own_threads(std::size_t count, const Executor::Part& part) {
-  std::vector<std::jthread> others;
-  std::size_t started = 1;
-  try {
-    for (; started < count; ++started) others.emplace_back([&part, started] { part(started); });
-  } catch (const std::system_error&) {
-    // Fewer do it as well.
-  }
-  for (std::size_t i = started; i < count; ++i) part(i);
-  if (count > 0) part(0);
-}
-
-}  // namespace
 
 Executor::Executor(std::size_t threads, Run run) : threads_(threads), run_(std::move(run)) {}
 
 Executor Executor::own_threads() {
   static const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());  // which asks the system
-  return {processors, run_on_own_threads};
+  return own_threads(processors);
+}
+
+Executor Executor::own_threads(std::size_t threads) {
+  const auto run = [threads](std::size_t count, const Part& part) {
+    std::atomic<std::size_t> next = 0;
+    const auto share = [&] {
+      for (std::size_t i = next++; i < count; i = next++) part(i);
+    };
+    std::vector<std::jthread> others;
+    try {
+      while (others.size() + 1 < std::min(threads, count)) others.emplace_back(share);
+    } catch (const std::system_error&) {
+      // Fewer do it as well.
+    }
+    share();
+  };
+  return {threads, run};
 }
 
 void Executor::run(std::size_t count, const Part& part) const {

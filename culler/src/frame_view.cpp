@@ -104,8 +104,7 @@ FrameView::FrameView(const Camera& camera, double reach)
 /// camera at the eye sees of a model that is moved by -e.
 ///  - Half-spaces of the first are those of the second moved by e, and so by at most r along their normals.
 ///  - A coarse picture bounds what moves of points by `moved` can do, and the model moves by r at most. Points that moved
-///  are
-///    farther from the eye by up to 2 r in the sum of the axes, which is part of the depth.
+///    are farther from the eye by up to 2 r in the sum of the axes, which is part of the depth.
 ///  - A point is beyond the near plane of the one if it is beyond that of the other by r. Along a ray from the eye, both are
 ///    equally far.
 ///  - Parallel rays stay what they are: nothing needs to be moved.

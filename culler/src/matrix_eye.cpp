@@ -168,9 +168,8 @@ std::string_view MatrixEye::find_parallel(Nearer nearer) {
 /// 1. Rays have a direction with an error of a tangent t. If every point is moved across by t times its distance along the
 ///    direction, rays become parallel to the exact one.
 /// 2. Let w be 1 + q(p) times what it is at the eye, q less than a twentieth. If every point y, relative to where x = y = 0
-/// on
-///    the near plane, is moved to y / (1 + q), rays become those of constant w. That is a move of at most 2 q |y|. The eye
-///    is less than its coordinates away from that place.
+///    on the near plane, is moved to y / (1 + q), rays become those of constant w. That is a move of at most 2 q |y|. The
+///    eye is less than its coordinates away from that place.
 double MatrixEye::moved(double depth) const {
   if (is_perspective_) return eye_error_;
   const double reach = sum_of(eye_) + depth;

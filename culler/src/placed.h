@@ -10,7 +10,7 @@
 
 namespace occlude::culler {
 
-/// The point, with seven roundings on each axis.
+/// The point, with six roundings on each axis: three products and three sums.
 [[nodiscard]] inline kernel::Vec3 placed(const Placement& at, const kernel::Vec3& p) {
   kernel::Vec3 result;
   for (int axis = 0; axis < 3; ++axis) {
@@ -21,8 +21,8 @@ namespace occlude::culler {
 
 /// An axis-aligned box that holds placed(at, p) for every point p of the box. Not finite if that overflows.
 [[nodiscard]] inline kernel::Aabb placed(const Placement& at, const kernel::Aabb& box) {
-  // Each of the seven roundings of a point changes it by at most 2^-53 of the sum of the magnitudes, and so do those of the
-  // ends below. The constant is four times as much as all of them.
+  // Six roundings of a point, six of an end below and one where the end is moved outwards are 13. Each is at most 2^-53 of
+  // the sum of the magnitudes, up to the rounding of that sum. The constant is 64 times 2^-53, more than four times as much.
   constexpr double kRounded = 0x1p-47;
   kernel::Aabb result;
   for (int axis = 0; axis < 3; ++axis) {

@@ -60,16 +60,10 @@ Mesh mesh_of(culler::PolygonSoup soup) {
   return {std::move(soup), std::move(prepared)};
 }
 
-/// The box from -1 to 1 on each axis, its faces turned outwards.
+/// The box from -1 to 1 on each axis.
 culler::PolygonSoup box_soup() {
   culler::PolygonSoup soup;
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    soup.add_vertex({(i & 1U) != 0 ? 1 : -1, (i & 2U) != 0 ? 1 : -1, (i & 4U) != 0 ? 1 : -1});
-  }
-  using Face = std::array<std::uint32_t, 4>;
-  for (const Face& f : {Face{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
-    soup.add_polygon(f);
-  }
+  soup.add_box({-1, -1, -1}, {1, 1, 1});
   return soup;
 }
 

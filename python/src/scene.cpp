@@ -39,10 +39,10 @@ class SharedScene {
     const std::scoped_lock one(changes_);
     return work(scene_);
   }
-  void update() {
+  void update(const culler::Executor& executor) {
     const py::gil_scoped_release others_run;
     const std::unique_lock lock(updates_);
-    scene_.update();
+    scene_.update(executor);
   }
 
  private:
@@ -62,6 +62,11 @@ struct SceneFrame {
   py::array_t<double> planes;
   py::dict statistics;
 };
+
+culler::Executor on_threads(std::size_t threads) {
+  if (threads == 0 || threads > culler::Executor::kMostThreads) throw std::invalid_argument("threads must be 1 to 65536");
+  return culler::Executor::own_threads(threads);
+}
 
 constexpr std::uint64_t kMostId = std::numeric_limits<std::uint64_t>::max();
 
@@ -136,12 +141,14 @@ py::dict to_dict(const culler::SceneStats& stats) {
 template <class Camera>
 SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* given, const std::pair<int, int>& cover_size,
                       const py::object& cover_triangles, const py::object& cover_ms, double margin, std::uint32_t mask,
-                      float least_size, bool front_to_back) {
-  const culler::SceneOptions options{.cover = to_cover_options(cover_size, cover_triangles, cover_ms),
-                                     .margin = margin,
-                                     .mask = mask,
-                                     .least_size = least_size,
-                                     .is_front_to_back = front_to_back};
+                      float least_size, bool front_to_back, std::size_t threads) {
+  const culler::Executor executor = on_threads(threads);
+  culler::SceneOptions options{.cover = to_cover_options(cover_size, cover_triangles, cover_ms),
+                               .margin = margin,
+                               .mask = mask,
+                               .least_size = least_size,
+                               .is_front_to_back = front_to_back,
+                               .executor = &executor};
   AnyView own;
   AnyView& view = given == nullptr ? own : *given;
   std::vector<DrawnRow> rows;
@@ -152,6 +159,7 @@ SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* g
     const culler::SceneResult& result = s.cull(camera, options, view.scene);
     view.is_of_scene = true;
     view.camera = camera;
+    options.executor = nullptr;  // it is of this frame alone
     view.options = options;
     rows.reserve(result.drawn.size());
     for (const auto& [id, size, distance] : result.drawn) rows.push_back({c::packed(id), size, distance});
@@ -316,12 +324,14 @@ void define_cull(Class& scene) {
   scene.def("cull", &cull_scene<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(),
             "cover_size"_a = std::pair{culler::CoverOptions{}.width, culler::CoverOptions{}.height},
             "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = ~std::uint32_t{0},
-            "least_size"_a = 0.0F, "front_to_back"_a = false, "What to draw: a SceneFrame.");
+            "least_size"_a = 0.0F, "front_to_back"_a = false, "threads"_a = 1,
+            "What to draw: a SceneFrame. It does not depend on the number of threads, which are started for this call.");
 }
 
 }  // namespace
 
 void define_scenes(py::module_& module) {
+  using py::literals::operator""_a;
   PYBIND11_NUMPY_DTYPE(DrawnRow, id, size, distance);
   define_meshes(module);
   py::class_<SceneFrame>(module, "SceneFrame", "The objects to draw in one frame.")
@@ -335,7 +345,10 @@ void define_scenes(py::module_& module) {
   define_cull<culler::Camera>(scene);
   define_cull<culler::MatrixCamera>(scene);
   define_why(module, scene);
-  scene.def("update", &SharedScene::update)
+  scene
+      .def(
+          "update", [](SharedScene& s, std::size_t threads) { s.update(on_threads(threads)); }, py::kw_only(),
+          "threads"_a = 1, "Makes all changes since the last update; large tiles are built on so many threads.")
       .def_property_readonly("objects",
                              [](const SharedScene& s) { return s.look([](const auto& in) { return in.objects(); }); })
       .def_property_readonly("occluders",

@@ -2,7 +2,6 @@
 #include "scene_world.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace occlude::experiments {
@@ -22,11 +21,7 @@ constexpr double kFlight = kBlock / static_cast<double>(kAbreast);  // metres a 
 
 std::shared_ptr<const culler::OccluderMesh> unit_box() {
   culler::PolygonSoup soup;
-  for (std::uint32_t i = 0; i < 8; ++i) soup.add_vertex({i & 1U, i >> 1U & 1U, i >> 2U & 1U});
-  using Face = std::array<std::uint32_t, 4>;
-  for (const Face& face : {Face{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
-    soup.add_polygon(face);
-  }
+  soup.add_box({0, 0, 0}, {1, 1, 1});
   return std::make_shared<culler::OccluderMesh>(std::move(soup));
 }
 

@@ -74,4 +74,20 @@ static inline void cull(occlude_scene* scene, occlude_view* view) {
   CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
 }
 
+/// What each test begins with: an empty scene, a view without a frame, and the wall, which is not in the scene yet.
+static occlude_scene* scene = NULL;
+static occlude_view* view = NULL;
+static occlude_mesh* wall = NULL;
+
+/// Runs a test, which may destroy any of the three if it sets it to null.
+static inline void run_test(void (*test)(void)) {
+  CHECK_OK(occlude_scene_create(&scene));
+  CHECK_OK(occlude_view_create(&view));
+  wall = make_wall();
+  test();
+  occlude_mesh_destroy(wall);
+  occlude_view_destroy(view);
+  occlude_scene_destroy(scene);
+}
+
 #endif

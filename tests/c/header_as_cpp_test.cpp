@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The header in C++ without exceptions: what C tests do with it, compiled as C++.
+// The header in C++ without exceptions and RTTI: what C tests do with it, compiled as C++.
 #include "scene_test.c"
 
 static_assert(noexcept(occlude_version()), "programs without exceptions");

@@ -6,7 +6,7 @@
 
 #include "check.h"
 
-static void null_pointers(occlude_scene* scene, occlude_view* view, const occlude_mesh* mesh) {
+static void null_pointers(void) {
   const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
   const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   const occlude_matrix_camera matrix = OCCLUDE_MATRIX_CAMERA_INIT;
@@ -26,7 +26,7 @@ static void null_pointers(occlude_scene* scene, occlude_view* view, const occlud
   CHECK_REFUSED(refused, "mesh is null", occlude_mesh_create(&data, NULL));
   CHECK_REFUSED(refused, "data is null", occlude_mesh_create(NULL, &made));
   CHECK_REFUSED(refused, "mesh is null", occlude_mesh_box(NULL, &box));
-  CHECK_REFUSED(refused, "box is null", occlude_mesh_box(mesh, NULL));
+  CHECK_REFUSED(refused, "box is null", occlude_mesh_box(wall, NULL));
   occlude_mesh_destroy(NULL);
   occlude_scene_destroy(NULL);
   occlude_view_destroy(NULL);
@@ -48,16 +48,16 @@ static void null_pointers(occlude_scene* scene, occlude_view* view, const occlud
   CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_object(NULL, 1, 1));
   CHECK(!occlude_scene_has_object(NULL, 1) && !occlude_scene_has_occluder(NULL, 1));
 
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluder(NULL, mesh, NULL, NULL, &object));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluder(NULL, wall, NULL, NULL, &object));
   CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluder(scene, NULL, NULL, NULL, &object));
-  CHECK_REFUSED(refused, "occluder is null", occlude_scene_add_occluder(scene, mesh, NULL, NULL, NULL));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluders(NULL, mesh, &placement, 1, NULL, &object));
+  CHECK_REFUSED(refused, "occluder is null", occlude_scene_add_occluder(scene, wall, NULL, NULL, NULL));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluders(NULL, wall, &placement, 1, NULL, &object));
   CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluders(scene, NULL, &placement, 1, NULL, &object));
-  CHECK_REFUSED(refused, "placements is null", occlude_scene_add_occluders(scene, mesh, NULL, 1, NULL, &object));
-  CHECK_REFUSED(refused, "occluders is null", occlude_scene_add_occluders(scene, mesh, &placement, 1, NULL, NULL));
+  CHECK_REFUSED(refused, "placements is null", occlude_scene_add_occluders(scene, wall, NULL, 1, NULL, &object));
+  CHECK_REFUSED(refused, "occluders is null", occlude_scene_add_occluders(scene, wall, &placement, 1, NULL, NULL));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_occluder(NULL, 1));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_move_occluder(NULL, 1, &placement));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_replace_occluder(NULL, 1, mesh));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_replace_occluder(NULL, 1, wall));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_occluder(NULL, 1, 1));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_occluder(NULL, 1, 1));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_update(NULL));
@@ -82,7 +82,7 @@ static void null_pointers(occlude_scene* scene, occlude_view* view, const occlud
   CHECK_REFUSED(refused, "visibilities is null", occlude_view_visibility(view, &boxes, NULL));
 }
 
-static void ids_of_nothing(occlude_scene* scene, const occlude_mesh* mesh) {
+static void ids_of_nothing(void) {
   occlude_object gone = OCCLUDE_NONE;
   CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &gone));
   CHECK_OK(occlude_scene_remove_object(scene, gone));
@@ -98,12 +98,12 @@ static void ids_of_nothing(occlude_scene* scene, const occlude_mesh* mesh) {
     CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_mask_object(scene, id, 1));
     CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_remove_occluder(scene, id));
     CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_move_occluder(scene, id, NULL));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_replace_occluder(scene, id, mesh));
+    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_replace_occluder(scene, id, wall));
     CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_enable_occluder(scene, id, 1));
     CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_mask_occluder(scene, id, 1));
   }
   occlude_occluder occluder = OCCLUDE_NONE;
-  CHECK_OK(occlude_scene_add_occluder(scene, mesh, NULL, NULL, &occluder));
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "mesh is null", occlude_scene_replace_occluder(scene, occluder, NULL));
 
   // In arrays: nothing is changed.
@@ -118,7 +118,7 @@ static void ids_of_nothing(occlude_scene* scene, const occlude_mesh* mesh) {
                 occlude_scene_move_objects(scene, both, &array));
 }
 
-static void numbers(occlude_scene* scene, occlude_view* view) {
+static void numbers(void) {
   const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
   const size_t before = occlude_scene_objects(scene);
   occlude_object ids[2] = {7, 7};
@@ -226,7 +226,7 @@ static void meshes(void) {
   CHECK(asked > 0 && mesh == NULL);
 }
 
-static void rounding(occlude_scene* scene, occlude_view* view) {
+static void rounding(void) {
 #ifdef FE_UPWARD
   const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   const occlude_boxes boxes = boxes_of(&kBehind, 1);
@@ -237,9 +237,6 @@ static void rounding(occlude_scene* scene, occlude_view* view) {
   CHECK_REFUSED(OCCLUDE_ROUNDING_MODE, text, occlude_view_visibility(view, &boxes, &visibility));
   fesetround(FE_TONEAREST);
   CHECK_OK(occlude_scene_cull_look_at(scene, &camera, NULL, view));
-#else
-  (void)scene;
-  (void)view;
 #endif
 }
 
@@ -252,19 +249,11 @@ static void statuses(void) {
 
 int main(void) {
   CHECK(strcmp(occlude_last_error(), "") == 0);
-  occlude_scene* scene = NULL;
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  occlude_mesh* wall = make_wall();
-  null_pointers(scene, view, wall);
-  ids_of_nothing(scene, wall);
-  numbers(scene, view);
-  meshes();
-  rounding(scene, view);
-  statuses();
-  occlude_mesh_destroy(wall);
-  occlude_view_destroy(view);
-  occlude_scene_destroy(scene);
+  run_test(null_pointers);
+  run_test(ids_of_nothing);
+  run_test(numbers);
+  run_test(meshes);
+  run_test(rounding);
+  run_test(statuses);
   return end_of_test();
 }

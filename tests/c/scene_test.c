@@ -5,14 +5,10 @@
 #include "check.h"
 
 static void objects_come_and_go(void) {
-  occlude_scene* scene = NULL;
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  occlude_mesh* wall = make_wall();
   occlude_occluder occluder = OCCLUDE_NONE;
   CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
   occlude_mesh_destroy(wall);  // the occluder keeps it
+  wall = NULL;
 
   const occlude_box boxes[] = {kBehind, kBefore, kBeside, kAway};
   const occlude_boxes array = {boxes, 4, 0, OCCLUDE_DOUBLE, OCCLUDE_ALIGNED};
@@ -83,17 +79,11 @@ static void objects_come_and_go(void) {
   cull(scene, view);
   CHECK(draws(view, next) && !draws(view, ids[1]));
   occlude_scene_destroy(scene);
+  scene = NULL;
   CHECK(draws(view, next));  // a view outlives its scenes
-  occlude_view_destroy(view);
 }
 
 static void options_of_objects_and_occluders(void) {
-  occlude_scene* scene = NULL;
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  occlude_mesh* wall = make_wall();
-
   occlude_object_options options = OCCLUDE_OBJECT_OPTIONS_INIT;
   options.is_always_drawn = 1;
   occlude_object sky, bus, layered, behind;
@@ -185,17 +175,9 @@ static void options_of_objects_and_occluders(void) {
   cull(scene, view);
   CHECK(!draws(view, behind));
   occlude_mesh_destroy(pentagon);
-  occlude_mesh_destroy(wall);
-  occlude_view_destroy(view);
-  occlude_scene_destroy(scene);
 }
 
 static void occluders_in_arrays(void) {
-  occlude_scene* scene = NULL;
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  occlude_mesh* wall = make_wall();
   // A wall and its mirror image beside it.
   occlude_placement placements[] = {OCCLUDE_PLACEMENT_INIT, OCCLUDE_PLACEMENT_INIT};
   placements[1].y[1] = -1;
@@ -235,21 +217,12 @@ static void occluders_in_arrays(void) {
                 occlude_scene_add_occluders(scene, wall, placements, 2, NULL, ids));
   CHECK(ids[0] == OCCLUDE_NONE && ids[1] == OCCLUDE_NONE && occlude_scene_occluders(scene) == 1);
   CHECK_OK(occlude_scene_add_occluders(scene, wall, NULL, 0, NULL, NULL));
-  occlude_mesh_destroy(wall);
-  occlude_view_destroy(view);
-  occlude_scene_destroy(scene);
 }
 
 /// Boxes in records of the caller, in floats or doubles, of either kind and at odd places of memory.
 static void arrays_with_strides(void) {
-  occlude_scene* scene = NULL;
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  occlude_mesh* wall = make_wall();
   occlude_occluder occluder;
   CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
-  occlude_mesh_destroy(wall);
 
   struct record {
     int name;
@@ -293,8 +266,6 @@ static void arrays_with_strides(void) {
   CHECK_OK(occlude_scene_add_objects(scene, &none, NULL, NULL));
   CHECK_OK(occlude_view_visibility(view, &none, NULL));
   CHECK_OK(occlude_scene_remove_objects(scene, NULL, 0));
-  occlude_view_destroy(view);
-  occlude_scene_destroy(scene);
 
   // Vertices in records.
   const double vertices[] = {10, -5, -5, 77, 10, 5, -5, 77, 10, 5, 5, 77};
@@ -317,14 +288,8 @@ static void arrays_with_strides(void) {
 static const double kMatrix[16] = {0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0, -0.2, 1, 0, 0, 0};
 
 static void matrix_cameras(void) {
-  occlude_scene* scene = NULL;
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  occlude_mesh* wall = make_wall();
   occlude_occluder occluder;
   CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
-  occlude_mesh_destroy(wall);
   const occlude_box boxes[] = {kBehind, kBefore, kAway, {{11, 5.1, -1}, {12, 5.5, 1}}};
   const occlude_boxes array = boxes_of(boxes, 4);
   occlude_object ids[5];
@@ -441,14 +406,10 @@ static void matrix_cameras(void) {
   CHECK_OK(occlude_view_create(&unused));
   CHECK_REFUSED(refused, "the view has no frame", occlude_scene_why(scene, unused, ids, 4, fates));
   occlude_view_destroy(unused);
-  occlude_view_destroy(view);
-  occlude_scene_destroy(scene);
 }
 
 /// Whether the frame lists what is nearer first.
-static int is_front_to_back(const occlude_scene* scene, int32_t wanted) {
-  occlude_view* view = NULL;
-  CHECK_OK(occlude_view_create(&view));
+static int is_front_to_back(int32_t wanted) {
   const occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
   occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
   options.is_front_to_back = wanted;
@@ -458,13 +419,10 @@ static int is_front_to_back(const occlude_scene* scene, int32_t wanted) {
   CHECK(frame.count == 100);
   int is_sorted = 1;
   for (size_t i = 1; i < frame.count; ++i) is_sorted = is_sorted && frame.distances[i - 1] <= frame.distances[i];
-  occlude_view_destroy(view);
   return is_sorted;
 }
 
 static void order(void) {
-  occlude_scene* scene = NULL;
-  CHECK_OK(occlude_scene_create(&scene));
   for (int i = 0; i < 100; ++i) {
     const double y = i * 37 % 100 - 50;
     const occlude_box box = {{100, y, 0}, {101, y + 0.5, 1}};
@@ -472,17 +430,16 @@ static void order(void) {
     CHECK_OK(occlude_scene_add_object(scene, &box, NULL, &object));
   }
   CHECK_OK(occlude_scene_update(scene));
-  CHECK(is_front_to_back(scene, 1) && !is_front_to_back(scene, 0));
-  occlude_scene_destroy(scene);
+  CHECK(is_front_to_back(1) && !is_front_to_back(0));
 }
 
 int main(void) {
   CHECK(occlude_version() == OCCLUDE_VERSION);
-  objects_come_and_go();
-  options_of_objects_and_occluders();
-  occluders_in_arrays();
-  arrays_with_strides();
-  matrix_cameras();
-  order();
+  run_test(objects_come_and_go);
+  run_test(options_of_objects_and_occluders);
+  run_test(occluders_in_arrays);
+  run_test(arrays_with_strides);
+  run_test(matrix_cameras);
+  run_test(order);
   return end_of_test();
 }

@@ -31,9 +31,6 @@ static void every_length(const void* whole, size_t full, occlude_status (*works)
   CHECK(works(longer) == OCCLUDE_INVALID_ARGUMENT && strstr(occlude_last_error(), "its size is 0, which is of no version"));
 }
 
-static occlude_scene* scene = NULL;
-static occlude_view* view = NULL;
-static occlude_mesh* wall = NULL;
 static occlude_object behind = OCCLUDE_NONE;
 
 static occlude_status add_object(const void* options) {
@@ -128,10 +125,7 @@ static void reserved(void) {
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "options: reserved is not 0", cull_by_options(&options));
 }
 
-int main(void) {
-  CHECK_OK(occlude_scene_create(&scene));
-  CHECK_OK(occlude_view_create(&view));
-  wall = make_wall();
+static void sizes(void) {
   CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &behind));
   const occlude_object_options object = OCCLUDE_OBJECT_OPTIONS_INIT;
   const occlude_occluder_options occluder = OCCLUDE_OCCLUDER_OPTIONS_INIT;
@@ -148,8 +142,9 @@ int main(void) {
   outputs();
   reserved();
   matrix_camera();
-  occlude_mesh_destroy(wall);
-  occlude_view_destroy(view);
-  occlude_scene_destroy(scene);
+}
+
+int main(void) {
+  run_test(sizes);
   return end_of_test();
 }

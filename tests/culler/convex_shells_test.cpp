@@ -148,14 +148,14 @@ TEST(ConvexShells, NotWhatIsNotConvex) {
 /// Four sides run along the common edge, and it is unclear which two belong together.
 TEST(ConvexShells, NotTwoBoxesThatShareAnEdge) {
   PolygonSoup soup;
-  add_box(soup, {0, 0, 0}, {1, 1, 1});
-  add_box(soup, {1, 1, 0}, {2, 2, 1});
+  soup.add_box({0, 0, 0}, {1, 1, 1});
+  soup.add_box({1, 1, 0}, {2, 2, 1});
   EXPECT_EQ(find_shells(soup).size(), 0U);
 }
 
 TEST(ConvexShells, TwoBoxesThatShareACorner) {
   PolygonSoup soup;
-  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  soup.add_box({0, 0, 0}, {1, 1, 1});
   add_box(soup, {1, 1, 1}, {2, 2, 2}, true);
   const ConvexShells shells = find_shells(soup);
   ASSERT_EQ(shells.size(), 2U);
@@ -167,7 +167,7 @@ TEST(ConvexShells, TwoBoxesThatShareACorner) {
 TEST(ConvexShells, AmongOtherPolygons) {
   PolygonSoup soup;
   add_wall(soup, 0, 0, 1, 0, 1);
-  add_box(soup, {4, 4, 4}, {6, 6, 6});
+  soup.add_box({4, 4, 4}, {6, 6, 6});
   add_wall(soup, 5, 0, 9, 0, 9);  // through the box
   const ConvexShells shells = find_shells(soup);
   ASSERT_EQ(shells.size(), 1U);

@@ -363,7 +363,7 @@ TEST(Culler, VisitsEveryShadowTest) {
 /// The far side of a shell lies in the shadow of its near side, but is drawn, because it is a part of the occluder.
 TEST(Culler, AShellDoesNotHideItself) {
   PolygonSoup soup;
-  add_box(soup, {2, -1, -1}, {4, 1, 1});
+  soup.add_box({2, -1, -1}, {4, 1, 1});
   add_wall(soup, 5, -1, 1, -1, 1);
   for (const auto near : {kernel::Near::surface, kernel::Near::farthest}) {
     const Culler culler = one_polygon_leaves(soup);
@@ -381,7 +381,7 @@ TEST(Culler, AShellDoesNotHideItself) {
 TEST(Culler, AShellInAPairDoesNotHideItself) {
   for (const auto& [y, height] : {std::pair{1.0, 1.0}, {0.1, 20.0}}) {
     PolygonSoup soup;
-    add_box(soup, {2, -y, -1}, {4, y, 1});
+    soup.add_box({2, -y, -1}, {4, y, 1});
     add(soup, {{2, y, -1}, {1.95, 0, -height}, {1.95, 0, height}, {2, y, 1}, {2, y, 0}});
     const Culler culler = one_polygon_leaves(soup);
     const CullResult frame = look(culler, {.occluders = 2, .unions = true});

@@ -18,7 +18,7 @@ using namespace occlude::culler;
 TEST(FollowedSilhouettes, AreSoManyAndOfTheShellsLastAskedFor) {
   PolygonSoup soup;
   constexpr std::uint32_t kShells = 20, kPlaces = 4;
-  for (std::uint32_t i = 0; i < kShells; ++i) add_box(soup, {3.0 * i, 0, 0}, {3.0 * i + 1, 1, 1});
+  for (std::uint32_t i = 0; i < kShells; ++i) soup.add_box({3.0 * i, 0, 0}, {3.0 * i + 1, 1, 1});
   const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
   ASSERT_EQ(occluders.shells().size(), kShells);
   FollowedSilhouettes followed;

@@ -52,7 +52,7 @@ TEST(Missed, NotByAShadowWhereItIsOutOfView) {
 /// The far side of a shell is drawn because it is the shell's, not because its leaf is too coarse.
 TEST(Missed, NotByWhatItIsAPartOf) {
   PolygonSoup soup;
-  add_box(soup, {10, -1, -1}, {12, 1, 1});
+  soup.add_box({10, -1, -1}, {12, 1, 1});
   const Culler culler = with_leaves(soup, 16);
   ASSERT_EQ(culler.occluders().shells().size(), 1U);
   const Camera camera;

@@ -146,7 +146,7 @@ TEST(NearPlane, APolytopeThatItCutsHidesNothing) {
 /// In the Third Person Shooter demo of Godot everything disappears when the camera enters an occluder.
 TEST(NearPlane, NothingDisappearsForACameraInAShell) {
   PolygonSoup soup;
-  add_box(soup, {-3, -3, -3}, {3, 3, 3});
+  soup.add_box({-3, -3, -3}, {3, 3, 3});
   for (int i = 0; i < 8; ++i) add_wall(soup, -2 + 0.5 * i, -0.5, 0.5, -0.5, 0.5);
   const auto outside = static_cast<std::uint32_t>(soup.size());
   add_wall(soup, 9, -1, 1, -1, 1);
@@ -228,7 +228,7 @@ TEST(Facing, IsDecidedByTheSideOfTheEye) {
 /// A shell beside the line of sight shows the eye faces that point forward, as the camera does.
 TEST(Facing, OfAShellBesideTheLineOfSight) {
   PolygonSoup soup;
-  add_box(soup, {1, 3, -5}, {2, 6, 5});
+  soup.add_box({1, 3, -5}, {2, 6, 5});
   const auto beyond = static_cast<std::uint32_t>(soup.size());
   add_wall(soup, 5, 14, 15, -1, 1);  // seen through the side at y = 3 and that at x = 1
   const auto beside = static_cast<std::uint32_t>(soup.size());

@@ -21,11 +21,6 @@ using kernel::Vec3;
 
 constexpr std::uint32_t kSeed = 20260;
 
-Vec3 random_vector(std::mt19937& random, double low, double high) {
-  const double x = uniform(random, low, high), y = uniform(random, low, high);
-  return {x, y, uniform(random, low, high)};
-}
-
 /// Whether the axis-aligned box holds the oriented one, exactly: whether that is inside six half-spaces.
 bool holds(const Aabb& outer, const Obb& box) {
   for (int axis = 0; axis < 3; ++axis) {

@@ -41,11 +41,6 @@ using kernel::Vec3;
 constexpr std::uint32_t kSeed = 20260;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Vec3 random_vector(std::mt19937& random, double low, double high) {
-  const double x = uniform(random, low, high), y = uniform(random, low, high);
-  return {x, y, uniform(random, low, high)};
-}
-
 /// A box somewhere in the town of random_town(), oriented in half of all cases.
 Box random_box(std::mt19937& random) {
   const Vec3 at{uniform(random, -50, 50), uniform(random, -50, 50), uniform(random, 0, 5)};
@@ -601,7 +596,7 @@ TEST(Scene, OneSidedOccludersHideFromTheirFront) {
   scene.add(Aabb{{4, -0.5, -0.5}, {5, 0.5, 0.5}});
   const auto box = [] {
     PolygonSoup soup;
-    add_box(soup, {-1, -1, -1}, {1, 1, 1});
+    soup.add_box({-1, -1, -1}, {1, 1, 1});
     return std::make_shared<OccluderMesh>(soup);
   }();
   const OccluderId occluder = scene.add(box, Placement{}, {.is_one_sided = true});

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <random>
 #include <vector>
 
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/kernel/types.h"
 
 namespace occlude::culler {
 
@@ -21,6 +23,11 @@ inline void add(PolygonSoup& soup, const std::vector<glm::dvec3>& polygon) {
 /// Uniform in [low, high), the same on every machine.
 inline double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+inline kernel::Vec3 random_vector(std::mt19937& random, double low, double high) {
+  const double x = uniform(random, low, high), y = uniform(random, low, high);
+  return {x, y, uniform(random, low, high)};
 }
 
 /// The rectangle at this x, from (y0, z0) to (y1, z1).
@@ -51,22 +58,18 @@ inline PolygonSoup random_town(std::uint32_t seed, std::size_t polygons) {
   return soup;
 }
 
-/// The box from `low` to `high`, every face turned outwards. A face is a quadrilateral, or two triangles along a diagonal
-/// that begins at the lowest corner of the box or ends at the highest.
-inline void add_box(PolygonSoup& soup, const glm::dvec3& low, const glm::dvec3& high, bool triangles = false) {
-  std::array<std::uint32_t, 8> corners{};
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    corners[i] = soup.add_vertex({i & 1U ? high.x : low.x, i & 2U ? high.y : low.y, i & 4U ? high.z : low.z});
-  }
-  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
-      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-  for (const auto& face : kFaces) {
-    const std::array loop{corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]};
-    if (triangles) {
-      soup.add_polygon(std::array{loop[0], loop[1], loop[2]});
-      soup.add_polygon(std::array{loop[0], loop[2], loop[3]});
-    } else {
-      soup.add_polygon(loop);
+/// PolygonSoup::add_box() with two triangles for each face, if wanted: along a diagonal that begins at the lowest corner of
+/// the box or ends at the highest.
+inline void add_box(PolygonSoup& soup, const glm::dvec3& low, const glm::dvec3& high, bool triangles) {
+  if (!triangles) return soup.add_box(low, high);
+  PolygonSoup box;
+  box.add_box(low, high);
+  const std::uint32_t begin = PolygonSoup::narrowed(soup.vertices.size());
+  for (const glm::dvec3& v : box.vertices) soup.add_vertex(v);
+  for (std::size_t p = 0; p < box.size(); ++p) {
+    const auto face = box.loop(p);
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      soup.add_polygon(std::array{begin + face[0], begin + face[i - 1], begin + face[i]});
     }
   }
 }

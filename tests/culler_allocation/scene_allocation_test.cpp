@@ -71,7 +71,7 @@ class World {
   Scene scene_;
   std::shared_ptr<const OccluderMesh> door_ = [] {
     PolygonSoup soup;
-    add_box(soup, {0, 0, 0}, {1, 0.1, 2});
+    soup.add_box({0, 0, 0}, {1, 0.1, 2});
     return std::make_shared<OccluderMesh>(soup);
   }();
   std::vector<ObjectId> moving_;

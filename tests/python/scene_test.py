@@ -128,6 +128,20 @@ class Scenes(unittest.TestCase):
         self.assertEqual(len(world.scene.cull(camera, mask=3).drawn), 0)
         self.assertEqual(set(world.scene.cull(camera).drawn["id"]), set(far) & set(frame.drawn["id"]))
 
+    def test_threads_change_nothing(self):
+        world = World(brute.random())
+        boxes = world.random_boxes(20000)
+        camera, frames = occlude.Camera([0, 0, 0], [1, 0, 0]), []
+        for threads in (1, 2, 7):
+            scene = occlude.Scene()
+            scene.add_objects(boxes)
+            scene.add_occluder(world.mesh, np.hstack([np.eye(3), [[12], [0], [0]]]))
+            scene.update(threads=threads)
+            frames.append(scene.cull(camera, threads=threads))
+            self.assertGreater(frames[-1].statistics["hidden"], 100)
+            self.assertEqual(frames[-1].drawn.tolist(), frames[0].drawn.tolist())
+            self.assertEqual(frames[-1].statistics, frames[0].statistics)
+
     def test_occluders(self):
         scene, square = occlude.Scene(), np.array([[10, -5, -5], [10, 5, -5], [10, 5, 5], [10, -5, 5]], "f4")
         behind = scene.add_object([20, -1, -1, 21, 1, 1])
@@ -243,6 +257,8 @@ class Scenes(unittest.TestCase):
             ("indices after its last polygon", lambda: occlude.OccluderMesh(np.eye(3), [0, 1, 2, 0], sizes=[3])),
             ("eye", lambda: occlude.Camera([0, 0, 0], [0, 0, 0])),
             ("projection is 'wide'", lambda: occlude.Camera([0, 0, 0], [1, 0, 0], projection="wide")),
+            ("threads must be 1 to 65536", lambda: scene.update(threads=0)),
+            ("threads must be 1 to 65536", lambda: scene.cull(occlude.Camera([0, 0, 0], [1, 0, 0]), threads=65537)),
             ("box 0: box has min > max", lambda: occlude.View().visibility([[1, 0, 0, 0, 1, 1]])),
         ):
             with self.assertRaisesRegex(ValueError, text):

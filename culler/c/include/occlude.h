@@ -6,8 +6,8 @@
 // 1. **No exceptions.** No function throws, ends the program or prints. Each that can fail returns an occlude_status;
 //    occlude_last_error() then says why. What fails changes nothing, unless it is said.
 // 2. **Arguments** are checked. Null pointers, ids of nothing, numbers that are not legal and unknown enumerators are
-//    refused. Not checked: that a handle is one of this library and was not destroyed, and that memory has the size that
-//    was said.
+//    refused. Not checked: that a handle is one of this library and was not destroyed, that memory has the size that was
+//    said, and that an executor runs each part once.
 // 3. **Structs** of options, cameras, data, frames and statistics begin with their size, which the OCCLUDE_..._INIT macros
 //    fill in. A newer library takes the shorter struct of an older header, and uses defaults for what that does not have. A
 //    longer one is refused. Options may be null: all defaults.
@@ -16,7 +16,7 @@
 //    its own. Changes may be made while others cull, one change at a time; but different objects that have
 //    occlude_object_options.moves may be moved on several threads at once. occlude_scene_update() must run alone. A view
 //    belongs to one thread while it is culled with; between frames any number of threads may ask it. Meshes may be made on
-//    any thread, and used on all.
+//    any thread, and used on all. An occlude_executor spreads one call over threads of the caller.
 // 6. **Coordinates** are right-handed and in any unit. Those of meshes are at most 2^100; boxes may have any numbers but NaN
 //    (`class Scene`, Boxes).
 #ifndef OCCLUDE_H
@@ -108,6 +108,24 @@ typedef struct occlude_boxes {
   occlude_box_kind kind;
 } occlude_boxes;
 
+// ---- Threads of the caller ----
+
+/// A part of a piece of work, and what it is called with.
+typedef void (*occlude_part)(void* work, size_t part);
+
+/// Runs parts of a piece of work on threads of the caller: a job system, or a pool of threads. Results do not depend on it.
+typedef struct occlude_executor {
+  size_t size;     ///< of this struct
+  size_t threads;  ///< how many parts `run` can run at once, 1 to 65536; work is divided into about so many
+  /// Calls part(work, 0), ..., part(work, count - 1), each once, in any order and on any threads, at once or one after
+  /// another. Returns when all have returned. Parts never throw. Must be said.
+  void (*run)(void* context, size_t count, occlude_part part, void* work);
+  void* context;
+} occlude_executor;
+
+#define OCCLUDE_EXECUTOR_INIT \
+  { sizeof(occlude_executor), 1, NULL, NULL }
+
 // ---- Meshes: what hides ----
 
 /// Geometry that hides, prepared once and shared by all occluders that have it. It cannot be changed.
@@ -125,10 +143,11 @@ typedef struct occlude_mesh_data {
   /// Asked every few milliseconds, on any thread and on several at once; not 0: making the mesh is given up. Null: never.
   int (*should_stop)(void* context);
   void* context;
+  const occlude_executor* executor;  ///< where the mesh is made; null: threads of the library's own, one for each processor
 } occlude_mesh_data;
 
 #define OCCLUDE_MESH_DATA_INIT \
-  { sizeof(occlude_mesh_data), {NULL, 0, 0, OCCLUDE_DOUBLE}, NULL, 0, NULL, 0, NULL, NULL }
+  { sizeof(occlude_mesh_data), {NULL, 0, 0, OCCLUDE_DOUBLE}, NULL, 0, NULL, 0, NULL, NULL, NULL }
 
 /// Copies the data, and writes the mesh to `mesh`. A mesh without polygons is legal and hides nothing.
 OCCLUDE_API occlude_status occlude_mesh_create(const occlude_mesh_data* data, occlude_mesh** mesh) OCCLUDE_NO_THROW;
@@ -257,6 +276,8 @@ OCCLUDE_API int32_t occlude_scene_has_occluder(const occlude_scene* scene, occlu
 
 /// Makes all changes since the last update. When memory runs out, the scene may only be destroyed.
 OCCLUDE_API occlude_status occlude_scene_update(occlude_scene* scene) OCCLUDE_NO_THROW;
+/// The same; large tiles, of thousands of objects that stand still, are built by the executor.
+OCCLUDE_API occlude_status occlude_scene_update_by(occlude_scene* scene, const occlude_executor* executor) OCCLUDE_NO_THROW;
 
 /// What is in the scene, disabled ones included, and bytes of memory held for objects; 0 for null.
 OCCLUDE_API size_t occlude_scene_objects(const occlude_scene* scene) OCCLUDE_NO_THROW;
@@ -354,10 +375,13 @@ typedef struct occlude_cull_options {
   /// Whether the objects to draw are listed from front to back.
   int32_t is_front_to_back;
   int32_t reserved;  ///< 0
+  /// Where the objects are tested; null: on the calling thread. Occluders are drawn on the calling thread. The result is the
+  /// same, to the order of the arrays.
+  const occlude_executor* executor;
 } occlude_cull_options;
 
 #define OCCLUDE_CULL_OPTIONS_INIT \
-  { sizeof(occlude_cull_options), 512, 288, 0, 0, 0, 0xffffffffu, 0, 0, 0 }
+  { sizeof(occlude_cull_options), 512, 288, 0, 0, 0, 0xffffffffu, 0, 0, 0, NULL }
 
 /// What to draw, for the next frame of the view. If the camera is refused, the view keeps its last frame. When memory runs
 /// out, it may be empty.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "executors.h"
 #include "handles.h"
 #include "ids.h"
 #include "status.h"
@@ -22,7 +23,7 @@ namespace {
 
 static_assert(sizeof(occlude_matrix_camera) == 2 * sizeof(std::size_t) + 24, "no padding: structs.h");
 static_assert(sizeof(occlude_look_at_camera) == sizeof(std::size_t) + 120, "no padding: structs.h");
-static_assert(sizeof(occlude_cull_options) == sizeof(std::size_t) + 48, "no padding: structs.h");
+static_assert(sizeof(occlude_cull_options) == 2 * sizeof(std::size_t) + 48, "no padding: structs.h");
 
 glm::dvec3 dvec3(const double* v) { return {v[0], v[1], v[2]}; }
 
@@ -98,8 +99,7 @@ To limit(From given, To none) {
   return static_cast<To>(std::min<From>(given, static_cast<From>(std::numeric_limits<To>::max())));
 }
 
-culler::SceneOptions to_options(const occlude_cull_options* given) {
-  const auto options = read_options(given, occlude_cull_options OCCLUDE_CULL_OPTIONS_INIT, "options");
+culler::SceneOptions to_options(const occlude_cull_options& options) {
   const culler::CoverOptions none;
   return {.cover = {.width = options.cover_width,
                     .height = options.cover_height,
@@ -138,11 +138,15 @@ occlude_status cull(const occlude_scene* scene, const Camera* given, const occlu
     require(scene, "scene");
     require(view, "view");
     const auto camera = to_camera(given);
-    const culler::SceneOptions options = to_options(given_options);
-    static_cast<void>(scene->scene.cull(camera, options, view->view));
+    const auto options = read_options(given_options, occlude_cull_options OCCLUDE_CULL_OPTIONS_INIT, "options");
+    const culler::Executor executor = options.executor == nullptr ? culler::Executor() : to_executor(options.executor);
+    culler::SceneOptions asked = to_options(options);
+    asked.executor = &executor;
+    static_cast<void>(scene->scene.cull(camera, asked, view->view));
     copy_frame(*view);
     view->camera = camera;
-    view->options = options;
+    asked.executor = nullptr;  // it is of this frame alone
+    view->options = asked;
   });
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "executors.h"
 #include "handles.h"
 #include "status.h"
 #include "structs.h"
@@ -58,10 +59,11 @@ PolygonSoup soup_of(const occlude_mesh_data& data) {
 }
 
 culler::Checkpoint checkpoint_of(const occlude_mesh_data& data) {
-  if (data.should_stop == nullptr) return {};
-  return [should_stop = data.should_stop, context = data.context] {
-    if (should_stop(context) != 0) throw Stopped();
+  using culler::Executor;
+  const auto ask = [should_stop = data.should_stop, context = data.context] {
+    if (should_stop != nullptr && should_stop(context) != 0) throw Stopped();
   };
+  return {ask, data.executor == nullptr ? Executor::own_threads() : to_executor(data.executor)};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "arrays.h"
+#include "executors.h"
 #include "handles.h"
 #include "ids.h"
 #include "status.h"
@@ -144,6 +145,13 @@ occlude_status occlude_scene_update(occlude_scene* scene) noexcept {
   return guarded([&] {
     require(scene, "scene");
     scene->scene.update();
+  });
+}
+
+occlude_status occlude_scene_update_by(occlude_scene* scene, const occlude_executor* executor) noexcept {
+  return guarded([&] {
+    require(scene, "scene");
+    scene->scene.update(to_executor(executor));
   });
 }
 

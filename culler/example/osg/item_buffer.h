@@ -18,8 +18,7 @@ class ItemBuffer {
  public:
   ItemBuffer(osg::GraphicsContext& context, std::span<const Thing> things);
 
-  /// Whether each thing has a pixel. What is opaque is seen through glass; glass behind glass may be
-  /// missed.
+  /// Whether each thing has a pixel. What is opaque is seen through glass; glass behind glass may be missed.
   std::vector<bool> visible(double time, const osg::Matrixd& view);
 
  private:

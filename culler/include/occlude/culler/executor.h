@@ -17,14 +17,19 @@ class Executor {
   /// when all have returned.
   using Run = std::function<void(std::size_t count, const Part& part)>;
 
+  /// More than machines have, and few enough to be multiplied.
+  static constexpr std::size_t kMostThreads = 65536;
+
   /// The calling thread alone.
   Executor() = default;
   /// `threads` is how many parts `run` can run at once. Work is divided into about so many. REQUIRES: `run` is not empty;
-  /// threads > 0.
+  /// 0 < threads <= kMostThreads.
   Executor(std::size_t threads, Run run);
   /// A thread for each processor, or as many as the system can start. They are started for each piece of work, so they are
   /// for long work only.
   [[nodiscard]] static Executor own_threads();
+  /// The same with so many threads, the calling one among them. REQUIRES: 0 < threads <= kMostThreads.
+  [[nodiscard]] static Executor own_threads(std::size_t threads);
 
   [[nodiscard]] std::size_t threads() const { return threads_; }
   /// Does what Run says. What `run` throws is thrown on.

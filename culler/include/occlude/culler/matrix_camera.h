@@ -96,8 +96,7 @@ struct MatrixCamera {
 
 /// Appends the half-spaces of the clip volume: left, right, bottom, top, near and far.
 /// 1. Their intersection holds everything that the matrix shows from any eye within eye_radius, and that a renderer in
-/// single
-///    precision can draw of a model within `depth` of the eye. `depth` is an L1 distance, in model units.
+///    single precision can draw of a model within `depth` of the eye. `depth` is an L1 distance, in model units.
 /// 2. Each plane lies outside the matrix's own by eye_radius and at least 2^-20 `depth`, and by more where the rows of the
 ///    matrix nearly cancel in it, as in a far plane that is thousands of times as far as the near plane.
 /// 3. All their numbers are legal for the kernel. A normal has length 1 or less, up to rounding.

@@ -64,6 +64,9 @@ struct PolygonSoup {
     indices.insert(indices.end(), polygon.begin(), polygon.end());
     first.push_back(end);
   }
+  /// Adds the box from `low` to `high` as six quadrilaterals over eight vertices of its own, counter-clockwise from outside.
+  /// Throws as the two above.
+  void add_box(const glm::dvec3& low, const glm::dvec3& high);
 
   /// The same number in 32 bits. Throws std::length_error if it does not fit.
   [[nodiscard]] static std::uint32_t narrowed(std::size_t number) {

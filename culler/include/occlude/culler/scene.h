@@ -66,7 +66,9 @@ struct OccluderOptions {
 ///
 /// **Errors.** std::invalid_argument, with the place and the reason, for an id of nothing that is in the scene, for a box
 /// with a NaN or with min > max, for a placement with a number that is not finite or one that takes its mesh beyond 2^100,
-/// and for a null mesh. What throws changes nothing. std::runtime_error while the processor does not round to nearest.
+/// and for a null mesh. What throws changes nothing. While the processor does not round to nearest, cull(), why(),
+/// SceneView::visibility() and making an OccluderMesh throw std::runtime_error. Changes and update() do not check it: a
+/// program that changes the mode must restore it before them.
 ///
 /// A scene that was moved from may only be destroyed or assigned to.
 class Scene {

@@ -35,9 +35,8 @@ class ShrunkShadow;  // src/shrunk_shadow.h
 /// meets the occluder:
 /// 1. The point at the share t of this segment is also at the share t of the segment from V to b(t) = b + e (1 - t) / t.
 /// 2. From t0 = (w - d) / (D + d) on, b(t) is within r of b, so that the segment from V to b(t) meets the occluder. It
-/// enters at
-///    a share a(t) <= 1. It passes the hull of the silhouette's corners, of the occluder or behind its surface, at a share
-///    of w or more along the line of sight, which is t0 or more; so it leaves the occluder at c(t) >= t0.
+///    enters at a share a(t) <= 1. It passes the hull of the silhouette's corners, of the occluder or behind its surface, at
+///    a share of w or more along the line of sight, which is t0 or more; so it leaves the occluder at c(t) >= t0.
 /// 3. m(t) = max(a(t), min(c(t), t0)) is in the occluder, and continuous. It is at least t0 at t0, and at most 1 at 1. So
 ///    somewhere it is t.
 /// The kernel decides exactly whether the box grown by r is in the shadow. With parallel rays points move by at most d, and
