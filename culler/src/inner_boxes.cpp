@@ -117,7 +117,7 @@ Aabb filled(const BoxMaker& maker, const Aabb& core, const Aabb& around, const A
 std::vector<Aabb> boxes_in(const Solid& solid, const InnerBoxOptions& options, const Checkpoint& checkpoint) {
   std::vector<Aabb> boxes;
   if (!is_askable(solid.box)) return boxes;
-  SolidCells cells(solid, std::clamp<std::size_t>(options.cells, 3, SolidCells::kMostCells));
+  SolidCells cells(solid, std::clamp<std::size_t>(options.cells, 3, SolidCells::kMostCells), checkpoint);
   const BoxMaker maker(solid, checkpoint);
   std::size_t largest = 0;
   for (std::size_t i = 0; i < options.boxes; ++i) {

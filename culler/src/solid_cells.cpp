@@ -34,10 +34,13 @@ std::uint64_t bits_of(std::size_t first, std::size_t length) { return ~std::uint
 
 }  // namespace
 
-SolidCells::SolidCells(const Solid& solid, std::size_t size)
+SolidCells::SolidCells(const Solid& solid, std::size_t size, const Checkpoint& checkpoint)
     : size_(size), space_(solid.box), rows_(size * size, bits_of(0, size)) {
-  for (const SolidTriangle& triangle : solid.triangles) mark(triangle);
-  drop_outside(solid);
+  for (const SolidTriangle& triangle : solid.triangles) {
+    checkpoint();
+    mark(triangle);
+  }
+  drop_outside(solid, checkpoint);
 }
 
 void SolidCells::mark(const SolidTriangle& triangle) {
@@ -71,8 +74,9 @@ void SolidCells::mark(const Piece& piece) {
   mark(Piece{middle, to, other});
 }
 
-/// Free cells that are connected are inside or outside together.
-void SolidCells::drop_outside(const Solid& solid) {
+/// Free cells that are connected are inside or outside together. Middles of cells that are not legal points may be taken for
+/// anything; boxes are proven later.
+void SolidCells::drop_outside(const Solid& solid, const Checkpoint& checkpoint) {
   DisjointSets sets(size_ * size_ * size_);
   const auto join = [&](std::size_t a, std::size_t b) {
     const std::uint32_t p = sets.find(static_cast<std::uint32_t>(a)), q = sets.find(static_cast<std::uint32_t>(b));
@@ -87,6 +91,7 @@ void SolidCells::drop_outside(const Solid& solid) {
   }
   sets.for_each_set([&](std::span<const std::uint32_t> cells) {
     if (!is_free(cells.front())) return;
+    checkpoint();
     if (is_inside(solid, middle(box(block_of(cells.front()))))) return;
     for (const std::uint32_t cell : cells) take(block_of(cell));
   });

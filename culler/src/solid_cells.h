@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/kernel/types.h"
 #include "solid.h"
 
@@ -27,8 +28,8 @@ class SolidCells {
   };
 
   /// `size` cells on each axis, so that thin solids have some, too. REQUIRES: 0 < size <= kMostCells; a solid whose box has
-  /// volume. Takes time in proportion to the triangles, times the cells that each spans, and to the cells.
-  SolidCells(const Solid& solid, std::size_t size);
+  /// volume. Takes time in proportion to the cells that triangles meet, and to the cells.
+  SolidCells(const Solid& solid, std::size_t size, const Checkpoint& checkpoint);
 
   /// A block with as many cells as any that has only cells inside the solid that are not taken. Takes time in proportion to
   /// the fourth power of the size, and a few operations on words for each such unit.
@@ -48,7 +49,7 @@ class SolidCells {
   [[nodiscard]] Block block_of(std::size_t cell) const;
   void mark(const SolidTriangle& triangle);
   void mark(const Piece& piece);
-  void drop_outside(const Solid& solid);
+  void drop_outside(const Solid& solid, const Checkpoint& checkpoint);
 
   std::size_t size_;
   kernel::Aabb space_;
