@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// occlude preprocess: finds out once what every walk through a model can use.
+// occlude preprocess: finds out once what every walk through a model can use, and boxes inside of it for engines.
 #include "occlude/culler/preprocess.h"
 
 #include <fmt/format.h>
@@ -10,9 +10,11 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "occlude/culler/inner_boxes.h"
 #include "occlude/render/console.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
@@ -22,13 +24,71 @@
 namespace occlude::cli {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+using nlohmann::ordered_json;
+
 struct Arguments {
-  std::string model, out, pattern = "even", seed = "1";
+  std::string model, out, inner_boxes, pattern = "even", seed = "1";
   BuildArguments build;
   culler::OccluderLists::Config lists;
   culler::SampleConfig samples;
+  culler::InnerBoxOptions boxes;
   bool json = false;
 };
+
+/// What is told about a file that was made.
+struct Summary {
+  std::string line;
+  ordered_json json;
+};
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+Summary make_preprocess(render::OutputFile& file, const culler::PolygonSoup& soup, const Arguments& arguments,
+                        const culler::BuildConfig& config) {
+  const auto start = Clock::now();
+  const culler::Preprocess result = [&] {
+    render::Watch watch("region");
+    return culler::preprocess(soup, config, arguments.samples, std::ref(watch), render::check_interrupt);
+  }();
+  const double seconds = seconds_since(start);
+  render::check_interrupt();
+  render::write_preprocess(file, soup, result);
+  file.close();
+  const culler::OccluderLists::Stored& lists = result.lists;
+  const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
+  const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
+  return {fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out, soup.size(),
+                      result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled, seconds),
+          {{"polygons", soup.size()},
+           {"nodes", result.layout.left.size()},
+           {"regions", lists.first.size() - 1},
+           {"listed", lists.occluders.size()},
+           {"found_to_hide", lists.hidden.empty() ? ordered_json() : ordered_json(hide)},
+           {"seconds", seconds}}};
+}
+
+Summary make_inner_boxes(render::OutputFile& file, const culler::PolygonSoup& soup, const Arguments& arguments) {
+  const auto start = Clock::now();
+  const culler::InnerBoxes found = [&] {
+    render::Watch watch("part");
+    return culler::find_inner_boxes(soup, arguments.boxes, std::ref(watch), render::check_interrupt);
+  }();
+  const double seconds = seconds_since(start);
+  render::write_ply(file, culler::soup_of(found.boxes), "boxes inside the closed parts of a model");
+  file.close();
+  return {
+      fmt::format("{}: parts {}, closed {}, with inner boxes {}; boxes {}, of which the first of each part fill {:.0f} % "
+                  "of the closed parts' own boxes; {:.1f} s\n",
+                  arguments.inner_boxes, found.parts, found.closed_parts, found.filled_parts, found.boxes.size(),
+                  100 * found.share, seconds),
+      {{"parts", found.parts},
+       {"closed_parts", found.closed_parts},
+       {"filled_parts", found.filled_parts},
+       {"boxes", found.boxes.size()},
+       {"share", found.share},
+       {"seconds", seconds}}};
+}
 
 void preprocess(Arguments& arguments) {
   culler::BuildConfig config = arguments.build.config();
@@ -37,36 +97,23 @@ void preprocess(Arguments& arguments) {
   arguments.samples.seed = whole_number("--seed", arguments.seed);
   arguments.samples.pattern =
       arguments.pattern == "random" ? culler::SampleConfig::Pattern::random : culler::SampleConfig::Pattern::even;
-  render::OutputFile file(arguments.out);
+  std::optional<render::OutputFile> file, box_file;
+  if (!arguments.out.empty()) file.emplace(arguments.out);
+  if (!arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
   const culler::PolygonSoup soup = render::read_model(arguments.model);
-  const auto start = std::chrono::steady_clock::now();
-  const culler::Preprocess result = [&] {
-    render::Watch watch("region");
-    return culler::preprocess(soup, config, arguments.samples, std::ref(watch), render::check_interrupt);
-  }();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  render::check_interrupt();
-  render::write_preprocess(file, soup, result);
-  render::check_interrupt();
-  file.commit();
-  const culler::OccluderLists::Stored& lists = result.lists;
-  const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
-  if (arguments.json) {
-    const nlohmann::ordered_json summary{
-        {"polygons", soup.size()},
-        {"nodes", result.layout.left.size()},
-        {"regions", lists.first.size() - 1},
-        {"listed", lists.occluders.size()},
-        {"found_to_hide", lists.hidden.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(hide)},
-        {"bytes", std::filesystem::file_size(arguments.out)},
-        {"seconds", seconds}};
-    render::print(summary.dump(2) + "\n");
-    return;
+
+  Summary told{"", {{"polygons", soup.size()}}};
+  if (file) told = make_preprocess(*file, soup, arguments, config);
+  if (box_file) {
+    const Summary boxes = make_inner_boxes(*box_file, soup, arguments);
+    told.line += boxes.line;
+    told.json["inner_boxes"] = boxes.json;
   }
-  const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
-  render::print(fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out,
-                            soup.size(), result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled,
-                            seconds));
+  render::check_interrupt();
+  if (file) file->commit();
+  if (box_file) box_file->commit();
+  if (file) told.json["bytes"] = std::filesystem::file_size(arguments.out);
+  render::print(arguments.json ? told.json.dump(2) + "\n" : told.line);
 }
 
 }  // namespace
@@ -76,13 +123,19 @@ void add_preprocess(Command app, int&) {
   command.footer(
       "Stores the order of the tree, the occluders that each region of space lists, and what they hide as sampled there, "
       "for\n"
-      "walk and validate with --preprocess. Nothing in it can make a cull wrong.\n" +
+      "walk and validate with --preprocess. Nothing in it can make a cull wrong.\n"
+      "\n"
+      "Inner boxes are occluders for engines: they lie exactly inside of the closed parts of the model, and hide nothing\n"
+      "wrongly from eyes outside of these parts.\n" +
       limits_help() +
       "\n"
-      "Example: occlude preprocess city.ply --out city.pre");
+      "Example: occlude preprocess city.ply --out city.pre --inner-boxes boxes.ply");
   const auto a = std::make_shared<Arguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
-  add_output(command, "--out", a->out, "file to write").required();
+  Command outputs = command.add_any_of("Outputs", "one of these or both");
+  add_output(outputs, "--out", a->out, "file to write");
+  const Option inner_boxes = add_output(outputs, "--inner-boxes", a->inner_boxes,
+                                        "PLY to write: boxes inside of the closed parts, six quadrilaterals each");
   a->build.add_to(command);
   command.add("--region-count", a->lists.regions, "number of regions aimed at; of a tree the most")
       .show_default()
@@ -100,6 +153,14 @@ void add_preprocess(Command app, int&) {
       .in_range(std::size_t{0}, std::size_t{1000});
   command.add("--pattern", a->pattern, "how viewpoints are spread").show_default().one_of({"even", "random"});
   command.add("--seed", a->seed, "whole number; same seed, same viewpoints, on any machine").show_default();
+  command.add("--boxes", a->boxes.boxes, "inner boxes of a part at most")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{64})
+      .needs(inner_boxes);
+  command.add("--cells", a->boxes.cells, "cells along each axis of a part, of the grid in which inner boxes are looked for")
+      .show_default()
+      .in_range(std::size_t{3}, std::size_t{64})
+      .needs(inner_boxes);
   command.add_flag("--json", a->json, "print the counts as JSON");
   command.run([a] { preprocess(*a); });
 }

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "occlude/culler/polygon_soup.h"
@@ -34,6 +35,17 @@ inline void grow(kernel::Aabb& box, const kernel::Aabb& other) {
 }
 
 inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kernel::Aabb{point, point}); }
+
+/// The middle between two points, rounded.
+[[nodiscard]] inline kernel::Vec3 middle(const kernel::Vec3& a, const kernel::Vec3& b) {
+  return {std::midpoint(a.x, b.x), std::midpoint(a.y, b.y), std::midpoint(a.z, b.z)};
+}
+[[nodiscard]] inline kernel::Vec3 middle(const kernel::Aabb& box) { return middle(box.min, box.max); }
+
+/// Corner i of 8: where bit k of i is set, coordinate k is the larger.
+[[nodiscard]] inline kernel::Vec3 corner(const kernel::Aabb& box, unsigned i) {
+  return {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y, i & 4U ? box.max.z : box.min.z};
+}
 
 /// The largest distance of a point of the box from the eye, as the sum over the axes.
 [[nodiscard]] inline double depth(const kernel::Aabb& box, const glm::dvec3& eye) {

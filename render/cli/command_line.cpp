@@ -47,6 +47,12 @@ Command Command::add_alternatives(const std::string& name, const std::string& te
   return Command(*group);
 }
 
+Command Command::add_any_of(const std::string& name, const std::string& text) {
+  CLI::Option_group* const group = app_->add_option_group(name, text);
+  group->require_option(1, 0);  // 0: no most
+  return Command(*group);
+}
+
 template <class T>
 Option Command::add(const std::string& name, T& value, const std::string& text) {
   return Option(*app_->add_option(name, value, text));

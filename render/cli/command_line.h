@@ -56,6 +56,8 @@ class Command {
   Command add_command(const std::string& name, const std::string& text);
   /// Adds a group of options of which exactly one must be given.
   Command add_alternatives(const std::string& name, const std::string& text);
+  /// Adds a group of options of which at least one must be given.
+  Command add_any_of(const std::string& name, const std::string& text);
   /// Adds an option, or without dashes an argument, that sets `value`: a std::string, a number, a std::optional of these,
   /// or a vector of strings.
   template <class T>

@@ -57,6 +57,30 @@ expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out 
 expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --regions grid
 expect_error "named twice" "$occlude" preprocess good.ply --out good.ply
 
+# Inner boxes: two solids and a wall; the boxes are a model themselves, closed.
+ply solids.ply 14 9 '0 0 0\n2 0 0\n0 3 0\n2 3 0\n0 0 4\n2 0 4\n0 3 4\n2 3 4\n9 0 0\n9 1 0\n9 0 1\n8 0 0\n20 0 0\n20 1 0\n4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n4 4 5 7 6\n3 8 9 10\n3 8 9 11\n3 11 12 13\n'
+"$occlude" preprocess solids.ply --inner-boxes boxes.ply >stdout || fail "preprocess --inner-boxes: $(cat stdout)"
+grep -q '^boxes.ply: parts 2, closed 1, with inner boxes 1; boxes 1, of which the first of each part fill 100 % of .* s$' stdout ||
+  fail "preprocess --inner-boxes says: $(cat stdout)"
+[ "$(wc -l <stdout)" -eq 1 ] || fail "preprocess --inner-boxes prepares what was not asked for: $(cat stdout)"
+"$occlude" preprocess boxes.ply --inner-boxes again.ply --json >stdout || fail "boxes are no model: $(cat stdout)"
+cmp -s boxes.ply again.ply || fail "the inner box of a box is not the box"
+grep -q '"polygons": 6,' stdout && grep -q '"closed_parts": 1,' stdout && grep -q '"boxes": 1,' stdout || fail "--json: $(cat stdout)"
+grep -q '"nodes"' stdout && fail "--json tells of a file that was not asked for: $(cat stdout)"
+"$occlude" preprocess solids.ply --out solids.pre --inner-boxes both.ply --json >stdout || fail "both outputs"
+cmp -s boxes.ply both.ply || fail "inner boxes differ beside --out"
+grep -q '"nodes"' stdout && grep -q '"bytes"' stdout && grep -q '"inner_boxes"' stdout || fail "--json of both: $(cat stdout)"
+"$occlude" preprocess good.ply --inner-boxes none.ply >stdout || fail "a model without closed parts"
+grep -q '^none.ply: parts 64, closed 0, with inner boxes 0; boxes 0, ' stdout || fail "no closed parts: $(cat stdout)"
+grep -qa '^element face 0$' none.ply || fail "no boxes: $(cat none.ply)"
+expect_error "--inner-boxes" "$occlude" preprocess solids.ply
+expect_error "--boxes" "$occlude" preprocess solids.ply --inner-boxes out.ply --boxes 0
+expect_error "--cells" "$occlude" preprocess solids.ply --inner-boxes out.ply --cells 65
+expect_error "--inner-boxes" "$occlude" preprocess solids.ply --out out.pre --cells 8
+expect_error "named twice" "$occlude" preprocess solids.ply --inner-boxes solids.ply
+expect_error "out.ply" "$occlude" preprocess solids.ply --out out.ply --inner-boxes ./out.ply
+expect_error "missing" "$occlude" preprocess solids.ply --inner-boxes missing/out.ply
+
 # When interrupted, it leaves the old file. The lists here take many times as long as usual.
 "$occlude" generate city --polygons 20000 --out city.ply --path city.json >/dev/null || fail "generate"
 echo old >city.pre

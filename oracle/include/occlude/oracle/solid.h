@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Whether a box lies inside of a closed surface.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "occlude/oracle/visibility.h"
+
+namespace occlude::oracle {
+
+/// Proves, in rational numbers, that the triangles are closed (every edge runs along an even number of their sides), that
+/// none of them has a point in the box without its borders, and that a ray from the middle of the box, which meets no edge,
+/// crosses an odd number of them. So the box lies inside of the surface. Returns an empty string when all of this holds,
+/// else what failed. REQUIRES: finite numbers.
+[[nodiscard]] std::string refute_inner_box(std::span<const Triangle> triangles, const Aabb& box);
+
+}  // namespace occlude::oracle
