@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/kernel/shadow_frustum.h"
 
+#include <memory>
+#include <new>
+#include <utility>
+
 #include "build_frustum.h"
 #include "stored_frustum.h"
 
 namespace occlude::kernel {
 
-ShadowFrustum::ShadowFrustum() = default;
-ShadowFrustum::ShadowFrustum(const ShadowFrustum& other)
-    : stored_(other.stored_ ? std::make_unique<StoredFrustum>(*other.stored_) : nullptr) {}
-ShadowFrustum::ShadowFrustum(ShadowFrustum&&) noexcept = default;
+ShadowFrustum::ShadowFrustum() {
+  static_assert(sizeof(StoredFrustum) <= kBytes && alignof(StoredFrustum) <= alignof(ShadowFrustum));
+  std::construct_at(reinterpret_cast<StoredFrustum*>(stored_));
+}
+ShadowFrustum::ShadowFrustum(const ShadowFrustum& other) : ShadowFrustum() { own() = other.own(); }
+ShadowFrustum::ShadowFrustum(ShadowFrustum&& other) noexcept : ShadowFrustum() { *this = std::move(other); }
 ShadowFrustum& ShadowFrustum::operator=(const ShadowFrustum& other) {
-  if (other.stored_) {
-    own() = *other.stored_;
-  } else if (stored_) {
-    clear(*stored_);
-  }
+  own() = other.own();
   return *this;
 }
-ShadowFrustum& ShadowFrustum::operator=(ShadowFrustum&&) noexcept = default;
-ShadowFrustum::~ShadowFrustum() = default;
-
-StoredFrustum& ShadowFrustum::own() {
-  if (!stored_) stored_ = std::make_unique<StoredFrustum>();
-  return *stored_;
+ShadowFrustum& ShadowFrustum::operator=(ShadowFrustum&& other) noexcept {
+  if (this == &other) return *this;
+  own() = std::move(other.own());
+  clear(other.own());
+  return *this;
 }
+ShadowFrustum::~ShadowFrustum() { std::destroy_at(&own()); }
+
+StoredFrustum& ShadowFrustum::own() { return *std::launder(reinterpret_cast<StoredFrustum*>(stored_)); }
 
 Refusal ShadowFrustum::assign(const Viewpoint& viewpoint, std::span<const Vec3> loop, Near near) {
   return build(own(), viewpoint, loop, near);
@@ -61,20 +65,15 @@ void ShadowFrustum::reserve(std::size_t count) {
 }
 
 bool ShadowFrustum::is_none() const { return !stored(*this); }
-Viewpoint ShadowFrustum::viewpoint() const { return is_none() ? Viewpoint{} : stored_->viewpoint; }
-Vec3 ShadowFrustum::origin() const { return is_none() ? Vec3{} : stored_->origin; }
-std::span<const Vec3> ShadowFrustum::silhouette() const {
-  return is_none() ? std::span<const Vec3>() : std::span<const Vec3>(stored_->silhouette);
-}
-std::size_t ShadowFrustum::near_count() const { return is_none() ? 0 : stored_->near_count; }
-std::size_t ShadowFrustum::plane_count() const { return is_none() ? 0 : stored_->plane_count; }
+Viewpoint ShadowFrustum::viewpoint() const { return own().viewpoint; }
+Vec3 ShadowFrustum::origin() const { return own().origin; }
+std::span<const Vec3> ShadowFrustum::silhouette() const { return own().silhouette; }
+std::size_t ShadowFrustum::near_count() const { return own().near_count; }
+std::size_t ShadowFrustum::plane_count() const { return own().plane_count; }
 HalfSpace ShadowFrustum::rounded_plane(std::size_t i) const {
-  const FilterPlane& plane = stored_->filter_planes[i];
+  const FilterPlane& plane = own().filter_planes[i];
   return {plane.normal, plane.offset};
 }
-const std::optional<SupportPlane>& ShadowFrustum::support_plane() const {
-  static constexpr std::optional<SupportPlane> kNoPlane;
-  return is_none() ? kNoPlane : stored_->support_plane;
-}
+const std::optional<SupportPlane>& ShadowFrustum::support_plane() const { return own().support_plane; }
 
 }  // namespace occlude::kernel

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,9 +49,14 @@ struct StoredFrustum {
   [[nodiscard]] bool is_cut() const { return cap_edges.empty(); }
 };
 
+inline const StoredFrustum& ShadowFrustum::own() const {
+  return *std::launder(reinterpret_cast<const StoredFrustum*>(stored_));
+}
+
 /// What a frustum stores, or null if it is none.
 [[nodiscard]] inline const StoredFrustum* stored(const ShadowFrustum& frustum) {
-  return frustum.stored_ && frustum.stored_->plane_count != 0 ? frustum.stored_.get() : nullptr;
+  const StoredFrustum& own = frustum.own();
+  return own.plane_count != 0 ? &own : nullptr;
 }
 
 }  // namespace occlude::kernel
