@@ -13,7 +13,7 @@ using kernel::Aabb;
 using kernel::Vec3;
 
 /// Whether points lie strictly on one side of a plane, and strictly on the other.
-struct Sides {
+struct PlaneSides {
   bool below = false, above = false;
 
   void add(int sign) {
@@ -26,7 +26,7 @@ struct Sides {
 
 /// Whether the plane of the triangle has the open box on one side.
 bool separates_plane(const std::array<Vec3, 3>& triangle, const Aabb& box) {
-  Sides sides;
+  PlaneSides sides;
   for (unsigned i = 0; i < 8 && !(sides.below && sides.above); ++i) {
     sides.add(kernel::orientation(triangle[0], triangle[1], triangle[2], corner(box, i)));
   }
@@ -36,7 +36,7 @@ bool separates_plane(const std::array<Vec3, 3>& triangle, const Aabb& box) {
 /// Whether the plane through side u, v of a triangle and along the axis has the open box on one side, and the third corner w
 /// not on this side.
 bool separates_edge(int axis, const Vec3& u, const Vec3& v, const Vec3& w, const Aabb& box) {
-  Sides sides;
+  PlaneSides sides;
   for (unsigned i = 0; i < 8 && !(sides.below && sides.above); ++i) {
     const bool is_seen_before = (i >> static_cast<unsigned>(axis) & 1U) != 0;  // the corner less 1 along the axis
     if (!is_seen_before) sides.add(kernel::turn(axis, u, v, corner(box, i)));
