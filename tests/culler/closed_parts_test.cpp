@@ -26,7 +26,7 @@ std::vector<int> parts_of(const PolygonSoup& soup) {
 
 TEST(ClosedParts, AreConnectedOverCorners) {
   PolygonSoup soup;
-  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  soup.add_box({0, 0, 0}, {1, 1, 1});
   add(soup, {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}});
   add_box(soup, {1, 1, 1}, {2, 2, 2}, true);
   EXPECT_EQ(parts_of(soup), (std::vector{18, -1}));
@@ -38,7 +38,7 @@ TEST(ClosedParts, AreConnectedOverCorners) {
 TEST(ClosedParts, ByEdgesWithAnEvenNumberOfSides) {
   const auto without = [](std::size_t left_out) {
     PolygonSoup box, soup;
-    add_box(box, {0, 0, 0}, {2, 2, 2});
+    box.add_box({0, 0, 0}, {2, 2, 2});
     soup.vertices = box.vertices;
     for (std::size_t p = 0; p < box.size(); ++p) {
       if (p != left_out) soup.add_polygon(box.loop(p));

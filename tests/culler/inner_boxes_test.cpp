@@ -134,12 +134,12 @@ TEST(InnerBoxes, OfAFrameLeaveItsHole) {
 TEST(InnerBoxes, OfShellsInShells) {
   const Aabb outer{{0, 0, 0}, {8, 8, 8}}, inner{{2, 2, 2}, {6, 6, 6}};
   PolygonSoup nested;
-  add_box(nested, {0, 0, 0}, {8, 8, 8});
-  add_box(nested, {2, 2, 2}, {6, 6, 6});
+  nested.add_box({0, 0, 0}, {8, 8, 8});
+  nested.add_box({2, 2, 2}, {6, 6, 6});
   EXPECT_EQ(boxes_of(nested), (std::vector{outer, inner}));
 
   PolygonSoup hollow;
-  add_box(hollow, {0, 0, 0}, {8, 8, 8});
+  hollow.add_box({0, 0, 0}, {8, 8, 8});
   add_box(hollow, {0, 0, 0}, {4, 4, 4}, true);
   const std::vector<Aabb> boxes = boxes_of(hollow);
   ASSERT_EQ(boxes.size(), 3U) << "a slab on each side of the hollow";
@@ -153,7 +153,7 @@ TEST(InnerBoxes, OfShellsInShells) {
 TEST(InnerBoxes, NoneInWhatIsOpen) {
   for (std::size_t left_out = 0; left_out < 6; ++left_out) {
     PolygonSoup box, soup;
-    add_box(box, {0, 0, 0}, {2, 2, 2});
+    box.add_box({0, 0, 0}, {2, 2, 2});
     soup.vertices = box.vertices;
     for (std::size_t p = 0; p < 6; ++p) {
       if (p != left_out) soup.add_polygon(box.loop(p));
@@ -168,7 +168,7 @@ TEST(InnerBoxes, NoneInWhatIsOpen) {
   }
   // A corner in the middle of an edge of one of its two faces.
   PolygonSoup junction;
-  add_box(junction, {0, 0, 0}, {2, 2, 2});
+  junction.add_box({0, 0, 0}, {2, 2, 2});
   junction.first.pop_back();
   junction.indices.resize(junction.first.back());
   add(junction, {{0, 0, 2}, {1, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}});
@@ -179,14 +179,14 @@ TEST(InnerBoxes, NoneInWhatEnclosesNothing) {
   EXPECT_TRUE(boxes_of({}).empty());
   PolygonSoup twice;  // an open box, each face two polygons
   for (int i = 0; i < 2; ++i) {
-    add_box(twice, {0, 0, 0}, {2, 2, 2});
+    twice.add_box({0, 0, 0}, {2, 2, 2});
     twice.first.pop_back();
     twice.indices.resize(twice.first.back());
   }
   EXPECT_EQ(find_inner_boxes(twice).closed_parts, 1U);
   EXPECT_TRUE(boxes_of(twice).empty());
   PolygonSoup flat;
-  add_box(flat, {0, 0, 1}, {2, 2, 1});
+  flat.add_box({0, 0, 1}, {2, 2, 1});
   add(flat, {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}});
   add(flat, {{6, 6, 6}, {7, 7, 7}, {6, 6, 6}});
   EXPECT_EQ(find_inner_boxes(flat).closed_parts, 3U);
@@ -196,7 +196,7 @@ TEST(InnerBoxes, NoneInWhatEnclosesNothing) {
 /// A triangle without area is drawn as nothing, but it closes the surface. No box holds a part of it.
 TEST(InnerBoxes, ASliverInASolidIsLeftOut) {
   PolygonSoup soup;
-  add_box(soup, {0, 0, 0}, {4, 4, 4});
+  soup.add_box({0, 0, 0}, {4, 4, 4});
   soup.add_polygon(std::array{0U, 7U, 0U});  // along the diagonal of the solid
   EXPECT_EQ(find_inner_boxes(soup).closed_parts, 1U);
   const std::vector<Aabb> boxes = boxes_of(soup);
@@ -212,7 +212,7 @@ TEST(InnerBoxes, ASliverInASolidIsLeftOut) {
 TEST(InnerBoxes, FacesThatAreNotPlaneAreAsTheyAreDrawn) {
   for (const bool pit : {false, true}) {
     PolygonSoup soup;
-    add_box(soup, {0, 0, 0}, {4, 4, 4});
+    soup.add_box({0, 0, 0}, {4, 4, 4});
     soup.vertices[4].z = soup.vertices[7].z = 0.5;  // the top, of corners 4, 5, 7, 6, falls to the ends of one diagonal
     soup.first.pop_back();
     soup.indices.resize(soup.first.back());
@@ -241,7 +241,7 @@ TEST(InnerBoxes, FarFromTheOrigin) {
   for (const glm::dvec3& v : tetrahedron(1).vertices) soup.add_vertex(v + far);
   soup.indices = tetrahedron(1).indices;
   soup.first = tetrahedron(1).first;
-  add_box(soup, {-far, far, 0x1p-90}, {-far + 3, far + 0x1p-8, 0x1p-80});
+  soup.add_box({-far, far, 0x1p-90}, {-far + 3, far + 0x1p-8, 0x1p-80});
   const std::vector<Aabb> boxes = boxes_of(soup);
   ASSERT_GT(boxes.size(), 1U);
   for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
@@ -255,8 +255,8 @@ TEST(InnerBoxes, FarFromTheOrigin) {
 TEST(InnerBoxes, AtTheEndsOfTheRange) {
   const double least = 0x1p-100, most = 0x1p100;
   PolygonSoup soup;
-  add_box(soup, {-most, -most, -most}, {most, most, most});
-  add_box(soup, {least, -least, least}, {most, least, 2 * least});
+  soup.add_box({-most, -most, -most}, {most, most, most});
+  soup.add_box({least, -least, least}, {most, least, 2 * least});
   EXPECT_EQ(boxes_of(soup).front(), (Aabb{{-most, -most, -most}, {most, most, most}}));
   EXPECT_EQ(find_inner_boxes(soup).closed_parts, 2U);
 }
@@ -347,7 +347,7 @@ TEST(InnerBoxes, NoMoreThanAskedForInGridsOfAnySize) {
 
 TEST(InnerBoxes, RefuseWhatIsNotLegalAndStopWhenAsked) {
   PolygonSoup soup;
-  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  soup.add_box({0, 0, 0}, {1, 1, 1});
   EXPECT_THROW((void)find_inner_boxes(soup, {}, {}, [] { throw std::logic_error("stop"); }), std::logic_error);
   std::size_t most = 0;
   const auto count = [&](std::size_t done, std::size_t all) {
@@ -365,8 +365,8 @@ TEST(InnerBoxes, RefuseWhatIsNotLegalAndStopWhenAsked) {
 
 TEST(InnerBoxes, AsASoupAreTurnedOutwards) {
   PolygonSoup soup;
-  add_box(soup, {1, 2, 3}, {4, 6, 8});
-  add_box(soup, {11, 2, 3}, {14, 6, 8});
+  soup.add_box({1, 2, 3}, {4, 6, 8});
+  soup.add_box({11, 2, 3}, {14, 6, 8});
   const InnerBoxes found = find_inner_boxes(soup);
   const PolygonSoup boxes = soup_of(found.boxes);
   ASSERT_EQ(boxes.size(), 12U);

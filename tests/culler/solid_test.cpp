@@ -131,8 +131,8 @@ TEST(IsInside, OfABoxWithDiagonalsOfEveryKind) {
 
 TEST(IsInside, CountsShellsModuloTwo) {
   PolygonSoup soup;
-  add_box(soup, {0, 0, 0}, {8, 8, 8});
-  add_box(soup, {2, 2, 2}, {6, 6, 6});
+  soup.add_box({0, 0, 0}, {8, 8, 8});
+  soup.add_box({2, 2, 2}, {6, 6, 6});
   const Solid solid = solid_of(soup);
   EXPECT_TRUE(is_inside(solid, {1, 4, 4}));
   EXPECT_FALSE(is_inside(solid, {4, 4, 4}));
