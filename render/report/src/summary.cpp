@@ -222,16 +222,17 @@ std::string frames_csv(const WalkResult& result) {
       "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
       "exact_shadow_tests,view_culled_polygons,shadow_"
       "culled_polygons,"
-      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms\n";
+      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms,occlusion_first\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(std::back_inserter(csv),
-                   "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f}\n",
-                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
-                   r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
-                   r.stats.occluders_in_view, r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited,
-                   r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests, r.stats.exact_shadow_tests,
-                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
-                   r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms);
+    fmt::format_to(
+        std::back_inserter(csv),
+        "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f},{:d}\n", r.frame,
+        r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms, r.view_frustum_frame_ms,
+        r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view, r.stats.sort_kept,
+        r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests,
+        r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels,
+        r.snapped_pixels, r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms,
+        r.is_occlusion_first);
   }
   return csv;
 }
