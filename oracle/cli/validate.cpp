@@ -239,6 +239,7 @@ void validate(Arguments& arguments, int& exit_code) {
   std::optional<FailureFiles> files = failure_files(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
+  warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
 

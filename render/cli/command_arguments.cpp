@@ -2,14 +2,19 @@
 #include "command_arguments.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
+#include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_place.h"
+#include "occlude/render/paint.h"
+#include "occlude/render/path_fit.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/resource_limits.h"
 
 namespace occlude::cli {
@@ -203,6 +208,14 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 Option add_output(Command command, const char* name, std::string& path, const char* text) {
   return command.add(name, path, text).check(check_named);
+}
+
+void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
+                    const culler::PolygonSoup& model) {
+  const std::string doubt = render::doubt_about(path, model_file, model);
+  if (doubt.empty()) return;
+  const render::Paint paint(STDERR_FILENO);
+  render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(path_file + ": " + doubt) + "\n");
 }
 
 std::string limits_help() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "occlude/render/camera_path.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::cli {
@@ -59,6 +60,10 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 /// Adds the same for an output file or folder.
 Option add_output(Command command, const char* name, std::string& path, const char* text);
+
+/// Warns on standard error if the path is probably meant for another model.
+void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
+                    const culler::PolygonSoup& model);
 
 /// The limits of inputs, for `--help`.
 [[nodiscard]] std::string limits_help();

@@ -47,7 +47,9 @@ void walk(const Arguments& arguments, int& exit_code) {
   const std::filesystem::path out = arguments.out;
   render::WalkFiles files(out, options);
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
-  const render::WalkResult result = render::walk(render::read_model(arguments.model), path, options, name, files);
+  const culler::PolygonSoup model = render::read_model(arguments.model);
+  warn_of_misfit(path, arguments.path, arguments.model, model);
+  const render::WalkResult result = render::walk(model, path, options, name, files);
   exit_code = render::passed(result) ? kDone : kCheckFailed;
   if (cases) cases->close();
   const render::Summary summary = summarise(result, options, name);

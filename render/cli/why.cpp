@@ -69,6 +69,7 @@ int why(const Arguments& arguments) {
   if (!arguments.out.empty()) files.emplace(arguments.out);
   const culler::Culler culler = render::make_culler(read_model(arguments), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
+  warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);
 
