@@ -64,9 +64,9 @@ void preprocess(Arguments& arguments) {
     return;
   }
   const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
-  render::print(fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out,
-                            soup.size(), result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled,
-                            seconds));
+  render::tell(fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out,
+                           soup.size(), result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled,
+                           seconds));
 }
 
 }  // namespace

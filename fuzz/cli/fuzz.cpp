@@ -242,7 +242,7 @@ void fuzz_command(const Arguments& a, int& exit_code) {
   } else if (std::filesystem::is_regular_file(file)) {
     render::say(render::printable(file) + " is of an earlier run\n");
   }
-  if (!a.json) render::print(table(results));
+  if (!a.json) render::tell(table(results));
   render::finish_printing();
   if (has_findings) minimise_and_report(results, file);
   if (a.json) render::print(to_json(results));

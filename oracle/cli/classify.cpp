@@ -90,7 +90,7 @@ void classify_file(const std::string& file, int& exit_code) {
     const bool agree =
         cases::is_cover(object) ? classify(cases::read_cover(object), answer) : classify(cases::read_case(object), answer);
     if (!agree) exit_code = kCheckFailed;
-    render::print(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    render::tell(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
 }
 

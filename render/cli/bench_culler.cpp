@@ -76,8 +76,8 @@ void bench_culler(Arguments& arguments) {
     files->json.commit();
     files->html.commit();
   }
-  render::print(arguments.json ? report_json(result, options) : report_text(result, options));
-  if (files && !arguments.json) render::print(fmt::format("report: {}\n", files->html.path().string()));
+  arguments.json ? render::print(report_json(result, options)) : render::tell(report_text(result, options));
+  if (files && !arguments.json) render::tell(fmt::format("report: {}\n", files->html.path().string()));
 }
 
 }  // namespace

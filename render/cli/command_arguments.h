@@ -12,6 +12,9 @@
 
 namespace occlude::cli {
 
+/// Headings in the help.
+inline constexpr const char *kTuning = "Tuning", *kDebugging = "Debugging";
+
 /// The options for preparing a model.
 class BuildArguments {
  public:
@@ -42,6 +45,10 @@ class WalkArguments {
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
+  std::vector<Option> add_common_to(Command command);
+  std::vector<Option> add_tuning_to(Command command);
+  std::vector<Option> add_debugging_to(Command command);
+
   std::string frames_;
   std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
               test_ = "conservative", angle_ = "area", preprocess_;

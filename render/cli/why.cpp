@@ -83,7 +83,7 @@ int why(const Arguments& arguments) {
   }
   const render::Account account = render::account_for(frame, polygon, items);
   render::check_interrupt();
-  render::print(arguments.json ? render::to_json(frame, account) : render::to_text(frame, account));
+  arguments.json ? render::print(render::to_json(frame, account)) : render::tell(render::to_text(frame, account));
   if (files) files->write(frame, account);
   return 0;
 }
