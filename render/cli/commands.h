@@ -14,6 +14,7 @@ void add_help(Command app, int& exit_code);
 void add_generate(Command app, int& exit_code);
 void add_preprocess(Command app, int& exit_code);
 void add_walk(Command app, int& exit_code);
+void add_compare(Command app, int& exit_code);
 void add_classify(Command app, int& exit_code);
 void add_why(Command app, int& exit_code);
 void add_validate(Command app, int& exit_code);
