@@ -32,4 +32,14 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
 if(OCCLUDE_TOOLS)
   install(TARGETS occlude)
+  # The command writes its manual page and its completion itself.
+  set(text_folder ${PROJECT_BINARY_DIR}/package/text)
+  install(CODE "
+    file(MAKE_DIRECTORY \"${text_folder}\")
+    execute_process(COMMAND \"$<TARGET_FILE:occlude>\" help --man
+      OUTPUT_FILE \"${text_folder}/occlude.1\" COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND \"$<TARGET_FILE:occlude>\" help --completion bash
+      OUTPUT_FILE \"${text_folder}/occlude\" COMMAND_ERROR_IS_FATAL ANY)")
+  install(FILES ${text_folder}/occlude.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${text_folder}/occlude DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()

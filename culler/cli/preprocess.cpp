@@ -113,7 +113,11 @@ void preprocess(Arguments& arguments) {
   if (file) file->commit();
   if (box_file) box_file->commit();
   if (file) told.json["bytes"] = std::filesystem::file_size(arguments.out);
-  render::print(arguments.json ? told.json.dump(2) + "\n" : told.line);
+  if (arguments.json) {
+    render::print(told.json.dump(2) + "\n");
+  } else {
+    render::tell(told.line);
+  }
 }
 
 }  // namespace

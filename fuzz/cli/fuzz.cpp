@@ -177,7 +177,6 @@ FuzzResults fuzz_files(const std::vector<std::string>& files) {
       cases::for_each_case(file, false, [&](std::size_t number, const nlohmann::json& object) {
         fuzz::add(row.report, judge_line(cases::read_case(object), row.name, number));
       });
-      if (row.report.tally.cases == 0) throw render::InputError(file + ": no cases");
     }
   } catch (const render::Interrupted&) {
     results.interrupted = true;
@@ -243,7 +242,7 @@ void fuzz_command(const Arguments& a, int& exit_code) {
   } else if (std::filesystem::is_regular_file(file)) {
     render::say(render::printable(file) + " is of an earlier run\n");
   }
-  if (!a.json) render::print(table(results));
+  if (!a.json) render::tell(table(results));
   render::finish_printing();
   if (has_findings) minimise_and_report(results, file);
   if (a.json) render::print(to_json(results));

@@ -50,7 +50,7 @@ void bench_kernel(Arguments& arguments) {
                                .compiler = render::compiler_name(),
                                .flags = OCCLUDE_BENCH_FLAGS,
                                .threads = std::thread::hardware_concurrency()};
-  render::print(arguments.json ? report_json(result, machine) : report_text(result, machine));
+  arguments.json ? render::print(report_json(result, machine)) : render::tell(report_text(result, machine));
 }
 
 }  // namespace

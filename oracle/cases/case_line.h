@@ -17,8 +17,8 @@ namespace occlude::cases {
 [[nodiscard]] nlohmann::json parse_object(std::string_view line);
 
 /// Calls `take` with the number and the object of every line that is not blank, in order. "-" is standard input. Throws
-/// InputError, with file and line, for what cannot be read and for the LineErrors of `take`. Throws Interrupted. With
-/// `silence` no progress is shown, for callers that print while they work.
+/// InputError, with file and line, for what cannot be read and for the LineErrors of `take`, and for a file without a case.
+/// Throws Interrupted. With `silence` no progress is shown, for callers that print while they work.
 void for_each_case(const std::string& file, bool silence,
                    const std::function<void(std::size_t number, const nlohmann::json&)>& take);
 

@@ -90,7 +90,7 @@ void classify_file(const std::string& file, int& exit_code) {
     const bool agree =
         cases::is_cover(object) ? classify(cases::read_cover(object), answer) : classify(cases::read_case(object), answer);
     if (!agree) exit_code = kCheckFailed;
-    render::print(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    render::tell(answer.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
   });
 }
 
@@ -102,7 +102,7 @@ void add_classify(Command app, int& exit_code) {
       "Touching counts as sharing a point, on the near plane as well; \"near\" is \"farthest\" where a case does not say.\n"
       "Exit code 0; 1 when the oracle differs from `certified`, refutes `conservative` or is not what a case has in "
       "\"expect\";\n"
-      "2 for a line that is not a case. Members that a case does not need are ignored.\n"
+      "2 for a line that is not a case, or no case at all. Members that a case does not need are ignored.\n"
       "A box is {\"min\",\"max\"} or {\"center\",\"half_edges\"}, an occluder {\"polygon\"} or {\"vertices\",\"faces\"}; "
       "or\n"
       "{\"cover\":[polygon, ...]}, polygons that hide together: then the box is `inside` their joined shadow or `partial`,\n"

@@ -239,6 +239,7 @@ void validate(Arguments& arguments, int& exit_code) {
   std::optional<FailureFiles> files = failure_files(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
+  warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
 
@@ -265,7 +266,7 @@ void validate(Arguments& arguments, int& exit_code) {
   if (is_anew) result.missed = count_missed(walked, result.visibility);
 
   if (!passed(result)) exit_code = kCheckFailed;
-  render::print(arguments.json ? to_json(result) : to_text(result));
+  arguments.json ? render::print(to_json(result)) : render::tell(to_text(result));
   const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
   if (!result.visibility.false_culls.empty()) {
     render::say(describe(result.visibility.false_culls.front(), hierarchy, witness) + "\n");

@@ -43,8 +43,9 @@ experiments::Subject subject_of(const Arguments& arguments) {
     return {fmt::format("generated city, seed {}", arguments.seed), std::move(city.soup), std::move(city.path)};
   }
   render::CameraPath path = render::read_camera_path(arguments.path);
-  return {render::printable(std::filesystem::path(arguments.model).filename().native()), render::read_model(arguments.model),
-          std::move(path)};
+  culler::PolygonSoup model = render::read_model(arguments.model);
+  warn_of_misfit(path, arguments.path, arguments.model, model);
+  return {render::printable(std::filesystem::path(arguments.model).filename().native()), std::move(model), std::move(path)};
 }
 
 /// The chosen experiments; by default all, without `growth` for a given model.
@@ -75,8 +76,8 @@ void bench_culler(Arguments& arguments) {
     files->json.commit();
     files->html.commit();
   }
-  render::print(arguments.json ? report_json(result, options) : report_text(result, options));
-  if (files && !arguments.json) render::print(fmt::format("report: {}\n", files->html.path().string()));
+  arguments.json ? render::print(report_json(result, options)) : render::tell(report_text(result, options));
+  if (files && !arguments.json) render::tell(fmt::format("report: {}\n", files->html.path().string()));
 }
 
 }  // namespace

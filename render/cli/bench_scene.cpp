@@ -50,7 +50,7 @@ void bench_scene(Arguments& arguments, int& exit_code) {
       });
   progress.reset();
   if (result.different != 0 || result.unproved != 0) exit_code = kCheckFailed;
-  render::print(arguments.json ? json_of(result, options) : text_of(result, options));
+  arguments.json ? render::print(json_of(result, options)) : render::tell(text_of(result, options));
 }
 
 }  // namespace

@@ -2,14 +2,19 @@
 #include "command_arguments.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <cmath>
 #include <system_error>
 
+#include "occlude/render/console.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_place.h"
+#include "occlude/render/paint.h"
+#include "occlude/render/path_fit.h"
+#include "occlude/render/printable.h"
 #include "occlude/render/resource_limits.h"
 
 namespace occlude::cli {
@@ -90,13 +95,35 @@ culler::BuildConfig BuildArguments::config(culler::Method method) const {
 }
 
 std::vector<Option> WalkArguments::add_culling_to(Command command) {
+  std::vector<Option> options;
+  const auto append = [&](const std::vector<Option>& more) { options.insert(options.end(), more.begin(), more.end()); };
+  append(add_common_to(command));
+  command.under(kTuning, [&] {
+    build_options_ = build_.add_to(command);
+    append(build_options_);
+    append(add_tuning_to(command));
+  });
+  command.under(kDebugging, [&] { append(add_debugging_to(command)); });
+  return options;
+}
+
+std::vector<Option> WalkArguments::add_common_to(Command command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs one test at every node that it does not decide
-  const auto choice = [&](const char* name, std::string& value, const std::vector<std::string>& choices, const char* text) {
-    return cli::choice(command, name, value, choices, text);
+  return {
+      command
+          .add("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all; frames between them are only culled")
+          .show_default(),
+      choice(command, "--method", method_, {"frusta", "cover"},
+             "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
+             "coarse picture"),
+      command.add("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone")
+          .show_default()
+          .in_range(std::size_t{0}, kMostOccluders),
   };
-  const auto number = [&](const char* name, std::size_t& value, const char* text) {
-    return command.add(name, value, text).show_default().in_range(std::size_t{0}, kMostOccluders);
-  };
+}
+
+std::vector<Option> WalkArguments::add_tuning_to(Command command) {
+  constexpr std::size_t kMostProbes = 4096;
   constexpr double kLongest = 1e9;         // milliseconds, eleven days
   constexpr double kLargestMargin = 8192;  // the largest side of a picture
   constexpr double kLargestWeight = 16;    // powers of ratios of a thousand stay within the range of double
@@ -104,58 +131,55 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
     return command.add(name, value, text).show_default().in_range(0, kLargestWeight);
   };
   culler::Objective& objective = cull_.objective;
-  build_options_ = build_.add_to(command);
-  std::vector<Option> options = build_options_;
-  options.insert(
-      options.end(),
-      {
-          command
-              .add("--frames", frames_,
-                   "A:B:STEP, frames A, A+STEP, ... below B, or all; frames between them are only culled")
-              .show_default(),
-          choice("--method", method_, {"frusta", "cover"},
-                 "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
-                 "coarse picture"),
-          command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
-              .show_default(),
-          command
-              .add("--cover-triangles", cull_.cover.triangles,
-                   "most triangles per frame, roughly, drawn into the coarse picture (default: all visible ones)")
-              .not_negative(),
-          command
-              .add("--budget-ms", cull_.cover.ms,
-                   "stop drawing into the coarse picture after this many milliseconds of a frame (default: no limit)")
-              .in_range(0, kLongest),
-          number("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone"),
-          number("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted"),
-          choice("--solid-angle", angle_, {"area", "exact"},
-                 "solid angle of an occluder: the area-angle estimate, or exact"),
-          weight("--weight-solid-angle", objective.solid_angle,
-                 "exponent of this criterion in the choice of occluders; 0: off"),
-          weight("--weight-depth-complexity", objective.depth_complexity,
-                 "the same for the depth complexity sampled by a preprocess"),
-          weight("--weight-coherence", objective.coherence, "the same for the polygons hidden in the previous frames"),
-          command.add_flag("--unions", cull_.unions,
-                           "also use pairs of occluders that share an edge, for boxes that neither hides alone"),
-          command
-              .add("--pixel-margin", pixel_margin_,
-                   "pixels by which shadows shrink, so that the renderer's rounding cannot show a culled polygon; 0: all "
-                   "that is exactly hidden may be culled")
-              .show_default()
-              .in_range(0, kLargestMargin),
-          choice("--near", near_, {"surface", "farthest"},
-                 "start of a shadow: at the occluder, or at its farthest vertex (as in the paper)"),
-          choice("--arithmetic", arithmetic_, {"certified", "plain"},
-                 "exact, or the paper's double arithmetic (for measurements)"),
-          choice("--test", test_, {"conservative", "overlap"}, "test against planes only, or decide all three relations"),
-      });
-  return options;
+  return {
+      command.add("--cover-size", cover_size_, "WxH, size of the coarse picture in pixels, each from 64 to 4096")
+          .show_default(),
+      command
+          .add("--cover-triangles", cull_.cover.triangles,
+               "most triangles per frame, roughly, drawn into the coarse picture (default: all visible ones)")
+          .not_negative(),
+      command
+          .add("--budget-ms", cull_.cover.ms,
+               "stop drawing into the coarse picture after this many milliseconds of a frame (default: no limit)")
+          .in_range(0, kLongest),
+      command.add("--probes", cull_.probes, "candidates per frame for which the polygons that they would hide are counted")
+          .show_default()
+          .in_range(std::size_t{0}, kMostProbes),
+      choice(command, "--solid-angle", angle_, {"area", "exact"},
+             "solid angle of an occluder: the area-angle estimate, or exact"),
+      weight("--weight-solid-angle", objective.solid_angle, "exponent of this criterion in the choice of occluders; 0: off"),
+      weight("--weight-depth-complexity", objective.depth_complexity,
+             "the same for the depth complexity sampled by a preprocess"),
+      weight("--weight-coherence", objective.coherence, "the same for the polygons hidden in the previous frames"),
+      command.add_flag("--unions", cull_.unions,
+                       "also use pairs of occluders that share an edge, for boxes that neither hides alone"),
+      command
+          .add("--pixel-margin", pixel_margin_,
+               "pixels by which shadows shrink, so that the renderer's rounding cannot show a culled polygon; 0: all "
+               "that is exactly hidden may be culled")
+          .show_default()
+          .in_range(0, kLargestMargin),
+  };
+}
+
+std::vector<Option> WalkArguments::add_debugging_to(Command command) {
+  return {
+      choice(command, "--near", near_, {"surface", "farthest"},
+             "start of a shadow: at the occluder, or at its farthest vertex (as in the paper)"),
+      choice(command, "--arithmetic", arithmetic_, {"certified", "plain"},
+             "exact, or the paper's double arithmetic (for measurements)"),
+      choice(command, "--test", test_, {"conservative", "overlap"},
+             "test against planes only, or decide all three relations"),
+  };
 }
 
 Option WalkArguments::add_preprocess_to(Command command) {
-  Option preprocess = add_input(command, "--preprocess", preprocess_, "file of `occlude preprocess` for this model");
-  for (Option option : build_options_) preprocess.excludes(option);
-  return preprocess;
+  std::vector<Option> added;
+  command.under(kTuning, [&] {
+    added.push_back(add_input(command, "--preprocess", preprocess_, "file of `occlude preprocess` for this model"));
+  });
+  for (Option option : build_options_) added.front().excludes(option);
+  return added.front();
 }
 
 render::WalkOptions WalkArguments::options() const {
@@ -203,6 +227,14 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 Option add_output(Command command, const char* name, std::string& path, const char* text) {
   return command.add(name, path, text).check(check_named);
+}
+
+void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
+                    const culler::PolygonSoup& model) {
+  const std::string doubt = render::doubt_about(path, model_file, model);
+  if (doubt.empty()) return;
+  const render::Paint paint(STDERR_FILENO);
+  render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(path_file + ": " + doubt) + "\n");
 }
 
 std::string limits_help() {

@@ -7,9 +7,13 @@
 #include <vector>
 
 #include "command_line.h"
+#include "occlude/render/camera_path.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::cli {
+
+/// Headings in the help.
+inline constexpr const char *kTuning = "Tuning", *kDebugging = "Debugging";
 
 /// The options for preparing a model.
 class BuildArguments {
@@ -41,6 +45,10 @@ class WalkArguments {
   [[nodiscard]] render::WalkOptions options() const;
 
  private:
+  std::vector<Option> add_common_to(Command command);
+  std::vector<Option> add_tuning_to(Command command);
+  std::vector<Option> add_debugging_to(Command command);
+
   std::string frames_;
   std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
               test_ = "conservative", angle_ = "area", preprocess_;
@@ -59,6 +67,10 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 /// Adds the same for an output file or folder.
 Option add_output(Command command, const char* name, std::string& path, const char* text);
+
+/// Warns on standard error if the path is probably meant for another model.
+void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
+                    const culler::PolygonSoup& model);
 
 /// The limits of inputs, for `--help`.
 [[nodiscard]] std::string limits_help();

@@ -2,13 +2,97 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
 
+#include "nearest.h"
+#include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 
 namespace occlude::cli {
+namespace {
+
+/// With the names of the commands above it.
+std::string full_name(const CLI::App& app) {
+  return (app.get_parent() ? full_name(*app.get_parent()) + " " : "") + app.get_name();
+}
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_name().empty()) names.push_back(command->get_name());
+  }
+  return names;
+}
+
+/// "aabb" and "obb" of the kind "TEXT:{aabb,obb}".
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string kind = option.get_type_name();
+  const std::size_t open = kind.find('{'), close = kind.rfind('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(kind.substr(open + 1, close - open - 1), ',');
+}
+
+OptionText describe(const CLI::App& app, const CLI::Option& option) {
+  const auto* const formatter = dynamic_cast<const CLI::Formatter*>(app.get_formatter().get());
+  OptionText text;
+  text.is_argument = option.get_positional();
+  text.takes_value = option.get_type_size() != 0;
+  if (text.is_argument) text.names = {option.get_name(true)};
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  text.value = formatter->make_option_opts(&option);
+  text.choices = choices_of(option);
+  text.text = option.get_description();
+  text.group = text.is_argument ? "Arguments" : option.get_group();
+  return text;
+}
+
+/// The options of the command and of its groups of alternatives, arguments first.
+std::vector<OptionText> options_of(const CLI::App& app) {
+  std::vector<OptionText> options;
+  for (const CLI::Option* option : app.get_options()) options.push_back(describe(app, *option));
+  for (const CLI::App* group : app.get_subcommands([](const CLI::App* part) { return part->get_name().empty(); })) {
+    for (OptionText& option : options_of(*group)) options.push_back(std::move(option));
+  }
+  std::stable_partition(options.begin(), options.end(), [](const OptionText& option) { return option.is_argument; });
+  return options;
+}
+
+CommandText describe(const CLI::App& app) {
+  CommandText text{full_name(app), app.get_description(), app.get_footer(), options_of(app), {}};
+  for (const std::string& name : commands_of(app)) text.commands.push_back(describe(*app.get_subcommand(name)));
+  return text;
+}
+
+/// The last command that the line names.
+const CLI::App& named(const CLI::App& app) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  return commands.empty() ? app : named(*commands.back());
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+  return "unknown command '" + word + "'" + did_you_mean(word, commands_of(app));
+}
+
+/// What is wrong with a word that no command takes; `error` if there is no such word.
+std::string fault_of(const CLI::App& app, const std::string& error) {
+  const std::vector<std::string> words = app.remaining();
+  if (words.empty()) return app.get_subcommands().empty() ? error : fault_of(*app.get_subcommands().back(), error);
+  const std::string word = words.front().substr(0, words.front().find('='));
+  if (!word.starts_with('-')) {
+    return commands_of(app).empty() ? "'" + word + "' is one argument too many" : unknown_command(app, word);
+  }
+  std::vector<std::string> names;
+  for (const OptionText& option : options_of(app)) {
+    if (!option.is_argument) names.insert(names.end(), option.names.begin(), option.names.end());
+  }
+  return "unknown option '" + word + "'" + did_you_mean(word, names);
+}
+
+}  // namespace
 
 void refuse(const std::string& option, const std::string& why) { throw CLI::ValidationError(option, why); }
 
@@ -69,9 +153,31 @@ Option Command::add_flag(const std::string& name, bool& value, const std::string
   return Option(*app_->add_flag(name, value, text));
 }
 
+void Command::under(const std::string& heading, const std::function<void()>& add) {
+  const std::string before = app_->option_defaults()->get_group();
+  app_->option_defaults()->group(heading);
+  add();
+  app_->option_defaults()->group(before);
+}
 void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::require_command() { app_->require_subcommand(1); }
-void Command::run(const std::function<void()>& work) { app_->callback(work); }
+
+void Command::run(const std::function<void()>& work) {
+  app_->add_flag_callback("--quiet", render::be_quiet, "print nothing but errors, warnings and what --json asks for");
+  app_->callback(work);
+}
+
+Command Command::command(const std::string& name) const {
+  const std::vector<std::string> names = commands_of(*app_);
+  if (std::ranges::find(names, name) == names.end()) throw render::InputError(unknown_command(*app_, name));
+  return Command(*app_->get_subcommand(name));
+}
+
+std::string Command::help() const {
+  return app_->get_formatter()->make_help(app_, full_name(*app_), CLI::AppFormatMode::Normal);
+}
+
+CommandText Command::describe() const { return cli::describe(*app_); }
 
 std::string run_program(const Program& program, int argc, char** argv, const std::function<void(Command)>& declare) {
   CLI::App app(program.text, program.name);
@@ -83,7 +189,7 @@ std::string run_program(const Program& program, int argc, char** argv, const std
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
-      throw render::InputError(std::string(error.what()) + " (see " + program.name + " --help)");
+      throw render::InputError(fault_of(app, error.what()) + " (see " + full_name(named(app)) + " --help)");
     }
     std::ostringstream text;
     app.exit(error, text, text);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "command_text.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -63,12 +65,21 @@ class Command {
   template <class T>
   Option add(const std::string& name, T& value, const std::string& text);
   Option add_flag(const std::string& name, bool& value, const std::string& text);
+  /// The options that `add` adds stand under this heading in the help; others under "Options".
+  void under(const std::string& heading, const std::function<void()>& add);
   /// Sets the end of the help.
   void footer(const std::string& text);
   /// Makes a subcommand mandatory.
   void require_command();
-  /// Sets the work of the command, which runs once its options are parsed.
+  /// Sets the work of the command, which runs once its options are parsed. Adds --quiet.
   void run(const std::function<void()>& work);
+
+  /// The subcommand of this name. Throws render::InputError if there is none.
+  [[nodiscard]] Command command(const std::string& name) const;
+  /// The text of --help.
+  [[nodiscard]] std::string help() const;
+  /// What this and its subcommands say of themselves.
+  [[nodiscard]] CommandText describe() const;
 
  private:
   CLI::App* app_;

@@ -10,9 +10,11 @@ namespace occlude::cli {
 
 inline constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2, kInterrupted = 130;  // 128 + SIGINT, as shells expect
 
+void add_help(Command app, int& exit_code);
 void add_generate(Command app, int& exit_code);
 void add_preprocess(Command app, int& exit_code);
 void add_walk(Command app, int& exit_code);
+void add_compare(Command app, int& exit_code);
 void add_classify(Command app, int& exit_code);
 void add_why(Command app, int& exit_code);
 void add_validate(Command app, int& exit_code);

@@ -42,8 +42,8 @@ void generate(const Arguments& arguments) {
     render::print(summary.dump(2) + "\n");
     return;
   }
-  render::print(fmt::format("{}: {} polygons, {} vertices\n{}: {} frames\n", arguments.out, city.soup.size(),
-                            city.soup.vertices.size(), arguments.path, city.path.frames));
+  render::tell(fmt::format("{}: {} polygons, {} vertices\n{}: {} frames\n", arguments.out, city.soup.size(),
+                           city.soup.vertices.size(), arguments.path, city.path.frames));
 }
 
 }  // namespace

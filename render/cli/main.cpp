@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command `occlude`: assembles the subcommands and turns their exceptions into one line and an exit code.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <exception>
 #include <new>
@@ -10,6 +11,7 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
+#include "occlude/render/paint.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/resource_limits.h"
@@ -33,11 +35,13 @@ void run(int argc, char** argv, int& exit_code) {
     occlude::cli::add_generate(app, exit_code);
     occlude::cli::add_preprocess(app, exit_code);
     occlude::cli::add_walk(app, exit_code);
+    occlude::cli::add_compare(app, exit_code);
     occlude::cli::add_why(app, exit_code);
     occlude::cli::add_classify(app, exit_code);
     occlude::cli::add_validate(app, exit_code);
     occlude::cli::add_fuzz(app, exit_code);
     add_bench(app, exit_code);
+    occlude::cli::add_help(app, exit_code);
   };
   const std::string told = occlude::cli::run_program(
       {.name = "occlude",
@@ -59,7 +63,8 @@ int main(int argc, char** argv) {
   occlude::render::limit_memory();
   int exit_code = occlude::cli::kDone;
   const auto failed = [&](int code, const std::string& what) {
-    occlude::render::say(fmt::format("occlude: {}\n", what));
+    const occlude::render::Paint paint(STDERR_FILENO);
+    occlude::render::say(fmt::format("{} {}\n", paint(occlude::render::Colour::red, "occlude:"), what));
     return exit_code == occlude::cli::kDone ? code : exit_code;  // a failed check stands
   };
   try {

@@ -3,6 +3,7 @@
 #include "occlude/render/walk.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -47,7 +48,9 @@ void walk(const Arguments& arguments, int& exit_code) {
   const std::filesystem::path out = arguments.out;
   render::WalkFiles files(out, options);
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
-  const render::WalkResult result = render::walk(render::read_model(arguments.model), path, options, name, files);
+  const culler::PolygonSoup model = render::read_model(arguments.model);
+  warn_of_misfit(path, arguments.path, arguments.model, model);
+  const render::WalkResult result = render::walk(model, path, options, name, files);
   exit_code = render::passed(result) ? kDone : kCheckFailed;
   if (cases) cases->close();
   const render::Summary summary = summarise(result, options, name);
@@ -56,7 +59,8 @@ void walk(const Arguments& arguments, int& exit_code) {
   if (arguments.json) {
     render::print(json_of(summary).dump(2) + "\n");
   } else {
-    render::print(fmt::format("{}report: {}\n", text_of(summary), (out / "report.html").string()));
+    render::tell(
+        fmt::format("{}report: {}\n", text_of(summary, render::Paint(STDOUT_FILENO)), (out / "report.html").string()));
   }
 }
 
@@ -79,8 +83,10 @@ void add_walk(Command app, int& exit_code) {
   a->walk.add_preprocess_to(command);
   command.add_flag("--no-render", a->no_render, "draw nothing: measure culling only");
   add_output(command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
-  add_output(command, "--cases", a->cases,
-             "write the shadow tests of about 48 frames to this file, as cases for occlude classify and fuzz");
+  command.under(kDebugging, [&] {
+    add_output(command, "--cases", a->cases,
+               "write the shadow tests of about 48 frames to this file, as cases for occlude classify and fuzz");
+  });
   command.add_flag("--json", a->json, "print summary.json instead of Table 2");
   command.run([a, &exit_code] { walk(*a, exit_code); });
 }

@@ -69,6 +69,7 @@ int why(const Arguments& arguments) {
   if (!arguments.out.empty()) files.emplace(arguments.out);
   const culler::Culler culler = render::make_culler(read_model(arguments), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
+  warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);
 
@@ -82,7 +83,7 @@ int why(const Arguments& arguments) {
   }
   const render::Account account = render::account_for(frame, polygon, items);
   render::check_interrupt();
-  render::print(arguments.json ? render::to_json(frame, account) : render::to_text(frame, account));
+  arguments.json ? render::print(render::to_json(frame, account)) : render::tell(render::to_text(frame, account));
   if (files) files->write(frame, account);
   return 0;
 }

@@ -23,6 +23,12 @@ sed 's/"expect":"partial"/"expect":"outside"/' cases.jsonl | "$occlude" classify
 [ "$(wc -l <stdout)" -eq 1 ] || fail "the lines before a broken one are to be answered"
 grep -q 'standard input:2: ' stderr || fail "the line is not named: $(cat stderr)"
 
+# Input without a case is not answered.
+: >nothing.jsonl
+printf '\n \n' >blank.jsonl
+for file in nothing.jsonl blank.jsonl; do expect_error "$file: no cases" "$occlude" classify $file; done
+expect_error "standard input: no cases" "$occlude" classify - <nothing.jsonl
+
 # Polytopes and oriented boxes that are refused. The block is two deep. The eye sees its front, and one side edge-on.
 block='"eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],[4,2,1],[2,2,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6],[1,6,5],[3,2,6,7],[0,4,7,3]]},"near":"surface"'
 but() { # but SED_SCRIPT: the block, changed

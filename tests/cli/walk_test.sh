@@ -57,6 +57,20 @@ grep -q "^$total of $total witnesses proved" stdout || fail "validate said: $(ca
 head -n 4 again | cmp -s stdout - || fail "culling anew proves something else: $(cat again)"
 grep -q "^without a pixel and drawn in 4 of the frames" again || fail "no reasons: $(cat again)"
 
+# A path of another model is taken with a warning.
+sed 's/{/{"model":"other.ply",/' path.json >named.json
+sed 's/0,0\]/0,900]/g' path.json >far.json
+for command in "walk good.ply --out foreign --no-render" "validate good.ply --size 64x36" \
+  "why good.ply --size 64x36 --frame 0 --polygon 0" "bench culler good.ply --only sort --repetitions 1 --no-render"; do
+  "$occlude" $command --path named.json >stdout 2>stderr || fail "$command of another model: $(cat stderr)"
+  [ "$(cat stderr)" = "occlude: warning: named.json: made for other.ply, not for good.ply" ] || fail "$command said: $(cat stderr)"
+done
+"$occlude" walk good.ply --out foreign --no-render --path far.json >stdout 2>stderr || fail "a path far from the model"
+[ "$(cat stderr)" = "occlude: warning: far.json: the path is nowhere near good.ply" ] || fail "walk said: $(cat stderr)"
+"$occlude" walk good.ply --out foreign --no-render --path path.json >stdout 2>stderr || fail "walk"
+[ ! -s stderr ] || fail "walk said: $(cat stderr)"
+grep -q 'nothing was drawn' foreign/report.html || fail "the report does not say that nothing was drawn"
+
 # Squares very little before the near plane, in a model so deep that single precision draws them.
 vertices= faces= i=0
 for y in $(seq 0 7); do

@@ -28,6 +28,11 @@ grep -q '^  by [1-9][0-9]* polygons together: ' stdout || fail "why by cover sai
 why --frame 0 --polygon 1 $cover --json >stdout || fail "why by cover --json"
 grep -q '"fate": "drawn"' stdout || fail "why by cover of what is drawn"
 
+# A walk with a step also culls the frames between.
+why --frame 1 --frames 0:4:3 --polygon 40 >stdout || fail "why of a frame between"
+why --frame 1 --polygon 40 | cmp -s stdout - || fail "a frame between is culled otherwise: $(cat stdout)"
+expect_error "no frame 2: it has frames 0 to 1" why --frame 2 --frames 0:2 --polygon 40
+
 # Questions that are refused.
 expect_error "--frame" why --frame -1 --polygon 0
 : >file

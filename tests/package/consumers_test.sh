@@ -48,6 +48,8 @@ cmp "$source/culler/c/include/occlude.h" "$prefix/include/occlude.h" || fail "no
 [ -s "$prefix/share/doc/occlude/LICENSE" ] || fail "no licence"
 if [ -e "$build/occlude" ]; then
   "$prefix/bin/occlude" --version >log 2>&1 || fail "the command: $(cat log)"
+  grep -q 'SH OCCLUDE WALK' "$prefix/share/man/man1/occlude.1" || fail "no manual page"
+  grep -q 'complete .* occlude$' "$prefix/share/bash-completion/completions/occlude" || fail "no completion"
 fi
 # Assertions and debug information name the sources. A release has neither; of other builds only the text files are searched.
 binaries=without-match

@@ -152,12 +152,79 @@ TEST(Summary, TextAndPageShowItsFigures) {
   EXPECT_NE(page.find("<td>75.0 %</td>"), std::string::npos) << page;  // of the hidden polygons, culled
 }
 
+TEST(Summary, HasTheSpreadOverTheFrames) {
+  WalkResult result = one_frame(some_frame());
+  for (const std::size_t frame : {5U, 6U}) {
+    result.frames.push_back(some_frame());
+    result.frames.back().frame = frame;
+    result.frames.back().frame_ms = 2.0 * static_cast<double>(frame);
+    result.frames.back().cull_ms = 7 - static_cast<double>(frame);
+  }
+  const Summary summary = summarise(result, {}, "model.ply");
+  const auto spread = json_of(summary)["spread"];
+  EXPECT_EQ(spread["frame_ms"]["median"], 10);
+  EXPECT_EQ(spread["frame_ms"]["worst"], 12);
+  EXPECT_EQ(spread["frame_ms"]["worst_frame"], 6);
+  EXPECT_EQ(spread["cull_ms"]["worst_frame"], 5);
+  EXPECT_EQ(spread["speedup"]["median"], 1);
+  EXPECT_NEAR(spread["speedup"]["percentile_95"].get<double>(), 1.9, 1e-12);
+  EXPECT_NEAR(spread["speedup"]["worst"].get<double>(), 10.0 / 12, 1e-12);
+  EXPECT_NE(text_of(summary).find("12.00 (frame 6)"), std::string::npos) << text_of(summary);
+  EXPECT_NE(text_of(summary).find("-17 % (frame 6)"), std::string::npos) << text_of(summary);
+}
+
+/// Frames whose limit by polygons is 2.5, with these speedups.
+WalkResult frames_of_speedups(const std::vector<double>& speedups) {
+  WalkResult result;
+  for (const double speedup : speedups) {
+    result.frames.push_back(some_frame());
+    result.frames.back().view_frustum_frame_ms = speedup * result.frames.back().frame_ms;
+  }
+  return result;
+}
+
+TEST(Summary, ASpeedupAboveItsLimitIsExplained) {
+  const auto summary = [](const std::vector<double>& speedups) {
+    return summarise(frames_of_speedups(speedups), {}, "model.ply");
+  };
+  const Summary below = summary({2, 2, 2, 2, 2, 2, 2}), noisy = summary({2, 3, 2, 4, 2, 3, 2}),
+                above = summary({3, 3, 3, 4, 3, 3, 3}), few = summary({3, 3});
+  EXPECT_EQ(limit_note(below), "");
+  EXPECT_TRUE(json_of(below)["speedup_limit"]["exceeded"].is_null());
+  EXPECT_NE(limit_note(noisy).find("within the noise"), std::string::npos);
+  EXPECT_NE(limit_note(few).find("within the noise"), std::string::npos);
+  EXPECT_EQ(json_of(noisy)["speedup_limit"]["exceeded"], "within_noise");
+  EXPECT_NE(limit_note(above).find("took longer to draw"), std::string::npos);
+  EXPECT_EQ(json_of(above)["speedup_limit"]["exceeded"], "beyond_noise");
+  EXPECT_NE(text_of(above).find(limit_note(above)), std::string::npos);
+  EXPECT_NE(walk_page(above, {some_frame()}, {}).find(limit_note(above)), std::string::npos);
+}
+
+TEST(Summary, ThePaperStandsForItsOwnModel) {
+  const Summary summary = summarise(one_frame(some_frame()), {}, "sponza.ply");
+  EXPECT_NE(text_of(summary).find("the paper, its own model"), std::string::npos) << text_of(summary);
+  EXPECT_NE(table2_html(summary).find("the paper, its own model"), std::string::npos) << table2_html(summary);
+}
+
+TEST(Summary, APageWithoutPicturesDoesNotSayThatFramesWereDrawn) {
+  WalkOptions options;
+  const WalkResult result = one_frame(some_frame());
+  const std::string drawn = walk_page(summarise(result, options, "model.ply"), result.frames, {});
+  EXPECT_NE(drawn.find("Every frame was drawn with both methods"), std::string::npos) << drawn;
+  options.render = false;
+  const std::string page = walk_page(summarise(result, options, "model.ply"), result.frames, {});
+  EXPECT_EQ(page.find("was drawn with"), std::string::npos) << page;
+  EXPECT_EQ(page.find("item buffer"), std::string::npos) << page;
+  EXPECT_NE(page.find("nothing was drawn"), std::string::npos) << page;
+}
+
 TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {
   WalkOptions options;
   options.render = false;
   const auto json = json_of(summarise(one_frame({}), options, "model.ply"));
   EXPECT_TRUE(json["mean"]["hidden_polygons"].is_null());
   EXPECT_TRUE(json["speedup"].is_null());
+  EXPECT_TRUE(json["spread"]["frame_ms"].is_null());
   EXPECT_TRUE(json["wrong_pixels"].is_null());
   const std::string table = table2_html(summarise(one_frame({}), options, "model.ply"));
   EXPECT_NE(table.find("<td>With occlusion culling</td><td>0</td><td>&ndash;</td>"), std::string::npos) << table;

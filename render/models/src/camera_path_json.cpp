@@ -32,6 +32,7 @@ class PathReader {
   }
 
   CameraPath read() {
+    read_model_name();
     read_frames();
     read_keyframes();
     read_manner();
@@ -68,6 +69,11 @@ class PathReader {
     const glm::dvec3 v(number(value[0], name), number(value[1], name), number(value[2], name));
     if (const auto fault = vertex_fault(v)) fail(name, *fault);
     return v;
+  }
+
+  void read_model_name() {
+    const auto model = root_.find("model");
+    if (model != root_.end() && model->is_string()) path_.model = model->get<std::string>();
   }
 
   void read_frames() {

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "occlude/render/machine.h"
 #include "occlude/render/page.h"
@@ -40,6 +43,11 @@ Json operations(const kernel::Operations& counted) {
           {"cross_per_test", each(counted.cross)}};
 }
 
+Json exceeded(Summary::AboveLimit above) {
+  if (above == Summary::AboveLimit::no) return nullptr;
+  return above == Summary::AboveLimit::within_noise ? "within_noise" : "beyond_noise";
+}
+
 /// Null if there is no limit.
 template <class Number>
 Json if_limited(Number most) {
@@ -47,11 +55,55 @@ Json if_limited(Number most) {
   return is_limited ? Json(most) : Json();
 }
 
+/// The spread over the frames of a member of FrameRecord, or of a function of one.
+template <class Member>
+std::optional<Spread> spread(const WalkResult& result, Worst worst, Member&& member) {
+  std::vector<FrameValue> values;
+  for (const FrameRecord& record : result.frames) {
+    values.push_back({record.frame, static_cast<double>(std::invoke(member, record))});
+  }
+  return spread_of(std::move(values), worst);
+}
+
+double speedup_of(const FrameRecord& record) { return record.view_frustum_frame_ms / record.frame_ms; }
+
+/// Decides by the speedup of each frame over its own limit.
+Summary::AboveLimit above_limit(const WalkResult& result, const Summary& summary) {
+  if (!summary.speedup || !summary.limit_by_polygons || *summary.speedup <= *summary.limit_by_polygons) {
+    return Summary::AboveLimit::no;
+  }
+  std::vector<double> excess;
+  for (const FrameRecord& r : result.frames) {
+    if (r.rendered_polygons == 0 || r.frame_ms <= 0) continue;
+    const double limit = static_cast<double>(r.view_frustum_polygons) / static_cast<double>(r.rendered_polygons);
+    excess.push_back(speedup_of(r) / limit);
+  }
+  std::ranges::sort(excess);
+  const std::optional<Interval> median = median_interval(excess);
+  return median && median->low > 1 ? Summary::AboveLimit::beyond_noise : Summary::AboveLimit::within_noise;
+}
+
+/// The figures of single frames, whose means the table has.
+std::string spread_text(const Summary::Spreads& spread) {
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<Spread>& s, const auto& number) {
+    if (!s) return;
+    text += fmt::format("{:<31} {:>10} {:>10} {:>13} {:>10} (frame {})\n", name, number(s->median), number(s->percentile_5),
+                        number(s->percentile_95), number(s->worst.value), s->worst.frame);
+  };
+  const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
+  add("culling, ms", spread.cull_ms, ms);
+  add("frame, ms", spread.frame_ms, ms);
+  add("speedup", spread.speedup, [](double ratio) { return gain(ratio, "-"); });
+  if (text.empty()) return text;
+  return fmt::format("{:<31} {:>10} {:>10} {:>13} {:>10}\n", "Frame by frame", "median", "5 %", "95 %", "worst") + text;
+}
+
 /// Table 2 of the paper beside the figures of this run.
 std::string table2_text(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   return fmt::format(
-      "Table 2, averages per frame           this run           the paper (1997)\n"
+      "Table 2, averages per frame           this run   the paper, its own model\n"
       "                                  polygons      fps      polygons      fps\n"
       "view-frustum culling            {:>10.0f} {:>8}        49,196      3.6\n"
       "with occlusion culling          {:>10.0f} {:>8}        29,749      5.6\n"
@@ -114,11 +166,18 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   mean_figures.frame_ms_view_frustum_only = if_rendered(viewed_ms);
   mean_figures.frame_ms_visible_only = if_rendered(mean_of(&FrameRecord::visible_frame_ms));
 
+  summary.spread.cull_ms = spread(result, Worst::most, &FrameRecord::cull_ms);
+  if (options.render) {
+    summary.spread.frame_ms = spread(result, Worst::most, &FrameRecord::frame_ms);
+    summary.spread.speedup = spread(result, Worst::least, speedup_of);
+  }
+
   summary.culled_share = viewed == 0 ? 0 : 1 - drawn / viewed;
   summary.culled_share_of_hidden = if_rendered(hidden == 0 ? 0 : (viewed - drawn) / hidden);
   summary.speedup = if_rendered(viewed_ms / frame_ms);
   if (drawn != 0) summary.limit_by_polygons = viewed / drawn;
   if (visible != 0) summary.limit_by_visible = if_rendered(viewed / visible);
+  summary.above_limit = above_limit(result, summary);
   summary.wrong_pixels = if_rendered(total_of(&FrameRecord::wrong_pixels));
   summary.snapped_pixels = if_rendered(total_of(&FrameRecord::snapped_pixels));
   summary.false_culls = if_rendered(total_of(&FrameRecord::false_culls));
@@ -130,16 +189,33 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   return summary;
 }
 
+std::string limit_note(const Summary& summary) {
+  switch (summary.above_limit) {
+    case Summary::AboveLimit::no:
+      return "";
+    case Summary::AboveLimit::within_noise:
+      return "The speedup is above its limit by polygons, but within the noise of the times.";
+    case Summary::AboveLimit::beyond_noise:
+      return "The speedup is above its limit by polygons: that counts all alike, and those culled took longer to draw than "
+             "others.";
+  }
+  return "";
+}
+
 bool passed(const WalkResult& result) {
   return std::all_of(result.frames.begin(), result.frames.end(),
                      [](const FrameRecord& r) { return r.false_culls == 0 && r.wrong_pixels == r.snapped_pixels; });
 }
 
-std::string text_of(const Summary& summary) {
-  std::string text = table2_text(summary);
+std::string text_of(const Summary& summary, const Paint& paint) {
+  std::string text = table2_text(summary) + spread_text(summary.spread);
+  if (const std::string note = limit_note(summary); !note.empty()) text += note + '\n';
   if (summary.options.render) {
-    text += fmt::format("false culls {}, wrong pixels {} (of them by the renderer's 1/256-pixel rounding: {})\n",
-                        *summary.false_culls, *summary.wrong_pixels, *summary.snapped_pixels);
+    const bool is_right = *summary.false_culls == 0 && *summary.wrong_pixels == *summary.snapped_pixels;
+    text += paint(is_right ? Colour::green : Colour::red,
+                  fmt::format("false culls {}, wrong pixels {} (of them by the renderer's 1/256-pixel rounding: {})",
+                              *summary.false_culls, *summary.wrong_pixels, *summary.snapped_pixels)) +
+            '\n';
   }
   if (const auto& witness = summary.options.witness) {
     text += fmt::format("witnesses {}: {}\n", summary.witnesses, printable(witness->native()));
@@ -172,6 +248,15 @@ Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
           {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(printable(options.preprocess.native()))}};
 }
 
+Json json_of(const std::optional<Spread>& spread) {
+  if (!spread) return nullptr;
+  return {{"median", spread->median},
+          {"percentile_5", spread->percentile_5},
+          {"percentile_95", spread->percentile_95},
+          {"worst", spread->worst.value},
+          {"worst_frame", spread->worst.frame}};
+}
+
 Json json_of(const Machine& machine) {
   return {{"processor", machine.processor},
           {"threads", machine.threads},
@@ -200,11 +285,17 @@ Json json_of(const Summary& summary) {
             {"frame_ms", if_known(mean.frame_ms)},
             {"frame_ms_view_frustum_only", if_known(mean.frame_ms_view_frustum_only)},
             {"frame_ms_visible_only", if_known(mean.frame_ms_visible_only)}}},
+          {"spread",
+           {{"cull_ms", json_of(summary.spread.cull_ms)},
+            {"frame_ms", json_of(summary.spread.frame_ms)},
+            {"speedup", json_of(summary.spread.speedup)}}},
           {"culled_share", summary.culled_share},
           {"culled_share_of_hidden", if_known(summary.culled_share_of_hidden)},
           {"speedup", if_known(summary.speedup)},
           {"speedup_limit",
-           {{"polygons", if_known(summary.limit_by_polygons)}, {"visible", if_known(summary.limit_by_visible)}}},
+           {{"polygons", if_known(summary.limit_by_polygons)},
+            {"visible", if_known(summary.limit_by_visible)},
+            {"exceeded", exceeded(summary.above_limit)}}},
           {"wrong_pixels", if_known(summary.wrong_pixels)},
           {"wrong_pixels_explained_by_snapping", if_known(summary.snapped_pixels)},
           {"false_culls", if_known(summary.false_culls)},
@@ -222,16 +313,17 @@ std::string frames_csv(const WalkResult& result) {
       "occluders,potential_occluders,candidates,sort_kept,sort_moves,nodes_visited,view_tests,shadow_tests,probe_tests,"
       "exact_shadow_tests,view_culled_polygons,shadow_"
       "culled_polygons,"
-      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms\n";
+      "wrong_pixels,snapped_pixels,false_culls,cover_tests,cover_triangles,visible_frame_ms,occlusion_first\n";
   for (const FrameRecord& r : result.frames) {
-    fmt::format_to(std::back_inserter(csv),
-                   "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f}\n",
-                   r.frame, r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms,
-                   r.view_frustum_frame_ms, r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders,
-                   r.stats.occluders_in_view, r.stats.sort_kept, r.stats.sort_moves, r.stats.nodes_visited,
-                   r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests, r.stats.exact_shadow_tests,
-                   r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels, r.snapped_pixels,
-                   r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms);
+    fmt::format_to(
+        std::back_inserter(csv),
+        "{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.4f},{:d}\n", r.frame,
+        r.view_frustum_polygons, r.rendered_polygons, r.visible_polygons, r.view_frustum_cull_ms, r.view_frustum_frame_ms,
+        r.cull_ms, r.frame_ms, r.occluders, r.stats.potential_occluders, r.stats.occluders_in_view, r.stats.sort_kept,
+        r.stats.sort_moves, r.stats.nodes_visited, r.stats.view_tests, r.stats.shadow_tests, r.stats.probe_tests,
+        r.stats.exact_shadow_tests, r.stats.view_culled_polygons, r.stats.shadow_culled_polygons, r.wrong_pixels,
+        r.snapped_pixels, r.false_culls, r.stats.cover_tests, r.stats.cover_triangles, r.visible_frame_ms,
+        r.is_occlusion_first);
   }
   return csv;
 }

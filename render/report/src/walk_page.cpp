@@ -49,6 +49,15 @@ std::string plates_html(const std::vector<Plate>& plates) {
   return html;
 }
 
+/// What was drawn of the frames.
+std::string drawing(const Summary& summary) {
+  if (!summary.options.render) return ", of which nothing was drawn: only culling was measured.";
+  return fmt::format(
+      "; on {} of them the item buffer was drawn from the whole model without any culling. Every frame was drawn with both "
+      "methods, one after the other, in alternating order.",
+      summary.reference_frames);
+}
+
 std::string conditions(const Summary& summary) {
   const WalkOptions& options = summary.options;
   const culler::CullOptions& cull = options.cull;
@@ -56,13 +65,11 @@ std::string conditions(const Summary& summary) {
   return fmt::format(
       "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders{}, near plane {}, {} arithmetic, {} test, tree "
       "of {}s. "
-      "{} frames; on {} of them the item buffer was drawn from the whole model without any culling. Preprocess {:.1f} s. "
-      "Every frame was drawn with both methods, one after the other, in alternating order. {}, {} threads; {}; compiled by "
-      "{}.</p>",
+      "{} frames{} Preprocess {:.1f} s. {}, {} threads; {}compiled by {}.</p>",
       options.width, options.height, cull.occluders, cull.unions ? " and unions of pairs of them" : "", name_of(cull.near),
       name_of(cull.arithmetic), name_of(cull.test), summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB",
-      summary.frames, summary.reference_frames, summary.preprocess_s, escaped(machine.processor), machine.threads,
-      machine.renderer.empty() ? "nothing drawn" : escaped(machine.renderer), escaped(machine.compiler));
+      summary.frames, drawing(summary), summary.preprocess_s, escaped(machine.processor), machine.threads,
+      machine.renderer.empty() ? "" : escaped(machine.renderer) + "; ", escaped(machine.compiler));
 }
 
 template <class Member>
@@ -77,7 +84,7 @@ Series series(const std::vector<FrameRecord>& frames, const std::string& name, c
 std::string table2_html(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   return fmt::format(
-      R"(<div class="wide"><table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>paper: polygons</th><th>paper: frames/s</th></tr></thead><tbody>
+      R"(<div class="wide"><table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>the paper, its own model: polygons</th><th>frames/s</th></tr></thead><tbody>
 <tr><td>View-frustum culling</td><td>{}</td><td>{}</td><td>49,196</td><td>3.6</td></tr>
 <tr><td>With occlusion culling</td><td>{}</td><td>{}</td><td>29,749</td><td>5.6</td></tr>
 <tr><td>Drawing only visible polygons</td><td>{}</td><td>{}</td><td>&ndash;</td><td>&ndash;</td></tr>
@@ -120,6 +127,7 @@ std::string walk_page(const Summary& summary, const std::vector<FrameRecord>& fr
       R"(<h1>A walk through {}</h1><p class="lead">{} polygons, {} frames; after Hudson et al. 1997, section 6.3.</p>)",
       model, grouped(static_cast<double>(summary.polygons)), summary.frames);
   body += facts(summary) + "<h2>Averages (the paper's table 2)</h2>" + table2_html(summary);
+  if (const std::string note = limit_note(summary); !note.empty()) body += "<p class=\"soft\">" + note + "</p>";
   body += figures_html(frames, summary.options.render) + conditions(summary) + plates_html(plates);
   return page("occlude: " + model, body);
 }

@@ -15,6 +15,8 @@
 namespace occlude::render {
 namespace {
 
+bool quiet = false;
+
 [[noreturn]] void fail() {
   const int error = errno;
   check_interrupt();  // Ctrl-C ends a write that waits
@@ -29,6 +31,14 @@ void hold_standard_streams() {
     // open() takes the lowest free number, which is the stream's. Opened in the wrong direction, every use of it fails.
     if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) _exit(2);
   }
+}
+
+void be_quiet() { quiet = true; }
+
+bool is_quiet() { return quiet; }
+
+void tell(std::string_view text) {
+  if (!quiet) print(text);
 }
 
 void print(std::string_view text) {

@@ -27,7 +27,11 @@ bool is_ignored(int signal) {
 }  // namespace
 
 Progress::Progress(std::string label, std::size_t total)
-    : label_(std::move(label)), total_(total), start_(Clock::now()), last_(start_), terminal_(isatty(STDERR_FILENO) != 0) {}
+    : label_(std::move(label)),
+      total_(total),
+      start_(Clock::now()),
+      last_(start_),
+      has_line_(isatty(STDERR_FILENO) != 0 && !is_quiet()) {}
 
 Progress::~Progress() {
   if (shown_) say("\r\033[K");
@@ -36,7 +40,7 @@ Progress::~Progress() {
 void Progress::update(std::size_t done) {
   const Clock::time_point now = Clock::now();
   // Two updates a second look smooth, and the first second needs no line.
-  if (!terminal_ || now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(500)) return;
+  if (!has_line_ || now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(500)) return;
   last_ = now;
   shown_ = true;
   if (total_ == 0) {

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "occlude/render/scene_renderer.h"
+#include "occlude/render/view_along_path.h"
 
 namespace occlude::render {
 namespace {
@@ -163,16 +164,16 @@ void add_box(std::vector<Line>& lines, const culler::Box& box, const Rgba& colou
 }  // namespace
 
 std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
-                                    const std::vector<FrameRecord>& frames, const culler::CullOptions& options) {
+                                    const std::vector<FrameRecord>& frames, const WalkOptions& options) {
   SceneRenderer renderer(culler.hierarchy().soup(), kWidth, kHeight);
+  WalkOptions walk = options;
+  walk.width = kWidth;
+  walk.height = kHeight;
+  ViewAlongPath along(culler, path, walk, walk.cull);
   std::vector<DrawnPlate> plates;
-  const std::vector<std::size_t> chosen = moments(frames);
-  culler::View view;
-  for (const FrameRecord& record : frames) {
-    const std::size_t frame = record.frame;
-    const culler::Camera camera = path.camera(frame, static_cast<double>(kWidth) / kHeight);
-    const culler::CullResult& result = culler.cull(camera, options, view);
-    if (std::find(chosen.begin(), chosen.end(), frame) == chosen.end()) continue;
+  for (const std::size_t frame : moments(frames)) {
+    const culler::Camera camera = path.camera(frame, aspect(walk));
+    const culler::CullResult& result = culler.cull(camera, walk.cull, along.before(frame));
     const std::string name = fmt::format("frame_{:06}", frame);
 
     const Layer drawn{result.drawn, std::nullopt};

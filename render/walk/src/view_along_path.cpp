@@ -6,8 +6,7 @@
 namespace occlude::render {
 
 culler::View& ViewAlongPath::before(std::size_t frame) {
-  const bool has_past = cull_.method == culler::Method::frusta && cull_.occluders > 0;
-  for (; has_past && next_ < frame; ++next_) {
+  for (; has_past() && next_ < frame; ++next_) {
     check_interrupt();
     culler_.cull(path_.camera(next_, aspect(walk_)), cull_, view_);
   }

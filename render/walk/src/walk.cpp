@@ -97,7 +97,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
 
   if (!options.render) return result;
   stage.renderer.reset();
-  for (const DrawnPlate& drawn : draw_plates(culler, path, result.frames, options.cull)) {
+  for (const DrawnPlate& drawn : draw_plates(culler, path, result.frames, options)) {
     output.add_plate(drawn.plate, drawn.image);
   }
   return result;

@@ -37,14 +37,13 @@ class Walker {
       record.witness_ms = timing.witness_ms;
       record.frame_ms = timing.frame_ms;
     };
-    // The order alternates, so that neither method always runs with the caches that the other left.
-    if (frame % 2 == 0) {
-      with_view_frustum();
-      with_occlusion();
-    } else {
-      with_occlusion();
-      with_view_frustum();
-    }
+    // The order alternates from one drawn frame to the next, whatever their numbers: the second method finds the caches
+    // warm.
+    record.is_occlusion_first = is_occlusion_first_;
+    if (is_occlusion_first_) with_occlusion();
+    with_view_frustum();
+    if (!is_occlusion_first_) with_occlusion();
+    is_occlusion_first_ = !is_occlusion_first_;
     const culler::CullResult& culled = view.result();
     record.view_frustum_polygons = view_without_.result().stats.drawn_polygons;
     record.rendered_polygons = culled.stats.drawn_polygons;
@@ -106,7 +105,8 @@ class Walker {
   const WalkOptions& options_;
   SceneRenderer* renderer_;
   culler::CullOptions view_only_;
-  culler::View view_without_;               ///< with view-frustum culling alone
+  culler::View view_without_;  ///< with view-frustum culling alone
+  bool is_occlusion_first_ = false;
   std::vector<culler::Witness> witnesses_;  ///< of the last frame
 };
 

@@ -17,16 +17,16 @@ namespace occlude::render {
 ReplayedFrame::ReplayedFrame(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                              std::size_t frame)
     : culler_(culler), options_(options), number_(frame), along_(culler, path, options, options.cull) {
-  const std::vector<std::size_t> frames = frames_of(path, options);
-  const auto found = std::ranges::find(frames, frame);
-  if (found == frames.end()) {
-    throw InputError(fmt::format("the walk has no frame {}; its last frame is {}", frame, frames.back()));
+  const std::size_t begin = frames_of(path, options).front(), end = std::min(options.end, path.frames);
+  if (frame < begin || frame >= end) {
+    throw InputError(fmt::format("the walk has no frame {}: it has frames {} to {}", frame, begin, end - 1));
   }
   camera_ = path.camera(frame, aspect(options));
-  Progress progress("frame", static_cast<std::size_t>(found - frames.begin()) + 1);
-  for (auto f = frames.begin(); f <= found; ++f) {
-    culler.cull(path.camera(*f, aspect(options)), options.cull, along_.before(*f));
-    progress.update(static_cast<std::size_t>(f - frames.begin()) + 1);
+  const std::size_t first = along_.has_past() ? begin : frame;
+  Progress progress("frame", frame + 1 - first);
+  for (std::size_t f = first; f <= frame; ++f) {
+    culler.cull(path.camera(f, aspect(options)), options.cull, along_.before(f));
+    progress.update(f + 1 - first);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "occlude/culler/camera.h"
@@ -19,6 +20,7 @@ struct CameraPath {
   };
   enum class Interpolation { linear, smooth };
 
+  std::string model;  ///< file name of the model that the path was made for; may be empty
   std::size_t frames = 0;
   std::vector<Keyframe> keyframes;  ///< at least two
   Interpolation interpolation = Interpolation::linear;

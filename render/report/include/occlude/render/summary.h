@@ -9,6 +9,8 @@
 #include <string>
 
 #include "occlude/kernel/operations.h"
+#include "occlude/render/paint.h"
+#include "occlude/render/spread.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::render {
@@ -34,16 +36,26 @@ struct Summary {
     std::optional<double> frame_ms, frame_ms_view_frustum_only, frame_ms_visible_only;
   };
 
+  /// Whether the speedup is above its limit by polygons, and if so, whether that may be the noise of the measured times.
+  enum class AboveLimit { no, within_noise, beyond_noise };
+
+  /// Over the frames.
+  struct Spreads {
+    std::optional<Spread> cull_ms, frame_ms, speedup;
+  };
+
   std::string model;
   std::size_t polygons = 0, triangles = 0, frames = 0;
   WalkOptions options;
   culler::BuildConfig build;
   Mean mean;
+  Spreads spread;
   double culled_share = 0;  ///< of the polygons in the view frustum
   std::optional<double> culled_share_of_hidden;
   std::optional<double> speedup;
   std::optional<double> limit_by_polygons;  ///< of the speedup: ratio of polygons drawn; empty if none was
   std::optional<double> limit_by_visible;   ///< of the speedup: drawing only what is visible
+  AboveLimit above_limit = AboveLimit::no;
   std::optional<std::size_t> wrong_pixels, snapped_pixels, false_culls;
   std::size_t reference_frames = 0, witnesses = 0;
   kernel::Operations operations;
@@ -68,13 +80,17 @@ template <class Member>
 /// The mean number of polygons in the view frustum without a pixel in the item buffer.
 [[nodiscard]] double mean_hidden(const WalkResult& result);
 
-/// Table 2 of the paper beside the figures of this run, and the checks.
-[[nodiscard]] std::string text_of(const Summary& summary);
+/// Why the speedup is above its limit by polygons; empty if it is not.
+[[nodiscard]] std::string limit_note(const Summary& summary);
+
+/// Table 2 of the paper beside the figures of this run, their spread, and the checks.
+[[nodiscard]] std::string text_of(const Summary& summary, const Paint& paint = {});
 
 /// The contents of summary.json.
 [[nodiscard]] nlohmann::ordered_json json_of(const Summary& summary);
 
-/// Members that other reports share: the options and the machine.
+/// Members that other reports share: a spread (null if there is none), the options and the machine.
+[[nodiscard]] nlohmann::ordered_json json_of(const std::optional<Spread>& spread);
 [[nodiscard]] nlohmann::ordered_json json_of(const WalkOptions& options, const culler::BuildConfig& build);
 [[nodiscard]] nlohmann::ordered_json json_of(const Machine& machine);
 

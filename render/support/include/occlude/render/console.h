@@ -10,6 +10,13 @@ namespace occlude::render {
 /// printing to it fails. Call this before anything else.
 void hold_standard_streams();
 
+/// From now on tell() prints nothing and no Progress is shown.
+void be_quiet();
+[[nodiscard]] bool is_quiet();
+
+/// Prints a result for people, unless they asked for quiet. Throws as print().
+void tell(std::string_view text);
+
 /// Prints to standard output. Throws InputError when standard output cannot be written.
 void print(std::string_view text);
 

@@ -10,8 +10,8 @@
 
 namespace occlude::render {
 
-/// Shows "LABEL done/total  time left" after the first second, if stderr is a terminal. The destructor clears the line. A
-/// total of 0 means unknown: "LABEL done".
+/// Shows "LABEL done/total  time left" after the first second, if stderr is a terminal and --quiet is not given. The
+/// destructor clears the line. A total of 0 means unknown: "LABEL done".
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
@@ -26,7 +26,7 @@ class Progress {
   std::string label_;
   std::size_t total_;
   Clock::time_point start_, last_;
-  bool terminal_, shown_ = false;
+  bool has_line_, shown_ = false;
 };
 
 /// A progress callback, called with (done, total), for work that knows the total only once it begins. Throws Interrupted

@@ -16,11 +16,11 @@ struct DrawnPlate {
   Image image;
 };
 
-/// The view of the camera and a view from outside, for up to four of `frames`, spread over the walk.
-/// REQUIRES: an OffscreenContext current on this thread.
+/// The view of the camera and a view from outside, for up to four of `frames`, spread over the walk. Each is culled after
+/// the same frames as in the walk, but in the shape of the plates, 16:9. REQUIRES: an OffscreenContext current on this
+/// thread.
 [[nodiscard]] std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
-                                                  const std::vector<FrameRecord>& frames,
-                                                  const culler::CullOptions& options);
+                                                  const std::vector<FrameRecord>& frames, const WalkOptions& options);
 
 /// The view of the camera with the polygon (magenta), its node (red) and the occluder (orange); and the same from outside,
 /// with the polygons culled by shadow (red).

@@ -19,11 +19,12 @@ class ViewAlongPath {
                 const culler::CullOptions& cull)
       : culler_(culler), path_(path), walk_(walk), cull_(cull), next_(walk.begin) {}
 
-  /// The view before `frame`, which the caller then culls. Culls the skipped frames first. With Method::cover or without
-  /// occluders it culls none, because frames do not depend on each other there. REQUIRES: a frame after that of the last
-  /// call. Throws Interrupted on Ctrl-C.
+  /// The view before `frame`, which the caller then culls. Culls the skipped frames first, if it has_past(). REQUIRES: a
+  /// frame after that of the last call. Throws Interrupted on Ctrl-C.
   [[nodiscard]] culler::View& before(std::size_t frame);
   [[nodiscard]] const culler::View& view() const { return view_; }
+  /// Whether the culling of a frame depends on the frames before it.
+  [[nodiscard]] bool has_past() const { return cull_.method == culler::Method::frusta && cull_.occluders > 0; }
 
  private:
   const culler::Culler& culler_;

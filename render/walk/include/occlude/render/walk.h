@@ -70,8 +70,9 @@ struct FrameRecord {
   std::size_t visible_polygons = 0;       ///< with a pixel in the item buffer
   double view_frustum_cull_ms = 0, view_frustum_frame_ms = 0;
   double cull_ms = 0, frame_ms = 0;
-  double visible_frame_ms = 0;  ///< time to draw only the visible polygons, without culling
-  double witness_ms = 0;        ///< time to keep the proofs of all culls in memory, on top of cull_ms
+  bool is_occlusion_first = false;  ///< the two methods take turns in going first
+  double visible_frame_ms = 0;      ///< time to draw only the visible polygons, without culling
+  double witness_ms = 0;            ///< time to keep the proofs of all culls in memory, on top of cull_ms
   std::size_t occluders = 0;
   culler::CullStats stats;
   /// Pixels at which the pictures of the two methods differ, and those of them explained by the renderer's rounding of

@@ -17,7 +17,8 @@
 
 namespace occlude::render {
 
-/// A frame of a walk, culled as in the walk, after the frames before it. Throws InputError if the walk lacks this frame.
+/// A frame of a walk, culled as in the walk, after the frames before it; with a step also a frame that the walk does not
+/// count. Throws InputError if the walk lacks this frame.
 class ReplayedFrame {
  public:
   /// All arguments must outlive this object.

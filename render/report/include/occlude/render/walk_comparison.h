@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The results of two walks side by side.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "occlude/render/frame_table.h"
+#include "occlude/render/spread.h"
+
+namespace occlude::render {
+
+/// What a walk wrote.
+struct WalkReading {
+  std::string name;  ///< as the user gave it, printable
+  nlohmann::json summary;
+  std::optional<FrameTable> frames;
+};
+
+/// Reads summary.json, or the folder that has it, with its frames.csv if there is one. Throws InputError for anything that
+/// is not of a walk. No output may replace what is read.
+[[nodiscard]] WalkReading read_walk(const std::filesystem::path& place);
+
+/// What the change from A to B means. `unjudged`: it is neither good nor bad, or its noise is not known.
+enum class Verdict { unjudged, same, better, worse };
+
+struct ComparedFigure {
+  std::string name;  ///< as in summary.json
+  std::optional<double> a, b;
+  std::vector<double> frames_of_a, frames_of_b;  ///< the same of each frame that both have; empty if frames.csv lacks it
+  std::optional<Spread> per_frame;               ///< of B / A, over these frames
+  Verdict verdict = Verdict::unjudged;
+
+  /// B / A, if A is not 0.
+  [[nodiscard]] std::optional<double> ratio() const;
+};
+
+/// A model, an option or a machine that is not the same.
+struct Difference {
+  std::string name, a, b;  ///< printable; "-" where a summary lacks it
+};
+
+struct WalkComparison {
+  std::string a, b;  ///< names of the two
+  std::vector<Difference> differences;
+  std::vector<ComparedFigure> figures;
+  std::optional<std::vector<double>> frames;  ///< that both have, if both have a frames.csv
+
+  [[nodiscard]] std::vector<std::string> worse() const;
+};
+
+/// Counts got better or worse if they changed by more than a thousandth, wrong pixels and false culls by any number. Times
+/// did if the median of their ratios, frame by frame, is more than 5 % from 1 and surely (95 %) on that side of 1.
+[[nodiscard]] WalkComparison compare_walks(const WalkReading& a, const WalkReading& b);
+
+}  // namespace occlude::render

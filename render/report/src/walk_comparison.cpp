@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/walk_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "occlude/render/errors.h"
+#include "occlude/render/json_text.h"
+#include "occlude/render/output_place.h"
+#include "occlude/render/printable.h"
+
+namespace occlude::render {
+namespace {
+
+using Values = std::vector<double>;
+
+/// Changes of a mean below this are not worth a mark.
+constexpr double kLeastChange = 0.001;
+/// Two runs of one walk on one machine differ by up to so much.
+constexpr double kLeastChangeOfTime = 0.05;
+
+enum class Better { neither, less, more };
+enum class Kind { fault, count, time };
+
+/// A figure of summary.json, and how frames.csv has it: a column, the ratio of two, or `1 - ratio`; or not at all.
+struct Figure {
+  const char* name;
+  Better better = Better::neither;
+  Kind kind = Kind::count;
+  const char* column = nullptr;
+  const char* divisor = nullptr;
+  bool is_rest = false;
+};
+
+constexpr auto kFigures = std::to_array<Figure>({
+    {"mean.view_frustum_polygons", Better::neither, Kind::count, "view_frustum_polygons"},
+    {"mean.rendered_polygons", Better::less, Kind::count, "rendered_polygons"},
+    {"mean.visible_polygons", Better::neither, Kind::count, "visible_polygons"},
+    {"mean.hidden_polygons"},
+    {"culled_share", Better::more, Kind::count, "rendered_polygons", "view_frustum_polygons", true},
+    {"culled_share_of_hidden", Better::more},
+    {"mean.occluders", Better::neither, Kind::count, "occluders"},
+    {"mean.candidates", Better::neither, Kind::count, "candidates"},
+    {"mean.sort_moves", Better::neither, Kind::count, "sort_moves"},
+    {"mean.cull_ms", Better::less, Kind::time, "cull_ms"},
+    {"mean.witness_ms", Better::less, Kind::time},
+    {"mean.frame_ms", Better::less, Kind::time, "frame_ms"},
+    {"mean.frame_ms_view_frustum_only", Better::neither, Kind::time, "view_frustum_frame_ms"},
+    {"mean.frame_ms_visible_only", Better::neither, Kind::time, "visible_frame_ms"},
+    {"speedup", Better::more, Kind::time, "view_frustum_frame_ms", "frame_ms"},
+    {"speedup_limit.polygons"},
+    {"speedup_limit.visible"},
+    {"wrong_pixels", Better::less, Kind::fault},
+    {"wrong_pixels_explained_by_snapping"},
+    {"false_culls", Better::less, Kind::fault},
+    {"witnesses"},
+    {"operations.tests"},
+    {"operations.dot_per_test"},
+    {"operations.scalar_per_test"},
+    {"operations.vector_per_test"},
+    {"operations.cross_per_test"},
+    {"preprocess_s", Better::less, Kind::time},
+});
+
+/// The member that a dotted name means; null if there is none.
+const nlohmann::json* member(const nlohmann::json& object, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (!object.is_object()) return nullptr;
+  const auto found = object.find(name.substr(0, dot));
+  if (found == object.end()) return nullptr;
+  return dot == std::string::npos ? &*found : member(*found, name.substr(dot + 1));
+}
+
+std::optional<double> number(const nlohmann::json& summary, const std::string& name) {
+  const nlohmann::json* const value = member(summary, name);
+  const std::optional<double> number = value ? number_of(*value) : std::nullopt;
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// The members of an object by dotted names; those of objects within it too.
+void flatten(const nlohmann::json& object, const std::string& prefix, std::map<std::string, std::string>& members) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      flatten(value, prefix + key + ".", members);
+    } else {
+      members[printable(prefix + key)] = printable(value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+}
+
+/// What was measured and how.
+std::map<std::string, std::string> conditions(const nlohmann::json& summary) {
+  std::map<std::string, std::string> members;
+  nlohmann::json told = nlohmann::json::object();
+  for (const char* name : {"model", "polygons", "triangles", "frames", "method", "options", "machine"}) {
+    if (summary.contains(name)) told[name] = summary[name];
+  }
+  flatten(told, "", members);
+  return members;
+}
+
+std::vector<Difference> differences_of(const nlohmann::json& a, const nlohmann::json& b) {
+  const std::map<std::string, std::string> of_a = conditions(a), of_b = conditions(b);
+  std::map<std::string, std::string> all = of_a;
+  all.insert(of_b.begin(), of_b.end());
+  const auto value = [](const std::map<std::string, std::string>& members, const std::string& name) {
+    const auto found = members.find(name);
+    return found == members.end() ? std::string("-") : found->second;
+  };
+  std::vector<Difference> differences;
+  for (const auto& entry : all) {
+    Difference d{entry.first, value(of_a, entry.first), value(of_b, entry.first)};
+    if (d.a != d.b) differences.push_back(std::move(d));
+  }
+  return differences;
+}
+
+/// Two tables of frames, and the rows of the frames that both have.
+struct Frames {
+  const FrameTable &a, &b;
+  std::vector<std::size_t> rows_of_a, rows_of_b;
+
+  Frames(const FrameTable& first, const FrameTable& second) : a(first), b(second) {
+    for (std::size_t i = 0, k = 0; i < a.frames().size() && k < b.frames().size();) {
+      const double left = a.frames()[i], right = b.frames()[k];
+      if (left == right) {
+        rows_of_a.push_back(i);
+        rows_of_b.push_back(k);
+      }
+      if (left <= right) ++i;
+      if (right <= left) ++k;
+    }
+  }
+
+  [[nodiscard]] bool are_all() const {
+    return rows_of_a.size() == a.frames().size() && rows_of_b.size() == b.frames().size();
+  }
+};
+
+/// The figure on the given frames; empty if the table lacks a column.
+Values values_of(const Figure& figure, const FrameTable& table, const std::vector<std::size_t>& rows) {
+  const Values* const column = figure.column ? table.column(figure.column) : nullptr;
+  const Values* const divisor = figure.divisor ? table.column(figure.divisor) : nullptr;
+  if (!column || (figure.divisor && !divisor)) return {};
+  Values values;
+  for (const std::size_t row : rows) {
+    const double value = divisor ? (*column)[row] / (*divisor)[row] : (*column)[row];
+    values.push_back(figure.is_rest ? 1 - value : value);
+  }
+  return values;
+}
+
+Verdict verdict_of(Better better, bool has_fallen, bool has_risen) {
+  if (better == Better::neither) return Verdict::unjudged;
+  if (!has_fallen && !has_risen) return Verdict::same;
+  return has_risen == (better == Better::more) ? Verdict::better : Verdict::worse;
+}
+
+Verdict judge_change(Better better, double a, double b, double least) {
+  return verdict_of(better, b<a - least * std::abs(a), b> a + least * std::abs(a));
+}
+
+Verdict judge_times(Better better, Values ratios) {
+  std::erase_if(ratios, [](double ratio) { return !std::isfinite(ratio); });
+  std::ranges::sort(ratios);
+  const std::optional<Interval> surely = median_interval(ratios);
+  if (!surely) return Verdict::unjudged;
+  const double median = quantile(ratios, 0.5), most = 1 + kLeastChangeOfTime;
+  return verdict_of(better, surely->high < 1 && median<1 / most, surely->low> 1 && median > most);
+}
+
+double mean(const Values& values) { return std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()); }
+
+/// Judges a figure that both summaries have.
+Verdict judge(const Figure& figure, const ComparedFigure& compared, const Values& ratios, bool has_same_frames) {
+  if (figure.kind == Kind::fault) return judge_change(figure.better, *compared.a, *compared.b, 0);
+  if (figure.kind == Kind::time) return judge_times(figure.better, ratios);
+  if (!ratios.empty()) {
+    return judge_change(figure.better, mean(compared.frames_of_a), mean(compared.frames_of_b), kLeastChange);
+  }
+  return has_same_frames ? judge_change(figure.better, *compared.a, *compared.b, kLeastChange) : Verdict::unjudged;
+}
+
+ComparedFigure compare(const Figure& figure, const WalkReading& a, const WalkReading& b, const Frames* frames) {
+  ComparedFigure compared;
+  compared.name = figure.name;
+  compared.a = number(a.summary, figure.name);
+  compared.b = number(b.summary, figure.name);
+  if (!compared.a || !compared.b) return compared;
+  Values ratios;
+  if (frames) {
+    compared.frames_of_a = values_of(figure, frames->a, frames->rows_of_a);
+    compared.frames_of_b = values_of(figure, frames->b, frames->rows_of_b);
+    std::vector<FrameValue> named;
+    for (std::size_t i = 0; i < std::min(compared.frames_of_a.size(), compared.frames_of_b.size()); ++i) {
+      ratios.push_back(compared.frames_of_b[i] / compared.frames_of_a[i]);
+      named.push_back({static_cast<std::size_t>(frames->a.frames()[frames->rows_of_a[i]]), ratios.back()});
+    }
+    compared.per_frame = spread_of(std::move(named), figure.better == Better::more ? Worst::least : Worst::most);
+  }
+  const bool has_same_frames =
+      frames ? frames->are_all()
+             : a.summary.value("frames", nlohmann::json()) == b.summary.value("frames", nlohmann::json());
+  compared.verdict = judge(figure, compared, ratios, has_same_frames);
+  return compared;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+  throw InputError(file.string() + ": not a summary of `occlude walk`: " + why);
+}
+
+}  // namespace
+
+WalkReading read_walk(const std::filesystem::path& place) {
+  const bool is_folder = std::filesystem::is_directory(place);
+  const std::filesystem::path file = is_folder ? place / "summary.json" : place, table = place / "frames.csv";
+  keep_input(file);
+  WalkReading reading{printable(place.string()), read_json(file), std::nullopt};
+  if (!reading.summary.is_object()) refuse(file, "expected a JSON object");
+  for (const Figure& figure : kFigures) {
+    const nlohmann::json* const value = member(reading.summary, figure.name);
+    if (value && !value->is_null() && !number_of(*value)) refuse(file, std::string(figure.name) + ": expected a number");
+  }
+  for (const char* name : {"mean.rendered_polygons", "mean.cull_ms", "culled_share"}) {
+    if (!number(reading.summary, name)) refuse(file, std::string(name) + ": missing");
+  }
+  if (is_folder && std::filesystem::exists(table)) {
+    keep_input(table);
+    reading.frames.emplace(table);
+  }
+  return reading;
+}
+
+std::optional<double> ComparedFigure::ratio() const { return a && b && *a != 0 ? std::optional(*b / *a) : std::nullopt; }
+
+std::vector<std::string> WalkComparison::worse() const {
+  std::vector<std::string> names;
+  for (const ComparedFigure& figure : figures) {
+    if (figure.verdict == Verdict::worse) names.push_back(figure.name);
+  }
+  return names;
+}
+
+WalkComparison compare_walks(const WalkReading& a, const WalkReading& b) {
+  WalkComparison comparison{a.name, b.name, differences_of(a.summary, b.summary), {}, {}};
+  std::optional<Frames> frames;
+  if (a.frames && b.frames) frames.emplace(*a.frames, *b.frames);
+  for (const Figure& figure : kFigures) comparison.figures.push_back(compare(figure, a, b, frames ? &*frames : nullptr));
+  if (!frames) return comparison;
+  comparison.frames.emplace();
+  for (const std::size_t row : frames->rows_of_a) comparison.frames->push_back(frames->a.frames()[row]);
+  return comparison;
+}
+
+}  // namespace occlude::render
