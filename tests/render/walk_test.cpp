@@ -8,6 +8,7 @@
 
 #include "comparison.h"
 #include "occlude/render/offscreen_context.h"
+#include "occlude/render/paper_html.h"
 #include "occlude/render/scene_renderer.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_page.h"
@@ -146,10 +147,18 @@ TEST(Summary, TextAndPageShowItsFigures) {
   const WalkResult result = one_frame(some_frame());
   const Summary summary = summarise(result, {}, "model.ply");
   EXPECT_NE(text_of(summary).find("+100 %"), std::string::npos) << text_of(summary);
-  const std::string page = walk_page(summary, result.frames, {});
+  culler::PolygonSoup soup;
+  add_wall(soup, 4, -1, 1);
+  add_wall(soup, 6, -1, 1);
+  const culler::Culler culler(soup);
+  WalkRecording recording(culler);
+  recording.add_frame({}, culler.cull(culler::Camera{}));
+  const std::string page = walk_page(summary, {result.frames, recording, {}, "occlude walk 'a<b.ply'"});
   EXPECT_NE(page.find("<b>60.0 %</b>"), std::string::npos) << page;
   EXPECT_NE(page.find("<b>2.00 &times;</b>"), std::string::npos) << page;
   EXPECT_NE(page.find("<td>75.0 %</td>"), std::string::npos) << page;  // of the hidden polygons, culled
+  EXPECT_NE(page.find("occlude walk 'a&lt;b.ply'"), std::string::npos) << page;
+  EXPECT_NE(page.find("The model is simplified here: the 2 largest of its 3 polygons."), std::string::npos) << page;
 }
 
 TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {
