@@ -6,8 +6,8 @@
 #include "experiments.h"
 #include "occlude/render/chart.h"
 #include "occlude/render/page.h"
+#include "occlude/render/paper_html.h"
 #include "occlude/render/summary.h"
-#include "occlude/render/walk_page.h"
 #include "tables.h"
 
 namespace occlude::experiments {

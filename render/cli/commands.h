@@ -4,6 +4,8 @@
 // throws InputError.
 #pragma once
 
+#include <string>
+
 #include "command_line.h"
 
 namespace occlude::cli {
@@ -13,7 +15,8 @@ inline constexpr int kDone = 0, kCheckFailed = 1, kBadInput = 2, kInterrupted = 
 void add_help(Command app, int& exit_code);
 void add_generate(Command app, int& exit_code);
 void add_preprocess(Command app, int& exit_code);
-void add_walk(Command app, int& exit_code);
+/// `command_line` is written into the report.
+void add_walk(Command app, int& exit_code, const std::string& command_line);
 void add_compare(Command app, int& exit_code);
 void add_classify(Command app, int& exit_code);
 void add_why(Command app, int& exit_code);

@@ -5,7 +5,9 @@
 
 #include <exception>
 #include <new>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "commands.h"
 #include "occlude/render/console.h"
@@ -21,6 +23,20 @@ namespace {
 using occlude::cli::kBadInput;
 using occlude::cli::kInterrupted;
 
+/// The command line, which a shell reads as the same words.
+std::string as_typed(int argc, char** argv) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,%@";
+  std::string line = "occlude";
+  for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+    const bool is_plain = !word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos;
+    line += is_plain ? fmt::format(" {}", word) : " '";
+    if (is_plain) continue;
+    for (const char c : word) line += c == '\'' ? "'\\''" : std::string(1, c);
+    line += "'";
+  }
+  return occlude::render::printable(line);
+}
+
 void add_bench(occlude::cli::Command app, int& exit_code) {
   occlude::cli::Command bench = app.add_command("bench", "Measure the speed of the kernel, the culler and scenes");
   bench.require_command();
@@ -34,7 +50,7 @@ void run(int argc, char** argv, int& exit_code) {
   const auto declare = [&](occlude::cli::Command app) {
     occlude::cli::add_generate(app, exit_code);
     occlude::cli::add_preprocess(app, exit_code);
-    occlude::cli::add_walk(app, exit_code);
+    occlude::cli::add_walk(app, exit_code, as_typed(argc, argv));
     occlude::cli::add_compare(app, exit_code);
     occlude::cli::add_why(app, exit_code);
     occlude::cli::add_classify(app, exit_code);

@@ -38,7 +38,7 @@ void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file)
   };
 }
 
-void walk(const Arguments& arguments, int& exit_code) {
+void walk(const Arguments& arguments, int& exit_code, const std::string& command_line) {
   render::WalkOptions options = arguments.walk.options();
   options.render = !arguments.no_render;
   if (!arguments.witness.empty()) options.witness = arguments.witness;
@@ -46,7 +46,7 @@ void walk(const Arguments& arguments, int& exit_code) {
   std::optional<render::OutputFile> cases;
   if (!arguments.cases.empty()) record_shadow_tests(options, cases.emplace(arguments.cases));
   const std::filesystem::path out = arguments.out;
-  render::WalkFiles files(out, options);
+  render::WalkFiles files(out, options, command_line);
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
   const culler::PolygonSoup model = render::read_model(arguments.model);
   warn_of_misfit(path, arguments.path, arguments.model, model);
@@ -66,7 +66,7 @@ void walk(const Arguments& arguments, int& exit_code) {
 
 }  // namespace
 
-void add_walk(Command app, int& exit_code) {
+void add_walk(Command app, int& exit_code, const std::string& command_line) {
   Command command = app.add_command("walk", "Walk a path through a model with and without occlusion culling, and compare");
   command.footer(
       "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
@@ -88,7 +88,7 @@ void add_walk(Command app, int& exit_code) {
                "write the shadow tests of about 48 frames to this file, as cases for occlude classify and fuzz");
   });
   command.add_flag("--json", a->json, "print summary.json instead of Table 2");
-  command.run([a, &exit_code] { walk(*a, exit_code); });
+  command.run([a, &exit_code, command_line] { walk(*a, exit_code, command_line); });
 }
 
 }  // namespace occlude::cli

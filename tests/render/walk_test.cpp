@@ -8,6 +8,7 @@
 
 #include "comparison.h"
 #include "occlude/render/offscreen_context.h"
+#include "occlude/render/paper_html.h"
 #include "occlude/render/scene_renderer.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_page.h"
@@ -142,14 +143,27 @@ TEST(Summary, HasTheMembersOfTheContract) {
   for (const char* name : {"wrong_pixels", "false_culls", "operations", "machine"}) EXPECT_TRUE(json.contains(name)) << name;
 }
 
+/// The page of a model of two walls.
+std::string page_of(const Summary& summary, const std::vector<FrameRecord>& frames) {
+  culler::PolygonSoup soup;
+  add_wall(soup, 4, -1, 1);
+  add_wall(soup, 6, -1, 1);
+  const culler::Culler culler(soup);
+  WalkRecording recording(culler);
+  recording.add_frame({}, culler.cull(culler::Camera{}));
+  return walk_page(summary, {frames, recording, {}, "occlude walk 'a<b.ply'"});
+}
+
 TEST(Summary, TextAndPageShowItsFigures) {
   const WalkResult result = one_frame(some_frame());
   const Summary summary = summarise(result, {}, "model.ply");
   EXPECT_NE(text_of(summary).find("+100 %"), std::string::npos) << text_of(summary);
-  const std::string page = walk_page(summary, result.frames, {});
+  const std::string page = page_of(summary, result.frames);
   EXPECT_NE(page.find("<b>60.0 %</b>"), std::string::npos) << page;
   EXPECT_NE(page.find("<b>2.00 &times;</b>"), std::string::npos) << page;
   EXPECT_NE(page.find("<td>75.0 %</td>"), std::string::npos) << page;  // of the hidden polygons, culled
+  EXPECT_NE(page.find("occlude walk 'a&lt;b.ply'"), std::string::npos) << page;
+  EXPECT_NE(page.find("The model is simplified here: the 2 largest of its 3 polygons."), std::string::npos) << page;
 }
 
 TEST(Summary, HasTheSpreadOverTheFrames) {
@@ -197,7 +211,7 @@ TEST(Summary, ASpeedupAboveItsLimitIsExplained) {
   EXPECT_NE(limit_note(above).find("took longer to draw"), std::string::npos);
   EXPECT_EQ(json_of(above)["speedup_limit"]["exceeded"], "beyond_noise");
   EXPECT_NE(text_of(above).find(limit_note(above)), std::string::npos);
-  EXPECT_NE(walk_page(above, {some_frame()}, {}).find(limit_note(above)), std::string::npos);
+  EXPECT_NE(page_of(above, {some_frame()}).find(limit_note(above)), std::string::npos);
 }
 
 TEST(Summary, ThePaperStandsForItsOwnModel) {
@@ -209,13 +223,13 @@ TEST(Summary, ThePaperStandsForItsOwnModel) {
 TEST(Summary, APageWithoutPicturesDoesNotSayThatFramesWereDrawn) {
   WalkOptions options;
   const WalkResult result = one_frame(some_frame());
-  const std::string drawn = walk_page(summarise(result, options, "model.ply"), result.frames, {});
+  const std::string drawn = page_of(summarise(result, options, "model.ply"), result.frames);
   EXPECT_NE(drawn.find("Every frame was drawn with both methods"), std::string::npos) << drawn;
   options.render = false;
-  const std::string page = walk_page(summarise(result, options, "model.ply"), result.frames, {});
+  const std::string page = page_of(summarise(result, options, "model.ply"), result.frames);
   EXPECT_EQ(page.find("was drawn with"), std::string::npos) << page;
   EXPECT_EQ(page.find("item buffer"), std::string::npos) << page;
-  EXPECT_NE(page.find("nothing was drawn"), std::string::npos) << page;
+  EXPECT_NE(page.find("Nothing was drawn"), std::string::npos) << page;
 }
 
 TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {

@@ -30,7 +30,8 @@ std::string marker(const std::filesystem::path& file) {
   return big_endian(text.size() - 4) + text + big_endian(checksum);  // the length excludes the type
 }
 
-std::string encode(const std::filesystem::path& file, const Image& picture) {
+/// `what` names the picture in an error.
+std::string encode(const std::string& what, const Image& picture) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(picture.width);
@@ -41,14 +42,33 @@ std::string encode(const std::filesystem::path& file, const Image& picture) {
   constexpr int kAllBits = 0;     // no reduction to 8 bits is needed
   constexpr int kPackedRows = 0;  // row stride: rows are contiguous
   if (png_image_write_to_memory(&png, bytes.data(), &size, kAllBits, picture.pixels.data(), kPackedRows, nullptr) == 0)
-    throw InputError(file.string() + ": cannot encode the picture: " + png.message);
+    throw InputError(what + ": cannot encode the picture: " + png.message);
   bytes.resize(size);
-  return bytes.insert(kHead, marker(file));
+  return bytes;
 }
 
 }  // namespace
 
-void write_png(OutputFile& file, const Image& image) { file.write(encode(file.path(), image)); }
+Image halved(const Image& image) {
+  Image half{image.width / 2, image.height / 2, {}};
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      const auto mean = [&](std::uint8_t Rgba::*channel) {
+        const int sum = image.at(2 * x, 2 * y).*channel + image.at(2 * x + 1, 2 * y).*channel +
+                        image.at(2 * x, 2 * y + 1).*channel + image.at(2 * x + 1, 2 * y + 1).*channel;
+        return static_cast<std::uint8_t>((sum + 2) / 4);
+      };
+      half.pixels.push_back({mean(&Rgba::r), mean(&Rgba::g), mean(&Rgba::b), mean(&Rgba::a)});
+    }
+  }
+  return half;
+}
+
+std::string png_of(const Image& picture) { return encode("a picture", picture); }
+
+void write_png(OutputFile& file, const Image& image) {
+  file.write(encode(file.path().string(), image).insert(kHead, marker(file.path())));
+}
 
 bool is_own_png(const std::filesystem::path& file) {
   const std::string expected = marker(file);

@@ -2,10 +2,10 @@
 #include "occlude/render/walk_files.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "occlude/render/progress.h"
-#include "occlude/render/walk_page.h"
 
 namespace occlude::render {
 namespace {
@@ -16,14 +16,21 @@ bool is_plate(const std::string& name) {
 
 }  // namespace
 
-WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& options)
+WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command)
     : folder_(folder),
       plates_folder_(folder / "plates"),
       csv_(folder / "frames.csv"),
       report_(folder / "report.html"),
       summary_(folder / "summary.json"),
       witness_(options.witness ? std::optional<OutputFile>(std::in_place, *options.witness) : std::nullopt),
-      pictures_(folder / "plates", is_plate) {}
+      pictures_(folder / "plates", is_plate),
+      command_(std::move(command)) {}
+
+void WalkFiles::add_model(const culler::Culler& culler) { recording_.emplace(culler); }
+
+void WalkFiles::add_frame(const culler::Camera& camera, const culler::CullResult& culled) {
+  recording_->add_frame(camera, culled);
+}
 
 void WalkFiles::add_witness(std::string_view line) {
   witness_->write(line);
@@ -32,12 +39,13 @@ void WalkFiles::add_witness(std::string_view line) {
 
 void WalkFiles::add_plate(const Plate& plate, const Image& image) {
   pictures_.add(plate.file, image);
-  plates_.push_back(plate);
+  constexpr std::size_t kInPage = 2;  // the plates of one frame, in half their size: they are only for old browsers
+  if (page_pictures_.size() < kInPage) page_pictures_.push_back({plate.caption, png_of(halved(image))});
 }
 
 void WalkFiles::commit(const WalkResult& result, const Summary& summary) {
   csv_.write(frames_csv(result));
-  report_.write(walk_page(summary, result.frames, plates_));
+  report_.write(walk_page(summary, {result.frames, *recording_, page_pictures_, command_}));
   summary_.write(json_of(summary).dump(2) + "\n");
   std::vector<OutputFile*> files{&csv_, &report_, &summary_};
   if (witness_) files.push_back(&*witness_);

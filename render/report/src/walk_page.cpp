@@ -3,133 +3,175 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
-#include "occlude/render/chart.h"
+#include "deflated.h"
 #include "occlude/render/page.h"
+#include "occlude/render/paper_html.h"
+#include "page_files.h"
+#include "template.h"
 
 namespace occlude::render {
 namespace {
-
-constexpr const char* kNone = "&ndash;";
-
-std::string times(const std::optional<double>& ratio) { return ratio ? fmt::format("{:.1f} &times;", *ratio) : kNone; }
-
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string fact(const std::string& value, const std::string& what, bool bad = false) {
   return fmt::format(R"(<div class="fact{}"><b>{}</b>{}</div>)", bad ? " bad" : "", value, what);
 }
 
-/// The main results.
+/// The main results. The paper's are of its own city, so only shares and ratios stand beside them.
 std::string facts(const Summary& summary) {
-  std::string html = R"(<div class="facts">)";
-  html += fact(percent(summary.culled_share), "of the polygons in the view frustum culled");
-  if (summary.options.render) {
-    const std::size_t wrong = *summary.wrong_pixels, snapped = *summary.snapped_pixels;
-    html += fact(fmt::format("{:.2f} &times;", *summary.speedup), "frames a second, against view-frustum culling");
-    html += fact(fmt::format("{}", *summary.false_culls), "visible polygons culled", *summary.false_culls != 0);
-    html +=
-        fact(fmt::format("{}", wrong),
-             snapped == 0 ? "pixels that differ"
-                          : fmt::format("pixels that differ, {} of them by the renderer's 1/256-pixel rounding", snapped),
-             wrong != snapped);
+  std::string html =
+      fact(percent(summary.culled_share), "of the polygons in the view frustum culled <small>(paper: 39.5 %)</small>");
+  if (!summary.options.render) {
+    return html + fact(fmt::format("{:.2f} ms", summary.mean.cull_ms), "to cull a frame, on average");
   }
-  return html + "</div>";
-}
-
-std::string plates_html(const std::vector<Plate>& plates) {
-  if (plates.empty()) return "";
-  std::string html = "<h2>Plates</h2>";
-  for (const Plate& plate : plates) {
-    fmt::format_to(std::back_inserter(html),
-                   R"(<figure><img src="plates/{0}" alt="{1}" loading="lazy"><figcaption>{1}</figcaption></figure>)",
-                   plate.file, escaped(plate.caption));
-  }
+  const std::size_t wrong = *summary.wrong_pixels, snapped = *summary.snapped_pixels;
+  html += fact(fmt::format("{:.2f} &times;", *summary.speedup),
+               "frames a second, against view-frustum culling <small>(paper: 1.55)</small>");
+  html += fact(fmt::format("{}", *summary.false_culls), "visible polygons culled", *summary.false_culls != 0);
+  html += fact(fmt::format("{}", wrong),
+               snapped == 0 ? "pixels that differ"
+                            : fmt::format("pixels that differ, {} of them by the renderer's 1/256-pixel rounding", snapped),
+               wrong != snapped);
   return html;
 }
 
-/// What was drawn of the frames.
-std::string drawing(const Summary& summary) {
-  if (!summary.options.render) return ", of which nothing was drawn: only culling was measured.";
-  return fmt::format(
-      "; on {} of them the item buffer was drawn from the whole model without any culling. Every frame was drawn with both "
-      "methods, one after the other, in alternating order.",
-      summary.reference_frames);
+std::string lead(const Summary& summary) {
+  const bool is_cover = summary.options.cull.method == culler::Method::cover;
+  return fmt::format("{} polygons, {} frames; {}. After Hudson et al. 1997, section 6.3.{}",
+                     grouped(static_cast<double>(summary.polygons)), grouped(static_cast<double>(summary.frames)),
+                     is_cover ? "hidden by everything in front, joined" : "hidden by the shadows of single occluders",
+                     summary.options.render ? "" : " Nothing was drawn: this walk measured culling alone.");
+}
+
+const char* method_of(const Summary& summary) {
+  return summary.options.cull.method == culler::Method::cover ? "cover" : "frusta";
+}
+
+std::string note(const std::string& text) { return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>"; }
+
+/// What is not as in the walk.
+std::string simplified(const Summary& summary, const WalkRecording& recording) {
+  std::string html;
+  if (recording.polygons() < summary.polygons) {
+    html += fmt::format("The model is simplified here: the {} largest of its {} polygons. ",
+                        grouped(static_cast<double>(recording.polygons())), grouped(static_cast<double>(summary.polygons)));
+  }
+  if (recording.every() > 1) html += fmt::format("Of every {} frames one is shown here. ", recording.every());
+  return html.empty() ? "" : R"(<p class="note">)" + html + "</p>";
+}
+
+std::string pictures_html(const std::vector<PagePicture>& pictures) {
+  std::string html;
+  for (const PagePicture& picture : pictures) {
+    fmt::format_to(std::back_inserter(html),
+                   R"(<figure><img src="data:image/png;base64,{0}" alt="{1}"><figcaption>{1}</figcaption></figure>)",
+                   base64(picture.png), escaped(picture.caption));
+  }
+  return html;
 }
 
 std::string conditions(const Summary& summary) {
   const WalkOptions& options = summary.options;
   const culler::CullOptions& cull = options.cull;
   const Machine& machine = summary.machine;
-  return fmt::format(
-      "<h2>Conditions</h2><p class=\"soft\">{}&times;{} pixels, {} occluders{}, near plane {}, {} arithmetic, {} test, tree "
-      "of {}s. "
-      "{} frames{} Preprocess {:.1f} s. {}, {} threads; {}compiled by {}.</p>",
-      options.width, options.height, cull.occluders, cull.unions ? " and unions of pairs of them" : "", name_of(cull.near),
-      name_of(cull.arithmetic), name_of(cull.test), summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB",
-      summary.frames, drawing(summary), summary.preprocess_s, escaped(machine.processor), machine.threads,
-      machine.renderer.empty() ? "" : escaped(machine.renderer) + "; ", escaped(machine.compiler));
+  const std::string method =
+      cull.method == culler::Method::cover
+          ? fmt::format("joined shadows in a picture of {}&times;{}", cull.cover.width, cull.cover.height)
+          : fmt::format("{} occluders{}, near plane {}, {} test", cull.occluders,
+                        cull.unions ? " and unions of pairs of them" : "", name_of(cull.near), name_of(cull.test));
+  const std::string drawn = options.render
+                                ? fmt::format(
+                                      "Every frame was drawn with both methods, one after the other, in alternating order, "
+                                      "in {}&times;{} pixels. On "
+                                      "{} frames the item buffer was drawn from the whole model without any culling. ",
+                                      options.width, options.height, summary.reference_frames)
+                                : "Nothing was drawn. ";
+  return fmt::format("<p>{}; {} arithmetic, tree of {}s. {}Preprocess {:.1f} s.</p><p>{}, {} threads; {}compiled by {}.</p>",
+                     method, name_of(cull.arithmetic),
+                     summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB", drawn, summary.preprocess_s,
+                     escaped(machine.processor), machine.threads,
+                     machine.renderer.empty() ? "" : escaped(machine.renderer) + "; ", escaped(machine.compiler));
 }
 
-template <class Member>
-Series series(const std::vector<FrameRecord>& frames, const std::string& name, const std::string& colour, Member member) {
-  Series s{name, colour, {}};
-  for (const FrameRecord& record : frames) s.y.push_back(static_cast<double>(record.*member));
-  return s;
+/// A member of the frames as a member of a JSON object: "name":[...].
+template <class Value>
+void append_column(std::string& json, const char* name, const std::vector<FrameRecord>& frames, Value&& value) {
+  fmt::format_to(std::back_inserter(json), R"({}"{}":[)", json.empty() ? "" : ",", name);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    fmt::format_to(std::back_inserter(json), "{}{:.5g}", i == 0 ? "" : ",",
+                   static_cast<double>(std::invoke(value, frames[i])));
+  }
+  json += "]";
+}
+
+/// The figures of all frames, in columns.
+std::string figures(const Summary& summary, const std::vector<FrameRecord>& frames) {
+  std::string columns;
+  const auto counts = [&](const char* name, auto&& value) {
+    fmt::format_to(std::back_inserter(columns), R"({}"{}":[)", columns.empty() ? "" : ",", name);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      fmt::format_to(std::back_inserter(columns), "{}{}", i == 0 ? "" : ",", std::invoke(value, frames[i]));
+    }
+    columns += "]";
+  };
+  counts("frame", &FrameRecord::frame);
+  counts("in_view", &FrameRecord::view_frustum_polygons);
+  counts("drawn", &FrameRecord::rendered_polygons);
+  counts("culled", [](const FrameRecord& r) { return r.stats.shadow_culled_polygons; });
+  counts("out_of_view", [](const FrameRecord& r) { return r.stats.view_culled_polygons; });
+  append_column(columns, "cull_ms", frames, &FrameRecord::cull_ms);
+  if (summary.options.render) {
+    counts("visible", &FrameRecord::visible_polygons);
+    append_column(columns, "frame_ms", frames, &FrameRecord::frame_ms);
+    append_column(columns, "view_frustum_frame_ms", frames, &FrameRecord::view_frustum_frame_ms);
+    append_column(columns, "visible_frame_ms", frames, &FrameRecord::visible_frame_ms);
+  }
+  const nlohmann::ordered_json walk = {{"model", summary.model},
+                                       {"polygons", summary.polygons},
+                                       {"rendered", summary.options.render},
+                                       {"method", method_of(summary)},
+                                       {"size", {summary.options.width, summary.options.height}}};
+  return fmt::format(R"({{"walk":{},"columns":{{{}}}}})", walk.dump(), columns);
+}
+
+std::string part(std::string_view name, std::string_view bytes) {
+  return fmt::format("<script type=\"application/octet-stream\" id=\"part-{}\">{}</script>\n", name,
+                     base64(deflated(bytes)));
+}
+
+std::string parts(const Summary& summary, const WalkPageContent& content) {
+  std::string html = part("figures", figures(summary, content.frames));
+  for (const auto& [name, bytes] : content.recording.parts()) html += part(name, bytes);
+  return html;
 }
 
 }  // namespace
 
-std::string table2_html(const Summary& summary) {
-  const Summary::Mean& mean = summary.mean;
-  return fmt::format(
-      R"(<div class="wide"><table><thead><tr><th>Averages per frame</th><th>polygons</th><th>frames/s</th><th>the paper, its own model: polygons</th><th>frames/s</th></tr></thead><tbody>
-<tr><td>View-frustum culling</td><td>{}</td><td>{}</td><td>49,196</td><td>3.6</td></tr>
-<tr><td>With occlusion culling</td><td>{}</td><td>{}</td><td>29,749</td><td>5.6</td></tr>
-<tr><td>Drawing only visible polygons</td><td>{}</td><td>{}</td><td>&ndash;</td><td>&ndash;</td></tr>
-<tr><td>Polygons culled; speedup</td><td>{:.1f} %</td><td>{}</td><td>39.5 %</td><td>+55 %</td></tr>
-<tr><td>Limit of the speedup: ratio of polygons drawn</td><td></td><td>{}</td><td></td><td>+65 %</td></tr>
-<tr><td>Limit of the speedup: drawing only what is visible</td><td></td><td>{}</td><td></td><td>&ndash;</td></tr>
-<tr><td>Of the hidden polygons in the view frustum, culled</td><td>{}</td><td></td><td></td><td></td></tr>
-</tbody></table></div>)",
-      grouped(mean.view_frustum_polygons), fps(mean.frame_ms_view_frustum_only, kNone), grouped(mean.rendered_polygons),
-      fps(mean.frame_ms, kNone), mean.visible_polygons ? grouped(*mean.visible_polygons) : kNone,
-      fps(mean.frame_ms_visible_only, kNone), 100 * summary.culled_share, gain(summary.speedup, kNone),
-      gain(summary.limit_by_polygons, kNone), times(summary.limit_by_visible),
-      summary.culled_share_of_hidden ? percent(*summary.culled_share_of_hidden) : kNone);
-}
-
-std::string figures_html(const std::vector<FrameRecord>& frames, bool rendered) {
-  std::vector<double> numbers;
-  for (const FrameRecord& record : frames) numbers.push_back(static_cast<double>(record.frame));
-  const std::string before = "#8a94a3", after = "#1565c0", seen = "#2e9e5b";
-  std::string html;
-  if (rendered) {
-    html += "<h2>Frame time (the paper's figure 2)</h2><figure>" +
-            line_chart({"frame"}, {"milliseconds"}, numbers,
-                       {series(frames, "view-frustum culling", before, &FrameRecord::view_frustum_frame_ms),
-                        series(frames, "with occlusion culling", after, &FrameRecord::frame_ms),
-                        series(frames, "culling alone", "#d9822b", &FrameRecord::cull_ms)}) +
-            "</figure>";
-  }
-  std::vector<Series> polygons{series(frames, "view-frustum culling", before, &FrameRecord::view_frustum_polygons),
-                               series(frames, "with occlusion culling", after, &FrameRecord::rendered_polygons)};
-  if (rendered) polygons.push_back(series(frames, "visible", seen, &FrameRecord::visible_polygons));
-  html += "<h2>Polygons rendered (the paper's figure 3)</h2><figure>" +
-          line_chart({"frame"}, {"polygons"}, numbers, polygons) + "</figure>";
-  return html;
-}
-
-std::string walk_page(const Summary& summary, const std::vector<FrameRecord>& frames, const std::vector<Plate>& plates) {
-  const std::string model = escaped(summary.model);
-  std::string body = fmt::format(
-      R"(<h1>A walk through {}</h1><p class="lead">{} polygons, {} frames; after Hudson et al. 1997, section 6.3.</p>)",
-      model, grouped(static_cast<double>(summary.polygons)), summary.frames);
-  body += facts(summary) + "<h2>Averages (the paper's table 2)</h2>" + table2_html(summary);
-  if (const std::string note = limit_note(summary); !note.empty()) body += "<p class=\"soft\">" + note + "</p>";
-  body += figures_html(frames, summary.options.render) + conditions(summary) + plates_html(plates);
-  return page("occlude: " + model, body);
+std::string walk_page(const Summary& summary, const WalkPageContent& content) {
+  const std::map<std::string_view, std::function<std::string()>> values{
+      {"model", [&] { return escaped(summary.model); }},
+      {"lead", [&] { return lead(summary); }},
+      {"method", [&] { return method_of(summary); }},
+      {"times", [&] { return summary.options.render ? "Frame time (the paper's figure 2)" : "Time to cull"; }},
+      {"facts", [&] { return facts(summary); }},
+      {"simplified", [&] { return simplified(summary, content.recording); }},
+      {"table1", [&] { return table1_html(summary); }},
+      {"table2", [&] { return table2_html(summary) + note(limit_note(summary)); }},
+      {"pictures", [&] { return pictures_html(content.pictures); }},
+      {"conditions", [&] { return conditions(summary); }},
+      {"command", [&] { return escaped(content.command); }},
+      {"options", [&] { return escaped(json_of(summary.options, summary.build).dump(2)); }},
+      {"version", [] { return std::string(OCCLUDE_VERSION); }},
+      {"parts", [&] { return parts(summary, content); }}};
+  return filled(page_file("walk.html"), [&](std::string_view name) {
+    const auto found = values.find(name);
+    return found == values.end() ? std::string(page_file(name)) : found->second();
+  });
 }
 
 }  // namespace occlude::render

@@ -78,15 +78,18 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   const culler::Culler culler = make_culler(soup, options);
   const double preprocess_s = stopwatch.seconds();
 
+  output.add_model(culler);
   Stage stage(culler, options);
   kernel::Operations operations;
   std::size_t witnesses = 0;
   std::vector<std::string> lines;
   const auto on_frame = [&](const FrameRecord& record, const culler::CullResult& culled, bool is_reference) {
+    const culler::Camera camera = path.camera(record.frame, aspect(options));
+    output.add_frame(camera, culled);
     if (is_reference) operations += visit_shadow_tests(culler, record.frame, culled, options);
     if (!options.witness) return;
     lines.clear();
-    append_witnesses(lines, record.frame, path.camera(record.frame, aspect(options)), culler, culled, options.cull);
+    append_witnesses(lines, record.frame, camera, culler, culled, options.cull);
     for (const std::string& line : lines) output.add_witness(line);
     witnesses += lines.size();
   };

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "occlude/render/output_file.h"
@@ -32,6 +33,12 @@ using Image = Raster<Rgba>;
 /// The polygon visible at each pixel, as its index in the drawn soup; kNothing where there is none.
 using ItemBuffer = Raster<std::uint32_t>;
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
+
+/// The same picture in half the size, each pixel the mean of four; odd last rows and columns are left out.
+[[nodiscard]] Image halved(const Image& image);
+
+/// The bytes of a PNG file.
+[[nodiscard]] std::string png_of(const Image& image);
 
 /// Writes a PNG file that contains a mark of this program and the file's name. The caller commits the file.
 void write_png(OutputFile& file, const Image& image);

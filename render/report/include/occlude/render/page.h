@@ -16,6 +16,9 @@ namespace occlude::render {
 /// Rounds to an integer, with commas between thousands.
 [[nodiscard]] std::string grouped(double value);
 
+/// A share in percent, with one decimal.
+[[nodiscard]] std::string percent(double share);
+
 /// Frames per second at this many milliseconds a frame, or `none`.
 [[nodiscard]] std::string fps(const std::optional<double>& ms, const char* none);
 

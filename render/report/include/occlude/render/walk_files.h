@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,15 +12,20 @@
 #include "occlude/render/output_folder.h"
 #include "occlude/render/picture_set.h"
 #include "occlude/render/summary.h"
+#include "occlude/render/walk_page.h"
+#include "occlude/render/walk_recording.h"
 
 namespace occlude::render {
 
 /// frames.csv, summary.json, report.html and plates/*.png in a folder, and the witness file that the options name.
 class WalkFiles : public WalkOutput {
  public:
-  /// Opens all files before the work starts. Throws InputError if one cannot be written.
-  WalkFiles(const std::filesystem::path& folder, const WalkOptions& options);
+  /// Opens all files before the work starts. Throws InputError if one cannot be written. `command` is the command line, for
+  /// the report.
+  WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command);
 
+  void add_model(const culler::Culler& culler) override;
+  void add_frame(const culler::Camera& camera, const culler::CullResult& culled) override;
   void add_witness(std::string_view line) override;
   void add_plate(const Plate& plate, const Image& image) override;
   /// Writes the reports, then renames all files once every one is complete.
@@ -30,7 +36,9 @@ class WalkFiles : public WalkOutput {
   OutputFile csv_, report_, summary_;
   std::optional<OutputFile> witness_;
   PictureSet pictures_;
-  std::vector<Plate> plates_;
+  std::optional<WalkRecording> recording_;
+  std::vector<PagePicture> page_pictures_;
+  std::string command_;
 };
 
 }  // namespace occlude::render

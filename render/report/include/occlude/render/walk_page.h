@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The report of a walk as one HTML page without scripts or external addresses. Its plates are files beside it.
+// The report of a walk as one HTML page, which needs no other file and no network.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "occlude/render/summary.h"
+#include "occlude/render/walk_recording.h"
 
 namespace occlude::render {
 
-[[nodiscard]] std::string walk_page(const Summary& summary, const std::vector<FrameRecord>& frames,
-                                    const std::vector<Plate>& plates);
+/// A picture inside the page.
+struct PagePicture {
+  std::string caption;
+  std::string png;
+};
 
-/// Table 2: averages per frame of both methods, beside those of the paper.
-[[nodiscard]] std::string table2_html(const Summary& summary);
+/// What the page shows besides the summary.
+struct WalkPageContent {
+  const std::vector<FrameRecord>& frames;
+  const WalkRecording& recording;
+  std::vector<PagePicture> pictures;  ///< shown where the browser cannot draw the model
+  std::string command;                ///< the command line of the walk; may be empty
+};
 
-/// Figures 2 and 3: frame time (if rendered) and polygons rendered, frame by frame.
-[[nodiscard]] std::string figures_html(const std::vector<FrameRecord>& frames, bool rendered);
+[[nodiscard]] std::string walk_page(const Summary& summary, const WalkPageContent& content);
 
 }  // namespace occlude::render

@@ -98,10 +98,14 @@ struct WalkResult {
   std::string renderer;  ///< the driver's own name for itself
 };
 
-/// Receives the proofs and plates of a walk while it runs.
+/// Receives what a walk shows and proves while it runs.
 class WalkOutput {
  public:
   virtual ~WalkOutput() = default;
+  /// The prepared model, before its first frame. It stays as it is until walk() returns.
+  virtual void add_model(const culler::Culler& culler) = 0;
+  /// Each counted frame, in the order of the walk.
+  virtual void add_frame(const culler::Camera& camera, const culler::CullResult& culled) = 0;
   /// The proof of one cull, a line of JSON without line break. Called only if WalkOptions names a witness file.
   virtual void add_witness(std::string_view line) = 0;
   virtual void add_plate(const Plate& plate, const Image& image) = 0;

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Charts over the frames. They zoom together; a click moves the cursor, which all of them show.
+
+const styleOf = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/** Beside a finger one scrolls the page; two fingers zoom. */
+function touches() {
+  const usual = Dygraph.defaultInteractionModel;
+  const forTwo = handler => (event, chart, context) => {
+    if (event.touches.length > 1 || context.initialTouches?.length > 1) handler(event, chart, context);
+  };
+  return {...usual, touchstart: forTwo(usual.touchstart), touchmove: forTwo(usual.touchmove), touchend: forTwo(usual.touchend)};
+}
+
+class Charts {
+  /** Calls onFrame with the index of a frame that is clicked. */
+  constructor(onFrame) {
+    this.onFrame = onFrame;
+    this.charts = [];
+    this.cursor = 0;
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.recolour());
+  }
+
+  /**
+   * A chart in `place`, an element. `series` has {name, colour, values} each; values are of the frames whose numbers `frames`
+   * has. `stacked`: areas, the last one lowest.
+   */
+  add(place, frames, series, {unit, stacked = false, hiddenAtFirst = []}) {
+    const legend = place.querySelector('.legend'), drawing = place.querySelector('.drawing');
+    const rows = frames.map((frame, i) => [frame, ...series.map(s => s.values[i])]);
+    const line = document.createElement('div');
+    line.className = 'cursor';
+    const chart = new Dygraph(drawing, rows, {
+      labels: ['frame', ...series.map(s => s.name)],
+      colors: series.map(s => s.colour),
+      visibility: series.map(s => !hiddenAtFirst.includes(s.name)),
+      stackedGraph: stacked,
+      fillAlpha: 0.85,
+      strokeWidth: stacked ? 0.5 : 1.3,
+      includeZero: true,
+      legend: 'never',
+      axes: {y: {labelsKMB: true}},
+      ylabel: unit,
+      xlabel: 'frame',
+      yLabelWidth: 16,
+      xLabelHeight: 18,
+      axisLabelFontSize: 13,
+      highlightCircleSize: 3,
+      interactionModel: touches(),
+      ...this.inks(),
+      drawCallback: (self, isFirst) => {
+        if (isFirst) self.graphDiv.append(line);
+        this.placeCursor(self, line);
+        if (!isFirst) this.follow(self);
+      },
+      highlightCallback: (event, x, points, row) => this.write(legend, series, row, unit),
+      unhighlightCallback: () => this.write(legend, series, this.cursor, unit),
+      clickCallback: (event, x) => this.onFrame(nearestIndex(frames, x)),
+    });
+    place.querySelectorAll('input[data-series]').forEach(box => {
+      const index = series.findIndex(s => s.name === box.dataset.series);
+      box.checked = !hiddenAtFirst.includes(box.dataset.series);
+      box.addEventListener('change', () => chart.setVisibility(index, box.checked));
+    });
+    place.querySelector('.unzoom')?.addEventListener('click', () => chart.resetZoom());
+    this.charts.push({chart, line, legend, series, unit, frames});
+  }
+
+  setCursor(index) {
+    this.cursor = index;
+    for (const {chart, line, legend, series, unit} of this.charts) {
+      this.placeCursor(chart, line);
+      this.write(legend, series, index, unit);
+    }
+  }
+
+  placeCursor(chart, line) {
+    const entry = this.charts.find(e => e.chart === chart);
+    if (!entry) return;
+    const x = chart.toDomXCoord(entry.frames[this.cursor]), area = chart.getArea();
+    line.hidden = x < area.x || x > area.x + area.w;
+    line.style.cssText = `left:${x}px;top:${area.y}px;height:${area.h}px`;
+  }
+
+  write(legend, series, row, unit) {
+    legend.replaceChildren(...series.map(s => {
+      const item = document.createElement('span');
+      item.className = 'item';
+      item.style.setProperty('--swatch', s.colour);
+      item.textContent = `${s.name} `;
+      const value = document.createElement('b');
+      value.textContent = unit === 'ms' ? `${s.values[row].toFixed(2)} ms` : s.values[row].toLocaleString('en');
+      item.append(value);
+      return item;
+    }));
+  }
+
+  /** The other charts show the frames that this one does. */
+  follow(chart) {
+    if (this.isFollowing) return;
+    this.isFollowing = true;
+    const [from, to] = chart.xAxisRange();
+    for (const {chart: other} of this.charts) {
+      const [otherFrom, otherTo] = other.xAxisRange();
+      if (other !== chart && (otherFrom !== from || otherTo !== to)) other.updateOptions({dateWindow: [from, to]});
+    }
+    this.isFollowing = false;
+  }
+
+  inks() {
+    return {axisLineColor: styleOf('--soft'), gridLineColor: styleOf('--line')};
+  }
+  recolour() {
+    for (const {chart} of this.charts) chart.updateOptions(this.inks());
+  }
+}
+
+/** The index of the number nearest to x among ascending ones. */
+function nearestIndex(numbers, x) {
+  let best = 0;
+  numbers.forEach((number, i) => {
+    if (Math.abs(number - x) < Math.abs(numbers[best] - x)) best = i;
+  });
+  return best;
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What the viewer draws with: the model, lines and faces.
+
+/** A vertex array whose attributes lie in buffers of their own. */
+class Arrays {
+  constructor(gl) {
+    this.gl = gl;
+    this.array = gl.createVertexArray();
+    this.buffers = new Map();
+  }
+  /** Attribute `place` of `size` numbers each; of whole numbers if `isWhole`; `stride` counts bytes from one to the next. */
+  set(place, data, size, {type = this.gl.FLOAT, stride = 0, isWhole = false, everyInstance = 0} = {}) {
+    const gl = this.gl;
+    gl.bindVertexArray(this.array);
+    if (!this.buffers.has(place)) this.buffers.set(place, gl.createBuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers.get(place));
+    gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(place);
+    if (isWhole) gl.vertexAttribIPointer(place, size, type, stride, 0);
+    else gl.vertexAttribPointer(place, size, type, false, stride, 0);
+    gl.vertexAttribDivisor(place, everyInstance);
+  }
+}
+
+/** A texture with one whole number a texel, always bound to the same unit. */
+class NumberTexture {
+  constructor(gl, unit, format, type, wide, numbers) {
+    Object.assign(this, {gl, unit, type, wide, rows: Math.ceil(numbers.length / wide)});
+    this.texels = new numbers.constructor(this.rows * wide);
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, format, wide, this.rows);
+    this.set(numbers);
+  }
+  set(numbers) {
+    const gl = this.gl;
+    this.texels.set(numbers);
+    gl.activeTexture(gl.TEXTURE0 + this.unit);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, this.wide, this.rows, gl.RED_INTEGER, this.type, this.texels);
+  }
+}
+
+/** The polygons of a model, each in the colour of its fate. */
+class ModelPainter {
+  constructor(gl, model) {
+    this.gl = gl;
+    this.model = model;
+    this.colours = linkProgram(gl, kModelVertices, kModelColours, ['corner', 'leaf']);
+    this.numbers = linkProgram(gl, kModelVertices, kModelNumbers, ['corner', 'leaf']);
+    this.arrays = new Arrays(gl);
+    this.arrays.set(0, model.corners, 3, {type: gl.UNSIGNED_SHORT, stride: 8});
+    this.arrays.set(1, model.cornerLeaves, 1, {type: gl.UNSIGNED_INT, isWhole: true});
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    this.fates = new NumberTexture(gl, 0, gl.R16UI, gl.UNSIGNED_SHORT, kFatesWide, new Uint16Array(model.leaves));
+    this.seen = new NumberTexture(gl, 1, gl.R8UI, gl.UNSIGNED_BYTE, kTrianglesWide, new Uint8Array(model.triangles));
+  }
+  /** The program for the next draws, with what all of them share. */
+  use({program, uniforms}, camera, shown) {
+    const gl = this.gl;
+    gl.useProgram(program);
+    gl.bindVertexArray(this.arrays.array);
+    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.uniform3fv(uniforms.offset, subtract(this.model.low, camera.eye));
+    gl.uniform3fv(uniforms.step, this.model.step);
+    gl.uniform1i(uniforms.showsDrawn, shown.drawn);
+    gl.uniform1i(uniforms.showsOutOfView, shown.outOfView);
+    gl.uniform1i(uniforms.showsHidden, shown.hidden);
+    gl.uniform1i(uniforms.showsAll, false);
+    gl.uniform1i(uniforms.fates, this.fates.unit);
+    gl.uniform1i(uniforms.seen ?? null, this.seen.unit);
+  }
+  drawAll() {
+    this.gl.drawArrays(this.gl.TRIANGLES, 0, 3 * this.model.triangles);
+  }
+  /** Polygons with a share of one colour, whatever became of them; after use(this.colours, ...). */
+  drawPolygons(polygons, colour, share) {
+    const gl = this.gl, {uniforms} = this.colours, {firstTriangle} = this.model;
+    gl.uniform1i(uniforms.showsAll, true);
+    gl.uniform4fv(uniforms.tint, [...colour, share]);
+    for (let i = 0; i < polygons.length;) {
+      let end = i + 1;
+      while (end < polygons.length && polygons[end] === polygons[end - 1] + 1) ++end;
+      const first = firstTriangle[polygons[i]];
+      gl.drawArrays(gl.TRIANGLES, 3 * first, 3 * (firstTriangle[polygons[end - 1] + 1] - first));
+      i = end;
+    }
+    gl.uniform4f(uniforms.tint, 0, 0, 0, 0);
+    gl.uniform1i(uniforms.showsAll, false);
+  }
+}
+
+/** Straight lines of some pixels' width: {from, to, colour}. */
+class LinePainter {
+  constructor(gl) {
+    this.gl = gl;
+    this.lines = linkProgram(gl, kLineVertices, kPaint, ['from', 'to', 'paint']);
+    this.arrays = new Arrays(gl);
+  }
+  draw(lines, camera, wide) {
+    const gl = this.gl, {program, uniforms} = this.lines;
+    if (lines.length === 0) return;
+    gl.useProgram(program);
+    const relative = key => new Float32Array(lines.flatMap(line => subtract(line[key], camera.eye)));
+    this.arrays.set(0, relative('from'), 3, {everyInstance: 1});
+    this.arrays.set(1, relative('to'), 3, {everyInstance: 1});
+    this.arrays.set(2, new Float32Array(lines.flatMap(line => line.colour)), 4, {everyInstance: 1});
+    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.uniform2f(uniforms.pixels, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    gl.uniform1f(uniforms.wide, wide);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.length);
+  }
+}
+
+/** Triangles: {corners, colour}, three corners each. */
+class FacePainter {
+  constructor(gl) {
+    this.gl = gl;
+    this.faces = linkProgram(gl, kFaceVertices, kPaint, ['corner', 'paint']);
+    this.arrays = new Arrays(gl);
+  }
+  draw(faces, camera) {
+    const gl = this.gl, {program, uniforms} = this.faces;
+    if (faces.length === 0) return;
+    gl.useProgram(program);
+    const corners = faces.flatMap(face => face.corners.flatMap(corner => subtract(corner, camera.eye)));
+    this.arrays.set(0, new Float32Array(corners), 3);
+    this.arrays.set(1, new Float32Array(faces.flatMap(face => face.corners.flatMap(() => face.colour))), 4);
+    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.drawArrays(gl.TRIANGLES, 0, 3 * faces.length);
+  }
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The programs of the viewer (OpenGL ES 3.0).
+
+const kFatesWide = 1024;      // leaves in a row of the texture of fates
+const kTrianglesWide = 4096;  // triangles in a row of the texture of what is seen
+
+/** Corners of the model. Triangles of leaves that no layer shows become nothing. */
+const kModelVertices = `#version 300 es
+precision highp float;
+precision highp usampler2D;
+uniform mat4 picture;
+uniform vec3 offset, step;  // from the grid to coordinates relative to the eye
+uniform usampler2D fates;
+uniform bool showsDrawn, showsOutOfView, showsHidden, showsAll;
+in vec3 corner;
+in uint leaf;
+flat out uint fate;
+flat out uint triangle;
+out vec3 place;
+invariant gl_Position;
+void main() {
+  fate = texelFetch(fates, ivec2(leaf % ${kFatesWide}u, leaf / ${kFatesWide}u), 0).r;
+  triangle = uint(gl_VertexID) / 3u;
+  place = offset + step * corner;
+  bool isShown = showsAll || (fate == 0u ? showsDrawn : fate == 1u ? showsOutOfView : showsHidden);
+  gl_Position = isShown ? picture * vec4(place, 1) : vec4(0, 0, 2, 1);
+}`;
+
+/**
+ * Colours: of what is drawn by the slope of the surface; of what is hidden by its hider, hatched, so that hiders differ in
+ * lightness and pattern as well; of what is out of view pale.
+ */
+const kModelColours = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+uniform vec3 up, pale, cover;
+uniform vec3 hiders[8];
+uniform vec3 missed;  // drawn, but hidden
+uniform vec4 tint;  // mixed into all that, by its alpha
+uniform bool marksMissed;
+uniform usampler2D seen;  // whether each triangle is visible in the view of the camera
+uniform float unitOfHatching;
+flat in uint fate;
+flat in uint triangle;
+in vec3 place;
+out vec4 colour;
+
+vec3 drawn(float slope) {
+  return slope > 0.99 ? vec3(0.68, 0.68, 0.62) : slope > 0.82 ? vec3(0.56, 0.64, 0.45) : slope > 0.3 ? vec3(0.70, 0.47, 0.37)
+                                                                                                  : vec3(0.86, 0.76, 0.62);
+}
+
+bool isSeen() { return texelFetch(seen, ivec2(triangle % ${kTrianglesWide}u, triangle / ${kTrianglesWide}u), 0).r != 0u; }
+
+/** Whether this pixel is in a stripe of the pattern. */
+bool isHatched(uint pattern) {
+  vec2 at = gl_FragCoord.xy / unitOfHatching;
+  float across = pattern == 0u ? at.x + at.y : pattern == 1u ? at.x - at.y : pattern == 2u ? at.y * 1.4 : at.x * 1.4;
+  return fract(across / 9.0) < 0.3;
+}
+
+void main() {
+  vec3 normal = cross(dFdx(place), dFdy(place));
+  float size = length(normal);
+  normal = size > 0.0 ? normal / size : up;
+  float light = 0.62 + 0.38 * abs(dot(normal, normalize(vec3(-0.57, -0.42, 0.71))));
+  vec3 base;
+  if (fate == 0u) base = marksMissed && !isSeen() ? missed : drawn(abs(dot(normal, up)));
+  else if (fate == 1u) base = pale;
+  else {
+    uint hider = fate - 3u;
+    base = fate == 2u ? cover : hiders[hider % 8u];
+    if (isHatched(fate == 2u ? 0u : hider % 4u)) base = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.45 ? 1 : 0), 0.35);
+  }
+  colour = vec4(mix(base, tint.rgb, tint.a) * light, 1);
+}`;
+
+/** The number of the triangle at each pixel, from 1. */
+const kModelNumbers = `#version 300 es
+precision highp float;
+precision highp int;
+flat in uint fate;
+flat in uint triangle;
+in vec3 place;
+out uint number;
+void main() { number = triangle + 1u; }`;
+
+/** A line as a strip of some pixels: two corners at each end. */
+const kLineVertices = `#version 300 es
+precision highp float;
+uniform mat4 picture;
+uniform vec2 pixels;  // size of the picture
+uniform float wide;
+in vec3 from, to;  // relative to the eye
+in vec4 paint;
+out vec4 paints;
+void main() {
+  vec4 a = picture * vec4(from, 1), b = picture * vec4(to, 1);
+  float nearest = 1e-6;  // what is behind the eye is cut off
+  if (a.w < nearest && b.w < nearest) { gl_Position = vec4(0, 0, 2, 1); return; }
+  if (a.w < nearest) a = mix(a, b, (nearest - a.w) / (b.w - a.w));
+  if (b.w < nearest) b = mix(b, a, (nearest - b.w) / (a.w - b.w));
+  vec2 along = (b.xy / b.w - a.xy / a.w) * pixels;
+  float size = length(along);
+  vec2 across = size > 0.0 ? vec2(-along.y, along.x) / size : vec2(0, 1);
+  vec4 end = gl_VertexID < 2 ? a : b;
+  end.xy += (gl_VertexID % 2 == 0 ? 1.0 : -1.0) * across * wide / pixels * end.w;
+  paints = paint;
+  gl_Position = end;
+}`;
+
+/** Triangles of one colour each. */
+const kFaceVertices = `#version 300 es
+precision highp float;
+uniform mat4 picture;
+in vec3 corner;  // relative to the eye
+in vec4 paint;
+out vec4 paints;
+void main() {
+  paints = paint;
+  gl_Position = picture * vec4(corner, 1);
+}`;
+
+const kPaint = `#version 300 es
+precision highp float;
+in vec4 paints;
+out vec4 colour;
+void main() { colour = vec4(paints.rgb * paints.a, paints.a); }`;
+
+/** A program with its attributes at the places 0, 1, ..., and its uniforms by name. */
+function linkProgram(gl, vertices, fragments, attributes) {
+  const program = gl.createProgram();
+  for (const [type, text] of [[gl.VERTEX_SHADER, vertices], [gl.FRAGMENT_SHADER, fragments]]) {
+    const shader = gl.createShader(type);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+    gl.attachShader(program, shader);
+  }
+  attributes.forEach((name, place) => gl.bindAttribLocation(program, place, name));
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+  const uniforms = {};
+  for (let i = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; --i) {
+    const name = gl.getActiveUniform(program, i).name;
+    uniforms[name.replace('[0]', '')] = gl.getUniformLocation(program, name);
+  }
+  return {program, uniforms};
+}

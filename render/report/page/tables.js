@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The tables that the page computes from the figures of its frames.
+
+const grouped = number => Math.round(number).toLocaleString('en');
+const inMs = number => number.toFixed(2);
+const inPercent = share => `${(100 * share).toFixed(1)} %`;
+
+/** An element with children: texts and elements. */
+function element(name, attributes, ...children) {
+  const result = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) result.setAttribute(key, value);
+  result.append(...children);
+  return result;
+}
+
+function table(heads, rows) {
+  const row = (cells, kind) => element('tr', {}, ...cells.map(cell => element(kind, {}, cell)));
+  return element('div', {class: 'wide'},
+                 element('table', {}, element('thead', {}, row(heads, 'th')), element('tbody', {}, ...rows.map(cells => row(cells, 'td')))));
+}
+
+/** A link that moves the cursor to a frame. */
+const frameLink = frame => element('a', {href: `#frame=${frame}`}, String(frame));
+
+/** The value below which this share of the ascending values lies, between neighbours in proportion. */
+function percentile(ascending, share) {
+  const at = share * (ascending.length - 1), below = Math.floor(at);
+  const above = Math.min(below + 1, ascending.length - 1);
+  return ascending[below] + (at - below) * (ascending[above] - ascending[below]);
+}
+
+function spreadTable(series) {
+  const rows = series.map(({name, values}) => {
+    const ascending = [...values].sort((a, b) => a - b);
+    const mean = values.reduce((sum, v) => sum + v, 0) / values.length;
+    const spread = Math.sqrt(values.reduce((sum, v) => sum + (v - mean) ** 2, 0) / values.length);
+    return [name, inMs(mean), inMs(spread), ...[0, 0.5, 0.9, 0.99, 1].map(share => inMs(percentile(ascending, share)))];
+  });
+  return table(['Milliseconds', 'mean', 'std. dev.', 'least', 'median', '90 %', '99 %', 'most'], rows);
+}
+
+/** The frames that took longest, and what they drew. */
+function worstTable({columns, rendered}) {
+  const kListed = 10;
+  const times = rendered ? columns.frame_ms : columns.cull_ms;
+  const worst = [...times.keys()].sort((a, b) => times[b] - times[a]).slice(0, kListed);
+  if (!rendered) {
+    return table(['Frame', 'culling, ms', 'drawn', 'culled'],
+                 worst.map(i => [frameLink(columns.frame[i]), inMs(columns.cull_ms[i]), grouped(columns.drawn[i]), grouped(columns.culled[i])]));
+  }
+  return table(['Frame', 'ms', 'culling, ms', 'without culling, ms', 'only visible, ms', 'drawn', 'of it hidden'], worst.map(i => {
+    const hidden = columns.drawn[i] - columns.visible[i];
+    return [frameLink(columns.frame[i]), inMs(columns.frame_ms[i]), inMs(columns.cull_ms[i]), inMs(columns.view_frustum_frame_ms[i]),
+            inMs(columns.visible_frame_ms[i]), grouped(columns.drawn[i]), inPercent(columns.drawn[i] ? hidden / columns.drawn[i] : 0)];
+  }));
+}
+
+/** "polygon 12", or several, by their numbers in the model file. */
+function nameOfOccluder(occluder, model) {
+  const kNamed = 3, count = occluder.polygons.length;
+  const named = occluder.polygons.slice(0, kNamed).map(p => model.numbers[p]).join(', ');
+  const kind = occluder.shell ? ', a closed shell' : '';
+  if (count === 0) return `too small for this page${kind}`;
+  return `${count === 1 ? 'polygon' : 'polygons'} ${named}${count > kNamed ? ` and ${count - kNamed} more` : ''}${kind}`;
+}
+
+/** What each occluder hid over the path: the best, and those that hid nothing in most frames that chose them. */
+function occluderTables(occluders, model, frames) {
+  const kListed = 15;
+  const isUseless = o => 2 * o.useless > o.frames;
+  const best = [...occluders].sort((a, b) => b.hidden - a.hidden);
+  const useless = occluders.filter(isUseless).sort((a, b) => b.useless - a.useless);
+  const heads = ['Occluder', 'frames', 'hid a frame', 'hid nothing in', 'most in frame', ''];
+  const row = o => [nameOfOccluder(o, model), grouped(o.frames), grouped(o.hidden / o.frames), inPercent(o.useless / o.frames),
+                    o.best_hidden ? frameLink(frames[o.best_frame]) : '–', isUseless(o) ? element('span', {class: 'flag'}, '⚠ useless') : ''];
+  const spent = occluders.reduce((sum, o) => sum + o.useless, 0), all = occluders.reduce((sum, o) => sum + o.frames, 0);
+  const parts = [element('p', {}, `${grouped(occluders.length)} occluders were chosen on the path, ${grouped(useless.length)} of them useless: ` +
+                                  `they hid nothing in more than half of the frames that chose them. ${inPercent(all ? spent / all : 0)} of all choices hid nothing.`),
+                 table(heads, best.slice(0, kListed).map(row))];
+  if (useless.length > 0) {
+    parts.push(element('details', {}, element('summary', {}, `The ${Math.min(kListed, useless.length)} useless ones chosen most often`),
+                       table(heads, useless.slice(0, kListed).map(row))));
+  }
+  return parts;
+}

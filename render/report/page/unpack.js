@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Reads what the page holds of a walk: parts in base64 and deflated, as render/report/src/page_model.h, page_frames.h and
+// bytes.h write them.
+
+/** The bytes of a part of the page. */
+async function bytesOfPart(name) {
+  const letters = atob(document.getElementById(`part-${name}`).textContent);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = letters.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+async function jsonOfPart(name) {
+  return JSON.parse(new TextDecoder().decode(await bytesOfPart(name)));
+}
+
+/** Whole numbers, one after another. */
+class Numbers {
+  constructor(bytes, at = 0) {
+    this.bytes = bytes;
+    this.at = at;
+  }
+  next() {
+    let value = 0, unit = 1, byte;
+    do {
+      byte = this.bytes[this.at++];
+      value += (byte & 0x7f) * unit;
+      unit *= 128;
+    } while (byte & 0x80);
+    return value;
+  }
+  difference() {
+    const folded = this.next();
+    return folded % 2 ? -(folded + 1) / 2 : folded / 2;
+  }
+  get isAtEnd() {
+    return this.at >= this.bytes.length;
+  }
+}
+
+/** The points of the grid: x, y and z of each vertex. */
+function unpackVertices(bytes) {
+  const count = bytes.length / 6;
+  const points = new Uint16Array(3 * count);
+  for (let axis = 0; axis < 3; ++axis) {
+    const low = 2 * axis * count, high = low + count;
+    let value = 0;
+    for (let v = 0; v < count; ++v) {
+      const folded = bytes[low + v] | bytes[high + v] << 8;
+      value += folded & 1 ? ~(folded >> 1) : folded >> 1;
+      points[3 * v + axis] = value;
+      value = points[3 * v + axis];
+    }
+  }
+  return points;
+}
+
+/** first[i] is the sum of the numbers before the i-th; the last element is the sum of all. */
+function runningSums(bytes, of = n => n) {
+  const numbers = new Numbers(bytes), sums = [0];
+  while (!numbers.isAtEnd) sums.push(sums[sums.length - 1] + of(numbers.next()));
+  return Uint32Array.from(sums);
+}
+
+/** The index of the last element of ascending `sums` that is at most `value`, skipping empty ranges. */
+function rangeOf(sums, value) {
+  let low = 0, high = sums.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (sums[middle] <= value) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+/** A model: leaves of polygons, polygons of triangles, and triangles with corners of their own. */
+class Model {
+  constructor(scene, parts) {
+    this.low = scene.low;
+    this.step = scene.step;
+    this.firstPolygon = runningSums(parts.leaves);               // of each leaf
+    this.firstTriangle = runningSums(parts.sides, sides => sides - 2);  // of each polygon
+    this.leaves = this.firstPolygon.length - 1;
+    this.polygons = this.firstTriangle.length - 1;
+    this.triangles = this.firstTriangle[this.polygons];
+    this.readNumbers(parts.numbers);
+    this.readTriangles(unpackVertices(parts.vertices), new Numbers(parts.sides), new Numbers(parts.corners));
+  }
+  readNumbers(bytes) {
+    const numbers = new Numbers(bytes);
+    this.numbers = new Uint32Array(this.polygons);  // in the model file
+    for (let p = 0, number = 0; p < this.polygons; ++p) this.numbers[p] = number += numbers.difference();
+  }
+  readTriangles(points, sides, corners) {
+    this.corners = new Uint16Array(3 * 4 * this.triangles);  // x, y, z and nothing, of each corner of each triangle
+    this.cornerLeaves = new Uint32Array(3 * this.triangles);
+    let unused = 0, at = 0, leaf = 0;
+    const nextCorner = () => {
+      const back = corners.next();
+      return back === 0 ? unused++ : unused - back;
+    };
+    const put = vertex => {
+      this.corners[4 * at] = points[3 * vertex];
+      this.corners[4 * at + 1] = points[3 * vertex + 1];
+      this.corners[4 * at + 2] = points[3 * vertex + 2];
+      this.cornerLeaves[at++] = leaf;
+    };
+    for (let p = 0; p < this.polygons; ++p) {
+      while (this.firstPolygon[leaf + 1] <= p) ++leaf;
+      const first = nextCorner();
+      for (let k = sides.next(), before = nextCorner(); k > 2; --k) {
+        const corner = nextCorner();
+        put(first);
+        put(before);
+        put(corner);
+        before = corner;
+      }
+    }
+  }
+  leafOf(polygon) {
+    return rangeOf(this.firstPolygon, polygon);
+  }
+  polygonOf(triangle) {
+    return rangeOf(this.firstTriangle, triangle);
+  }
+  /** A point of the grid in the model's own coordinates. */
+  point(corner) {
+    return corner.map((c, axis) => this.low[axis] + this.step[axis] * c);
+  }
+  /** The first corner of a polygon. */
+  cornerOf(polygon) {
+    const at = 12 * this.firstTriangle[polygon];
+    return this.point([this.corners[at], this.corners[at + 1], this.corners[at + 2]]);
+  }
+}
+
+/** What may become of a leaf. From Fate.hidden on: hidden by the hider of colour fate - Fate.hidden. */
+const Fate = {drawn: 0, outOfView: 1, covered: 2, hidden: 3};
+
+/** The frames of a walk that the viewer shows. */
+class Frames {
+  constructor(scene, bytes, leaves) {
+    this.outlines = scene.outlines;
+    this.leaves = leaves;
+    this.bytes = bytes;
+    this.starts = [];
+    for (const numbers = new Numbers(bytes); !numbers.isAtEnd;) {
+      const length = numbers.next();
+      this.starts.push(numbers.at);
+      numbers.at += length;
+    }
+  }
+  get count() {
+    return this.starts.length;
+  }
+  /** Its occluders, its hiders by their colours, and the fate of each leaf. */
+  at(i) {
+    const numbers = new Numbers(this.bytes, this.starts[i]);
+    const occluders = Array.from({length: numbers.next()}, () => ({outline: this.outlines[numbers.next()], hidden: numbers.next()}));
+    const hiders = new Map();
+    for (let n = numbers.next(); n > 0; --n) {
+      const colour = numbers.next();
+      const both = [occluders[numbers.next()], occluders[numbers.next() - 1]];
+      hiders.set(colour, both.filter(occluder => occluder));
+    }
+    const fates = new Uint16Array(this.leaves);
+    for (let leaf = 0; leaf < this.leaves;) {
+      const fate = numbers.next(), end = leaf + numbers.next();
+      fates.fill(fate, leaf, end);
+      leaf = end;
+    }
+    return {occluders, hiders, fates};
+  }
+}

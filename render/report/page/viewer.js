@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+// Draws one culled frame of a model: as its camera sees it, or from outside with the culling as it is.
+
+/** Colours of hiders, by their number modulo 8: neighbours differ in lightness. */
+const kHiderColours = ['#5b2a86', '#f0a58f', '#0b5d57', '#b9a6e8', '#7a3b12', '#79c6ee', '#a3195b', '#b5d8a0'];
+const kOccluderColour = '#ffc400', kPickedColour = '#e600c8', kFrustumColour = '#2962ff', kCoverColour = '#6f57b5',
+      kMissedColour = '#e8743b';
+
+const rgb = colour => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255);
+
+/** The colour of a hider. */
+const hiderColour = number => kHiderColours[number % kHiderColours.length];
+
+/** How far shadows are drawn beyond their occluders, in depths of the interesting part of the frame. */
+const kShadowReach = 1.5;
+
+class Viewer {
+  /** Throws where there is no WebGL2. `lens` has what all cameras of a path share, `size` the pixels of their pictures. */
+  constructor(canvas, model, lens, size) {
+    this.pixels = size;
+    this.canvas = canvas;
+    this.model = model;
+    this.lens = lens;
+    this.gl = canvas.getContext('webgl2', {antialias: true, alpha: false});
+    if (!this.gl) throw new Error('This browser has no WebGL2.');
+    this.models = new ModelPainter(this.gl, model);
+    this.lines = new LinePainter(this.gl);
+    this.faces = new FacePainter(this.gl);
+    this.high = model.point([65535, 65535, 65535]);
+    this.size = distance(model.low, this.high);
+    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true};
+    this.isOutside = false;
+    this.isFollowing = true;  // until somebody moves the camera outside
+    this.picked = null;
+    canvas.style.aspectRatio = lens.aspect;
+    this.orbit = null;
+    new ResizeObserver(() => this.invalidate()).observe(canvas);
+  }
+
+  /** A frame of Frames, and its eye and target. */
+  setFrame(frame, eye, target) {
+    this.frame = frame;
+    const before = this.camera;
+    this.camera = {...this.lens, eye, target};
+    this.camera.far ??= this.farthest(eye);
+    const depth = this.depthOfScene();
+    const isNear = before && distance(before.eye, eye) < 0.1 * this.depth;
+    this.depth = isNear ? this.depth + 0.15 * (depth - this.depth) : depth;  // no jumps from frame to frame
+    this.models.fates.set(frame.fates);
+    if (!this.orbit || this.isFollowing) this.orbit = this.behind();
+    this.isSeenKnown = false;
+    clearTimeout(this.seeing);
+    this.seeing = setTimeout(() => this.see(), 150);  // once the frame stays
+    this.invalidate();
+  }
+
+  /** Finds which of the drawn polygons the camera sees, in a picture of the walk's size. */
+  see() {
+    if (!this.isOutside || !this.layers.missed || this.isSeenKnown) return;
+    const [width, height] = this.pixels, {firstTriangle} = this.model;
+    const numbers = this.numbersIn(this.camera, {drawn: true}, width, height, [0, 0, width, height]);
+    const seen = new Uint8Array(this.model.triangles);
+    let last = 0;
+    for (let i = 0; i < numbers.length; i += 4) {
+      if (numbers[i] === last || numbers[i] === 0) continue;
+      last = numbers[i];
+      if (seen[last - 1]) continue;
+      const polygon = this.model.polygonOf(last - 1);
+      seen.fill(1, firstTriangle[polygon], firstTriangle[polygon + 1]);
+    }
+    this.models.seen.set(seen);
+    this.isSeenKnown = true;
+    this.invalidate();
+  }
+
+  /** Draws soon, once for all changes. */
+  invalidate() {
+    this.request ??= requestAnimationFrame(() => this.draw());
+  }
+
+  draw() {
+    cancelAnimationFrame(this.request);
+    this.request = null;
+    if (!this.frame) return;
+    this.fit();
+    this.paint(this.isOutside ? this.outside() : this.camera);
+  }
+
+  /** The whole model from straight above, a rectangle of this `size` around `middle`, in so many pixels: for a map. */
+  drawMap(middle, size, pixels, background) {
+    [this.canvas.width, this.canvas.height] = pixels;
+    const {up, north} = levelAxes(this.lens.up);
+    const eye = add(middle, scale(up, this.size));
+    this.models.fates.set(new Uint16Array(this.model.leaves));
+    this.begin(background);
+    this.paintModel({projection: 'orthographic', height: size[1], aspect: size[0] / size[1], near: this.size / 100, far: 3 * this.size,
+                     eye, target: middle, up: north}, {drawn: true});
+    this.models.fates.set(this.frame.fates);
+    this.invalidate();
+  }
+
+  /** What is at a point of the canvas, in its CSS pixels: the polygon's place in the model, or null. */
+  pick(x, y) {
+    this.fit();
+    const {width, height} = this.canvas, ratio = width / this.canvas.clientWidth;
+    const pixel = [Math.floor(x * ratio), height - 1 - Math.floor(y * ratio), 1, 1];
+    const [number] = this.numbersIn(this.isOutside ? this.outside() : this.camera, this.shown(), width, height, pixel);
+    return number === 0 ? null : this.model.polygonOf(number - 1);
+  }
+
+  /** A camera outside starts behind and above that of the frame. */
+  behind() {
+    const {east, north, up} = levelAxes(this.lens.up);
+    const {forward} = axesOf(this.camera);
+    return {
+      yaw: Math.atan2(-dot(forward, north), -dot(forward, east)),
+      pitch: 0.75,
+      distance: 1.5 * this.depth,
+      centre: scale(subtract(forward, scale(up, dot(forward, up))), 0.42 * this.depth),  // from the eye of the frame
+    };
+  }
+
+  // The rest is how.
+
+  /** The camera outside. */
+  outside() {
+    const {east, north, up} = levelAxes(this.lens.up);
+    const {yaw, pitch, distance: away, centre} = this.orbit;
+    const target = add(this.camera.eye, centre);
+    const level = add(scale(east, Math.cos(yaw)), scale(north, Math.sin(yaw)));
+    const eye = add(target, scale(add(scale(level, Math.cos(pitch)), scale(up, Math.sin(pitch))), away));
+    return {projection: 'perspective', fov_y_deg: 50, aspect: this.lens.aspect, up, eye, target,
+            near: away / 200, far: away + this.farthest(target)};
+  }
+
+  farthest(point) {
+    return 1.01 * length(point.map((x, i) => Math.max(Math.abs(x - this.model.low[i]), Math.abs(x - this.high[i])))) + 1e-9;
+  }
+
+  /** Two fifths of the drawn leaves are nearer: most of the others are far and small. */
+  depthOfScene() {
+    const {fates} = this.frame, kMost = 4096, distances = [];
+    const stride = Math.max(1, Math.floor(fates.length / kMost));
+    for (let leaf = 0; leaf < fates.length; leaf += stride) {
+      const polygon = this.model.firstPolygon[leaf];
+      if (fates[leaf] === Fate.drawn && polygon < this.model.polygons) distances.push(distance(this.model.cornerOf(polygon), this.camera.eye));
+    }
+    distances.sort((a, b) => a - b);
+    return Math.max(distances[Math.floor(distances.length * 2 / 5)] ?? 0, 100 * this.camera.near, this.size / 1000);
+  }
+
+  fit() {
+    const {canvas} = this, ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const width = Math.max(1, Math.round(canvas.clientWidth * ratio)), height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+    if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+  }
+
+  /** The camera of the frame draws what was drawn, and nothing else. */
+  shown() {
+    return this.isOutside ? this.layers : {drawn: this.layers.drawn};
+  }
+
+  begin(background) {
+    const gl = this.gl;
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
+    gl.clearColor(...background, 1);
+    gl.depthMask(true);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LESS);
+    gl.disable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  }
+
+  paintModel(camera, shown) {
+    const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches;
+    this.models.use(this.models.colours, camera, shown);
+    const {uniforms} = this.models.colours;
+    gl.uniform3fv(uniforms.up, unit(this.lens.up));
+    gl.uniform3fv(uniforms.pale, isDark ? [0.3, 0.33, 0.37] : [0.88, 0.89, 0.91]);
+    gl.uniform3fv(uniforms.cover, rgb(kCoverColour));
+    gl.uniform3fv(uniforms.hiders, kHiderColours.flatMap(rgb));
+    gl.uniform3fv(uniforms.missed, rgb(kMissedColour));
+    gl.uniform1i(uniforms.marksMissed, Boolean(shown.missed && this.isSeenKnown));
+    gl.uniform4f(uniforms.tint, 0, 0, 0, 0);
+    gl.uniform1f(uniforms.unitOfHatching, this.canvas.width / this.canvas.clientWidth);
+    this.models.drawAll();
+  }
+
+  paint(camera) {
+    const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches;
+    this.begin(isDark ? [0.07, 0.09, 0.12] : [0.93, 0.95, 0.97]);
+    this.paintModel(camera, this.shown());
+    gl.depthFunc(gl.LEQUAL);
+    if (this.layers.occluders) {
+      for (const {outline} of this.frame.occluders) this.models.drawPolygons(outline.polygons, rgb(kOccluderColour), 0.6);
+    }
+    if (this.picked !== null) this.models.drawPolygons([this.picked], rgb(kPickedColour), 0.85);
+    gl.enable(gl.BLEND);
+    gl.depthMask(false);
+    if (this.isOutside && this.layers.shadows) this.faces.draw(this.shadowFaces(), camera);
+    const ratio = this.canvas.width / this.canvas.clientWidth;
+    this.lines.draw(this.outlines(), camera, 1.6 * ratio);
+    gl.depthMask(true);
+  }
+
+  /** Where an edge of a shadow ends. */
+  beyond(corner) {
+    const along = this.lens.projection === 'orthographic' ? axesOf(this.camera).forward : unit(subtract(corner, this.camera.eye));
+    return add(corner, scale(along, kShadowReach * this.depth));
+  }
+
+  /** The colour of what an occluder hides, alone or else in a pair; none if it hides nothing. */
+  colourOf(occluder) {
+    const hiders = [...this.frame.hiders].filter(([, both]) => both.includes(occluder)).sort(([, a], [, b]) => a.length - b.length);
+    return hiders.length > 0 ? hiderColour(hiders[0][0]) : null;
+  }
+
+  shadowFaces() {
+    return this.frame.occluders.filter(occluder => this.colourOf(occluder)).flatMap(occluder => {
+      const near = occluder.outline.points, far = near.map(corner => this.beyond(corner));
+      const colour = [...rgb(this.colourOf(occluder)), 0.16];
+      return near.flatMap((corner, i) => {
+        const next = (i + 1) % near.length;
+        return [{corners: [corner, near[next], far[next]], colour}, {corners: [corner, far[next], far[i]], colour}];
+      });
+    });
+  }
+
+  outlines() {
+    const lines = [];
+    const add = (from, to, colour, alpha = 1) => lines.push({from, to, colour: [...rgb(colour), alpha]});
+    if (this.isOutside && this.layers.frustum) {
+      const near = pictureCorners(this.camera, this.lens.projection === 'orthographic' ? 0 : this.camera.near);
+      const far = pictureCorners(this.camera, this.depth);
+      near.forEach((corner, i) => {
+        add(corner, far[i], kFrustumColour);
+        add(far[i], far[(i + 1) % 4], kFrustumColour);
+      });
+    }
+    for (const occluder of this.frame.occluders) {
+      const {points} = occluder.outline;
+      if (this.layers.occluders) points.forEach((corner, i) => add(corner, points[(i + 1) % points.length], kOccluderColour));
+      if (!this.isOutside || !this.layers.shadows) continue;
+      const colour = this.colourOf(occluder);
+      for (const corner of points) add(corner, this.beyond(corner), colour ?? '#808080', colour ? 0.9 : 0.4);
+    }
+    return lines;
+  }
+
+  /** The numbers of the triangles, from 1, in a rectangle of a picture; four for each pixel, of which the first counts. */
+  numbersIn(camera, shown, width, height, [left, bottom, wide, high]) {
+    const gl = this.gl;
+    this.fitNumbers(width, height);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(left, bottom, wide, high);
+    gl.viewport(0, 0, width, height);
+    gl.depthMask(true);
+    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+    gl.clearBufferfv(gl.DEPTH, 0, [1]);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LESS);
+    gl.disable(gl.BLEND);
+    this.models.use(this.models.numbers, camera, shown);
+    this.models.drawAll();
+    const numbers = new Uint32Array(4 * wide * high);
+    gl.readPixels(left, bottom, wide, high, gl.RGBA_INTEGER, gl.UNSIGNED_INT, numbers);
+    gl.disable(gl.SCISSOR_TEST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return numbers;
+  }
+
+  /** Binds a picture of triangle numbers of this size. */
+  fitNumbers(width, height) {
+    const gl = this.gl;
+    this.numbers ??= {frame: gl.createFramebuffer(), colour: gl.createRenderbuffer(), depth: gl.createRenderbuffer()};
+    const {frame, colour, depth} = this.numbers;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    if (this.numbers.width === width && this.numbers.height === height) return;
+    Object.assign(this.numbers, {width, height});
+    for (const [buffer, format, place] of [[colour, gl.R32UI, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+      gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+    }
+  }
+}

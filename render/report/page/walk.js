@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// The page of a walk: one frame cursor, which the charts, the map, the tables and the viewer share.
+
+const byId = id => document.getElementById(id);
+const kColours = {before: '#8a94a3', after: '#1565c0', culling: '#d9822b', visible: '#12633a', hiddenDrawn: kMissedColour, culled: '#7a5bc0', outOfView: '#c5ccd6'};
+
+/** Points from one list of coordinates. */
+const points = list => Array.from({length: list.length / 3}, (_, i) => list.slice(3 * i, 3 * i + 3));
+
+class WalkPage {
+  constructor({walk, columns}) {
+    this.walk = walk;
+    this.columns = columns;
+    this.count = columns.frame.length;
+    this.index = 0;
+    this.charts = new Charts(index => this.setIndex(index));
+    this.fillCharts();
+    this.fillTables();
+    this.listen();
+    this.setIndex(this.indexOfAddress() ?? 0);
+  }
+
+  fillCharts() {
+    const c = this.columns, frames = c.frame;
+    const line = (name, colour, values) => ({name, colour, values});
+    const times = [line('culling alone', kColours.culling, c.cull_ms)];
+    if (this.walk.rendered) {
+      times.unshift(line('view-frustum culling', kColours.before, c.view_frustum_frame_ms), line('with occlusion culling', kColours.after, c.frame_ms));
+    }
+    this.charts.add(byId('times'), frames, times, {unit: 'ms'});
+    const polygons = [line('view-frustum culling', kColours.before, c.in_view), line('with occlusion culling', kColours.after, c.drawn)];
+    if (this.walk.rendered) polygons.push(line('visible', kColours.visible, c.visible));
+    this.charts.add(byId('polygons'), frames, polygons, {unit: 'polygons'});
+    const drawn = this.walk.rendered
+        ? [line('hidden, but drawn', kColours.hiddenDrawn, c.drawn.map((n, i) => n - c.visible[i])), line('visible', kColours.visible, c.visible)]
+        : [line('drawn', kColours.visible, c.drawn)];
+    const outOfView = c.out_of_view.reduce((sum, n) => sum + n, 0) / (this.count * this.walk.polygons);
+    this.charts.add(byId('fates'), frames, [line('out of view', kColours.outOfView, c.out_of_view), line('culled by shadow or cover', kColours.culled, c.culled), ...drawn],
+                    {unit: 'polygons', stacked: true, hiddenAtFirst: outOfView > 2 / 3 ? ['out of view'] : []});
+  }
+
+  fillTables() {
+    const c = this.columns;
+    const series = [{name: 'Culling alone', values: c.cull_ms}];
+    if (this.walk.rendered) {
+      series.unshift({name: 'View-frustum culling', values: c.view_frustum_frame_ms}, {name: 'With occlusion culling', values: c.frame_ms});
+    }
+    byId('spread').append(spreadTable(series));
+    byId('worst').append(worstTable({columns: c, rendered: this.walk.rendered}));
+  }
+
+  /** Once the model is unpacked. */
+  addScene(scene, path, model, frames) {
+    this.scene = scene;
+    this.model = model;
+    this.frames = frames;
+    this.eyes = points(path.eyes);
+    this.targets = points(path.targets);
+    for (const outline of scene.outlines) {
+      outline.points = outline.corners.map(corner => model.point(corner));
+      outline.occluderNumber = outline.occluder;
+      outline.polygons = scene.occluders[outline.occluder].polygons;
+    }
+    if (this.walk.method === 'frusta') byId('occluders').append(...occluderTables(scene.occluders, model, this.columns.frame));
+    try {
+      this.viewer = new Viewer(byId('picture'), model, scene.camera, this.walk.size);
+    } catch (error) {
+      this.showPictures(error.message);
+      return;
+    }
+    byId('viewer').classList.add('ready');
+    this.orbit = new OrbitControl(this.viewer, (x, y) => this.pick(x, y));
+    this.setIndex(this.index);
+    const shares = this.columns.drawn.map((n, i) => this.columns.in_view[i] ? 1 - n / this.columns.in_view[i] : 0);
+    this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, shares, index => this.setIndex(index));
+    this.setOutside(false);
+    this.setIndex(this.index);
+  }
+
+  showPictures(reason) {
+    byId('viewer').classList.add('without');
+    byId('reason').textContent = reason;
+  }
+
+  setIndex(index) {
+    this.index = Math.min(this.count - 1, Math.max(0, index));
+    const frame = this.columns.frame[this.index];
+    byId('slider').value = this.index;
+    byId('slider').setAttribute('aria-valuetext', `frame ${frame}`);
+    byId('number').textContent = frame;
+    this.charts.setCursor(this.index);
+    byId('told').textContent = this.account(this.index);
+    this.showFrame();
+  }
+
+  showFrame() {
+    if (!this.viewer) return;
+    const shown = Math.floor(this.index / this.scene.every);
+    this.frame = this.frames.at(shown);
+    const at = shown * this.scene.every;
+    this.viewer.setFrame(this.frame, this.eyes[at], this.targets[at]);
+    this.map?.setCursor(this.index);
+    this.tellPicked();
+    this.fillHiders();
+    byId('picture').setAttribute('aria-label', `${this.viewer.isOutside ? 'From outside' : 'View of the camera'}: ${this.account(at)}`);
+  }
+
+  /** A frame in words. */
+  account(i) {
+    const c = this.columns;
+    const visible = this.walk.rendered ? ` (${grouped(c.visible[i])} visible)` : '';
+    const time = this.walk.rendered ? `${inMs(c.frame_ms[i])} ms, culling ${inMs(c.cull_ms[i])} ms` : `culling ${inMs(c.cull_ms[i])} ms`;
+    const share = c.in_view[i] ? c.culled[i] / (c.culled[i] + c.drawn[i]) : 0;
+    return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled (${inPercent(share)}), ` +
+           `${grouped(c.out_of_view[i])} out of view.`;
+  }
+
+  /** The hiders of the frame with their colours. */
+  fillHiders() {
+    const items = [...this.frame.hiders].sort(([a], [b]) => a - b).map(([number, both]) => {
+      const item = element('li', {}, both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and '));
+      if (both.length === 1) item.append(`: ${grouped(both[0].hidden)}`);
+      item.style.setProperty('--swatch', hiderColour(number));
+      item.dataset.pattern = number % 4;
+      return item;
+    });
+    const idle = this.frame.occluders.filter(o => o.hidden === 0);
+    for (const occluder of idle) items.push(element('li', {class: 'idle'}, `⚠ ${nameOfOccluder(this.occluder(occluder), this.model)}: hides nothing`));
+    byId('hiders').replaceChildren(...items);
+  }
+  occluder(shown) {
+    return this.scene.occluders[shown.outline.occluder];
+  }
+
+  setOutside(isOutside) {
+    byId('eye').setAttribute('aria-pressed', !isOutside);
+    byId('outside').setAttribute('aria-pressed', isOutside);
+    byId('viewer').classList.toggle('outside', isOutside);
+    this.viewer.isOutside = isOutside;
+    this.viewer.see();
+    this.viewer.invalidate();
+  }
+
+  pick(x, y) {
+    this.viewer.picked = this.viewer.pick(x, y);
+    this.viewer.invalidate();
+    this.tellPicked();
+  }
+
+  tellPicked() {
+    const polygon = this.viewer.picked;
+    byId('picked').textContent = polygon === null ? 'Click a polygon to see what became of it.' : this.accountOf(polygon);
+    if (polygon === null) return;
+    byId('picked').append(element('br', {}), element('code', {}, `occlude why … --frame ${this.columns.frame[this.index]} --polygon ${this.model.numbers[polygon]}`));
+  }
+
+  /** What became of a polygon in this frame. */
+  accountOf(polygon) {
+    const name = `Polygon ${this.model.numbers[polygon]}`;
+    const fate = this.frame.fates[this.model.leafOf(polygon)];
+    if (fate === Fate.drawn) return `${name}: drawn.`;
+    if (fate === Fate.outOfView) return `${name}: culled, out of view.`;
+    if (fate === Fate.covered) return `${name}: culled, hidden by several polygons in front of it together.`;
+    const both = this.frame.hiders.get(fate - Fate.hidden);
+    return `${name}: culled, in the shadow of ${both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ')}.`;
+  }
+
+  play(isPlaying) {
+    clearInterval(this.timer);
+    this.timer = isPlaying ? setInterval(() => this.setIndex((this.index + 1) % this.count), 1000 / 30) : undefined;
+    byId('play').textContent = isPlaying ? '❚❚' : '▶';
+    byId('play').setAttribute('aria-label', isPlaying ? 'Pause' : 'Play');
+  }
+
+  indexOfAddress() {
+    const frame = Number(location.hash.match(/^#frame=(\d+)$/)?.[1] ?? NaN);
+    return Number.isNaN(frame) ? undefined : nearestIndex(this.columns.frame, frame);
+  }
+
+  listen() {
+    byId('slider').max = this.count - 1;
+    byId('slider').addEventListener('input', event => this.setIndex(Number(event.target.value)));
+    byId('play').addEventListener('click', () => this.play(this.timer === undefined));
+    byId('eye').addEventListener('click', () => this.setOutside(false));
+    byId('outside').addEventListener('click', () => this.setOutside(true));
+    byId('behind').addEventListener('click', () => {
+      this.viewer.isFollowing = true;
+      this.showFrame();
+    });
+    for (const box of document.querySelectorAll('input[data-layer]')) {
+      box.addEventListener('change', () => {
+        this.viewer.layers[box.dataset.layer] = box.checked;
+        this.viewer.see();
+        this.viewer.invalidate();
+      });
+    }
+    addEventListener('click', event => {
+      const link = event.target.closest('a[href^="#frame="]');
+      if (link) byId('viewer').scrollIntoView({behavior: 'smooth'});
+    });
+    addEventListener('hashchange', () => this.setIndex(this.indexOfAddress() ?? this.index));
+    addEventListener('keydown', event => this.key(event));
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.viewer?.invalidate());
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = event.shiftKey ? 10 : 1;
+    const actions = {ArrowLeft: () => this.setIndex(this.index - step), ArrowRight: () => this.setIndex(this.index + step),
+                     Home: () => this.setIndex(0), End: () => this.setIndex(this.count - 1), ' ': () => this.play(this.timer === undefined)};
+    const action = actions[event.key];
+    const ownsKey = event.key === ' ' ? event.target.closest('button, summary, a, input[type=checkbox]') : event.target.closest('input');
+    if (!action || ownsKey || (['Home', 'End'].includes(event.key) && event.target === document.body)) return;
+    event.preventDefault();
+    action();
+  }
+}
+
+async function open() {
+  const page = new WalkPage(await jsonOfPart('figures'));
+  const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
+  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'frames'];
+  const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(name)])));
+  const model = new Model(scene, parts);
+  page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves));
+  return page;
+}
+
+window.walkPage = open();

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The frames of a walk as its page holds them: what became of each leaf, and who hid it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bytes.h"
+#include "occlude/culler/culler.h"
+#include "page_model.h"
+
+namespace occlude::render {
+
+/// What an occluder did on the whole walk.
+struct OccluderRecord {
+  std::vector<std::uint32_t> places;  ///< of its polygons, in the page
+  bool is_shell = false;
+  std::size_t frames = 0;       ///< in which it was chosen
+  std::size_t useless = 0;      ///< of these, in which it hid nothing
+  std::size_t hidden = 0;       ///< polygons that it hid, summed over the frames
+  std::size_t best_frame = 0;   ///< in which it hid most, counted from the first of the walk
+  std::size_t best_hidden = 0;  ///< and how much there
+};
+
+class PageFrames {
+ public:
+  /// Once the frames take so many bytes before compression, only every second one is kept, then every fourth, ...
+  static constexpr std::size_t kMostBytes = std::size_t{24} << 20;
+
+  /// `culler` must stay until the last frame is added, `model` as long as this object.
+  PageFrames(const culler::Culler& culler, const PageModel& model, std::size_t most_bytes = kMostBytes)
+      : culler_(culler), model_(model), most_bytes_(most_bytes) {}
+
+  void add(const culler::CullResult& frame);
+
+  /// The number of frames from each one kept to the next.
+  [[nodiscard]] std::size_t every() const { return every_; }
+  /// All frames kept, one after another, each after its number of bytes. A frame is
+  /// 1. its occluders: their number, and for each one the number of its outline and how many polygons it hid;
+  /// 2. its hiders, each one occluder or a pair: their number, and for each one its colour, the occluder, and 1 + the other
+  ///    occluder or 0, both by their place in this frame;
+  /// 3. its leaves as runs of one fate: drawn (0), out of view (1), hidden by a cover (2) or by the hider of colour fate -
+  /// 3;
+  ///    for each run its fate and its number of leaves.
+  [[nodiscard]] std::string packed() const;
+
+  /// By their index in the OccluderSet.
+  [[nodiscard]] const std::map<std::uint32_t, OccluderRecord>& occluders() const { return occluders_; }
+  struct Outline {
+    std::uint32_t occluder = 0;  ///< index in the OccluderSet
+    std::vector<std::array<std::uint16_t, 3>> corners;
+    auto operator<=>(const Outline&) const = default;
+  };
+  /// The silhouettes of occluders, on the grid of the page, by their numbers.
+  [[nodiscard]] std::vector<Outline> outlines() const;
+
+ private:
+  /// One or two occluders of the OccluderSet.
+  using Hider = std::pair<std::uint32_t, std::uint32_t>;
+
+  void count(const culler::CullResult& frame);
+  void describe(std::uint32_t occluder, OccluderRecord& record) const;
+  void choose_colours(const culler::CullResult& frame);
+  Hider hider_of(const culler::CullResult& frame, const culler::Culled& culled) const;
+  Bytes packed(const culler::CullResult& frame);
+  void pack_occluders(const culler::CullResult& frame, Bytes& bytes);
+  void pack_hiders(const culler::CullResult& frame, Bytes& bytes) const;
+  void pack_fates(const culler::CullResult& frame, Bytes& bytes) const;
+
+  const culler::Culler& culler_;
+  const PageModel& model_;
+  std::size_t most_bytes_, bytes_ = 0, seen_ = 0, every_ = 1;
+  std::vector<Bytes> frames_;
+  std::map<std::uint32_t, OccluderRecord> occluders_;
+  std::map<Outline, std::size_t> outlines_;
+  /// A hider keeps its colour while it hides something in frame after frame.
+  std::map<Hider, std::size_t> colours_;
+};
+
+}  // namespace occlude::render
