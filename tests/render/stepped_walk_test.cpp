@@ -18,6 +18,8 @@ namespace {
 
 class Record : public WalkOutput {
  public:
+  void add_model(const culler::Culler&) override {}
+  void add_frame(const culler::Camera&, const culler::CullResult&) override {}
   void add_witness(std::string_view line) override {
     witnesses[nlohmann::json::parse(line)["frame"].get<std::size_t>()].emplace_back(line);
   }

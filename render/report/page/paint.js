@@ -57,7 +57,7 @@ class ModelPainter {
     this.seen = new NumberTexture(gl, 1, gl.R8UI, gl.UNSIGNED_BYTE, kTrianglesWide, new Uint8Array(model.triangles));
   }
   /** The program for the next draws, with what all of them share. */
-  use({program, uniforms}, camera, shown) {
+  use({program, uniforms}, camera, shown, ceiling) {
     const gl = this.gl;
     gl.useProgram(program);
     gl.bindVertexArray(this.arrays.array);
@@ -68,6 +68,8 @@ class ModelPainter {
     gl.uniform1i(uniforms.showsOutOfView, shown.outOfView);
     gl.uniform1i(uniforms.showsHidden, shown.hidden);
     gl.uniform1i(uniforms.showsAll, false);
+    gl.uniform3fv(uniforms.up, ceiling.up);
+    gl.uniform1f(uniforms.ceiling, ceiling.height);
     gl.uniform1i(uniforms.fates, this.fates.unit);
     gl.uniform1i(uniforms.seen ?? null, this.seen.unit);
   }

@@ -37,6 +37,7 @@ precision highp usampler2D;
 uniform vec3 up, pale, cover;
 uniform vec3 hiders[8];
 uniform vec3 missed;  // drawn, but hidden
+uniform float ceiling;  // what is higher is cut off
 uniform vec4 tint;  // mixed into all that, by its alpha
 uniform bool marksMissed;
 uniform usampler2D seen;  // whether each triangle is visible in the view of the camera
@@ -61,6 +62,7 @@ bool isHatched(uint pattern) {
 }
 
 void main() {
+  if (dot(place, up) > ceiling) discard;
   vec3 normal = cross(dFdx(place), dFdy(place));
   float size = length(normal);
   normal = size > 0.0 ? normal / size : up;
@@ -80,11 +82,16 @@ void main() {
 const kModelNumbers = `#version 300 es
 precision highp float;
 precision highp int;
+uniform vec3 up;
+uniform float ceiling;
 flat in uint fate;
 flat in uint triangle;
 in vec3 place;
 out uint number;
-void main() { number = triangle + 1u; }`;
+void main() {
+  if (dot(place, up) > ceiling) discard;
+  number = triangle + 1u;
+}`;
 
 /** A line as a strip of some pixels: two corners at each end. */
 const kLineVertices = `#version 300 es

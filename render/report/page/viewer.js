@@ -14,6 +14,9 @@ const hiderColour = number => kHiderColours[number % kHiderColours.length];
 /** How far shadows are drawn beyond their occluders, in depths of the interesting part of the frame. */
 const kShadowReach = 1.5;
 
+/** From outside the model is cut off so much above the camera, in the same depths: rooms open. */
+const kCut = 0.25;
+
 class Viewer {
   /** Throws where there is no WebGL2. `lens` has what all cameras of a path share, `size` the pixels of their pictures. */
   constructor(canvas, model, lens, size) {
@@ -22,14 +25,14 @@ class Viewer {
     this.model = model;
     this.lens = lens;
     this.gl = canvas.getContext('webgl2', {antialias: true, alpha: false});
-    if (!this.gl) throw new Error('This browser has no WebGL2.');
+    if (!this.gl) throw new Error('this browser has no WebGL2.');
     this.models = new ModelPainter(this.gl, model);
     this.lines = new LinePainter(this.gl);
     this.faces = new FacePainter(this.gl);
     this.high = model.point([65535, 65535, 65535]);
     this.size = distance(model.low, this.high);
-    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true};
-    this.isOutside = false;
+    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, cut: true};
+    this.isOutside = true;
     this.isFollowing = true;  // until somebody moves the camera outside
     this.picked = null;
     canvas.style.aspectRatio = lens.aspect;
@@ -137,13 +140,13 @@ class Viewer {
     return 1.01 * length(point.map((x, i) => Math.max(Math.abs(x - this.model.low[i]), Math.abs(x - this.high[i])))) + 1e-9;
   }
 
-  /** Two fifths of the drawn leaves are nearer: most of the others are far and small. */
+  /** The depth of the interesting part: two fifths of the leaves in view are nearer, most others are far and small. */
   depthOfScene() {
     const {fates} = this.frame, kMost = 4096, distances = [];
     const stride = Math.max(1, Math.floor(fates.length / kMost));
     for (let leaf = 0; leaf < fates.length; leaf += stride) {
       const polygon = this.model.firstPolygon[leaf];
-      if (fates[leaf] === Fate.drawn && polygon < this.model.polygons) distances.push(distance(this.model.cornerOf(polygon), this.camera.eye));
+      if (fates[leaf] !== Fate.outOfView && polygon < this.model.polygons) distances.push(distance(this.model.cornerOf(polygon), this.camera.eye));
     }
     distances.sort((a, b) => a - b);
     return Math.max(distances[Math.floor(distances.length * 2 / 5)] ?? 0, 100 * this.camera.near, this.size / 1000);
@@ -160,6 +163,12 @@ class Viewer {
     return this.isOutside ? this.layers : {drawn: this.layers.drawn};
   }
 
+  /** The height above the eye of `camera` at which the model is cut off. */
+  ceiling(camera, shown) {
+    const above = dot(unit(this.lens.up), subtract(this.camera.eye, camera.eye)) + kCut * this.depth;
+    return {up: unit(this.lens.up), height: shown.cut ? above : 1e30};
+  }
+
   begin(background) {
     const gl = this.gl;
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
@@ -174,9 +183,8 @@ class Viewer {
 
   paintModel(camera, shown) {
     const gl = this.gl, isDark = matchMedia('(prefers-color-scheme: dark)').matches;
-    this.models.use(this.models.colours, camera, shown);
+    this.models.use(this.models.colours, camera, shown, this.ceiling(camera, shown));
     const {uniforms} = this.models.colours;
-    gl.uniform3fv(uniforms.up, unit(this.lens.up));
     gl.uniform3fv(uniforms.pale, isDark ? [0.3, 0.33, 0.37] : [0.88, 0.89, 0.91]);
     gl.uniform3fv(uniforms.cover, rgb(kCoverColour));
     gl.uniform3fv(uniforms.hiders, kHiderColours.flatMap(rgb));
@@ -261,7 +269,7 @@ class Viewer {
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LESS);
     gl.disable(gl.BLEND);
-    this.models.use(this.models.numbers, camera, shown);
+    this.models.use(this.models.numbers, camera, shown, this.ceiling(camera, shown));
     this.models.drawAll();
     const numbers = new Uint32Array(4 * wide * high);
     gl.readPixels(left, bottom, wide, high, gl.RGBA_INTEGER, gl.UNSIGNED_INT, numbers);

@@ -2,7 +2,7 @@
 // The page of a walk: one frame cursor, which the charts, the map, the tables and the viewer share.
 
 const byId = id => document.getElementById(id);
-const kColours = {before: '#8a94a3', after: '#1565c0', culling: '#d9822b', visible: '#12633a', hiddenDrawn: kMissedColour, culled: '#7a5bc0', outOfView: '#c5ccd6'};
+const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', hiddenDrawn: kMissedColour, culled: '#7a5bc0', outOfView: '#c5ccd6'};
 
 /** Points from one list of coordinates. */
 const points = list => Array.from({length: list.length / 3}, (_, i) => list.slice(3 * i, 3 * i + 3));
@@ -65,21 +65,16 @@ class WalkPage {
     try {
       this.viewer = new Viewer(byId('picture'), model, scene.camera, this.walk.size);
     } catch (error) {
-      this.showPictures(error.message);
+      showPictures(error.message);
       return;
     }
+    byId('picture').addEventListener('webglcontextlost', () => showPictures('the browser has given up the drawing; load the page again.'));
     byId('viewer').classList.add('ready');
     this.orbit = new OrbitControl(this.viewer, (x, y) => this.pick(x, y));
     this.setIndex(this.index);
-    const shares = this.columns.drawn.map((n, i) => this.columns.in_view[i] ? 1 - n / this.columns.in_view[i] : 0);
+    const shares = [...this.columns.frame.keys()].map(i => this.shareCulled(i));
     this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, shares, index => this.setIndex(index));
-    this.setOutside(false);
     this.setIndex(this.index);
-  }
-
-  showPictures(reason) {
-    byId('viewer').classList.add('without');
-    byId('reason').textContent = reason;
   }
 
   setIndex(index) {
@@ -105,14 +100,18 @@ class WalkPage {
     byId('picture').setAttribute('aria-label', `${this.viewer.isOutside ? 'From outside' : 'View of the camera'}: ${this.account(at)}`);
   }
 
+  /** Of the polygons in view. */
+  shareCulled(i) {
+    return this.columns.in_view[i] ? 1 - this.columns.drawn[i] / this.columns.in_view[i] : 0;
+  }
+
   /** A frame in words. */
   account(i) {
     const c = this.columns;
     const visible = this.walk.rendered ? ` (${grouped(c.visible[i])} visible)` : '';
     const time = this.walk.rendered ? `${inMs(c.frame_ms[i])} ms, culling ${inMs(c.cull_ms[i])} ms` : `culling ${inMs(c.cull_ms[i])} ms`;
-    const share = c.in_view[i] ? c.culled[i] / (c.culled[i] + c.drawn[i]) : 0;
-    return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled (${inPercent(share)}), ` +
-           `${grouped(c.out_of_view[i])} out of view.`;
+    return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled, ` +
+           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.`;
   }
 
   /** The hiders of the frame with their colours. */
@@ -168,6 +167,7 @@ class WalkPage {
   play(isPlaying) {
     clearInterval(this.timer);
     this.timer = isPlaying ? setInterval(() => this.setIndex((this.index + 1) % this.count), 1000 / 30) : undefined;
+    byId('told').setAttribute('aria-live', isPlaying ? 'off' : 'polite');
     byId('play').textContent = isPlaying ? '❚❚' : '▶';
     byId('play').setAttribute('aria-label', isPlaying ? 'Pause' : 'Play');
   }
@@ -196,7 +196,7 @@ class WalkPage {
     }
     addEventListener('click', event => {
       const link = event.target.closest('a[href^="#frame="]');
-      if (link) byId('viewer').scrollIntoView({behavior: 'smooth'});
+      if (link) byId('viewer').scrollIntoView();
     });
     addEventListener('hashchange', () => this.setIndex(this.indexOfAddress() ?? this.index));
     addEventListener('keydown', event => this.key(event));
@@ -216,6 +216,13 @@ class WalkPage {
   }
 }
 
+/** Where the model cannot be drawn, pictures of one frame are shown. */
+function showPictures(reason) {
+  byId('viewer').classList.remove('ready');
+  byId('viewer').classList.add('without');
+  byId('reason').textContent = reason;
+}
+
 async function open() {
   const page = new WalkPage(await jsonOfPart('figures'));
   const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
@@ -227,3 +234,4 @@ async function open() {
 }
 
 window.walkPage = open();
+window.walkPage.catch(error => showPictures(error.message));

@@ -40,17 +40,17 @@ std::string facts(const Summary& summary) {
   return html;
 }
 
+bool is_cover(const Summary& summary) { return summary.options.cull.method == culler::Method::cover; }
+
 std::string lead(const Summary& summary) {
-  const bool is_cover = summary.options.cull.method == culler::Method::cover;
-  return fmt::format("{} polygons, {} frames; {}. After Hudson et al. 1997, section 6.3.{}",
-                     grouped(static_cast<double>(summary.polygons)), grouped(static_cast<double>(summary.frames)),
-                     is_cover ? "hidden by everything in front, joined" : "hidden by the shadows of single occluders",
-                     summary.options.render ? "" : " Nothing was drawn: this walk measured culling alone.");
+  return fmt::format(
+      "{} polygons, {} frames; {}. After Hudson et al. 1997, section 6.3.{}", grouped(static_cast<double>(summary.polygons)),
+      grouped(static_cast<double>(summary.frames)),
+      is_cover(summary) ? "hidden by everything in front, joined" : "hidden by the shadows of single occluders",
+      summary.options.render ? "" : " Nothing was drawn: this walk measured culling alone.");
 }
 
-const char* method_of(const Summary& summary) {
-  return summary.options.cull.method == culler::Method::cover ? "cover" : "frusta";
-}
+const char* method_of(const Summary& summary) { return is_cover(summary) ? "cover" : "frusta"; }
 
 std::string note(const std::string& text) { return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>"; }
 
@@ -75,12 +75,14 @@ std::string pictures_html(const std::vector<PagePicture>& pictures) {
   return html;
 }
 
+std::string machine_of(const Machine& machine) { return fmt::format("{}, {} threads", machine.processor, machine.threads); }
+
 std::string conditions(const Summary& summary) {
   const WalkOptions& options = summary.options;
   const culler::CullOptions& cull = options.cull;
   const Machine& machine = summary.machine;
   const std::string method =
-      cull.method == culler::Method::cover
+      is_cover(summary)
           ? fmt::format("joined shadows in a picture of {}&times;{}", cull.cover.width, cull.cover.height)
           : fmt::format("{} occluders{}, near plane {}, {} test", cull.occluders,
                         cull.unions ? " and unions of pairs of them" : "", name_of(cull.near), name_of(cull.test));
@@ -91,10 +93,9 @@ std::string conditions(const Summary& summary) {
                                       "{} frames the item buffer was drawn from the whole model without any culling. ",
                                       options.width, options.height, summary.reference_frames)
                                 : "Nothing was drawn. ";
-  return fmt::format("<p>{}; {} arithmetic, tree of {}s. {}Preprocess {:.1f} s.</p><p>{}, {} threads; {}compiled by {}.</p>",
-                     method, name_of(cull.arithmetic),
-                     summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB", drawn, summary.preprocess_s,
-                     escaped(machine.processor), machine.threads,
+  return fmt::format("<p>{}; {} arithmetic, tree of {}s. {}Preprocess {:.1f} s.</p><p>{}; {}compiled by {}.</p>", method,
+                     name_of(cull.arithmetic), summary.build.hierarchy.bounds == culler::Bounds::obb ? "OBB" : "AABB", drawn,
+                     summary.preprocess_s, escaped(machine_of(machine)),
                      machine.renderer.empty() ? "" : escaped(machine.renderer) + "; ", escaped(machine.compiler));
 }
 
@@ -166,6 +167,8 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
       {"conditions", [&] { return conditions(summary); }},
       {"command", [&] { return escaped(content.command); }},
       {"options", [&] { return escaped(json_of(summary.options, summary.build).dump(2)); }},
+      {"culled", [&] { return is_cover(summary) ? "culled by cover" : "culled by shadow"; }},
+      {"machine", [&] { return escaped(machine_of(summary.machine)); }},
       {"version", [] { return std::string(OCCLUDE_VERSION); }},
       {"parts", [&] { return parts(summary, content); }}};
   return filled(page_file("walk.html"), [&](std::string_view name) {

@@ -1,0 +1,293 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Uses the pages of three walks as a reader does: frusta, cover and undrawn, in the working folder.
+
+Usage: page_test.py PATH_OF_OCCLUDE. page_test.sh makes the walks.
+"""
+import json
+import os
+import random
+import subprocess
+import sys
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver import ActionChains, Keys
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
+
+OCCLUDE = sys.argv.pop(1)
+WALK = ['city.ply', '--path', 'city.json', '--frames', '0:400:20', '--size', '320x180']
+SIZE = (320, 180)
+
+
+def browser(*options):
+    chrome = webdriver.ChromeOptions()
+    for option in ('--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader',
+                   '--enable-unsafe-swiftshader', '--window-size=1200,900', *options):
+        chrome.add_argument(option)
+    chrome.set_capability('goog:loggingPrefs', {'browser': 'ALL', 'performance': 'ALL'})
+    driver = webdriver.Chrome(options=chrome, service=Service('chromedriver'))
+    driver.set_script_timeout(120)
+    return driver
+
+
+def why(walk, frame, *which):
+    options = {'frusta': ['--unions'], 'cover': ['--method', 'cover']}[walk]
+    done = subprocess.run([OCCLUDE, 'why', *WALK, *options, '--frame', str(frame), *which, '--json'], capture_output=True)
+    return json.loads(done.stdout) if done.returncode == 0 else None
+
+
+class Page(unittest.TestCase):
+    OPTIONS = ()
+
+    @classmethod
+    def setUpClass(cls):
+        cls.driver = browser(*cls.OPTIONS)
+        cls.addClassCleanup(cls.driver.quit)
+
+    def open(self, walk):
+        self.driver.get('about:blank')  # a new page, whatever frame the address names
+        self.driver.get(f'file://{os.getcwd()}/{walk}/report.html')
+        opened = self.driver.execute_async_script(
+            'const done = arguments[0]; walkPage.then(p => { window.page = p; done("open"); }, error => done(String(error)));')
+        self.assertEqual(opened, 'open')
+
+    def element(self, name):
+        return self.driver.find_element(By.ID, name)
+
+    def run_script(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def click(self, element):
+        self.run_script('arguments[0].scrollIntoView({block: "center"})', element)
+        element.click()
+
+    def number(self):
+        return int(self.element('number').text)
+
+    def picture(self):
+        """The viewer's picture as it is now."""
+        return self.run_script('page.viewer.see(); page.viewer.draw(); return page.viewer.canvas.toDataURL();')
+
+    def look(self, from_outside):
+        self.click(self.element('outside' if from_outside else 'eye'))
+
+    def assert_quiet(self):
+        """No message on the console, and nothing fetched but the page itself."""
+        self.assertEqual([entry['message'] for entry in self.driver.get_log('browser')], [])
+        for entry in self.driver.get_log('performance'):
+            message = json.loads(entry['message'])['message']
+            if message['method'] == 'Network.requestWillBeSent':
+                url = message['params']['request']['url']
+                self.assertTrue(url.startswith(f'file://{os.getcwd()}') or url.startswith('data:'), url)
+
+
+class Reading(Page):
+    def test_it_is_quiet(self):
+        for walk in ('frusta', 'cover', 'undrawn'):
+            self.open(walk)
+            for from_outside in (True, False):
+                self.look(from_outside)
+                self.picture()
+            self.assert_quiet()
+
+    def test_slider_keys_and_links_move_the_one_cursor(self):
+        self.open('frusta')
+        self.assertEqual(self.number(), 0)
+        slider = self.element('slider')
+        slider.send_keys(Keys.ARROW_RIGHT)
+        self.assertEqual(self.number(), 20)
+        body = self.driver.find_element(By.TAG_NAME, 'body')
+        body.send_keys(Keys.ARROW_RIGHT)
+        self.assertEqual(self.number(), 40)
+        body.send_keys(Keys.ARROW_LEFT)
+        self.assertEqual(self.number(), 20)
+        self.assertIn('Frame 20:', self.element('told').text)
+        link = self.element('worst').find_elements(By.TAG_NAME, 'a')[3]
+        frame = int(link.text)
+        self.click(link)
+        WebDriverWait(self.driver, 10).until(lambda _: self.number() == frame)
+        self.assertEqual(self.run_script('return page.columns.frame[page.index]'), frame)
+        cursors = self.run_script('return [...document.querySelectorAll(".cursor")].map(line => line.style.left)')
+        self.assertEqual(len(cursors), 3)
+        for chart, left in enumerate(cursors):
+            expected = self.run_script('return page.charts.charts[arguments[0]].chart.toDomXCoord(arguments[1])', chart, frame)
+            self.assertAlmostEqual(float(left[:-2]), expected, places=1)
+
+    def test_space_plays(self):
+        self.open('frusta')
+        body = self.driver.find_element(By.TAG_NAME, 'body')
+        body.send_keys(' ')
+        WebDriverWait(self.driver, 20).until(lambda _: self.number() > 0)
+        self.assertEqual(self.element('play').get_attribute('aria-label'), 'Pause')
+        body.send_keys(' ')
+        at = self.number()
+        self.assertEqual(self.element('play').get_attribute('aria-label'), 'Play')
+        self.assertEqual(self.number(), at)
+
+    def test_an_address_names_a_frame(self):
+        self.open('frusta')
+        self.driver.get(f'file://{os.getcwd()}/frusta/report.html#frame=60')
+        WebDriverWait(self.driver, 10).until(lambda _: self.number() == 60)
+
+    def test_hover_tells_the_figures_of_a_frame(self):
+        self.open('frusta')
+        chart = self.driver.find_element(By.CSS_SELECTOR, '#polygons .drawing')
+        legend = self.driver.find_element(By.CSS_SELECTOR, '#polygons .legend')
+        self.run_script('arguments[0].scrollIntoView({block: "center"})', chart)
+        at_cursor = legend.text
+        ActionChains(self.driver).move_to_element(chart).perform()
+        self.assertNotEqual(legend.text, at_cursor)
+        row = self.run_script('return page.charts.charts[1].chart.getSelection()')
+        drawn = self.run_script('return page.columns.drawn[arguments[0]]', row)
+        self.assertIn(f'with occlusion culling {drawn:,}', legend.text)
+        ActionChains(self.driver).click().perform()
+        self.assertEqual(self.run_script('return page.index'), row)
+
+    def test_charts_zoom_together(self):
+        self.open('frusta')
+        chart = self.driver.find_element(By.CSS_SELECTOR, '#times .drawing')
+        self.run_script('arguments[0].scrollIntoView({block: "center"})', chart)
+        ranges = 'return page.charts.charts.map(({chart}) => chart.xAxisRange())'
+        whole = self.run_script(ranges)
+        ActionChains(self.driver).move_to_element(chart).click_and_hold().move_by_offset(200, 0).release().perform()
+        zoomed = self.run_script(ranges)
+        self.assertLess(zoomed[0][1] - zoomed[0][0], 0.7 * (whole[0][1] - whole[0][0]))
+        self.assertEqual(zoomed[0], zoomed[1])
+        self.assertEqual(zoomed[0], zoomed[2])
+        self.click(self.driver.find_element(By.CSS_SELECTOR, '#times .unzoom'))
+        self.assertEqual(self.run_script(ranges), whole)
+
+    def test_without_pictures_it_says_so(self):
+        self.open('undrawn')
+        text = self.driver.find_element(By.TAG_NAME, 'body').text
+        self.assertIn('Nothing was drawn', text)
+        self.assertIn('Time to cull', text)
+        self.assertNotIn('NaN', text)
+        self.assertNotIn('undefined', text)
+
+    def test_on_a_phone_nothing_is_wider_than_the_page(self):
+        self.driver.execute_cdp_cmd('Emulation.setDeviceMetricsOverride',
+                                    {'width': 390, 'height': 844, 'deviceScaleFactor': 2, 'mobile': True})
+        self.addCleanup(self.driver.execute_cdp_cmd, 'Emulation.clearDeviceMetricsOverride', {})
+        for walk in ('frusta', 'cover', 'undrawn'):
+            self.open(walk)
+            self.assertLessEqual(self.run_script('return document.documentElement.scrollWidth'), 390)
+            self.assertGreaterEqual(self.run_script('return page.viewer.canvas.clientWidth'), 340)
+
+    def test_in_the_dark_it_is_dark(self):
+        colour = 'return getComputedStyle(document.body).backgroundColor'
+        self.open('frusta')
+        light, light_picture = self.run_script(colour), self.picture()
+        self.driver.execute_cdp_cmd('Emulation.setEmulatedMedia', {'features': [{'name': 'prefers-color-scheme', 'value': 'dark'}]})
+        self.addCleanup(self.driver.execute_cdp_cmd, 'Emulation.setEmulatedMedia', {'features': []})
+        self.assertNotEqual(self.run_script(colour), light)
+        self.assertNotEqual(self.picture(), light_picture)
+
+
+class Viewing(Page):
+    def test_every_layer_shows_something(self):
+        self.open('frusta')
+        self.run_script('page.setIndex(page.columns.culled.indexOf(Math.max(...page.columns.culled)))')
+        self.run_script('page.viewer.depth /= 10')  # so that there is something to cut off
+        for box in self.driver.find_elements(By.CSS_SELECTOR, 'input[data-layer]'):
+            whole = self.picture()
+            self.click(box)
+            self.assertNotEqual(self.picture(), whole, box.get_attribute('data-layer'))
+            self.click(box)
+            self.assertEqual(self.picture(), whole, box.get_attribute('data-layer'))
+
+    def test_dragging_turns_and_the_wheel_zooms(self):
+        self.open('frusta')
+        canvas = self.element('picture')
+        self.run_script('arguments[0].scrollIntoView({block: "center"})', canvas)
+        whole = self.picture()
+        ActionChains(self.driver).move_to_element(canvas).click_and_hold().move_by_offset(90, 10).release().perform()
+        turned = self.picture()
+        self.assertNotEqual(turned, whole)
+        before = self.run_script('return page.viewer.orbit.distance')
+        ActionChains(self.driver).scroll_from_origin(
+            webdriver.common.actions.wheel_input.ScrollOrigin.from_element(canvas), 0, -200).perform()
+        self.assertLess(self.run_script('return page.viewer.orbit.distance'), before)
+        self.click(self.element('behind'))
+        self.assertEqual(self.picture(), whole)
+
+    def test_fates_add_up_to_the_figures_of_each_frame(self):
+        for walk in ('frusta', 'cover'):
+            self.open(walk)
+            counts = self.run_script('''return page.columns.frame.map((_, i) => {
+                const {fates} = page.frames.at(i), first = page.model.firstPolygon, sums = [0, 0, 0];
+                fates.forEach((fate, leaf) => sums[Math.min(fate, 2)] += first[leaf + 1] - first[leaf]);
+                return sums;
+            })''')
+            columns = self.run_script('return page.columns')
+            for i, count in enumerate(counts):
+                self.assertEqual(count, [columns['drawn'][i], columns['out_of_view'][i], columns['culled'][i]])
+
+    def click_picture(self, x, y):
+        """Clicks a point, shares of the size; returns the polygon and what the page says of it."""
+        self.run_script('''const canvas = page.viewer.canvas, box = canvas.getBoundingClientRect();
+            const at = {clientX: box.left + arguments[0] * box.width, clientY: box.top + arguments[1] * box.height, pointerId: 1, bubbles: true};
+            canvas.setPointerCapture = () => {};
+            canvas.dispatchEvent(new PointerEvent('pointerdown', at));
+            canvas.dispatchEvent(new PointerEvent('pointerup', at));''', x, y)
+        polygon = self.run_script('return page.viewer.picked === null ? null : page.model.numbers[page.viewer.picked]')
+        return polygon, self.element('picked').text
+
+    def test_a_click_finds_the_polygon_that_why_finds(self):
+        """Coordinates are rounded on the page, so at borders a pixel may show the neighbour."""
+        random.seed(1)
+        for walk in ('frusta', 'cover'):
+            self.open(walk)
+            self.look(False)
+            same = tried = 0
+            while tried < 8:
+                frame = self.run_script('page.setIndex(arguments[0]); return page.columns.frame[page.index]', random.randrange(20))
+                x, y = random.randrange(SIZE[0]), random.randrange(SIZE[1])
+                said = why(walk, frame, '--pixel', f'{x},{y}')
+                polygon, _ = self.click_picture((x + 0.5) / SIZE[0], (y + 0.5) / SIZE[1])
+                if said is None:  # the sky
+                    continue
+                tried += 1
+                same += polygon == said['polygon']
+            self.assertGreaterEqual(same, 7, walk)
+
+    def test_a_click_tells_the_fate_that_why_tells(self):
+        random.seed(2)
+        words = {'drawn': 'drawn', 'out_of_view': 'out of view', 'in_shadow': 'culled, '}
+        for walk in ('frusta', 'cover'):
+            self.open(walk)
+            fates = set()
+            for _ in range(16):
+                frame = self.run_script('page.setIndex(arguments[0]); return page.columns.frame[page.index]', random.randrange(20))
+                polygon, text = self.click_picture(random.random(), random.uniform(0.3, 1))
+                if polygon is None:
+                    continue
+                said = why(walk, frame, '--polygon', str(polygon))
+                fates.add(said['fate'])
+                self.assertIn(f'Polygon {polygon}: ', text)
+                self.assertIn(words[said['fate']], text)
+                for shadow in said['shadows'] if said['fate'] == 'in_shadow' else []:
+                    self.assertIn(str(shadow['occluder']['polygons'][0]), text)
+                if said['fate'] == 'in_shadow' and walk == 'cover':
+                    self.assertIn('several polygons', text)
+            self.assertGreaterEqual(len(fates), 2)
+
+
+class WithoutWebGL(Page):
+    OPTIONS = ('--disable-3d-apis',)
+
+    def test_pictures_stand_in_for_the_viewer(self):
+        self.open('frusta')
+        self.assertIn('no WebGL2', self.element('reason').text)
+        pictures = self.driver.find_elements(By.CSS_SELECTOR, '.fallback img')
+        self.assertEqual(len(pictures), 2)
+        for picture in pictures:
+            self.assertTrue(picture.is_displayed())
+            self.assertGreater(self.run_script('return arguments[0].naturalWidth', picture), 0)
+
+
+if __name__ == '__main__':
+    unittest.main(verbosity=2)

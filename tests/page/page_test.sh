@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The page of a walk in Chromium (page_test.py). Skipped, with exit code 77, where there is no Chromium with its driver, or no
+# Python with selenium. Usage: page_test.sh PATH_OF_OCCLUDE
+set -uo pipefail
+tests=$(realpath "$(dirname "$0")")
+. "$tests/../cli/common.sh"
+
+python=
+for candidate in python3 /usr/bin/python3; do
+  [ -z "$python" ] && "$candidate" -c 'import selenium' 2>/dev/null && python=$candidate
+done
+if [ -z "$python" ] || ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null; then
+  echo "no chromium, chromium-driver and python3-selenium: skipped"
+  exit 77
+fi
+
+"$occlude" generate city --polygons 20000 --seed 1 --out city.ply --path city.json >/dev/null || fail "generate"
+frames=(--path city.json --frames 0:400:20 --size 320x180)
+"$occlude" walk city.ply "${frames[@]}" --unions --out frusta >/dev/null || fail "walk"
+"$occlude" walk city.ply "${frames[@]}" --method cover --out cover >/dev/null || fail "walk by cover"
+"$occlude" walk city.ply "${frames[@]}" --no-render --out undrawn >/dev/null || fail "walk --no-render"
+
+"$python" -B "$tests/page_test.py" "$occlude" || fail "page_test.py"
+finish
