@@ -18,7 +18,7 @@ using render::Scale;
 using render::Series;
 
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008); they also differ in lightness.
-constexpr std::array kColours{"#000000", "#e69f00", "#56b4e9", "#009e73", "#d55e00", "#0072b2", "#cc79a7", "#8a94a3"};
+constexpr std::array kColours{"currentColor", "#e69f00", "#56b4e9", "#009e73", "#d55e00", "#0072b2", "#cc79a7", "#8a94a3"};
 constexpr const char *kMain = "#1565c0", *kOther = "#d9822b";
 
 std::string section(const std::string& title, const std::string& body) {

@@ -19,6 +19,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 OCCLUDE = sys.argv.pop(1)
 WALK = ['city.ply', '--path', 'city.json', '--frames', '0:400:20', '--size', '320x180']
+OPTIONS = {'frusta': ['--unions'], 'cover': ['--method', 'cover']}
 SIZE = (320, 180)
 
 
@@ -34,8 +35,7 @@ def browser(*options):
 
 
 def why(walk, frame, *which):
-    options = {'frusta': ['--unions'], 'cover': ['--method', 'cover']}[walk]
-    done = subprocess.run([OCCLUDE, 'why', *WALK, *options, '--frame', str(frame), *which, '--json'], capture_output=True)
+    done = subprocess.run([OCCLUDE, 'why', *WALK, *OPTIONS[walk], '--frame', str(frame), *which, '--json'], capture_output=True)
     return json.loads(done.stdout) if done.returncode == 0 else None
 
 
@@ -131,6 +131,8 @@ class Reading(Page):
         self.open('frusta')
         self.driver.get(f'file://{os.getcwd()}/frusta/report.html#frame=60')
         WebDriverWait(self.driver, 10).until(lambda _: self.number() == 60)
+        self.driver.find_element(By.TAG_NAME, 'body').send_keys(Keys.ARROW_RIGHT)
+        WebDriverWait(self.driver, 10).until(lambda _: self.driver.current_url.endswith('#frame=80'))
 
     def test_hover_tells_the_figures_of_a_frame(self):
         self.open('frusta')
@@ -268,6 +270,8 @@ class Viewing(Page):
                 said = why(walk, frame, '--polygon', str(polygon))
                 fates.add(said['fate'])
                 self.assertIn(f'Polygon {polygon}: ', text)
+                command = f'occlude why {" ".join(WALK + OPTIONS[walk])} --frame {frame} --polygon {polygon}'
+                self.assertEqual(text.splitlines()[1], command)
                 self.assertIn(words[said['fate']], text)
                 for shadow in said['shadows'] if said['fate'] == 'in_shadow' else []:
                     self.assertIn(str(shadow['occluder']['polygons'][0]), text)

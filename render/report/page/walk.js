@@ -58,7 +58,6 @@ class WalkPage {
     this.targets = points(path.targets);
     for (const outline of scene.outlines) {
       outline.points = outline.corners.map(corner => model.point(corner));
-      outline.occluderNumber = outline.occluder;
       outline.polygons = scene.occluders[outline.occluder].polygons;
     }
     if (this.walk.method === 'frusta') byId('occluders').append(...occluderTables(scene.occluders, model, this.columns.frame));
@@ -79,6 +78,7 @@ class WalkPage {
 
   setIndex(index) {
     this.index = Math.min(this.count - 1, Math.max(0, index));
+    this.nameInAddress();
     const frame = this.columns.frame[this.index];
     byId('slider').value = this.index;
     byId('slider').setAttribute('aria-valuetext', `frame ${frame}`);
@@ -109,7 +109,10 @@ class WalkPage {
   account(i) {
     const c = this.columns;
     const visible = this.walk.rendered ? ` (${grouped(c.visible[i])} visible)` : '';
-    const time = this.walk.rendered ? `${inMs(c.frame_ms[i])} ms, culling ${inMs(c.cull_ms[i])} ms` : `culling ${inMs(c.cull_ms[i])} ms`;
+    const time = this.walk.rendered
+        ? `${inMs(c.frame_ms[i])} ms, of it culling ${inMs(c.cull_ms[i])} (without occlusion culling ${inMs(c.view_frustum_frame_ms[i])}, ` +
+              `the visible polygons alone ${inMs(c.visible_frame_ms[i])})`
+        : `culling ${inMs(c.cull_ms[i])} ms`;
     return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled, ` +
            `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.`;
   }
@@ -150,7 +153,14 @@ class WalkPage {
     const polygon = this.viewer.picked;
     byId('picked').textContent = polygon === null ? 'Click a polygon to see what became of it.' : this.accountOf(polygon);
     if (polygon === null) return;
-    byId('picked').append(element('br', {}), element('code', {}, `occlude why … --frame ${this.columns.frame[this.index]} --polygon ${this.model.numbers[polygon]}`));
+    byId('picked').append(element('br', {}), element('code', {}, this.commandFor(polygon)));
+  }
+
+  /** The command that tells more of a polygon: that of the walk without its outputs. */
+  commandFor(polygon) {
+    const options = byId('command').textContent.replace(/^occlude walk/, '')
+        .replace(/ --(out|witness|cases)[ =](\\'|'[^']*'|[^\s'])+/g, '').replace(/ --(no-render|json)(?= |$)/g, '');
+    return `occlude why${options} --frame ${this.columns.frame[this.index]} --polygon ${this.model.numbers[polygon]}`;
   }
 
   /** What became of a polygon in this frame. */
@@ -170,6 +180,13 @@ class WalkPage {
     byId('told').setAttribute('aria-live', isPlaying ? 'off' : 'polite');
     byId('play').textContent = isPlaying ? '❚❚' : '▶';
     byId('play').setAttribute('aria-label', isPlaying ? 'Pause' : 'Play');
+  }
+
+  /** The address names the frame at which the cursor rests, so that it can be passed on. */
+  nameInAddress() {
+    clearTimeout(this.naming);
+    if (this.index === this.indexOfAddress() || (this.index === 0 && !location.hash)) return;
+    this.naming = setTimeout(() => history.replaceState(null, '', `#frame=${this.columns.frame[this.index]}`), 300);
   }
 
   indexOfAddress() {
