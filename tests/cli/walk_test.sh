@@ -69,7 +69,7 @@ done
 [ "$(cat stderr)" = "occlude: warning: far.json: the path is nowhere near good.ply" ] || fail "walk said: $(cat stderr)"
 "$occlude" walk good.ply --out foreign --no-render --path path.json >stdout 2>stderr || fail "walk"
 [ ! -s stderr ] || fail "walk said: $(cat stderr)"
-grep -q 'nothing was drawn' foreign/report.html || fail "the report does not say that nothing was drawn"
+grep -q 'Nothing was drawn' foreign/report.html || fail "the report does not say that nothing was drawn"
 
 # Squares very little before the near plane, in a model so deep that single precision draws them.
 vertices= faces= i=0
