@@ -2,7 +2,14 @@
 // What the page of a walk holds of a model and its frames, read back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bytes.h"
 #include "deflated.h"
