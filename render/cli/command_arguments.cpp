@@ -15,7 +15,6 @@
 #include "occlude/render/paint.h"
 #include "occlude/render/path_fit.h"
 #include "occlude/render/printable.h"
-#include "occlude/render/resource_limits.h"
 
 namespace occlude::cli {
 namespace {
@@ -241,9 +240,8 @@ std::string limits_help() {
   return fmt::format(
       "Limits: at most {} for a JSON file or a line of JSON Lines, {} for any other file. The import library\n"
       "(formats other than PLY and OBJ) may use {}.\n"
-      "A command may use at most {} of memory, three quarters of the machine's.",
-      render::in_mebibytes(render::kMostJson), render::in_mebibytes(render::kMostBytes), render::import_limits(),
-      render::in_mebibytes(render::most_memory()));
+      "A command may use at most three quarters of the machine's memory.",
+      render::in_mebibytes(render::kMostJson), render::in_mebibytes(render::kMostBytes), render::import_limits());
 }
 
 }  // namespace occlude::cli
