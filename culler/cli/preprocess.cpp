@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -20,11 +19,11 @@
 #include "occlude/render/output_file.h"
 #include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
 
 namespace occlude::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using nlohmann::ordered_json;
 
 struct Arguments {
@@ -42,16 +41,14 @@ struct Summary {
   ordered_json json;
 };
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 Summary make_preprocess(render::OutputFile& file, const culler::PolygonSoup& soup, const Arguments& arguments,
                         const culler::BuildConfig& config) {
-  const auto start = Clock::now();
+  const render::Stopwatch stopwatch;
   const culler::Preprocess result = [&] {
     render::Watch watch("region");
     return culler::preprocess(soup, config, arguments.samples, std::ref(watch), render::check_interrupt);
   }();
-  const double seconds = seconds_since(start);
+  const double seconds = stopwatch.seconds();
   render::check_interrupt();
   render::write_preprocess(file, soup, result);
   file.close();
@@ -69,12 +66,12 @@ Summary make_preprocess(render::OutputFile& file, const culler::PolygonSoup& sou
 }
 
 Summary make_inner_boxes(render::OutputFile& file, const culler::PolygonSoup& soup, const Arguments& arguments) {
-  const auto start = Clock::now();
+  const render::Stopwatch stopwatch;
   const culler::InnerBoxes found = [&] {
     render::Watch watch("part");
     return culler::find_inner_boxes(soup, arguments.boxes, std::ref(watch), render::check_interrupt);
   }();
-  const double seconds = seconds_since(start);
+  const double seconds = stopwatch.seconds();
   render::write_ply(file, culler::soup_of(found.boxes), "boxes inside the closed parts of a model");
   file.close();
   return {

@@ -19,7 +19,7 @@ std::vector<std::vector<std::uint32_t>> find_parts(const PolygonSoup& soup, std:
     for (const std::uint32_t index : soup.loop(p)) {
       std::uint32_t& other = polygon_at[weld[index]];
       if (other == kNone) other = p;
-      if (const std::uint32_t a = sets.find(other), b = sets.find(p); a != b) sets.join(a, b);
+      sets.join(sets.find(other), sets.find(p));
     }
   }
   std::vector<std::vector<std::uint32_t>> parts;

@@ -30,7 +30,7 @@ class Parts {
       const std::uint32_t p = polygon_of[adjacency[i].side], q = polygon_of[adjacency[i].twin];
       ++paired_[p];
       ++paired_[q];
-      if (const std::uint32_t a = sets_.find(p), b = sets_.find(q); a != b) sets_.join(a, b);
+      sets_.join(sets_.find(p), sets_.find(q));
     }
   }
 

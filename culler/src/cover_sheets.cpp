@@ -40,7 +40,7 @@ void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs
 
 void CoverSheets::join(std::uint32_t triangle, std::uint32_t other) {
   const std::uint32_t a = sets_.find(triangle), b = sets_.find(other);
-  if (a != b) sets_.join(std::min(a, b), std::max(a, b));
+  sets_.join(std::min(a, b), std::max(a, b));
 }
 
 /// Joins the triangles of a ring two by two. Does so only when `first` is the first side of the ring.

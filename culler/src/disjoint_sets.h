@@ -30,7 +30,7 @@ class DisjointSets {
     while (parent_[i] != root) i = std::exchange(parent_[i], root);
     return root;
   }
-  /// Joins the sets that roots a and b stand for; a stands for both.
+  /// Joins the sets that roots a and b stand for, which may be one; a stands for both.
   void join(std::uint32_t a, std::uint32_t b) { parent_[b] = a; }
 
   /// Calls visit(members) for every set, in ascending order of the roots, with its members in ascending order.

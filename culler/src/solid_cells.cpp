@@ -78,15 +78,12 @@ void SolidCells::mark(const Piece& piece) {
 /// anything; boxes are proven later.
 void SolidCells::drop_outside(const Solid& solid, const Checkpoint& checkpoint) {
   DisjointSets sets(size_ * size_ * size_);
-  const auto join = [&](std::size_t a, std::size_t b) {
-    const std::uint32_t p = sets.find(static_cast<std::uint32_t>(a)), q = sets.find(static_cast<std::uint32_t>(b));
-    if (p != q) sets.join(p, q);
-  };
+  const auto set_of = [&](std::size_t cell) { return sets.find(static_cast<std::uint32_t>(cell)); };
   for (std::size_t cell = 0; cell < size_ * size_ * size_; ++cell) {
     if (!is_free(cell)) continue;
     std::size_t step = 1;
     for (int axis = 0; axis < 3; ++axis, step *= size_) {
-      if (cell / step % size_ + 1 < size_ && is_free(cell + step)) join(cell, cell + step);
+      if (cell / step % size_ + 1 < size_ && is_free(cell + step)) sets.join(set_of(cell), set_of(cell + step));
     }
   }
   sets.for_each_set([&](std::span<const std::uint32_t> cells) {

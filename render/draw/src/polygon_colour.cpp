@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "occlude/render/polygon_area.h"
 #include "triangle_list.h"
 
 namespace occlude::render {
@@ -33,13 +34,9 @@ constexpr std::array<dvec3, 6> kWalls = {{{0.78, 0.56, 0.45},
                                           {0.72, 0.50, 0.42},
                                           {0.80, 0.74, 0.66}}};
 
-/// Newell's normal of the loop, length one, or zero without area.
+/// Of length one, or zero without area.
 dvec3 unit_normal(const culler::PolygonSoup& soup, std::size_t polygon) {
-  const auto loop = soup.loop(polygon);
-  const dvec3 origin = soup.vertices[loop[0]];
-  dvec3 sum{0, 0, 0};
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    sum += glm::cross(soup.vertices[loop[i]] - origin, soup.vertices[loop[i + 1]] - origin);
+  const dvec3 sum = doubled_area(soup, polygon);
   const double length = glm::length(sum);
   return length > 0 && std::isfinite(length) ? sum / length : dvec3(0, 0, 0);
 }

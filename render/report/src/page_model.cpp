@@ -8,28 +8,19 @@
 #include <unordered_map>
 
 #include "bytes.h"
+#include "occlude/render/polygon_area.h"
 
 namespace occlude::render {
 namespace {
 
 constexpr double kSteps = 65535;
 
-double area(const culler::PolygonSoup& soup, std::size_t polygon) {
-  const auto loop = soup.loop(polygon);
-  const glm::dvec3 origin = soup.vertices[loop[0]];
-  glm::dvec3 sum{0, 0, 0};
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    sum += glm::cross(soup.vertices[loop[i]] - origin, soup.vertices[loop[i + 1]] - origin);
-  }
-  return glm::length(sum);
-}
-
 /// Whether each polygon is among the `most` largest.
 std::vector<bool> largest(const culler::PolygonSoup& soup, std::size_t most) {
   std::vector<bool> chosen(soup.size(), soup.size() <= most);
   if (soup.size() <= most) return chosen;
   std::vector<std::pair<double, std::uint32_t>> by_area;
-  for (std::uint32_t p = 0; p < soup.size(); ++p) by_area.emplace_back(-area(soup, p), p);
+  for (std::uint32_t p = 0; p < soup.size(); ++p) by_area.emplace_back(-glm::length(doubled_area(soup, p)), p);
   std::ranges::nth_element(by_area, by_area.begin() + static_cast<std::ptrdiff_t>(most));
   for (std::size_t i = 0; i < most; ++i) chosen[by_area[i].second] = true;
   return chosen;

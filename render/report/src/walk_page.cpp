@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 #include "deflated.h"
@@ -99,38 +100,30 @@ std::string conditions(const Summary& summary) {
                      machine.renderer.empty() ? "" : escaped(machine.renderer) + "; ", escaped(machine.compiler));
 }
 
-/// A member of the frames as a member of a JSON object: "name":[...].
-template <class Value>
-void append_column(std::string& json, const char* name, const std::vector<FrameRecord>& frames, Value&& value) {
-  fmt::format_to(std::back_inserter(json), R"({}"{}":[)", json.empty() ? "" : ",", name);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    fmt::format_to(std::back_inserter(json), "{}{:.5g}", i == 0 ? "" : ",",
-                   static_cast<double>(std::invoke(value, frames[i])));
-  }
-  json += "]";
-}
+std::string digits(std::size_t count) { return std::to_string(count); }
+std::string digits(double ms) { return fmt::format("{:.5g}", ms); }
 
 /// The figures of all frames, in columns.
 std::string figures(const Summary& summary, const std::vector<FrameRecord>& frames) {
   std::string columns;
-  const auto counts = [&](const char* name, auto&& value) {
+  const auto add = [&](const char* name, auto&& value) {
     fmt::format_to(std::back_inserter(columns), R"({}"{}":[)", columns.empty() ? "" : ",", name);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      fmt::format_to(std::back_inserter(columns), "{}{}", i == 0 ? "" : ",", std::invoke(value, frames[i]));
+      columns += (i == 0 ? "" : ",") + digits(std::invoke(value, frames[i]));
     }
     columns += "]";
   };
-  counts("frame", &FrameRecord::frame);
-  counts("in_view", &FrameRecord::view_frustum_polygons);
-  counts("drawn", &FrameRecord::rendered_polygons);
-  counts("culled", [](const FrameRecord& r) { return r.stats.shadow_culled_polygons; });
-  counts("out_of_view", [](const FrameRecord& r) { return r.stats.view_culled_polygons; });
-  append_column(columns, "cull_ms", frames, &FrameRecord::cull_ms);
+  add("frame", &FrameRecord::frame);
+  add("in_view", &FrameRecord::view_frustum_polygons);
+  add("drawn", &FrameRecord::rendered_polygons);
+  add("culled", [](const FrameRecord& r) { return r.stats.shadow_culled_polygons; });
+  add("out_of_view", [](const FrameRecord& r) { return r.stats.view_culled_polygons; });
+  add("cull_ms", &FrameRecord::cull_ms);
   if (summary.options.render) {
-    counts("visible", &FrameRecord::visible_polygons);
-    append_column(columns, "frame_ms", frames, &FrameRecord::frame_ms);
-    append_column(columns, "view_frustum_frame_ms", frames, &FrameRecord::view_frustum_frame_ms);
-    append_column(columns, "visible_frame_ms", frames, &FrameRecord::visible_frame_ms);
+    add("visible", &FrameRecord::visible_polygons);
+    add("frame_ms", &FrameRecord::frame_ms);
+    add("view_frustum_frame_ms", &FrameRecord::view_frustum_frame_ms);
+    add("visible_frame_ms", &FrameRecord::visible_frame_ms);
   }
   const nlohmann::ordered_json walk = {{"model", summary.model},
                                        {"polygons", summary.polygons},
