@@ -24,7 +24,7 @@ std::vector<std::vector<std::uint32_t>> find_parts(const PolygonSoup& soup, std:
   }
   std::vector<std::vector<std::uint32_t>> parts;
   sets.for_each_set([&](std::span<const std::uint32_t> part) { parts.emplace_back(part.begin(), part.end()); });
-  std::ranges::sort(parts);
+  std::ranges::sort(parts, {}, [](const std::vector<std::uint32_t>& part) { return part.front(); });
   return parts;
 }
 
