@@ -72,3 +72,16 @@ function(occlude_module name)
   set_target_properties(occlude_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
+
+# occlude_embed(MODULE NAME HEADER FUNCTION FILES...): makes the files part of the library occlude::MODULE, in NAME.cpp. FUNCTION
+# of its private header HEADER returns their bytes.
+function(occlude_embed module name header function)
+  list(JOIN ARGN "," files)
+  set(embedded ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  add_custom_command(OUTPUT ${embedded}
+    COMMAND ${CMAKE_COMMAND} -DOUT=${embedded} -DHEADER=${header} -DFUNCTION=${function} -DFILES=${files}
+      -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/embed.cmake ${ARGN} VERBATIM)
+  target_sources(occlude_${module} PRIVATE ${embedded})
+  set_source_files_properties(${embedded} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

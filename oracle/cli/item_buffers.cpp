@@ -6,6 +6,8 @@
 #include <array>
 #include <glm/vec2.hpp>
 
+#include "occlude/render/plate_renderer.h"
+
 namespace occlude::cli {
 namespace {
 
@@ -44,22 +46,20 @@ std::string ItemBuffers::describe(std::size_t turn) const {
 }
 
 render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked) {
-  constexpr render::Rgba kRed{230, 30, 30, 255};
+  constexpr render::Rgba kMagenta{200, 0, 170, 255};
   std::vector<render::Line> outlines;  // lines stay visible where polygons are far and small
   for (const culler::PolygonRange& range : marked) {
     for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
       const auto loop = soup_.loop(p);
       for (std::size_t i = 0; i < loop.size(); ++i) {
-        outlines.push_back({soup_.vertices[loop[i]], soup_.vertices[loop[(i + 1) % loop.size()]], kRed});
+        outlines.push_back({soup_.vertices[loop[i]], soup_.vertices[loop[(i + 1) % loop.size()]], kMagenta});
       }
     }
   }
   const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup_.size())};
-  // Of coincident surfaces the first one drawn is visible, so the marked polygons come first.
-  const std::array<render::Layer, 2> layers{render::Layer{marked, kRed}, render::Layer{std::span(&all, 1), {}}};
-  render::SceneRenderer& renderer = *renderers_[0].renderer;
-  renderer.draw(camera, layers, outlines);
-  return renderer.image();
+  const std::array<render::PlateLayer, 2> layers{render::PlateLayer{marked, render::Style::marked},
+                                                 render::PlateLayer{std::span(&all, 1), render::Style::plain}};
+  return render::PlateRenderer(soup_, *renderers_[0].renderer).draw(camera, layers, {.lines = outlines, .legend = {}, .casters = {}});
 }
 
 }  // namespace occlude::cli

@@ -33,7 +33,7 @@ class ItemBuffers {
   /// Describes the size and the offset of draw(), as text.
   [[nodiscard]] std::string describe(std::size_t turn) const;
 
-  /// The frame as it is drawn in the smallest size, with the `marked` polygons in red.
+  /// The frame as it is drawn in the smallest size, with the `marked` polygons in magenta.
   [[nodiscard]] render::Image picture(const culler::Camera& camera, const std::vector<culler::PolygonRange>& marked);
 
  private:

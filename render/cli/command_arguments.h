@@ -32,8 +32,9 @@ class BuildArguments {
 /// The options of a walk: its frames, pictures and culling.
 class WalkArguments {
  public:
-  /// `frames` is the default of --frames.
-  explicit WalkArguments(std::string frames = "all") : frames_(std::move(frames)) {}
+  /// `frames` and `size` are the defaults of --frames and --size.
+  explicit WalkArguments(std::string frames = "all", std::string size = "640x360")
+      : frames_(std::move(frames)), size_(std::move(size)) {}
 
   void add_size_to(Command command);
   /// Adds the options that affect culling and returns them.
@@ -49,9 +50,9 @@ class WalkArguments {
   std::vector<Option> add_tuning_to(Command command);
   std::vector<Option> add_debugging_to(Command command);
 
-  std::string frames_;
-  std::string size_ = "640x360", near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
-              test_ = "conservative", angle_ = "area", preprocess_;
+  std::string frames_, size_;
+  std::string near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified", test_ = "conservative",
+              angle_ = "area", preprocess_;
   BuildArguments build_;
   std::vector<Option> build_options_;
   double pixel_margin_ = render::kPixelMargin;

@@ -8,7 +8,7 @@ walk_of_squares
 
 expect_error "frobnicate" "$occlude" frobnicate
 
-commands=("" generate "generate city" preprocess walk compare why classify validate fuzz bench "bench kernel" "bench culler"
+commands=("" generate "generate city" preprocess walk render compare why classify validate fuzz bench "bench kernel" "bench culler"
   "bench scene" help)
 for command in "${commands[@]}"; do
   "$occlude" $command --help >stdout || fail "no help for '$command'"
@@ -36,6 +36,7 @@ three_cases
 "$occlude" walk good.ply --path path.json --out walked --size 64x36 --witness witness.jsonl >/dev/null || fail "walk"
 for command in "generate city --polygons 20000 --out city.ply --path city.json" "preprocess good.ply --out good.pre --region-count 64" \
   "walk good.ply --path path.json --out out --no-render" "compare walked out" "classify cases.jsonl" \
+  "render good.ply --path path.json --size 64x36 --frame 0 --out picture.png" \
   "why good.ply --path path.json --size 64x36 --frame 0 --polygon 0" "fuzz --cases 1 --family lattice --findings =" \
   "validate good.ply --path path.json --witness witness.jsonl" "bench kernel --boxes 16 --repetitions 1" \
   "bench culler good.ply --path path.json --only sort --repetitions 1 --frames 0:2 --no-render" \

@@ -53,6 +53,7 @@ for name in summary.json frames.csv report.html; do
   keeps reads/$name "$occlude" walk good.ply --path reads/$name --out reads --no-render
   rm -r reads
 done
+keeps good.ply "$occlude" render good.ply --path path.json --frame 0 --out link.ply
 for name in why.json view.png outside.png; do
   cp path.json $name
   keeps $name "$occlude" why good.ply --path $name --frame 0 --polygon 0 --out .

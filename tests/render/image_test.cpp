@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "occlude/render/errors.h"
 
@@ -51,6 +54,49 @@ TEST_F(ImageTest, EqualPicturesGiveEqualFiles) {
   const Image image{2, 1, {Rgba{1, 2, 3, 255}, Rgba{4, 5, 6, 255}}};
   EXPECT_EQ(written(image), written(image));
   EXPECT_NE(written(image), written({2, 1, {Rgba{1, 2, 3, 255}, Rgba{4, 5, 7, 255}}}));
+}
+
+/// The types of the chunks of a PNG, and the data of those of the types of pictures: IDAT, and fdAT without its number.
+struct Chunks {
+  explicit Chunks(const std::string& png) {
+    for (std::size_t at = 8; at < png.size();) {
+      const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(png[at + i]); };
+      const std::size_t length = std::size_t{byte(0)} << 24U | byte(1) << 16U | byte(2) << 8U | byte(3);
+      const std::string type = png.substr(at + 4, 4), body = png.substr(at + 8, length);
+      const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(&png[at + 4]), static_cast<uInt>(length + 4));
+      at += 8 + length;
+      EXPECT_EQ(checksum, std::uint64_t{byte(0)} << 24U | byte(1) << 16U | byte(2) << 8U | byte(3)) << type;
+      at += 4;
+      types += type + ' ';
+      if (type == "fcTL" || type == "fdAT") numbers.push_back(body[3]);
+      if (type == "fcTL") controls.push_back(body.substr(4));
+      if (type == "IDAT") pictures.push_back(body);
+      if (type == "fdAT") pictures.push_back(body.substr(4));
+    }
+  }
+  std::string types;
+  std::vector<int> numbers;
+  std::vector<std::string> controls, pictures;
+};
+
+TEST_F(ImageTest, AnAnimationHoldsItsPictures) {
+  std::vector<Image> images;
+  for (std::uint8_t i = 0; i < 3; ++i) images.push_back({3, 2, std::vector<Rgba>(6, Rgba{i, 20, 30, 255})});
+  OutputFile file(folder_ / "a.png");
+  Animation animation(file, 3, 25);
+  for (const Image& image : images) animation.add(image);
+  file.commit();
+  std::ostringstream bytes;
+  bytes << std::ifstream(folder_ / "a.png", std::ios::binary).rdbuf();
+  const Chunks chunks(bytes.str());
+  EXPECT_EQ(chunks.types, "IHDR tEXt acTL fcTL IDAT fcTL fdAT fcTL fdAT IEND ");
+  EXPECT_EQ(chunks.numbers, (std::vector<int>{0, 1, 2, 3, 4}));  // none is missing, or viewers refuse the file
+  for (const std::string& control : chunks.controls) {
+    EXPECT_EQ(control, std::string("\0\0\0\3\0\0\0\2\0\0\0\0\0\0\0\0\0\1\0\x19\0\0", 22));
+  }
+  ASSERT_EQ(chunks.pictures.size(), images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) EXPECT_EQ(chunks.pictures[i], Chunks(png_of(images[i])).pictures.at(0)) << i;
+  EXPECT_TRUE(is_own_png(folder_ / "a.png"));
 }
 
 TEST_F(ImageTest, FailuresNameTheFileAndLeaveNothing) {

@@ -40,8 +40,7 @@ class Judge : public testing::Test {
   }
 
   Picture draw(std::span<const PolygonRange> ranges) {
-    const Layer layer{ranges, std::nullopt};
-    renderer_.draw(camera_, std::span(&layer, 1));
+    renderer_.draw(camera_, ranges);
     return {renderer_.image(), renderer_.item_buffer(camera_, ranges)};
   }
 

@@ -18,9 +18,8 @@ class CornerBuffer {
     bind();
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
     glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), offset(offsetof(Corner, position)));
-    glVertexAttribPointer(kColour, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Corner), offset(offsetof(Corner, colour)));
     glVertexAttribIPointer(kPolygon, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, polygon)));
-    for (const GLuint attribute : {kPosition, kColour, kPolygon}) glEnableVertexAttribArray(attribute);
+    for (const GLuint attribute : {kPosition, kPolygon}) glEnableVertexAttribArray(attribute);
   }
 
   void bind() const {
@@ -28,15 +27,15 @@ class CornerBuffer {
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   }
 
-  void upload(const std::vector<Corner>& corners, GLenum usage) const {
+  void upload(const std::vector<Corner>& corners) const {
     bind();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(), usage);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(), GL_STATIC_DRAW);
     if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL has no memory for the model");
   }
 
  private:
   /// As the vertex shaders number them.
-  enum Attribute : GLuint { kPosition, kColour, kPolygon };
+  enum Attribute : GLuint { kPosition, kPolygon };
 
   GlVertexArray layout_;
   GlBuffer buffer_;

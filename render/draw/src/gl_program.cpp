@@ -36,10 +36,6 @@ void GlProgram::set(const char* uniform, const glm::vec3& value) const {
   glUniform3fv(location(uniform), 1, glm::value_ptr(value));
 }
 
-void GlProgram::set(const char* uniform, const glm::vec4& value) const {
-  glUniform4fv(location(uniform), 1, glm::value_ptr(value));
-}
-
 void GlProgram::set(const char* uniform, const glm::mat4& value) const {
   glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -4,7 +4,6 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 
 #include "gl.h"
 
@@ -22,7 +21,6 @@ class GlProgram {
   /// Sets a uniform; ignores one that the shaders do not use. REQUIRES: the program is in use.
   void set(const char* uniform, float value) const;
   void set(const char* uniform, const glm::vec3& value) const;
-  void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
  private:

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #include "occlude/render/errors.h"
 
@@ -22,12 +23,23 @@ std::string big_endian(std::size_t value) {
   return bytes;
 }
 
+std::size_t number_at(std::string_view bytes, std::size_t at) {
+  std::size_t value = 0;
+  for (const char byte : bytes.substr(at, 4)) value = value << 8U | static_cast<unsigned char>(byte);
+  return value;
+}
+
+/// A chunk of a PNG. `type` has four letters.
+std::string chunk(std::string_view type, std::string_view data) {
+  const std::string typed = std::string(type) + std::string(data);
+  const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(typed.data()), typed.size());
+  return big_endian(data.size()) + typed + big_endian(checksum);
+}
+
 /// A text chunk, which readers ignore, to be inserted after the start. The simplified interface of libpng cannot write
 /// one.
 std::string marker(const std::filesystem::path& file) {
-  const std::string text = std::string("tEXtSoftware") + '\0' + "occlude, " + file.filename().string();
-  const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size());
-  return big_endian(text.size() - 4) + text + big_endian(checksum);  // the length excludes the type
+  return chunk("tEXt", std::string("Software") + '\0' + "occlude, " + file.filename().string());
 }
 
 /// `what` names the picture in an error.
@@ -68,6 +80,27 @@ std::string png_of(const Image& picture) { return encode("a picture", picture); 
 
 void write_png(OutputFile& file, const Image& image) {
   file.write(encode(file.path().string(), image).insert(kHead, marker(file.path())));
+}
+
+void Animation::add(const Image& image) {
+  constexpr std::size_t kFrame = 8 + 4;  // a chunk's length and type before its data, its checksum after it
+  const std::string png = encode(file_.path().string(), image);
+  if (added_ == 0) {
+    constexpr std::uint32_t kWithoutEnd = 0;
+    file_.write(png.substr(0, kHead) + marker(file_.path()) + chunk("acTL", big_endian(pictures_) + big_endian(kWithoutEnd)));
+  }
+  const std::string delay{'\0', '\1', static_cast<char>(fps_ >> 8U), static_cast<char>(fps_)};  // 1 / fps seconds
+  const std::string whole_and_opaque(2, '\0');
+  file_.write(chunk("fcTL", big_endian(chunks_++) + big_endian(static_cast<std::size_t>(image.width)) +
+                                big_endian(static_cast<std::size_t>(image.height)) + big_endian(0) + big_endian(0) + delay +
+                                whole_and_opaque));
+  for (std::size_t at = kHead; at < png.size();) {
+    const std::size_t length = number_at(png, at);
+    const std::string_view type = std::string_view(png).substr(at + 4, 4), data = std::string_view(png).substr(at + 8, length);
+    if (type == "IDAT") file_.write(added_ == 0 ? chunk(type, data) : chunk("fdAT", big_endian(chunks_++) + std::string(data)));
+    at += kFrame + length;
+  }
+  if (++added_ == pictures_) file_.write(chunk("IEND", {}));
 }
 
 bool is_own_png(const std::filesystem::path& file) {

@@ -38,18 +38,16 @@ dvec3 choose_centre(const std::vector<dvec3>& vertices, const Extent& extent) {
   return glm::round(0.5 * extent.min + 0.5 * extent.max);
 }
 
-Corner corner(const dvec3& relative, const Rgba& colour, std::size_t polygon) {
+Corner corner(const dvec3& relative, std::size_t polygon) {
   return {{static_cast<float>(relative.x), static_cast<float>(relative.y), static_cast<float>(relative.z)},
-          colour,
           static_cast<std::uint32_t>(polygon)};
 }
 
 void add_fan(TriangleList& list, const PolygonSoup& soup, std::size_t polygon) {
   const auto loop = soup.loop(polygon);
-  const Rgba colour = polygon_colour(soup, polygon);
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     for (const std::size_t at : {std::size_t{0}, i, i + 1})
-      list.corners.push_back(corner(soup.vertices[loop[at]] - list.centre, colour, polygon));
+      list.corners.push_back(corner(soup.vertices[loop[at]] - list.centre, polygon));
   }
   list.first.push_back(static_cast<std::uint32_t>(list.corners.size()));
 }

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "occlude/culler/polygon_soup.h"
-#include "occlude/render/image.h"
 #include "projection.h"
 
 namespace occlude::render {
@@ -17,10 +16,9 @@ namespace occlude::render {
 /// faster without one, even for quads.
 struct Corner {
   std::array<float, 3> position;  ///< relative to the list's centre
-  Rgba colour;
   std::uint32_t polygon;
 };
-static_assert(sizeof(Corner) == 20);
+static_assert(sizeof(Corner) == 16);
 
 /// The fan triangulations of all polygons, three corners per triangle.
 struct TriangleList {
@@ -29,11 +27,6 @@ struct TriangleList {
   std::vector<Corner> corners;
   std::vector<std::uint32_t> first = {0};  ///< polygon p owns corners [first[p], first[p + 1])
 };
-
-/// The colour of a polygon, which depends on its plane alone. Level ground and gentle slopes are green-grey, steeper ones
-/// roof tiles, walls brick and stucco with one shade per plane; the sun is in the south-west, and both sides look alike. It
-/// is the same on every machine.
-[[nodiscard]] Rgba polygon_colour(const culler::PolygonSoup& soup, std::size_t polygon);
 
 /// Throws std::runtime_error for more triangles than OpenGL can number.
 [[nodiscard]] TriangleList make_triangle_list(const culler::PolygonSoup& soup);

@@ -76,8 +76,7 @@ class Walker {
     timing.witness_ms = proving.milliseconds();
     if (renderer_) {
       const Stopwatch drawing;
-      const Layer layer{result.drawn, std::nullopt};
-      renderer_->draw(camera, std::span(&layer, 1));
+      renderer_->draw(camera, result.drawn);
       timing.frame_ms = timing.cull_ms + drawing.milliseconds();
       picture = {renderer_->image(), renderer_->item_buffer(camera, result.drawn)};
     }
@@ -89,14 +88,12 @@ class Walker {
     std::vector<PolygonRange> ranges;
     for (const std::uint32_t p : polygons) culler::append_range(ranges, {p, 1});
     const Stopwatch drawing;
-    const Layer layer{ranges, std::nullopt};
-    renderer_->draw(camera, std::span(&layer, 1));
+    renderer_->draw(camera, ranges);
     return drawing.milliseconds();
   }
 
   Picture draw(const culler::Camera& camera, std::span<const PolygonRange> ranges) const {
-    const Layer layer{ranges, std::nullopt};
-    renderer_->draw(camera, std::span(&layer, 1));
+    renderer_->draw(camera, ranges);
     return {renderer_->image(), renderer_->item_buffer(camera, ranges)};
   }
 

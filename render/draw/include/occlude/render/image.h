@@ -43,7 +43,22 @@ inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
 /// Writes a PNG file that contains a mark of this program and the file's name. The caller commits the file.
 void write_png(OutputFile& file, const Image& image);
 
-/// Whether write_png made this file and the file still has its original name.
+/// Writes an animated PNG (PNG, third edition, section 11.3.6), which plays without end. A viewer that knows no animations
+/// shows the first picture.
+class Animation {
+ public:
+  /// REQUIRES: 0 < pictures, fps < 2^16. The file must outlive this object; the caller commits it.
+  Animation(OutputFile& file, std::uint32_t pictures, std::uint32_t fps) : file_(file), pictures_(pictures), fps_(fps) {}
+  /// The next picture. REQUIRES: the size of the first one; not more pictures than announced. The last one ends the file.
+  void add(const Image& image);
+
+ private:
+  OutputFile& file_;
+  std::uint32_t pictures_, fps_;
+  std::uint32_t added_ = 0, chunks_ = 0;
+};
+
+/// Whether write_png or an Animation made this file and the file still has its original name.
 [[nodiscard]] bool is_own_png(const std::filesystem::path& file);
 
 }  // namespace occlude::render

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Draws ranges of a polygon soup off screen: shaded pictures and item buffers.
+// Draws ranges of a polygon soup off screen, to be timed and compared: pictures and item buffers.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,18 +16,6 @@ namespace occlude::render {
 
 using culler::PolygonRange;
 
-/// A set of ranges drawn in one style.
-struct Layer {
-  std::span<const PolygonRange> ranges;
-  std::optional<Rgba> tint;  ///< blended over the polygon's own colour by its alpha; none: no tint
-};
-
-/// A straight line in model space, drawn over the picture; its hidden parts are faint.
-struct Line {
-  glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
-  Rgba colour;
-};
-
 class SceneRenderer {
  public:
   /// Uploads the polygons in their order; an item buffer holds their indices. Coordinates are recentred before they are
@@ -39,9 +26,15 @@ class SceneRenderer {
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;
 
-  /// Clears and draws. Returns when the picture is finished (glFinish), so that callers can time it. Of polygons at equal
+  [[nodiscard]] int width() const;
+  [[nodiscard]] int height() const;
+  /// The depth at which a surface has half the colour of the sky: half the diagonal of the box around the vertices. Infinity
+  /// in a parallel projection, which has no distance from the eye.
+  [[nodiscard]] double haze_depth(const culler::Camera& camera) const;
+
+  /// Clears and draws, each polygon in a colour of its own. Returns when the picture is finished (glFinish), so that callers can time it. Of polygons at equal
   /// depth the first one drawn is visible, so leaving out hidden polygons changes no pixel.
-  void draw(const culler::Camera& camera, std::span<const Layer> layers, std::span<const Line> lines = {});
+  void draw(const culler::Camera& camera, std::span<const PolygonRange> ranges);
 
   /// The picture of the last draw().
   [[nodiscard]] Image image() const;

@@ -1,4 +1,5 @@
-# Writes the C++ file OUT, which holds the FILES (a list with commas) for page_files.h. Run by `cmake -P`.
+# Writes the C++ file OUT, which holds the FILES (a list with commas) and returns their bytes by name: it defines FUNCTION of
+# the header HEADER. Run by `cmake -P`.
 string(REPLACE "," ";" files "${FILES}")
 set(arrays "")
 set(cases "")
@@ -13,7 +14,7 @@ foreach(file IN LISTS files)
   string(APPEND cases "  if (name == \"${name}\") return text(${identifier}, sizeof ${identifier});\n")
 endforeach()
 file(WRITE ${OUT} "// Made by embed.cmake.
-#include \"page_files.h\"
+#include \"${HEADER}\"
 
 namespace occlude::render {
 namespace {
@@ -23,7 +24,7 @@ std::string_view text(const unsigned char* bytes, std::size_t size) { return {re
 
 }  // namespace
 
-std::string_view page_file(std::string_view name) {
+std::string_view ${FUNCTION}(std::string_view name) {
 ${cases}  return {};
 }
 

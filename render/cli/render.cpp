@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// occlude render
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_arguments.h"
+#include "commands.h"
+#include "occlude/render/console.h"
+#include "occlude/render/frame_painter.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/offscreen_context.h"
+#include "occlude/render/progress.h"
+#include "occlude/render/view_along_path.h"
+#include "occlude/render/why.h"
+
+namespace occlude::cli {
+namespace {
+
+struct Arguments {
+  std::string model, path, out, layer = "drawn";
+  std::optional<std::string> frame;
+  std::uint32_t fps = 10;
+  bool json = false;
+  WalkArguments walk{"all", "1280x720"};
+};
+
+using Draw = render::Image (*)(render::FramePainter&, const culler::Camera&, const culler::CullResult&,
+                               const culler::PolygonSoup&);
+
+template <render::Style style>
+render::Image one_layer(render::FramePainter& painter, const culler::Camera& camera, const culler::CullResult& result,
+                        const culler::PolygonSoup&) {
+  return painter.layer(style, camera, result);
+}
+
+struct Layer {
+  const char *name, *what;
+  Draw draw;
+};
+const std::array<Layer, 8> kLayers{{
+    {"drawn", "what is drawn",
+     [](auto& painter, const auto& camera, const auto& result, const auto&) { return painter.view(camera, result.drawn); }},
+    {"all", "the whole model",
+     [](auto& painter, const auto& camera, const auto&, const auto& soup) {
+       const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup.size())};
+       return painter.view(camera, std::span(&all, 1));
+     }},
+    {"seen", "what is drawn and seen", one_layer<render::Style::drawn>},
+    {"missed", "what is drawn, but hidden", one_layer<render::Style::missed>},
+    {"culled", "what is culled because it is hidden", one_layer<render::Style::culled>},
+    {"occluders", "the occluders of frusta", one_layer<render::Style::occluder>},
+    {"fates", "the whole model, by what became of it",
+     [](auto& painter, const auto& camera, const auto& result, const auto&) { return painter.fates(camera, result); }},
+    {"outside", "the same, from above and behind the camera",
+     [](auto& painter, const auto& camera, const auto& result, const auto&) { return painter.outside(camera, result); }},
+}};
+
+void render_frames(const Arguments& arguments) {
+  const render::WalkOptions options = arguments.walk.options();
+  std::optional<std::size_t> frame;
+  if (arguments.frame) frame = whole_number("--frame", *arguments.frame);
+  const render::CameraPath path = render::read_camera_path(arguments.path);
+  render::OutputFile file(arguments.out);
+  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
+  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  warn_of_misfit(path, arguments.path, arguments.model, soup);
+  const Draw draw = std::ranges::find(kLayers, arguments.layer, &Layer::name)->draw;
+  const auto context = render::make_offscreen_context();
+  render::FramePainter painter(culler, options.width, options.height);
+  if (frame) {
+    const render::ReplayedFrame replayed(culler, path, options, *frame);
+    render::write_png(file, draw(painter, replayed.camera(), replayed.result(), soup));
+  } else {
+    const std::vector<std::size_t> frames = render::frames_of(path, options);
+    render::ViewAlongPath along(culler, path, options, options.cull);
+    render::Animation animation(file, static_cast<std::uint32_t>(frames.size()), arguments.fps);
+    render::Progress progress("picture", frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const culler::Camera camera = path.camera(frames[i], render::aspect(options));
+      animation.add(draw(painter, camera, culler.cull(camera, options.cull, along.before(frames[i])), soup));
+      render::check_interrupt();
+      progress.update(i + 1);
+    }
+  }
+  file.commit();
+  const std::size_t pictures = frame ? 1 : render::frames_of(path, options).size();
+  if (arguments.json) {
+    const nlohmann::ordered_json summary{
+        {"layer", arguments.layer}, {"width", options.width}, {"height", options.height}, {"pictures", pictures}};
+    render::print(summary.dump(2) + "\n");
+    return;
+  }
+  render::tell(fmt::format("{}: {} of {}x{} pixels\n", arguments.out,
+                           pictures == 1 ? "a picture" : fmt::format("{} pictures", pictures), options.width, options.height));
+}
+
+}  // namespace
+
+void add_render(Command app, int&) {
+  Command command = app.add_command("render", "Draw a layer of a frame, or of several as an animation");
+  std::string layers = "Layers:\n";
+  std::vector<std::string> names;
+  for (const Layer& layer : kLayers) {
+    layers += fmt::format("  {:<10} {}\n", layer.name, layer.what);
+    names.emplace_back(layer.name);
+  }
+  command.footer(layers +
+                 "The earlier frames are culled first, as in a walk; give the options of that walk.\n" + limits_help() +
+                 "\n"
+                 "Example: occlude render city.ply --path city.json --frame 120 --layer outside --out outside.png\n"
+                 "Example: occlude render city.ply --path city.json --frames 0:600:10 --layer fates --out fates.png");
+  const auto a = std::make_shared<Arguments>();
+  add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
+  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  add_output(command, "--out", a->out, "PNG file to write").required();
+  command.add("--frame", a->frame, "number of the frame, from 0 (default: all of --frames, as an animated PNG)");
+  command.add("--layer", a->layer, "what to draw: see below").show_default().one_of(names);
+  command.add("--fps", a->fps, "frames per second of an animation").show_default().in_range(std::size_t{1}, std::size_t{100});
+  a->walk.add_size_to(command);
+  a->walk.add_culling_to(command);
+  a->walk.add_preprocess_to(command);
+  command.add_flag("--json", a->json, "print what was drawn as JSON");
+  command.run([a] { render_frames(*a); });
+}
+
+}  // namespace occlude::cli
