@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Draws the pictures of the README anew, with build/release/occlude, of the city of demo.sh.
+# Usage: bash render/pictures.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+demo=build/demo
+mkdir -p "$demo"
+[ -f "$demo/city.ply" ] ||
+  build/release/occlude generate city --polygons 500000 --seed 1 --out "$demo/city.ply" --path "$demo/city.json"
+# draw NAME OPTIONS...: a frame in a street of terraces.
+draw() {
+  build/release/occlude render "$demo/city.ply" --path "$demo/city.json" --frame 1093 --size 960x540 --out "render/images/$1.png" "${@:2}"
+}
+draw street
+draw outside --layer outside
