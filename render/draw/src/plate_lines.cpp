@@ -60,7 +60,9 @@ class SeenLine {
     const int main_end = is_steep ? rows : columns, other_end = is_steep ? columns : rows;
     // Across the main axis a line that is at most 45 degrees steep is at most 1.5 times as wide.
     const double reach = 1.5 * width + 1;
-    const auto within = [](double value, int end) { return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(end))); };
+    const auto within = [](double value, int end) {
+      return value > 0 ? static_cast<int>(std::min(value, static_cast<double>(end))) : 0;  // also of what is not a number
+    };
     const double low = std::min(a_[main], b_[main]) - reach, high = std::max(a_[main], b_[main]) + reach;
     for (int i = within(low, main_end); i < within(high + 1, main_end); ++i) {
       const double t = along[main] == 0 ? 0 : std::clamp((i + 0.5 - a_[main]) / along[main], 0.0, 1.0);

@@ -48,7 +48,9 @@ constexpr double kSkyFades = 1.6;
 
 
 Rgba to_rgba(const dvec3& colour) {
-  const auto channel = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0))); };
+  const auto channel = [](double value) {
+    return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0))) : std::uint8_t{0};  // also of NaN
+  };
   return {channel(colour.r), channel(colour.g), channel(colour.b), 255};
 }
 
