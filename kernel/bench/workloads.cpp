@@ -15,9 +15,12 @@ namespace {
 using fuzz::Random;
 using kernel::Aabb;
 
-/// The shadow frustum of the parallelogram at `corner` with the edges `u` and `v`.
-kernel::ShadowFrustum shadow_of(const Vec3& eye, const Vec3& corner, const Vec3& u, const Vec3& v) {
-  const std::array loop{corner, corner + u, corner + u + v, corner + v};
+using Loop = std::array<Vec3, 4>;
+
+/// With the edges `u` and `v` at `corner`.
+Loop parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v) { return {corner, corner + u, corner + u + v, corner + v}; }
+
+kernel::ShadowFrustum shadow_of(const Vec3& eye, const Loop& loop) {
   auto result = kernel::ShadowFrustum::make(kernel::Viewpoint::eye(eye), loop, kernel::Near::surface);
   if (!result.frustum || result.frustum->support_plane()) throw std::logic_error("the benchmark's occluder is not plane");
   return *std::move(result.frustum);
@@ -36,10 +39,22 @@ kernel::ShadowFrustum generic_frustum(Random& random) {
   constexpr double kJitter = 0.1;
   const Vec3 corner = jittered(eye + Vec3{5, -1, -1}, kJitter, random);
   const Vec3 u = jittered({0.3, 2, 0.1}, kJitter, random), v = jittered({-0.2, 0.15, 2}, kJitter, random);
-  return shadow_of(eye, corner, u, v);
+  return shadow_of(eye, parallelogram(corner, u, v));
 }
 
-kernel::ShadowFrustum integer_frustum() { return shadow_of({1, 2, 3}, {7, -2, 1}, {4, 8, 0}, {0, 0, 4}); }
+/// An eye before a wall, in whole numbers.
+constexpr Vec3 kWholeEye{1, 2, 3};
+Loop whole_wall() { return parallelogram({7, -2, 1}, {4, 8, 0}, {0, 0, 4}); }
+
+/// A hundredth of each number, rounded: what is read from a file that is written in centimetres and with a point.
+Vec3 hundredth(const Vec3& v) { return {v.x / 100, v.y / 100, v.z / 100}; }
+
+/// The wall stands upright, so its corners stay exactly coplanar.
+kernel::ShadowFrustum decimal_frustum() {
+  Loop wall = whole_wall();
+  for (Vec3& corner : wall) corner = hundredth(corner);
+  return shadow_of(hundredth(kWholeEye), wall);
+}
 
 /// A box near the shadow, up to five times as far from the eye as the occluder. All orders of magnitude of its size are
 /// equally likely.
@@ -62,14 +77,19 @@ Workload workload(const char* name, const char* about, kernel::ShadowFrustum fru
 
 std::vector<Workload> make_workloads(std::size_t boxes, std::uint64_t seed) {
   Random random(seed);
-  const kernel::ShadowFrustum generic = generic_frustum(random);
+  const kernel::ShadowFrustum generic = generic_frustum(random), whole = shadow_of(kWholeEye, whole_wall());
   return {
       workload("random", "boxes of 1/8 to 4 units strewn about the shadow of an occluder of 2 units", generic, boxes,
                [&](const auto& frustum) { return random_box(frustum.viewpoint().value, random); }),
       workload("integer_touching", "whole coordinates, each box touches a plane, an edge or a vertex exactly",
-               integer_frustum(), boxes, [&](const auto& frustum) { return touching_box(frustum, Numbers::whole, random); }),
+               whole, boxes, [&](const auto& frustum) { return touching_box(frustum, Numbers::whole, random); }),
       workload("ulp_touching", "each box touches up to rounding and is moved by -2 to 2 ulps", generic, boxes,
                [&](const auto& frustum) { return nudged(touching_box(frustum, Numbers::real, random), random); }),
+      workload("decimal", "hundredths of whole coordinates, each box touches up to their rounding", decimal_frustum(), boxes,
+               [&](const auto&) {
+                 const Aabb box = touching_box(whole, Numbers::whole, random);
+                 return Aabb{hundredth(box.min), hundredth(box.max)};
+               }),
   };
 }
 

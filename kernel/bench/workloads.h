@@ -23,10 +23,11 @@ struct Workload {
 
 inline constexpr std::uint64_t kDefaultSeed = 1997;
 
-/// Three workloads of `boxes` boxes each:
+/// Four workloads of `boxes` boxes each:
 /// - `random`: boxes of all sizes, scattered about the frustum; none touches it.
 /// - `integer_touching`: all coordinates are whole numbers; every box touches a plane, an edge or a vertex of the frustum.
 /// - `ulp_touching`: every box touches in the same ways up to rounding, and is then moved by -2 to 2 ulps on each axis.
+/// - `decimal`: the frustum and boxes like those of `integer_touching`, each coordinate divided by 100 and rounded.
 [[nodiscard]] std::vector<Workload> make_workloads(std::size_t boxes, std::uint64_t seed);
 
 }  // namespace occlude::bench

@@ -8,7 +8,7 @@ walk_of_squares
 
 # bench: everything measured is there and is a positive number.
 "$occlude" bench kernel --json --boxes 256 --repetitions 1 >bench.json || fail "bench"
-for member in ratios certified_over_plain random integer_touching ulp_touching batch_speedup gjk_over_certified operations ns \
+for member in ratios certified_over_plain random integer_touching ulp_touching decimal batch_speedup gjk_over_certified operations ns \
   overlap_certified overlap_plain naive answers peers machine; do
   grep -q "^ *\"$member\": " bench.json || fail "bench: no $member"
 done
