@@ -162,6 +162,18 @@ class Reading(Page):
         self.click(self.driver.find_element(By.CSS_SELECTOR, '#times .unzoom'))
         self.assertEqual(self.run_script(ranges), whole)
 
+    def test_reasons_add_up_to_what_is_drawn_in_vain(self):
+        for walk in ('frusta', 'cover'):
+            self.open(walk)
+            columns, reasons = self.run_script('return [page.columns, page.walk.reasons]')
+            self.assertGreaterEqual(len(reasons), 2)
+            for i, drawn in enumerate(columns['drawn']):
+                self.assertEqual(sum(columns[name][i] for name in reasons), drawn - columns['visible'][i])
+            self.assertIn('were drawn though they are hidden', self.element('told').text)
+            names = self.run_script('return page.charts.charts[2].series.map(s => s.name)')
+            for reason in reasons.values():
+                self.assertIn(f'hidden, but drawn: {reason}', names)
+
     def test_without_pictures_it_says_so(self):
         self.open('undrawn')
         text = self.driver.find_element(By.TAG_NAME, 'body').text

@@ -22,36 +22,23 @@ function table(heads, rows) {
 /** A link that moves the cursor to a frame. */
 const frameLink = frame => element('a', {href: `#frame=${frame}`}, String(frame));
 
-/** The value below which this share of the ascending values lies, between neighbours in proportion. */
-function percentile(ascending, share) {
-  const at = share * (ascending.length - 1), below = Math.floor(at);
-  const above = Math.min(below + 1, ascending.length - 1);
-  return ascending[below] + (at - below) * (ascending[above] - ascending[below]);
-}
-
-function spreadTable(series) {
-  const rows = series.map(({name, values}) => {
-    const ascending = [...values].sort((a, b) => a - b);
-    const mean = values.reduce((sum, v) => sum + v, 0) / values.length;
-    const spread = Math.sqrt(values.reduce((sum, v) => sum + (v - mean) ** 2, 0) / values.length);
-    return [name, inMs(mean), inMs(spread), ...[0, 0.5, 0.9, 0.99, 1].map(share => inMs(percentile(ascending, share)))];
-  });
-  return table(['Milliseconds', 'mean', 'std. dev.', 'least', 'median', '90 %', '99 %', 'most'], rows);
-}
+/** The columns of a frame's reasons, those of most polygons first. */
+const reasonsOf = (walk, columns, i) => Object.keys(walk.reasons).sort((a, b) => columns[b][i] - columns[a][i]);
 
 /** The frames that took longest, and what they drew. */
-function worstTable({columns, rendered}) {
+function worstTable(walk, columns) {
   const kListed = 10;
-  const times = rendered ? columns.frame_ms : columns.cull_ms;
+  const times = walk.rendered ? columns.frame_ms : columns.cull_ms;
   const worst = [...times.keys()].sort((a, b) => times[b] - times[a]).slice(0, kListed);
-  if (!rendered) {
+  if (!walk.rendered) {
     return table(['Frame', 'culling, ms', 'drawn', 'culled'],
                  worst.map(i => [frameLink(columns.frame[i]), inMs(columns.cull_ms[i]), grouped(columns.drawn[i]), grouped(columns.culled[i])]));
   }
-  return table(['Frame', 'ms', 'culling, ms', 'without culling, ms', 'only visible, ms', 'drawn', 'of it hidden'], worst.map(i => {
-    const hidden = columns.drawn[i] - columns.visible[i];
+  return table(['Frame', 'ms', 'culling, ms', 'without culling, ms', 'only visible, ms', 'drawn', 'of it hidden', 'chiefly because'], worst.map(i => {
+    const hidden = columns.drawn[i] - columns.visible[i], [chief] = reasonsOf(walk, columns, i);
     return [frameLink(columns.frame[i]), inMs(columns.frame_ms[i]), inMs(columns.cull_ms[i]), inMs(columns.view_frustum_frame_ms[i]),
-            inMs(columns.visible_frame_ms[i]), grouped(columns.drawn[i]), inPercent(columns.drawn[i] ? hidden / columns.drawn[i] : 0)];
+            inMs(columns.visible_frame_ms[i]), grouped(columns.drawn[i]), inPercent(columns.drawn[i] ? hidden / columns.drawn[i] : 0),
+            element('span', {class: 'said'}, hidden > 0 ? `${walk.reasons[chief]} (${inPercent(columns[chief][i] / hidden)})` : '')];
   }));
 }
 

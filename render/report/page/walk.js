@@ -2,7 +2,10 @@
 // The page of a walk: one frame cursor, which the charts, the map, the tables and the viewer share.
 
 const byId = id => document.getElementById(id);
-const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', hiddenDrawn: kMissedColour, culled: '#7a5bc0', outOfView: '#c5ccd6'};
+const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', culled: '#7a5bc0', outOfView: '#c5ccd6'};
+
+/** Of what was drawn in vain, by the reason: neighbours in the stack differ in lightness. */
+const kReasonColours = ['#f9cbb0', '#b8461a', '#f2a177', '#7d2b0c', '#e8743b', '#4a1a08', '#c9bfb9'];
 
 /** Points from one list of coordinates. */
 const points = list => Array.from({length: list.length / 3}, (_, i) => list.slice(3 * i, 3 * i + 3));
@@ -31,22 +34,15 @@ class WalkPage {
     const polygons = [line('view-frustum culling', kColours.before, c.in_view), line('with occlusion culling', kColours.after, c.drawn)];
     if (this.walk.rendered) polygons.push(line('visible', kColours.visible, c.visible));
     this.charts.add(byId('polygons'), frames, polygons, {unit: 'polygons'});
-    const drawn = this.walk.rendered
-        ? [line('hidden, but drawn', kColours.hiddenDrawn, c.drawn.map((n, i) => n - c.visible[i])), line('visible', kColours.visible, c.visible)]
-        : [line('drawn', kColours.visible, c.drawn)];
+    const missed = Object.entries(this.walk.reasons).map(([name, text], i) => line(`hidden, but drawn: ${text}`, kReasonColours[i], c[name]));
+    const drawn = this.walk.rendered ? [...missed, line('visible', kColours.visible, c.visible)] : [line('drawn', kColours.visible, c.drawn)];
     const outOfView = c.out_of_view.reduce((sum, n) => sum + n, 0) / (this.count * this.walk.polygons);
     this.charts.add(byId('fates'), frames, [line('out of view', kColours.outOfView, c.out_of_view), line('culled by shadow or cover', kColours.culled, c.culled), ...drawn],
                     {unit: 'polygons', stacked: true, hiddenAtFirst: outOfView > 2 / 3 ? ['out of view'] : []});
   }
 
   fillTables() {
-    const c = this.columns;
-    const series = [{name: 'Culling alone', values: c.cull_ms}];
-    if (this.walk.rendered) {
-      series.unshift({name: 'View-frustum culling', values: c.view_frustum_frame_ms}, {name: 'With occlusion culling', values: c.frame_ms});
-    }
-    byId('spread').append(spreadTable(series));
-    byId('worst').append(worstTable({columns: c, rendered: this.walk.rendered}));
+    byId('worst').append(worstTable(this.walk, this.columns));
   }
 
   /** Once the model is unpacked. */
@@ -114,7 +110,16 @@ class WalkPage {
               `the visible polygons alone ${inMs(c.visible_frame_ms[i])})`
         : `culling ${inMs(c.cull_ms[i])} ms`;
     return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled, ` +
-           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.`;
+           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.` +
+           (this.walk.rendered ? this.chiefReason(i) : '');
+  }
+
+  /** Why a frame drew what is hidden: the chief reason in words. */
+  chiefReason(i) {
+    const hidden = this.columns.drawn[i] - this.columns.visible[i];
+    if (hidden === 0) return '';
+    const [chief] = reasonsOf(this.walk, this.columns, i);
+    return ` ${grouped(hidden)} were drawn though they are hidden, ${inPercent(this.columns[chief][i] / hidden)} of these because: ${this.walk.reasons[chief]}.`;
   }
 
   /** The hiders of the frame with their colours. */

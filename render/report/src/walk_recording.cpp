@@ -72,14 +72,14 @@ WalkRecording::~WalkRecording() = default;
 WalkRecording::WalkRecording(WalkRecording&&) noexcept = default;
 WalkRecording& WalkRecording::operator=(WalkRecording&&) noexcept = default;
 
-void WalkRecording::add_frame(const culler::Camera& camera, const culler::CullResult& culled) {
-  impl_->frames.add(culled);
-  impl_->camera = camera;
+void WalkRecording::add_frame(const ShownFrame& frame) {
+  impl_->frames.add(frame.culled);
+  impl_->camera = frame.camera;
   const auto append = [](std::string& list, const glm::dvec3& v) {
     fmt::format_to(std::back_inserter(list), "{}{:.9g},{:.9g},{:.9g}", list.empty() ? "" : ",", v.x, v.y, v.z);
   };
-  append(impl_->eyes, camera.eye);
-  append(impl_->targets, camera.target);
+  append(impl_->eyes, frame.camera.eye);
+  append(impl_->targets, frame.camera.target);
 }
 
 std::size_t WalkRecording::polygons() const { return impl_->model.polygons(); }
