@@ -51,22 +51,38 @@ function nameOfOccluder(occluder, model) {
   return `${count === 1 ? 'polygon' : 'polygons'} ${named}${count > kNamed ? ` and ${count - kNamed} more` : ''}${kind}`;
 }
 
-/** What each occluder hid over the path: the best, and those that hid nothing in most frames that chose them. */
+/** Whether a hider hid nothing in most frames that used it. */
+const isUseless = hider => 2 * hider.useless > hider.frames;
+
+/** Two tables of hiders by what they hid: the best, and the useless ones. `nameOf` names one; `heads` are those of its columns. */
+function hiderTables(heads, best, useless, nameOf, frames) {
+  const row = o => [nameOf(o), grouped(o.frames), grouped(o.hidden / o.frames), inPercent(o.useless / o.frames),
+                    o.best_hidden ? frameLink(frames[o.best_frame]) : '–', isUseless(o) ? element('span', {class: 'flag'}, '⚠ useless') : ''];
+  const tables = [table(heads, best.map(row))];
+  if (useless.length > 0) {
+    tables.push(element('details', {}, element('summary', {}, `The ${useless.length} useless ones used most often`), table(heads, useless.map(row))));
+  }
+  return tables;
+}
+
+/** What each occluder hid over the path. */
 function occluderTables(occluders, model, frames) {
   const kListed = 15;
-  const isUseless = o => 2 * o.useless > o.frames;
-  const best = [...occluders].sort((a, b) => b.hidden - a.hidden);
+  if (occluders.length === 0) return [];
+  const best = [...occluders].sort((a, b) => b.hidden - a.hidden).slice(0, kListed);
   const useless = occluders.filter(isUseless).sort((a, b) => b.useless - a.useless);
-  const heads = ['Occluder', 'frames', 'hid a frame', 'hid nothing in', 'most in frame', ''];
-  const row = o => [nameOfOccluder(o, model), grouped(o.frames), grouped(o.hidden / o.frames), inPercent(o.useless / o.frames),
-                    o.best_hidden ? frameLink(frames[o.best_frame]) : '–', isUseless(o) ? element('span', {class: 'flag'}, '⚠ useless') : ''];
   const spent = occluders.reduce((sum, o) => sum + o.useless, 0), all = occluders.reduce((sum, o) => sum + o.frames, 0);
-  const parts = [element('p', {}, `${grouped(occluders.length)} occluders were chosen on the path, ${grouped(useless.length)} of them useless: ` +
-                                  `they hid nothing in more than half of the frames that chose them. ${inPercent(all ? spent / all : 0)} of all choices hid nothing.`),
-                 table(heads, best.slice(0, kListed).map(row))];
-  if (useless.length > 0) {
-    parts.push(element('details', {}, element('summary', {}, `The ${Math.min(kListed, useless.length)} useless ones chosen most often`),
-                       table(heads, useless.slice(0, kListed).map(row))));
-  }
-  return parts;
+  return [element('p', {}, `${grouped(occluders.length)} occluders were chosen on the path, ${grouped(useless.length)} of them useless: ` +
+                           `they hid nothing in more than half of the frames that chose them. ${inPercent(spent / all)} of all choices hid nothing.`),
+          ...hiderTables(['Occluder', 'frames', 'hid a frame', 'hid nothing in', 'most in frame', ''], best, useless.slice(0, kListed),
+                         o => nameOfOccluder(o, model), frames)];
+}
+
+/** What each piece of the covers helped to hide over the path. */
+function pieceTables(pieces, model, frames) {
+  return [element('p', {}, `A piece is a leaf of the tree: its polygons are drawn into the coarse picture together. ${grouped(pieces.used)} pieces ` +
+                           `were used on the path, ${grouped(pieces.useless)} of them useless: they helped to hide nothing in more than half of the frames ` +
+                           `that drew them. ${inPercent(pieces.idle / pieces.uses)} of all uses hid nothing. What several hide together counts for each.`),
+          ...hiderTables(['Piece', 'frames', 'helped to hide a frame', 'hid nothing in', 'most in frame', ''], pieces.best, pieces.worst,
+                         o => nameOfOccluder({polygons: model.polygonsIn(o.leaf)}, model), frames)];
 }

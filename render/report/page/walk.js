@@ -56,7 +56,10 @@ class WalkPage {
       outline.points = outline.corners.map(corner => model.point(corner));
       outline.polygons = scene.occluders[outline.occluder].polygons;
     }
-    if (this.walk.method === 'frusta') byId('occluders').append(...occluderTables(scene.occluders, model, this.columns.frame));
+    byId('occluders').append(...(scene.pieces ? pieceTables(scene.pieces, model, this.columns.frame)
+                                              : occluderTables(scene.occluders, model, this.columns.frame)));
+    if (scene.drawn_frames > 0) byId('mostVain').textContent = grouped(model.mostVain);
+    else byId('vain').remove();
     try {
       this.viewer = new Viewer(byId('picture'), model, scene.camera, this.walk.size);
     } catch (error) {
@@ -171,12 +174,24 @@ class WalkPage {
   /** What became of a polygon in this frame. */
   accountOf(polygon) {
     const name = `Polygon ${this.model.numbers[polygon]}`;
-    const fate = this.frame.fates[this.model.leafOf(polygon)];
-    if (fate === Fate.drawn) return `${name}: drawn.`;
-    if (fate === Fate.outOfView) return `${name}: culled, out of view.`;
-    if (fate === Fate.covered) return `${name}: culled, hidden by several polygons in front of it together.`;
+    return `${name}: ${this.fateOf(polygon)} ${this.vainOf(polygon)}`;
+  }
+  fateOf(polygon) {
+    const leaf = this.model.leafOf(polygon), fate = this.frame.fates[leaf];
+    if (fate === Fate.drawn) return `drawn, with its leaf of ${this.countIn(leaf, leaf + 1)}.`;
+    const {first, end} = this.frame.culled.find(node => leaf < node.end), node = `with a node of ${this.countIn(first, end)}`;
+    if (fate === Fate.outOfView) return `culled, out of view, ${node}.`;
+    if (fate === Fate.covered) return `culled, hidden by several polygons in front of it together, ${node}.`;
     const both = this.frame.hiders.get(fate - Fate.hidden);
-    return `${name}: culled, in the shadow of ${both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ')}.`;
+    return `culled, in the shadow of ${both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ')}, ${node}.`;
+  }
+  countIn(firstLeaf, endLeaf) {
+    const count = this.model.firstPolygon[endLeaf] - this.model.firstPolygon[firstLeaf];
+    return `${grouped(count)} ${count === 1 ? 'polygon' : 'polygons'}`;
+  }
+  vainOf(polygon) {
+    const frames = this.scene.drawn_frames;
+    return frames > 0 ? `In ${grouped(this.model.vain[polygon])} of the ${grouped(frames)} frames it was drawn though it is hidden.` : '';
   }
 
   play(isPlaying) {
@@ -248,7 +263,7 @@ function showPictures(reason) {
 async function open() {
   const page = new WalkPage(await jsonOfPart('figures'));
   const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
-  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'frames'];
+  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'vain', 'frames'];
   const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(name)])));
   const model = new Model(scene, parts);
   page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves));

@@ -196,6 +196,7 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
       {"command", [&] { return escaped(content.command); }},
       {"options", [&] { return escaped(json_of(summary.options, summary.build).dump(2)); }},
       {"culled", [&] { return is_cover(summary) ? "culled by cover" : "culled by shadow"; }},
+      {"hiders", [&] { return is_cover(summary) ? "What each piece of the covers hid" : "What each occluder hid"; }},
       {"machine", [&] { return escaped(machine_of(summary.machine)); }},
       {"version", [] { return std::string(OCCLUDE_VERSION); }},
       {"parts", [&] { return parts(summary, content); }}};
