@@ -29,8 +29,8 @@ void main() {
 }`;
 
 /**
- * Colours: of what is drawn by the slope of the surface; of what is hidden by its hider, hatched, so that hiders differ in
- * lightness and pattern as well; of what is out of view pale.
+ * Colours: of what is drawn by the slope of the surface, plain, and dotted if it is hidden; of what is culled by its hider,
+ * hatched; of what is out of view pale. Fates and hiders differ in lightness and pattern as well, for colour-blind readers.
  */
 const kModelColours = `#version 300 es
 precision highp float;
@@ -50,9 +50,10 @@ flat in uint triangle;
 in vec3 place;
 out vec4 colour;
 
+/** Darker than what is out of view, and never patterned. */
 vec3 drawn(float slope) {
-  return slope > 0.99 ? vec3(0.68, 0.68, 0.62) : slope > 0.82 ? vec3(0.56, 0.64, 0.45) : slope > 0.3 ? vec3(0.70, 0.47, 0.37)
-                                                                                                  : vec3(0.86, 0.76, 0.62);
+  return slope > 0.99 ? vec3(0.58, 0.58, 0.54) : slope > 0.82 ? vec3(0.50, 0.55, 0.42) : slope > 0.3 ? vec3(0.55, 0.40, 0.33)
+                                                                                                  : vec3(0.74, 0.64, 0.50);
 }
 
 uint mark() { return texelFetch(marks, ivec2(triangle % ${kTrianglesWide}u, triangle / ${kTrianglesWide}u), 0).r; }
@@ -64,12 +65,24 @@ vec3 colourOfHeat(float share) {
   return mix(heat[below], heat[below + 1], at - float(below));
 }
 
+vec2 pixel() { return gl_FragCoord.xy / unitOfHatching; }
+
 /** Whether this pixel is in a stripe of the pattern. */
 bool isHatched(uint pattern) {
-  vec2 at = gl_FragCoord.xy / unitOfHatching;
+  vec2 at = pixel();
   float across = pattern == 0u ? at.x + at.y : pattern == 1u ? at.x - at.y : pattern == 2u ? at.y * 1.4 : at.x * 1.4;
   return fract(across / 9.0) < 0.3;
 }
+
+/** Whether this pixel is in a dot: every second row of dots is shifted. */
+bool isDotted() {
+  vec2 at = pixel() / vec2(6.0, 5.0);
+  at.x += 0.5 * mod(floor(at.y), 2.0);
+  return distance(fract(at), vec2(0.5)) < 0.3;
+}
+
+/** A pattern in white or black, whichever is farther from the colour. */
+vec3 patterned(vec3 base) { return mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.5 ? 1 : 0), 0.45); }
 
 void main() {
   if (dot(place, up) > ceiling) discard;
@@ -80,12 +93,13 @@ void main() {
   vec3 base;
   uint marked = mark();
   if (showsVain) base = marked < 2u ? pale : colourOfHeat(float(marked >> 1) / 127.0);
-  else if (fate == 0u) base = marksMissed && (marked & 1u) == 0u ? missed : drawn(abs(dot(normal, up)));
+  else if (fate == 0u && marksMissed && (marked & 1u) == 0u) base = isDotted() ? patterned(missed) : missed;
+  else if (fate == 0u) base = drawn(abs(dot(normal, up)));
   else if (fate == 1u) base = pale;
   else {
     uint hider = fate - 3u;
     base = fate == 2u ? cover : hiders[hider % 8u];
-    if (isHatched(fate == 2u ? 0u : hider % 4u)) base = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.45 ? 1 : 0), 0.35);
+    if (isHatched(fate == 2u ? 0u : hider % 4u)) base = patterned(base);
   }
   colour = vec4(mix(base, tint.rgb, tint.a) * light, 1);
 }`;

@@ -4,7 +4,7 @@
 /** Colours of hiders, by their number modulo 8: neighbours differ in lightness. */
 const kHiderColours = ['#5b2a86', '#f0a58f', '#0b5d57', '#b9a6e8', '#7a3b12', '#79c6ee', '#a3195b', '#b5d8a0'];
 const kOccluderColour = '#ffc400', kPickedColour = '#e600c8', kFrustumColour = '#2962ff', kCoverColour = '#6f57b5',
-      kMissedColour = '#e8743b';
+      kMissedColour = '#f08a3c';
 
 const rgb = colour => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255);
 
@@ -18,6 +18,9 @@ const colourOfFate = fate => fate === Fate.outOfView ? kOutOfViewColour : fate =
 /** What was drawn in vain, from rarely to often: the more, the darker. */
 const kHeat = ['#fde8a9', '#f9a85d', '#e0533d', '#992766', '#3b0f70'];
 const shareOfVain = (frames, most) => most > 1 ? Math.log(frames) / Math.log(most) : 1;
+
+/** For a click: rasterisers round corners to 1/16 of a pixel, some of them. */
+const kMagnified = 16;
 
 /** How far shadows are drawn beyond their occluders, in depths of the interesting part of the frame. */
 const kShadowReach = 1.5;
@@ -114,7 +117,7 @@ class Viewer {
   /** What is exactly at a point of the canvas, in its CSS pixels: the polygon's place in the model, or null. */
   pick(x, y) {
     const {clientWidth, clientHeight} = this.canvas;
-    const window = {x: 2 * x / clientWidth - 1, y: 1 - 2 * y / clientHeight, across: clientWidth, up: clientHeight};
+    const window = {x: 2 * x / clientWidth - 1, y: 1 - 2 * y / clientHeight, across: kMagnified * clientWidth, up: kMagnified * clientHeight};
     const [number] = this.numbersIn({...(this.isOutside ? this.outside() : this.camera), window}, this.shown(), 1, 1);
     return number === 0 ? null : this.model.polygonOf(number - 1);
   }
