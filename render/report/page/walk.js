@@ -120,7 +120,7 @@ class WalkPage {
   /** Why a frame drew what is hidden: the chief reason in words. */
   chiefReason(i) {
     const hidden = this.columns.drawn[i] - this.columns.visible[i];
-    if (hidden === 0) return '';
+    if (hidden <= 0) return '';
     const [chief] = reasonsOf(this.walk, this.columns, i);
     return ` ${grouped(hidden)} were drawn though they are hidden, ${inPercent(this.columns[chief][i] / hidden)} of these because: ${this.walk.reasons[chief]}.`;
   }
