@@ -178,12 +178,12 @@ void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
 }
 
 /// Counts on the reference frames of `visibility`.
-MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
+render::MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
   std::map<std::size_t, const std::vector<bool>*> shows;
   for (const FrameVisibility& frame : visibility.frames) {
     if (!frame.shows.empty()) shows[frame.frame] = &frame.shows;
   }
-  MissedCounts missed{.method = walked.options.cull.method, .counts = {}};
+  render::MissedCounts missed{.method = walked.options.cull.method, .counts = {}};
   cull_frames(walked, "reasons, frame",
               [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
                 const auto found = shows.find(frame);

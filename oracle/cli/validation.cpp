@@ -38,18 +38,6 @@ struct Totals {
   std::size_t frames, in_view = 0, drawn = 0, visible = 0, false_culls = 0, wrong_pixels = 0, hidden = 0, hidden_culled = 0;
 };
 
-constexpr std::array<const char*, culler::kMissedReasons> kReasons{
-    "it is out of view, and its leaf is not",
-    "its leaf is too coarse: its own box is hidden",
-    "its box straddles: itself it is in the shadow of an occluder",
-    "in the shadows of several occluders, in none alone",
-    "an occluder that hides it was listed, and not chosen",
-    "no listed occluder hides it alone, or it is seen between pixels",
-    "its box reaches out of the coarse picture, or before the near plane",
-    "it would be hidden, but the frame's budget was spent",
-    "a pixel of its box is open: a border runs there, or nothing closes it",
-    "what closes the pixels of its box is not nearer than the box"};
-
 }  // namespace
 
 bool passed(const Validation& validation) { return validation.failed == 0 && validation.visibility.false_culls.empty(); }
@@ -77,8 +65,9 @@ std::string to_text(const Validation& v) {
   text += fmt::format("without a pixel and drawn in {} of the frames, {:.0f} a frame, because{}\n", frames,
                       t.share(counts.missed, frames), of_some);
   for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
-    if (!is_of(static_cast<culler::Missed>(r), method)) continue;
-    text += fmt::format("{:>7.1f} %  {}\n", 100 * t.share(counts.reasons[r], counts.asked()), kReasons[r]);
+    const auto reason = static_cast<culler::Missed>(r);
+    if (!is_of(reason, method)) continue;
+    text += fmt::format("{:>7.1f} %  {}\n", 100 * t.share(counts.reasons[r], counts.asked()), render::text_of(reason));
   }
   return text;
 }
@@ -105,21 +94,11 @@ std::string to_json(const Validation& v) {
                      {"culled_share_of_hidden", t.culled_share_of_hidden()},
                      {"overestimate", t.overestimate()},
                      {"underestimate", t.underestimate()}};
-  Json missed;
-  if (v.missed) {
-    missed["frames"] = v.missed->frames;
-    missed["polygons"] = v.missed->counts.missed;
-    missed["asked"] = v.missed->counts.asked();
-    for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
-      if (!is_of(static_cast<culler::Missed>(r), v.missed->method)) continue;
-      missed[std::string(to_string(static_cast<culler::Missed>(r)))] = v.missed->counts.reasons[r];
-    }
-  }
   return Json{{"witnesses", v.proved + v.failed},
               {"proved", v.proved},
               {"failed", v.failed},
               {"visibility", t.frames == 0 ? Json() : visibility},
-              {"missed", missed}}
+              {"missed", v.missed ? render::json_of(*v.missed) : Json()}}
              .dump(2) +
          "\n";
 }

@@ -6,24 +6,17 @@
 #include <optional>
 #include <string>
 
-#include "occlude/culler/missed.h"
+#include "occlude/render/missed_report.h"
 #include "visibility_check.h"
 
 namespace occlude::cli {
-
-/// For each reason, how many of the hidden polygons that some frames drew have it.
-struct MissedCounts {
-  culler::Method method = culler::Method::frusta;
-  std::size_t frames = 0;
-  culler::MissedReasons::Counts counts;
-};
 
 struct Validation {
   std::size_t proved = 0, failed = 0;  ///< witnesses
   bool is_exact = false;               ///< by exact visibility, else by item buffers
   std::size_t sizes = 0;               ///< number of sizes of the item buffers
   Visibility visibility;
-  std::optional<MissedCounts> missed;  ///< only when the frames were culled anew
+  std::optional<render::MissedCounts> missed;  ///< only when the frames were culled anew
 };
 
 [[nodiscard]] bool passed(const Validation& validation);

@@ -48,6 +48,7 @@ for file in summary.json frames.csv report.html plates; do
   [ -e "report/$file" ] || fail "no $file"
 done
 [ "$(wc -l <report/frames.csv)" -eq 5 ] || fail "frames.csv has not a line a frame"
+grep -A1 '"missed": {' report/summary.json | grep -q '"frames": 4' || fail "summary.json does not say why polygons were missed"
 grep -q '"by":"shadow"' witness.jsonl || fail "no witness of a shadow cull"
 "$occlude" validate good.ply --path path.json --witness witness.jsonl >stdout || fail "validate"
 total=$(wc -l <witness.jsonl)

@@ -17,7 +17,9 @@
 #include "page_files.h"
 #include "page_frames.h"
 #include "page_model.h"
+#include "page_pieces.h"
 #include "page_reader.h"
+#include "page_vain.h"
 #include "template.h"
 
 namespace {
@@ -112,17 +114,16 @@ struct ReadModel {
   }
 
   void read_points(const std::string& bytes) {
-    const std::size_t count = bytes.size() / 6;
+    const std::size_t count = bytes.size() / 12;
     points.resize(count);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::uint16_t value = 0;
+      std::uint32_t value = 0;
       for (std::size_t v = 0; v < count; ++v) {
         const auto byte = [&](std::size_t plane) {
-          return static_cast<unsigned>(static_cast<unsigned char>(bytes[(2 * axis + plane) * count + v]));
+          return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[(4 * axis + plane) * count + v]));
         };
-        const unsigned folded = byte(0) | byte(1) << 8;
-        const unsigned difference = (folded & 1U) != 0 ? ~(folded >> 1) : folded >> 1;
-        value = static_cast<std::uint16_t>(value + difference);
+        const std::uint32_t folded = byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24;
+        value += (folded & 1U) != 0 ? ~(folded >> 1) : folded >> 1;
         points[v][axis] = value;
       }
     }
@@ -130,7 +131,7 @@ struct ReadModel {
 
   std::vector<std::int64_t> numbers;
   std::vector<std::uint64_t> leaf_sizes, sides, corners;
-  std::vector<std::array<std::uint16_t, 3>> points;
+  std::vector<GridPoint> points;
 };
 
 TEST(PageModel, ReadsBackAsTheModel) {
@@ -151,8 +152,8 @@ TEST(PageModel, ReadsBackAsTheModel) {
     for (const std::uint32_t index : loop) {
       const auto& point = read.points.at(read.corners.at(corner++));
       for (int axis = 0; axis < 3; ++axis) {
-        const double coordinate = model.grid().low[axis] + model.grid().step[axis] * point[static_cast<std::size_t>(axis)];
-        EXPECT_LE(std::fabs(coordinate - soup.vertices[index][axis]), 0.5001 * model.grid().step[axis]);
+        const double coordinate = model.grid().low[axis] + model.grid().step * point[static_cast<std::size_t>(axis)];
+        EXPECT_LE(std::fabs(coordinate - soup.vertices[index][axis]), 0.5001 * model.grid().step);
       }
     }
   }
@@ -165,7 +166,7 @@ TEST(PageModel, LeavesAreThoseOfTheTree) {
   const ReadModel read(model);
   ASSERT_EQ(read.leaf_sizes.size(), model.leaves());
   for (const culler::HierarchyNode& node : hierarchy.nodes()) {
-    const auto [first, count] = model.leaves_of(node);
+    const auto [first, count] = model.leaves_of({node.first, node.count});
     std::size_t before = 0, inside = 0;
     for (std::size_t leaf = 0; leaf < first + count; ++leaf) (leaf < first ? before : inside) += read.leaf_sizes[leaf];
     EXPECT_EQ(before, node.first);
@@ -175,6 +176,8 @@ TEST(PageModel, LeavesAreThoseOfTheTree) {
       EXPECT_GE(model.place(p), before);
       EXPECT_LT(model.place(p), before + inside);
       EXPECT_EQ(read.numbers[model.place(p)], hierarchy.original(p));
+      EXPECT_GE(model.leaf_of(p), first);
+      EXPECT_LT(model.leaf_of(p), first + count);
     }
   }
 }
@@ -193,13 +196,29 @@ TEST(PageModel, ALargeModelLosesItsSmallestPolygons) {
   EXPECT_EQ(sizes, (std::vector<std::int64_t>{16, 17, 18, 19, 20}));
 }
 
-TEST(PageModel, AFlatModelHasAGrid) {
-  culler::PolygonSoup soup;
-  const std::array loop{soup.add_vertex({5, 1, 2}), soup.add_vertex({5, 3, 2}), soup.add_vertex({5, 3, 4})};
-  soup.add_polygon(loop);
-  const PageModel model(culler::Hierarchy::build(soup, {}));
-  EXPECT_EQ(ReadModel(model).points.at(0), (std::array<std::uint16_t, 3>{0, 0, 0}));
-  EXPECT_EQ(ReadModel(model).points.at(2), (std::array<std::uint16_t, 3>{0, 65535, 65535}));
+TEST(PageGrid, IsAsFineAsSinglePrecision) {
+  const std::vector<glm::dvec3> points{{-640.1, 0, 3}, {639.7, 1, 3}, {0.3, 0.1, 3}};
+  const PageGrid grid(points);
+  EXPECT_EQ(grid.step, 0x1p-13);  // 1279.8 of them are less than 2^24, and of 2^-14 more
+  EXPECT_EQ(grid.at(points[0])[0], 0U);
+  EXPECT_EQ(grid.at(points[1]), (GridPoint{grid.steps[0], grid.steps[1], 0}));
+  EXPECT_NEAR(grid.low.x + grid.step * grid.at(points[2])[0], 0.3, 0x1p-14);
+}
+
+TEST(PageGrid, KeepsCoordinatesThatLieOnACoarserGrid) {
+  const std::vector<glm::dvec3> points{{-1000.5, 0, 0}, {1000, 20.125, 0}, {3.75, 8, 0}};
+  const PageGrid grid(points);
+  EXPECT_EQ(grid.step, 0.125);
+  for (const glm::dvec3& point : points) {
+    const GridPoint at = grid.at(point);
+    EXPECT_EQ(grid.low + grid.step * glm::dvec3(at[0], at[1], at[2]), point);
+  }
+}
+
+TEST(PageGrid, OfOnePointHasNoSteps) {
+  const std::vector<glm::dvec3> points{{5, 6, 7}, {5, 6, 7}};
+  EXPECT_EQ(PageGrid(points).steps, GridPoint{});
+  EXPECT_EQ(PageGrid(points).at(points[1]), GridPoint{});
 }
 
 /// A wall at x = 4 and many squares behind it, beside it and behind the eye at the origin.
@@ -244,14 +263,23 @@ class PageFramesTest : public testing::Test {
       hiders[colour] = {first, numbers.next()};
     }
     std::vector<std::uint64_t> fates;  // of the leaves
+    auto next = frame.culled.begin();
     while (!numbers.is_at_end()) {
-      const std::uint64_t fate = numbers.next();
-      fates.resize(fates.size() + numbers.next(), fate);
+      const std::uint64_t fate = numbers.next(), leaves = numbers.next();
+      if (fate != 0) {
+        ASSERT_NE(next, frame.culled.end());
+        const culler::HierarchyNode& node = culler_.hierarchy().nodes()[(next++)->node];
+        const auto [first, count] = model_.leaves_of({node.first, node.count});
+        EXPECT_EQ(first, fates.size());
+        EXPECT_EQ(count, leaves) << "a culled subtree";
+      }
+      fates.resize(fates.size() + leaves, fate);
     }
+    EXPECT_EQ(next, frame.culled.end());
     ASSERT_EQ(fates.size(), model_.leaves());
     for (std::uint32_t p = 0; p < culler_.hierarchy().soup().size(); ++p) {
       const culler::Culled* culled = culler_.cull_of(frame, p);
-      const std::uint64_t fate = fates[model_.leaves_of(culler_.hierarchy().nodes()[culler_.hierarchy().leaf_of(p)]).first];
+      const std::uint64_t fate = fates[model_.leaf_of(p)];
       if (!culled) {
         EXPECT_EQ(fate, 0U);
       } else if (culled->by == culler::Culled::By::view) {
@@ -294,7 +322,7 @@ TEST_F(PageFramesTest, OfMoreBytesThanAllowedEverySecondFrameIsKept) {
   PageFrames kept(culler_, model_);
   for (int i = 0; i < 3; ++i) kept.add(frame);  // 0, 4 and 8
   EXPECT_EQ(frames.packed(), kept.packed());
-  EXPECT_EQ(frames.occluders().begin()->second.frames, 9U);
+  EXPECT_EQ(frames.occluders().begin()->second.did.frames, 9U);
 }
 
 TEST_F(PageFramesTest, CountWhatAnOccluderHid) {
@@ -303,13 +331,68 @@ TEST_F(PageFramesTest, CountWhatAnOccluderHid) {
   frames.add(frame);
   frames.add(frame);
   for (const culler::Occluder& occluder : frame.occluders) {
-    const OccluderRecord& record = frames.occluders().at(occluder.index);
+    const HiderRecord& record = frames.occluders().at(occluder.index).did;
     EXPECT_EQ(record.frames, 2U);
     EXPECT_EQ(record.hidden, 2 * occluder.hidden);
     EXPECT_EQ(record.useless, occluder.hidden == 0 ? 2U : 0U);
     EXPECT_EQ(record.best_frame, 0U);
     EXPECT_EQ(record.best_hidden, occluder.hidden);
   }
+}
+
+TEST_F(PageFramesTest, CountWhatThePiecesOfCoversHid) {
+  const culler::CullOptions options{.method = culler::Method::cover};
+  const culler::CullResult frame = culler_.cull(camera_, options);
+  std::vector<culler::CoverWitness> covers;
+  culler_.append_covers(frame, camera_, options, 1000, covers);
+  PagePieces pieces(model_);
+  pieces.add({}, {});  // nothing is drawn
+  pieces.add(frame, covers);
+  std::size_t used = 0, useless = 0, most = 0;
+  for (std::uint32_t leaf = 0; leaf < model_.leaves(); ++leaf) {
+    const auto is_here = [&](std::uint32_t p) { return model_.leaf_of(p) == leaf; };
+    std::size_t hidden = 0;
+    for (const culler::CoverWitness& cover : covers) {
+      if (std::ranges::any_of(cover.polygons, is_here)) hidden += cover.range.count;
+    }
+    const bool is_drawn = std::ranges::any_of(frame.drawn, [&](const culler::PolygonRange& range) {
+      const auto [first, count] = model_.leaves_of(range);
+      return leaf >= first && leaf - first < count;
+    });
+    const HiderRecord& record = pieces.records()[leaf];
+    EXPECT_EQ(record.frames, is_drawn || hidden > 0 ? 1U : 0U);
+    EXPECT_EQ(record.hidden, hidden);
+    EXPECT_EQ(record.best_frame, record.frames);
+    used += record.frames;
+    useless += record.useless;
+    most = std::max(most, hidden);
+  }
+  ASSERT_GT(useless, 2U);
+  const PagePieces::Ranking ranking = pieces.ranking(2);
+  EXPECT_EQ(ranking.used, used);
+  EXPECT_EQ(ranking.uses, used);
+  EXPECT_EQ(ranking.useless, useless);
+  EXPECT_EQ(ranking.idle, useless);
+  EXPECT_EQ(ranking.worst.size(), 2U);
+  EXPECT_EQ(pieces.records()[ranking.best.at(0)].hidden, most);
+}
+
+TEST_F(PageFramesTest, CountWhatWasDrawnInVain) {
+  const culler::CullResult frame = culler_.cull(camera_);
+  const std::vector<bool> drawn = [&] {
+    std::vector<bool> result(culler_.hierarchy().soup().size());
+    for (const culler::PolygonRange& range : frame.drawn) std::fill_n(result.begin() + range.first, range.count, true);
+    return result;
+  }();
+  const std::uint32_t shown = frame.drawn.front().first;
+  PageVain vain(model_);
+  vain.add(frame, std::array{shown});
+  vain.add(frame, {});
+  for (std::uint32_t p = 0; p < drawn.size(); ++p) {
+    EXPECT_EQ(vain.frames()[model_.place(p)], !drawn[p] ? 0U : p == shown ? 1U : 2U) << p;
+  }
+  const std::vector<std::uint64_t> read = page_numbers(vain.packed());
+  EXPECT_TRUE(std::ranges::equal(read, vain.frames()));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace {
 class Record : public WalkOutput {
  public:
   void add_model(const culler::Culler&) override {}
-  void add_frame(const culler::Camera&, const culler::CullResult&) override {}
+  void add_frame(const ShownFrame&) override {}
   void add_witness(std::string_view line) override {
     witnesses[nlohmann::json::parse(line)["frame"].get<std::size_t>()].emplace_back(line);
   }

@@ -143,26 +143,44 @@ TEST(Summary, HasTheMembersOfTheContract) {
 }
 
 /// The page of a model of two walls.
-std::string page_of(const Summary& summary, const std::vector<FrameRecord>& frames) {
+std::string page_of(const Summary& summary, const WalkResult& result) {
   culler::PolygonSoup soup;
   add_wall(soup, 4, -1, 1);
   add_wall(soup, 6, -1, 1);
   const culler::Culler culler(soup);
   WalkRecording recording(culler);
-  recording.add_frame({}, culler.cull(culler::Camera{}));
-  return walk_page(summary, {frames, recording, {}, "occlude walk 'a<b.ply'"});
+  const culler::CullResult culled = culler.cull(culler::Camera{});
+  recording.add_frame({culler::Camera{}, culled, nullptr, {}});
+  return walk_page(summary, {result.frames, result.missed, recording, {}, "occlude walk 'a<b.ply'"});
 }
 
 TEST(Summary, TextAndPageShowItsFigures) {
   const WalkResult result = one_frame(some_frame());
   const Summary summary = summarise(result, {}, "model.ply");
   EXPECT_NE(text_of(summary).find("+100 %"), std::string::npos) << text_of(summary);
-  const std::string page = page_of(summary, result.frames);
+  const std::string page = page_of(summary, result);
   EXPECT_NE(page.find("<b>60.0 %</b>"), std::string::npos) << page;
   EXPECT_NE(page.find("<b>2.00 &times;</b>"), std::string::npos) << page;
   EXPECT_NE(page.find("<td>75.0 %</td>"), std::string::npos) << page;  // of the hidden polygons, culled
   EXPECT_NE(page.find("occlude walk 'a&lt;b.ply'"), std::string::npos) << page;
   EXPECT_NE(page.find("The model is simplified here: the 2 largest of its 3 polygons."), std::string::npos) << page;
+}
+
+TEST(Summary, CountsWhyHiddenPolygonsAreDrawn) {
+  WalkResult result = one_frame(some_frame());
+  EXPECT_TRUE(json_of(summarise(result, {}, "model.ply"))["missed"].is_null());
+  culler::MissedReasons::Counts counts{.missed = 20};
+  counts.reasons[static_cast<std::size_t>(culler::Missed::coarse_node)] = 5;
+  counts.reasons[static_cast<std::size_t>(culler::Missed::not_chosen)] = 12;
+  result.missed = {counts, counts};
+  const auto missed = json_of(summarise(result, {}, "model.ply"))["missed"];
+  EXPECT_EQ(missed["frames"], 2);
+  EXPECT_EQ(missed["polygons"], 40);
+  EXPECT_EQ(missed["asked"], 34);
+  EXPECT_EQ(missed["coarse_node"], 10);
+  EXPECT_EQ(missed["not_chosen"], 24);
+  EXPECT_EQ(missed["straddling_box"], 0);
+  EXPECT_FALSE(missed.contains("open_pixel")) << "a reason of frames by cover";
 }
 
 TEST(Summary, HasTheSpreadOverTheFrames) {
@@ -184,6 +202,8 @@ TEST(Summary, HasTheSpreadOverTheFrames) {
   EXPECT_NEAR(spread["speedup"]["worst"].get<double>(), 10.0 / 12, 1e-12);
   EXPECT_NE(text_of(summary).find("12.00 (frame 6)"), std::string::npos) << text_of(summary);
   EXPECT_NE(text_of(summary).find("-17 % (frame 6)"), std::string::npos) << text_of(summary);
+  EXPECT_NE(page_of(summary, result).find("<td>9.00</td><td>10.00</td>"), std::string::npos) << "mean and median";
+  EXPECT_NE(page_of(summary, result).find("12.00 in frame <a href=\"#frame=6\">6</a>"), std::string::npos);
 }
 
 /// Frames whose limit by polygons is 2.5, with these speedups.
@@ -210,7 +230,7 @@ TEST(Summary, ASpeedupAboveItsLimitIsExplained) {
   EXPECT_NE(limit_note(above).find("took longer to draw"), std::string::npos);
   EXPECT_EQ(json_of(above)["speedup_limit"]["exceeded"], "beyond_noise");
   EXPECT_NE(text_of(above).find(limit_note(above)), std::string::npos);
-  EXPECT_NE(page_of(above, {some_frame()}).find(limit_note(above)), std::string::npos);
+  EXPECT_NE(page_of(above, one_frame(some_frame())).find(limit_note(above)), std::string::npos);
 }
 
 TEST(Summary, ThePaperStandsForItsOwnModel) {
@@ -222,10 +242,10 @@ TEST(Summary, ThePaperStandsForItsOwnModel) {
 TEST(Summary, APageWithoutPicturesDoesNotSayThatFramesWereDrawn) {
   WalkOptions options;
   const WalkResult result = one_frame(some_frame());
-  const std::string drawn = page_of(summarise(result, options, "model.ply"), result.frames);
+  const std::string drawn = page_of(summarise(result, options, "model.ply"), result);
   EXPECT_NE(drawn.find("Every frame was drawn with both methods"), std::string::npos) << drawn;
   options.render = false;
-  const std::string page = page_of(summarise(result, options, "model.ply"), result.frames);
+  const std::string page = page_of(summarise(result, options, "model.ply"), result);
   EXPECT_EQ(page.find("was drawn with"), std::string::npos) << page;
   EXPECT_EQ(page.find("item buffer"), std::string::npos) << page;
   EXPECT_NE(page.find("Nothing was drawn"), std::string::npos) << page;

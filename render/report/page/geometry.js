@@ -26,7 +26,8 @@ function axesOf(camera) {
 
 /**
  * From coordinates relative to the eye to the picture. A camera has eye, target, up, aspect, near, far and either fov_y_deg or,
- * if it is orthographic, height.
+ * if it is orthographic, height. With `window` it is only a part of the picture: {x, y, across, up}, its middle (the picture
+ * reaches from -1 to 1 on both axes) and by how much it is magnified.
  */
 function projection(camera) {
   const {right, up, forward} = axesOf(camera);
@@ -37,11 +38,14 @@ function projection(camera) {
   // Depth is (a z + b) / w, where z is the distance along the line of sight and w is z, or 1.
   const a = isPerspective ? (far + near) / (far - near) : 2 / (far - near);
   const b = isPerspective ? -2 * far * near / (far - near) : -(far + near) / (far - near);
+  const w = isPerspective ? [...forward, 0] : [0, 0, 0, 1];
+  const {window = {x: 0, y: 0, across: 1, up: 1}} = camera;
+  const inWindow = (row, middle, magnified) => row.map((c, i) => magnified * (c - middle * w[i]));
   const rows = [
-    [...scale(right, x), 0],
-    [...scale(up, y), 0],
+    inWindow([...scale(right, x), 0], window.x, window.across),
+    inWindow([...scale(up, y), 0], window.y, window.up),
     [...scale(forward, a), b],
-    isPerspective ? [...forward, 0] : [0, 0, 0, 1],
+    w,
   ];
   return new Float32Array([0, 1, 2, 3].flatMap(column => rows.map(row => row[column])));
 }

@@ -8,16 +8,16 @@ class Arrays {
     this.array = gl.createVertexArray();
     this.buffers = new Map();
   }
-  /** Attribute `place` of `size` numbers each; of whole numbers if `isWhole`; `stride` counts bytes from one to the next. */
-  set(place, data, size, {type = this.gl.FLOAT, stride = 0, isWhole = false, everyInstance = 0} = {}) {
+  /** Attribute `place` of `size` numbers each; of whole numbers if `isWhole`. */
+  set(place, data, size, {type = this.gl.FLOAT, isWhole = false, everyInstance = 0} = {}) {
     const gl = this.gl;
     gl.bindVertexArray(this.array);
     if (!this.buffers.has(place)) this.buffers.set(place, gl.createBuffer());
     gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers.get(place));
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
     gl.enableVertexAttribArray(place);
-    if (isWhole) gl.vertexAttribIPointer(place, size, type, stride, 0);
-    else gl.vertexAttribPointer(place, size, type, false, stride, 0);
+    if (isWhole) gl.vertexAttribIPointer(place, size, type, 0, 0);
+    else gl.vertexAttribPointer(place, size, type, false, 0, 0);
     gl.vertexAttribDivisor(place, everyInstance);
   }
 }
@@ -50,11 +50,25 @@ class ModelPainter {
     this.colours = linkProgram(gl, kModelVertices, kModelColours, ['corner', 'leaf']);
     this.numbers = linkProgram(gl, kModelVertices, kModelNumbers, ['corner', 'leaf']);
     this.arrays = new Arrays(gl);
-    this.arrays.set(0, model.corners, 3, {type: gl.UNSIGNED_SHORT, stride: 8});
+    this.arrays.set(0, model.corners, 3, {type: gl.INT, isWhole: true});
     this.arrays.set(1, model.cornerLeaves, 1, {type: gl.UNSIGNED_INT, isWhole: true});
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     this.fates = new NumberTexture(gl, 0, gl.R16UI, gl.UNSIGNED_SHORT, kFatesWide, new Uint16Array(model.leaves));
-    this.seen = new NumberTexture(gl, 1, gl.R8UI, gl.UNSIGNED_BYTE, kTrianglesWide, new Uint8Array(model.triangles));
+    this.vain = this.levelsOfVain();
+    this.marks = new NumberTexture(gl, 1, gl.R8UI, gl.UNSIGNED_BYTE, kTrianglesWide, this.vain);
+  }
+  /** Of each triangle 2 times how often its polygon was drawn in vain, in 127 steps of the logarithm. */
+  levelsOfVain() {
+    const {vain, mostVain, firstTriangle, polygons, triangles} = this.model;
+    const levels = new Uint8Array(triangles);
+    for (let p = 0; p < polygons; ++p) {
+      if (vain[p] > 0) levels.fill(2 * Math.round(1 + 126 * shareOfVain(vain[p], mostVain)), firstTriangle[p], firstTriangle[p + 1]);
+    }
+    return levels;
+  }
+  /** `seen` has 1 for each triangle that the camera sees. */
+  setSeen(seen) {
+    this.marks.set(seen.map((isSeen, triangle) => isSeen | this.vain[triangle]));
   }
   /** The program for the next draws, with what all of them share. */
   use({program, uniforms}, camera, shown, ceiling) {
@@ -62,8 +76,14 @@ class ModelPainter {
     gl.useProgram(program);
     gl.bindVertexArray(this.arrays.array);
     gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
-    gl.uniform3fv(uniforms.offset, subtract(this.model.low, camera.eye));
-    gl.uniform3fv(uniforms.step, this.model.step);
+    const onGrid = camera.eye.map((c, axis) => (c - this.model.low[axis]) / this.model.step), cell = onGrid.map(Math.floor);
+    gl.uniform3iv(uniforms.eyeCell, cell);
+    gl.uniform3fv(uniforms.eyeRest, subtract(onGrid, cell));
+    gl.uniform1f(uniforms.step, this.model.step);
+    gl.uniform3fv(uniforms.forward ?? null, axesOf(camera).forward);
+    gl.uniform1f(uniforms.near ?? null, camera.near);
+    gl.uniform1f(uniforms.far ?? null, camera.far);
+    gl.uniform1i(uniforms.isPerspective ?? null, camera.projection !== 'orthographic');
     gl.uniform1i(uniforms.showsDrawn, shown.drawn);
     gl.uniform1i(uniforms.showsOutOfView, shown.outOfView);
     gl.uniform1i(uniforms.showsHidden, shown.hidden);
@@ -71,7 +91,7 @@ class ModelPainter {
     gl.uniform3fv(uniforms.up, ceiling.up);
     gl.uniform1f(uniforms.ceiling, ceiling.height);
     gl.uniform1i(uniforms.fates, this.fates.unit);
-    gl.uniform1i(uniforms.seen ?? null, this.seen.unit);
+    gl.uniform1i(uniforms.marks ?? null, this.marks.unit);
   }
   drawAll() {
     this.gl.drawArrays(this.gl.TRIANGLES, 0, 3 * this.model.triangles);
@@ -112,6 +132,30 @@ class LinePainter {
     gl.uniform2f(uniforms.pixels, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.uniform1f(uniforms.wide, wide);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.length);
+  }
+}
+
+/** The edges of boxes: {low, high, colour}. */
+class BoxPainter {
+  constructor(gl) {
+    this.gl = gl;
+    this.boxes = linkProgram(gl, kBoxVertices, kPaint, ['low', 'high', 'paint']);
+    this.arrays = new Arrays(gl);
+  }
+  draw(boxes, camera) {
+    const gl = this.gl, {program, uniforms} = this.boxes, kEdges = 12;
+    if (boxes.length === 0) return;
+    gl.useProgram(program);
+    for (const [place, key] of ['low', 'high'].entries()) {
+      const corners = new Float32Array(3 * boxes.length);
+      boxes.forEach((box, i) => corners.set(subtract(box[key], camera.eye), 3 * i));
+      this.arrays.set(place, corners, 3, {everyInstance: 1});
+    }
+    const colours = new Float32Array(4 * boxes.length);
+    boxes.forEach((box, i) => colours.set(box.colour, 4 * i));
+    this.arrays.set(2, colours, 4, {everyInstance: 1});
+    gl.uniformMatrix4fv(uniforms.picture, false, projection(camera));
+    gl.drawArraysInstanced(gl.LINES, 0, 2 * kEdges, boxes.length);
   }
 }
 

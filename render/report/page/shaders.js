@@ -9,10 +9,12 @@ const kModelVertices = `#version 300 es
 precision highp float;
 precision highp usampler2D;
 uniform mat4 picture;
-uniform vec3 offset, step;  // from the grid to coordinates relative to the eye
+uniform ivec3 eyeCell;  // the eye on the grid, and its place in that cell: near corners keep all their digits
+uniform vec3 eyeRest;
+uniform float step;
 uniform usampler2D fates;
 uniform bool showsDrawn, showsOutOfView, showsHidden, showsAll;
-in vec3 corner;
+in ivec3 corner;
 in uint leaf;
 flat out uint fate;
 flat out uint triangle;
@@ -21,14 +23,14 @@ invariant gl_Position;
 void main() {
   fate = texelFetch(fates, ivec2(leaf % ${kFatesWide}u, leaf / ${kFatesWide}u), 0).r;
   triangle = uint(gl_VertexID) / 3u;
-  place = offset + step * corner;
+  place = step * (vec3(corner - eyeCell) - eyeRest);
   bool isShown = showsAll || (fate == 0u ? showsDrawn : fate == 1u ? showsOutOfView : showsHidden);
   gl_Position = isShown ? picture * vec4(place, 1) : vec4(0, 0, 2, 1);
 }`;
 
 /**
- * Colours: of what is drawn by the slope of the surface; of what is hidden by its hider, hatched, so that hiders differ in
- * lightness and pattern as well; of what is out of view pale.
+ * Colours: of what is drawn by the slope of the surface, plain, and dotted if it is hidden; of what is culled by its hider,
+ * hatched; of what is out of view pale. Fates and hiders differ in lightness and pattern as well, for colour-blind readers.
  */
 const kModelColours = `#version 300 es
 precision highp float;
@@ -39,27 +41,48 @@ uniform vec3 hiders[8];
 uniform vec3 missed;  // drawn, but hidden
 uniform float ceiling;  // what is higher is cut off
 uniform vec4 tint;  // mixed into all that, by its alpha
-uniform bool marksMissed;
-uniform usampler2D seen;  // whether each triangle is visible in the view of the camera
+uniform bool marksMissed, showsVain;
+uniform usampler2D marks;  // of each triangle: 1 if the view of the camera shows it, and 2 times how often it was drawn in vain
+uniform vec3 heat[5];
 uniform float unitOfHatching;
 flat in uint fate;
 flat in uint triangle;
 in vec3 place;
 out vec4 colour;
 
+/** Darker than what is out of view, and never patterned. */
 vec3 drawn(float slope) {
-  return slope > 0.99 ? vec3(0.68, 0.68, 0.62) : slope > 0.82 ? vec3(0.56, 0.64, 0.45) : slope > 0.3 ? vec3(0.70, 0.47, 0.37)
-                                                                                                  : vec3(0.86, 0.76, 0.62);
+  return slope > 0.99 ? vec3(0.58, 0.58, 0.54) : slope > 0.82 ? vec3(0.50, 0.55, 0.42) : slope > 0.3 ? vec3(0.55, 0.40, 0.33)
+                                                                                                  : vec3(0.74, 0.64, 0.50);
 }
 
-bool isSeen() { return texelFetch(seen, ivec2(triangle % ${kTrianglesWide}u, triangle / ${kTrianglesWide}u), 0).r != 0u; }
+uint mark() { return texelFetch(marks, ivec2(triangle % ${kTrianglesWide}u, triangle / ${kTrianglesWide}u), 0).r; }
+
+/** From 0 to 1: the more, the darker. */
+vec3 colourOfHeat(float share) {
+  float at = share * 4.0;
+  int below = min(int(at), 3);
+  return mix(heat[below], heat[below + 1], at - float(below));
+}
+
+vec2 pixel() { return gl_FragCoord.xy / unitOfHatching; }
 
 /** Whether this pixel is in a stripe of the pattern. */
 bool isHatched(uint pattern) {
-  vec2 at = gl_FragCoord.xy / unitOfHatching;
+  vec2 at = pixel();
   float across = pattern == 0u ? at.x + at.y : pattern == 1u ? at.x - at.y : pattern == 2u ? at.y * 1.4 : at.x * 1.4;
   return fract(across / 9.0) < 0.3;
 }
+
+/** Whether this pixel is in a dot: every second row of dots is shifted. */
+bool isDotted() {
+  vec2 at = pixel() / vec2(6.0, 5.0);
+  at.x += 0.5 * mod(floor(at.y), 2.0);
+  return distance(fract(at), vec2(0.5)) < 0.3;
+}
+
+/** A pattern in white or black, whichever is farther from the colour. */
+vec3 patterned(vec3 base) { return mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.5 ? 1 : 0), 0.45); }
 
 void main() {
   if (dot(place, up) > ceiling) discard;
@@ -68,28 +91,37 @@ void main() {
   normal = size > 0.0 ? normal / size : up;
   float light = 0.62 + 0.38 * abs(dot(normal, normalize(vec3(-0.57, -0.42, 0.71))));
   vec3 base;
-  if (fate == 0u) base = marksMissed && !isSeen() ? missed : drawn(abs(dot(normal, up)));
+  uint marked = mark();
+  if (showsVain) base = marked < 2u ? pale : colourOfHeat(float(marked >> 1) / 127.0);
+  else if (fate == 0u && marksMissed && (marked & 1u) == 0u) base = isDotted() ? patterned(missed) : missed;
+  else if (fate == 0u) base = drawn(abs(dot(normal, up)));
   else if (fate == 1u) base = pale;
   else {
     uint hider = fate - 3u;
     base = fate == 2u ? cover : hiders[hider % 8u];
-    if (isHatched(fate == 2u ? 0u : hider % 4u)) base = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.45 ? 1 : 0), 0.35);
+    if (isHatched(fate == 2u ? 0u : hider % 4u)) base = patterned(base);
   }
   colour = vec4(mix(base, tint.rgb, tint.a) * light, 1);
 }`;
 
-/** The number of the triangle at each pixel, from 1. */
+/**
+ * The number of the triangle at each pixel, from 1. Depths are near / distance, or fall evenly if the picture is orthographic,
+ * and are kept as floating-point numbers: far away they tell walls from what hangs on them.
+ */
 const kModelNumbers = `#version 300 es
 precision highp float;
 precision highp int;
-uniform vec3 up;
-uniform float ceiling;
+uniform vec3 up, forward;
+uniform float ceiling, near, far;
+uniform bool isPerspective;
 flat in uint fate;
 flat in uint triangle;
 in vec3 place;
 out uint number;
 void main() {
   if (dot(place, up) > ceiling) discard;
+  float away = dot(place, forward);
+  gl_FragDepth = isPerspective ? near / away : (far - away) / (far - near);
   number = triangle + 1u;
 }`;
 
@@ -115,6 +147,23 @@ void main() {
   end.xy += (gl_VertexID % 2 == 0 ? 1.0 : -1.0) * across * wide / pixels * end.w;
   paints = paint;
   gl_Position = end;
+}`;
+
+/** The twelve edges of a box, one pixel wide: along each axis from the four corners at its low side. */
+const kBoxVertices = `#version 300 es
+precision highp float;
+uniform mat4 picture;
+in vec3 low, high;  // relative to the eye
+in vec4 paint;
+out vec4 paints;
+void main() {
+  int edge = gl_VertexID / 2, axis = edge / 4;
+  bvec3 isHigh;
+  isHigh[axis] = gl_VertexID % 2 == 1;
+  isHigh[(axis + 1) % 3] = edge % 2 == 1;
+  isHigh[(axis + 2) % 3] = edge / 2 % 2 == 1;
+  paints = paint;
+  gl_Position = picture * vec4(mix(low, high, isHigh), 1);
 }`;
 
 /** Triangles of one colour each. */

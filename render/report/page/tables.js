@@ -22,36 +22,23 @@ function table(heads, rows) {
 /** A link that moves the cursor to a frame. */
 const frameLink = frame => element('a', {href: `#frame=${frame}`}, String(frame));
 
-/** The value below which this share of the ascending values lies, between neighbours in proportion. */
-function percentile(ascending, share) {
-  const at = share * (ascending.length - 1), below = Math.floor(at);
-  const above = Math.min(below + 1, ascending.length - 1);
-  return ascending[below] + (at - below) * (ascending[above] - ascending[below]);
-}
-
-function spreadTable(series) {
-  const rows = series.map(({name, values}) => {
-    const ascending = [...values].sort((a, b) => a - b);
-    const mean = values.reduce((sum, v) => sum + v, 0) / values.length;
-    const spread = Math.sqrt(values.reduce((sum, v) => sum + (v - mean) ** 2, 0) / values.length);
-    return [name, inMs(mean), inMs(spread), ...[0, 0.5, 0.9, 0.99, 1].map(share => inMs(percentile(ascending, share)))];
-  });
-  return table(['Milliseconds', 'mean', 'std. dev.', 'least', 'median', '90 %', '99 %', 'most'], rows);
-}
+/** The columns of a frame's reasons, those of most polygons first. */
+const reasonsOf = (walk, columns, i) => Object.keys(walk.reasons).sort((a, b) => columns[b][i] - columns[a][i]);
 
 /** The frames that took longest, and what they drew. */
-function worstTable({columns, rendered}) {
+function worstTable(walk, columns) {
   const kListed = 10;
-  const times = rendered ? columns.frame_ms : columns.cull_ms;
+  const times = walk.rendered ? columns.frame_ms : columns.cull_ms;
   const worst = [...times.keys()].sort((a, b) => times[b] - times[a]).slice(0, kListed);
-  if (!rendered) {
+  if (!walk.rendered) {
     return table(['Frame', 'culling, ms', 'drawn', 'culled'],
                  worst.map(i => [frameLink(columns.frame[i]), inMs(columns.cull_ms[i]), grouped(columns.drawn[i]), grouped(columns.culled[i])]));
   }
-  return table(['Frame', 'ms', 'culling, ms', 'without culling, ms', 'only visible, ms', 'drawn', 'of it hidden'], worst.map(i => {
-    const hidden = columns.drawn[i] - columns.visible[i];
+  return table(['Frame', 'ms', 'culling, ms', 'without culling, ms', 'only visible, ms', 'drawn', 'of it hidden', 'chiefly because'], worst.map(i => {
+    const hidden = columns.drawn[i] - columns.visible[i], [chief] = reasonsOf(walk, columns, i);
     return [frameLink(columns.frame[i]), inMs(columns.frame_ms[i]), inMs(columns.cull_ms[i]), inMs(columns.view_frustum_frame_ms[i]),
-            inMs(columns.visible_frame_ms[i]), grouped(columns.drawn[i]), inPercent(columns.drawn[i] ? hidden / columns.drawn[i] : 0)];
+            inMs(columns.visible_frame_ms[i]), grouped(columns.drawn[i]), inPercent(columns.drawn[i] ? hidden / columns.drawn[i] : 0),
+            element('span', {class: 'said'}, hidden > 0 ? `${walk.reasons[chief]} (${inPercent(columns[chief][i] / hidden)})` : '')];
   }));
 }
 
@@ -64,22 +51,38 @@ function nameOfOccluder(occluder, model) {
   return `${count === 1 ? 'polygon' : 'polygons'} ${named}${count > kNamed ? ` and ${count - kNamed} more` : ''}${kind}`;
 }
 
-/** What each occluder hid over the path: the best, and those that hid nothing in most frames that chose them. */
+/** Whether a hider hid nothing in most frames that used it. */
+const isUseless = hider => 2 * hider.useless > hider.frames;
+
+/** Two tables of hiders by what they hid: the best, and the useless ones. `nameOf` names one; `heads` are those of its columns. */
+function hiderTables(heads, best, useless, nameOf, frames) {
+  const row = o => [nameOf(o), grouped(o.frames), grouped(o.hidden / o.frames), inPercent(o.useless / o.frames),
+                    o.best_hidden ? frameLink(frames[o.best_frame]) : '–', isUseless(o) ? element('span', {class: 'flag'}, '⚠ useless') : ''];
+  const tables = [table(heads, best.map(row))];
+  if (useless.length > 0) {
+    tables.push(element('details', {}, element('summary', {}, `The ${useless.length} useless ones used most often`), table(heads, useless.map(row))));
+  }
+  return tables;
+}
+
+/** What each occluder hid over the path. */
 function occluderTables(occluders, model, frames) {
   const kListed = 15;
-  const isUseless = o => 2 * o.useless > o.frames;
-  const best = [...occluders].sort((a, b) => b.hidden - a.hidden);
+  if (occluders.length === 0) return [];
+  const best = [...occluders].sort((a, b) => b.hidden - a.hidden).slice(0, kListed);
   const useless = occluders.filter(isUseless).sort((a, b) => b.useless - a.useless);
-  const heads = ['Occluder', 'frames', 'hid a frame', 'hid nothing in', 'most in frame', ''];
-  const row = o => [nameOfOccluder(o, model), grouped(o.frames), grouped(o.hidden / o.frames), inPercent(o.useless / o.frames),
-                    o.best_hidden ? frameLink(frames[o.best_frame]) : '–', isUseless(o) ? element('span', {class: 'flag'}, '⚠ useless') : ''];
   const spent = occluders.reduce((sum, o) => sum + o.useless, 0), all = occluders.reduce((sum, o) => sum + o.frames, 0);
-  const parts = [element('p', {}, `${grouped(occluders.length)} occluders were chosen on the path, ${grouped(useless.length)} of them useless: ` +
-                                  `they hid nothing in more than half of the frames that chose them. ${inPercent(all ? spent / all : 0)} of all choices hid nothing.`),
-                 table(heads, best.slice(0, kListed).map(row))];
-  if (useless.length > 0) {
-    parts.push(element('details', {}, element('summary', {}, `The ${Math.min(kListed, useless.length)} useless ones chosen most often`),
-                       table(heads, useless.slice(0, kListed).map(row))));
-  }
-  return parts;
+  return [element('p', {}, `${grouped(occluders.length)} occluders were chosen on the path, ${grouped(useless.length)} of them useless: ` +
+                           `they hid nothing in more than half of the frames that chose them. ${inPercent(spent / all)} of all choices hid nothing.`),
+          ...hiderTables(['Occluder', 'frames', 'hid a frame', 'hid nothing in', 'most in frame', ''], best, useless.slice(0, kListed),
+                         o => nameOfOccluder(o, model), frames)];
+}
+
+/** What each piece of the covers helped to hide over the path. */
+function pieceTables(pieces, model, frames) {
+  return [element('p', {}, `A piece is a leaf of the tree: its polygons are drawn into the coarse picture together. ${grouped(pieces.used)} pieces ` +
+                           `were used on the path, ${grouped(pieces.useless)} of them useless: they helped to hide nothing in more than half of the frames ` +
+                           `that drew them. ${inPercent(pieces.idle / pieces.uses)} of all uses hid nothing. What several hide together counts for each.`),
+          ...hiderTables(['Piece', 'frames', 'helped to hide a frame', 'hid nothing in', 'most in frame', ''], pieces.best, pieces.worst,
+                         o => nameOfOccluder({polygons: model.polygonsIn(o.leaf)}, model), frames)];
 }

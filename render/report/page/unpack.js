@@ -41,16 +41,14 @@ class Numbers {
 
 /** The points of the grid: x, y and z of each vertex. */
 function unpackVertices(bytes) {
-  const count = bytes.length / 6;
-  const points = new Uint16Array(3 * count);
+  const kBytes = 4, count = bytes.length / (3 * kBytes);
+  const points = new Int32Array(3 * count);
   for (let axis = 0; axis < 3; ++axis) {
-    const low = 2 * axis * count, high = low + count;
-    let value = 0;
-    for (let v = 0; v < count; ++v) {
-      const folded = bytes[low + v] | bytes[high + v] << 8;
-      value += folded & 1 ? ~(folded >> 1) : folded >> 1;
+    let at = kBytes * axis * count, value = 0;
+    for (let v = 0; v < count; ++v, ++at) {
+      const folded = bytes[at] | bytes[at + count] << 8 | bytes[at + 2 * count] << 16 | bytes[at + 3 * count] << 24;
+      value += folded & 1 ? ~(folded >>> 1) : folded >>> 1;
       points[3 * v + axis] = value;
-      value = points[3 * v + axis];
     }
   }
   return points;
@@ -79,12 +77,14 @@ class Model {
   constructor(scene, parts) {
     this.low = scene.low;
     this.step = scene.step;
+    this.steps = scene.steps;
     this.firstPolygon = runningSums(parts.leaves);               // of each leaf
     this.firstTriangle = runningSums(parts.sides, sides => sides - 2);  // of each polygon
     this.leaves = this.firstPolygon.length - 1;
     this.polygons = this.firstTriangle.length - 1;
     this.triangles = this.firstTriangle[this.polygons];
     this.readNumbers(parts.numbers);
+    this.readVain(parts.vain);
     this.readTriangles(unpackVertices(parts.vertices), new Numbers(parts.sides), new Numbers(parts.corners));
   }
   readNumbers(bytes) {
@@ -92,8 +92,18 @@ class Model {
     this.numbers = new Uint32Array(this.polygons);  // in the model file
     for (let p = 0, number = 0; p < this.polygons; ++p) this.numbers[p] = number += numbers.difference();
   }
+  /** In how many of the frames each polygon was drawn though it is hidden. */
+  readVain(bytes) {
+    const numbers = new Numbers(bytes);
+    this.vain = new Uint32Array(this.polygons);
+    this.mostVain = 0;
+    for (let p = 0; p < this.polygons; ++p) {
+      this.vain[p] = numbers.next();
+      this.mostVain = Math.max(this.mostVain, this.vain[p]);
+    }
+  }
   readTriangles(points, sides, corners) {
-    this.corners = new Uint16Array(3 * 4 * this.triangles);  // x, y, z and nothing, of each corner of each triangle
+    this.corners = new Int32Array(9 * this.triangles);  // x, y and z of each corner of each triangle
     this.cornerLeaves = new Uint32Array(3 * this.triangles);
     let unused = 0, at = 0, leaf = 0;
     const nextCorner = () => {
@@ -101,9 +111,9 @@ class Model {
       return back === 0 ? unused++ : unused - back;
     };
     const put = vertex => {
-      this.corners[4 * at] = points[3 * vertex];
-      this.corners[4 * at + 1] = points[3 * vertex + 1];
-      this.corners[4 * at + 2] = points[3 * vertex + 2];
+      this.corners[3 * at] = points[3 * vertex];
+      this.corners[3 * at + 1] = points[3 * vertex + 1];
+      this.corners[3 * at + 2] = points[3 * vertex + 2];
       this.cornerLeaves[at++] = leaf;
     };
     for (let p = 0; p < this.polygons; ++p) {
@@ -126,12 +136,49 @@ class Model {
   }
   /** A point of the grid in the model's own coordinates. */
   point(corner) {
-    return corner.map((c, axis) => this.low[axis] + this.step[axis] * c);
+    return corner.map((c, axis) => this.low[axis] + this.step * c);
   }
   /** The first corner of a polygon. */
   cornerOf(polygon) {
-    const at = 12 * this.firstTriangle[polygon];
+    const at = 9 * this.firstTriangle[polygon];
     return this.point([this.corners[at], this.corners[at + 1], this.corners[at + 2]]);
+  }
+  /** The polygons of a leaf. */
+  polygonsIn(leaf) {
+    const first = this.firstPolygon[leaf];
+    return Array.from({length: this.firstPolygon[leaf + 1] - first}, (_, i) => first + i);
+  }
+  /** The box of each leaf: six numbers on the grid, the least of each axis and then the most. */
+  get leafBoxes() {
+    return this.boxes ??= this.findLeafBoxes();
+  }
+  findLeafBoxes() {
+    const boxes = new Int32Array(6 * this.leaves);
+    for (let leaf = 0; leaf < this.leaves; ++leaf) {
+      const begin = 9 * this.firstTriangle[this.firstPolygon[leaf]], end = 9 * this.firstTriangle[this.firstPolygon[leaf + 1]];
+      for (let axis = 0; axis < 3; ++axis) {
+        let low = Infinity, high = -Infinity;
+        for (let at = begin + axis; at < end; at += 3) {
+          if (this.corners[at] < low) low = this.corners[at];
+          if (this.corners[at] > high) high = this.corners[at];
+        }
+        boxes[6 * leaf + axis] = begin < end ? low : 0x7fffffff;
+        boxes[6 * leaf + 3 + axis] = begin < end ? high : -0x80000000;
+      }
+    }
+    return boxes;
+  }
+  /** The box of some leaves: its least and its greatest corner; null if the page has none of their polygons. */
+  boxOf(first, end) {
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], {leafBoxes} = this;
+    for (let leaf = first; leaf < end; ++leaf) {
+      for (let axis = 0; axis < 3; ++axis) {
+        const at = 6 * leaf + axis;
+        if (leafBoxes[at] < low[axis]) low[axis] = leafBoxes[at];
+        if (leafBoxes[at + 3] > high[axis]) high[axis] = leafBoxes[at + 3];
+      }
+    }
+    return low[0] <= high[0] ? [this.point(low), this.point(high)] : null;
   }
 }
 
@@ -154,7 +201,7 @@ class Frames {
   get count() {
     return this.starts.length;
   }
-  /** Its occluders, its hiders by their colours, and the fate of each leaf. */
+  /** Its occluders, its hiders by their colours, the fate of each leaf, and the culled subtrees as ranges of leaves. */
   at(i) {
     const numbers = new Numbers(this.bytes, this.starts[i]);
     const occluders = Array.from({length: numbers.next()}, () => ({outline: this.outlines[numbers.next()], hidden: numbers.next()}));
@@ -164,12 +211,13 @@ class Frames {
       const both = [occluders[numbers.next()], occluders[numbers.next() - 1]];
       hiders.set(colour, both.filter(occluder => occluder));
     }
-    const fates = new Uint16Array(this.leaves);
+    const fates = new Uint16Array(this.leaves), culled = [];
     for (let leaf = 0; leaf < this.leaves;) {
       const fate = numbers.next(), end = leaf + numbers.next();
       fates.fill(fate, leaf, end);
+      if (fate !== Fate.drawn) culled.push({fate, first: leaf, end});
       leaf = end;
     }
-    return {occluders, hiders, fates};
+    return {occluders, hiders, fates, culled};
   }
 }

@@ -4,12 +4,23 @@
 /** Colours of hiders, by their number modulo 8: neighbours differ in lightness. */
 const kHiderColours = ['#5b2a86', '#f0a58f', '#0b5d57', '#b9a6e8', '#7a3b12', '#79c6ee', '#a3195b', '#b5d8a0'];
 const kOccluderColour = '#ffc400', kPickedColour = '#e600c8', kFrustumColour = '#2962ff', kCoverColour = '#6f57b5',
-      kMissedColour = '#e8743b';
+      kMissedColour = '#f08a3c';
 
 const rgb = colour => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16) / 255);
 
 /** The colour of a hider. */
 const hiderColour = number => kHiderColours[number % kHiderColours.length];
+
+/** Of boxes. */
+const kDrawnBoxColour = '#8a5a2b', kOutOfViewColour = '#9aa3af';
+const colourOfFate = fate => fate === Fate.outOfView ? kOutOfViewColour : fate === Fate.covered ? kCoverColour : hiderColour(fate - Fate.hidden);
+
+/** What was drawn in vain, from rarely to often: the more, the darker. */
+const kHeat = ['#fde8a9', '#f9a85d', '#e0533d', '#992766', '#3b0f70'];
+const shareOfVain = (frames, most) => most > 1 ? Math.log(frames) / Math.log(most) : 1;
+
+/** For a click: rasterisers round corners to 1/16 of a pixel, some of them. */
+const kMagnified = 16;
 
 /** How far shadows are drawn beyond their occluders, in depths of the interesting part of the frame. */
 const kShadowReach = 1.5;
@@ -29,9 +40,10 @@ class Viewer {
     this.models = new ModelPainter(this.gl, model);
     this.lines = new LinePainter(this.gl);
     this.faces = new FacePainter(this.gl);
-    this.high = model.point([65535, 65535, 65535]);
+    this.boxes = new BoxPainter(this.gl);
+    this.high = model.point(model.steps);
     this.size = distance(model.low, this.high);
-    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, cut: true};
+    this.layers = {drawn: true, hidden: true, missed: true, outOfView: true, occluders: true, shadows: true, frustum: true, cut: true, boxes: false, vain: false};
     this.isOutside = true;
     this.isFollowing = true;  // until somebody moves the camera outside
     this.picked = null;
@@ -61,7 +73,7 @@ class Viewer {
   see() {
     if (!this.isOutside || !this.layers.missed || this.isSeenKnown) return;
     const [width, height] = this.pixels, {firstTriangle} = this.model;
-    const numbers = this.numbersIn(this.camera, {drawn: true}, width, height, [0, 0, width, height]);
+    const numbers = this.numbersIn(this.camera, {drawn: true}, width, height);
     const seen = new Uint8Array(this.model.triangles);
     let last = 0;
     for (let i = 0; i < numbers.length; i += 4) {
@@ -71,7 +83,7 @@ class Viewer {
       const polygon = this.model.polygonOf(last - 1);
       seen.fill(1, firstTriangle[polygon], firstTriangle[polygon + 1]);
     }
-    this.models.seen.set(seen);
+    this.models.setSeen(seen);
     this.isSeenKnown = true;
     this.invalidate();
   }
@@ -102,12 +114,11 @@ class Viewer {
     this.invalidate();
   }
 
-  /** What is at a point of the canvas, in its CSS pixels: the polygon's place in the model, or null. */
+  /** What is exactly at a point of the canvas, in its CSS pixels: the polygon's place in the model, or null. */
   pick(x, y) {
-    this.fit();
-    const {width, height} = this.canvas, ratio = width / this.canvas.clientWidth;
-    const pixel = [Math.floor(x * ratio), height - 1 - Math.floor(y * ratio), 1, 1];
-    const [number] = this.numbersIn(this.isOutside ? this.outside() : this.camera, this.shown(), width, height, pixel);
+    const {clientWidth, clientHeight} = this.canvas;
+    const window = {x: 2 * x / clientWidth - 1, y: 1 - 2 * y / clientHeight, across: kMagnified * clientWidth, up: kMagnified * clientHeight};
+    const [number] = this.numbersIn({...(this.isOutside ? this.outside() : this.camera), window}, this.shown(), 1, 1);
     return number === 0 ? null : this.model.polygonOf(number - 1);
   }
 
@@ -160,7 +171,7 @@ class Viewer {
 
   /** The camera of the frame draws what was drawn, and nothing else. */
   shown() {
-    return this.isOutside ? this.layers : {drawn: this.layers.drawn};
+    return this.isOutside ? this.layers : {drawn: this.layers.drawn, vain: this.layers.vain};
   }
 
   /** The height above the eye of `camera` at which the model is cut off. */
@@ -189,6 +200,8 @@ class Viewer {
     gl.uniform3fv(uniforms.cover, rgb(kCoverColour));
     gl.uniform3fv(uniforms.hiders, kHiderColours.flatMap(rgb));
     gl.uniform3fv(uniforms.missed, rgb(kMissedColour));
+    gl.uniform3fv(uniforms.heat, kHeat.flatMap(rgb));
+    gl.uniform1i(uniforms.showsVain, Boolean(shown.vain));
     gl.uniform1i(uniforms.marksMissed, Boolean(shown.missed && this.isSeenKnown));
     gl.uniform4f(uniforms.tint, 0, 0, 0, 0);
     gl.uniform1f(uniforms.unitOfHatching, this.canvas.width / this.canvas.clientWidth);
@@ -209,6 +222,7 @@ class Viewer {
     if (this.isOutside && this.layers.shadows) this.faces.draw(this.shadowFaces(), camera);
     const ratio = this.canvas.width / this.canvas.clientWidth;
     this.lines.draw(this.outlines(), camera, 1.6 * ratio);
+    if (this.isOutside && this.layers.boxes) this.boxes.draw(this.treeBoxes(), camera);
     gl.depthMask(true);
   }
 
@@ -256,24 +270,35 @@ class Viewer {
     return lines;
   }
 
-  /** The numbers of the triangles, from 1, in a rectangle of a picture; four for each pixel, of which the first counts. */
-  numbersIn(camera, shown, width, height, [left, bottom, wide, high]) {
+  /** The boxes of the tree at which the descent of this frame ended: culled subtrees and drawn leaves, as the layers show. */
+  treeBoxes() {
+    const boxes = [], {fates, culled} = this.frame;
+    const add = (first, end, colour) => {
+      const box = this.model.boxOf(first, end);
+      if (box) boxes.push({low: box[0], high: box[1], colour: [...rgb(colour), 0.8]});
+    };
+    for (const {fate, first, end} of culled) {
+      if (fate === Fate.outOfView ? this.layers.outOfView : this.layers.hidden) add(first, end, colourOfFate(fate));
+    }
+    if (this.layers.drawn) fates.forEach((fate, leaf) => fate === Fate.drawn && add(leaf, leaf + 1, kDrawnBoxColour));
+    return boxes;
+  }
+
+  /** The numbers of the triangles in a picture, from 1; four for each pixel, of which the first counts. */
+  numbersIn(camera, shown, width, height) {
     const gl = this.gl;
     this.fitNumbers(width, height);
-    gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(left, bottom, wide, high);
     gl.viewport(0, 0, width, height);
     gl.depthMask(true);
     gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
-    gl.clearBufferfv(gl.DEPTH, 0, [1]);
+    gl.clearBufferfv(gl.DEPTH, 0, [0]);
     gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LESS);
+    gl.depthFunc(gl.GREATER);
     gl.disable(gl.BLEND);
     this.models.use(this.models.numbers, camera, shown, this.ceiling(camera, shown));
     this.models.drawAll();
-    const numbers = new Uint32Array(4 * wide * high);
-    gl.readPixels(left, bottom, wide, high, gl.RGBA_INTEGER, gl.UNSIGNED_INT, numbers);
-    gl.disable(gl.SCISSOR_TEST);
+    const numbers = new Uint32Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, numbers);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return numbers;
   }
@@ -286,7 +311,7 @@ class Viewer {
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     if (this.numbers.width === width && this.numbers.height === height) return;
     Object.assign(this.numbers, {width, height});
-    for (const [buffer, format, place] of [[colour, gl.R32UI, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+    for (const [buffer, format, place] of [[colour, gl.R32UI, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT32F, gl.DEPTH_ATTACHMENT]]) {
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
       gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);

@@ -2,7 +2,10 @@
 // The page of a walk: one frame cursor, which the charts, the map, the tables and the viewer share.
 
 const byId = id => document.getElementById(id);
-const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', hiddenDrawn: kMissedColour, culled: '#7a5bc0', outOfView: '#c5ccd6'};
+const kColours = {before: '#8a94a3', after: '#2f7fe0', culling: '#d9822b', visible: '#0f8291', culled: '#7a5bc0', outOfView: '#c5ccd6'};
+
+/** Of what was drawn in vain, by the reason: neighbours in the stack differ in lightness. */
+const kReasonColours = ['#f9cbb0', '#b8461a', '#f2a177', '#7d2b0c', '#e8743b', '#4a1a08', '#c9bfb9'];
 
 /** Points from one list of coordinates. */
 const points = list => Array.from({length: list.length / 3}, (_, i) => list.slice(3 * i, 3 * i + 3));
@@ -31,22 +34,15 @@ class WalkPage {
     const polygons = [line('view-frustum culling', kColours.before, c.in_view), line('with occlusion culling', kColours.after, c.drawn)];
     if (this.walk.rendered) polygons.push(line('visible', kColours.visible, c.visible));
     this.charts.add(byId('polygons'), frames, polygons, {unit: 'polygons'});
-    const drawn = this.walk.rendered
-        ? [line('hidden, but drawn', kColours.hiddenDrawn, c.drawn.map((n, i) => n - c.visible[i])), line('visible', kColours.visible, c.visible)]
-        : [line('drawn', kColours.visible, c.drawn)];
+    const missed = Object.entries(this.walk.reasons).map(([name, text], i) => line(`hidden, but drawn: ${text}`, kReasonColours[i], c[name]));
+    const drawn = this.walk.rendered ? [...missed, line('visible', kColours.visible, c.visible)] : [line('drawn', kColours.visible, c.drawn)];
     const outOfView = c.out_of_view.reduce((sum, n) => sum + n, 0) / (this.count * this.walk.polygons);
     this.charts.add(byId('fates'), frames, [line('out of view', kColours.outOfView, c.out_of_view), line('culled by shadow or cover', kColours.culled, c.culled), ...drawn],
                     {unit: 'polygons', stacked: true, hiddenAtFirst: outOfView > 2 / 3 ? ['out of view'] : []});
   }
 
   fillTables() {
-    const c = this.columns;
-    const series = [{name: 'Culling alone', values: c.cull_ms}];
-    if (this.walk.rendered) {
-      series.unshift({name: 'View-frustum culling', values: c.view_frustum_frame_ms}, {name: 'With occlusion culling', values: c.frame_ms});
-    }
-    byId('spread').append(spreadTable(series));
-    byId('worst').append(worstTable({columns: c, rendered: this.walk.rendered}));
+    byId('worst').append(worstTable(this.walk, this.columns));
   }
 
   /** Once the model is unpacked. */
@@ -60,7 +56,10 @@ class WalkPage {
       outline.points = outline.corners.map(corner => model.point(corner));
       outline.polygons = scene.occluders[outline.occluder].polygons;
     }
-    if (this.walk.method === 'frusta') byId('occluders').append(...occluderTables(scene.occluders, model, this.columns.frame));
+    byId('occluders').append(...(scene.pieces ? pieceTables(scene.pieces, model, this.columns.frame)
+                                              : occluderTables(scene.occluders, model, this.columns.frame)));
+    if (scene.drawn_frames > 0) byId('mostVain').textContent = grouped(model.mostVain);
+    else byId('vain').remove();
     try {
       this.viewer = new Viewer(byId('picture'), model, scene.camera, this.walk.size);
     } catch (error) {
@@ -114,7 +113,16 @@ class WalkPage {
               `the visible polygons alone ${inMs(c.visible_frame_ms[i])})`
         : `culling ${inMs(c.cull_ms[i])} ms`;
     return `Frame ${c.frame[i]}: ${time}; ${grouped(c.drawn[i])} polygons drawn${visible}, ${grouped(c.culled[i])} culled, ` +
-           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.`;
+           `${grouped(c.out_of_view[i])} out of view. Of the ${grouped(c.in_view[i])} in view ${inPercent(this.shareCulled(i))} were culled.` +
+           (this.walk.rendered ? this.chiefReason(i) : '');
+  }
+
+  /** Why a frame drew what is hidden: the chief reason in words. */
+  chiefReason(i) {
+    const hidden = this.columns.drawn[i] - this.columns.visible[i];
+    if (hidden <= 0) return '';
+    const [chief] = reasonsOf(this.walk, this.columns, i);
+    return ` ${grouped(hidden)} were drawn though they are hidden, ${inPercent(this.columns[chief][i] / hidden)} of these because: ${this.walk.reasons[chief]}.`;
   }
 
   /** The hiders of the frame with their colours. */
@@ -166,12 +174,24 @@ class WalkPage {
   /** What became of a polygon in this frame. */
   accountOf(polygon) {
     const name = `Polygon ${this.model.numbers[polygon]}`;
-    const fate = this.frame.fates[this.model.leafOf(polygon)];
-    if (fate === Fate.drawn) return `${name}: drawn.`;
-    if (fate === Fate.outOfView) return `${name}: culled, out of view.`;
-    if (fate === Fate.covered) return `${name}: culled, hidden by several polygons in front of it together.`;
+    return `${name}: ${this.fateOf(polygon)} ${this.vainOf(polygon)}`;
+  }
+  fateOf(polygon) {
+    const leaf = this.model.leafOf(polygon), fate = this.frame.fates[leaf];
+    if (fate === Fate.drawn) return `drawn, with its leaf of ${this.countIn(leaf, leaf + 1)}.`;
+    const {first, end} = this.frame.culled.find(node => leaf < node.end), node = `with a node of ${this.countIn(first, end)}`;
+    if (fate === Fate.outOfView) return `culled, out of view, ${node}.`;
+    if (fate === Fate.covered) return `culled, hidden by several polygons in front of it together, ${node}.`;
     const both = this.frame.hiders.get(fate - Fate.hidden);
-    return `${name}: culled, in the shadow of ${both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ')}.`;
+    return `culled, in the shadow of ${both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ')}, ${node}.`;
+  }
+  countIn(firstLeaf, endLeaf) {
+    const count = this.model.firstPolygon[endLeaf] - this.model.firstPolygon[firstLeaf];
+    return `${grouped(count)} ${count === 1 ? 'polygon' : 'polygons'}`;
+  }
+  vainOf(polygon) {
+    const frames = this.scene.drawn_frames;
+    return frames > 0 ? `In ${grouped(this.model.vain[polygon])} of the ${grouped(frames)} frames it was drawn though it is hidden.` : '';
   }
 
   play(isPlaying) {
@@ -243,7 +263,7 @@ function showPictures(reason) {
 async function open() {
   const page = new WalkPage(await jsonOfPart('figures'));
   const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
-  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'frames'];
+  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'vain', 'frames'];
   const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(name)])));
   const model = new Model(scene, parts);
   page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves));

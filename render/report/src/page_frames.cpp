@@ -11,28 +11,6 @@ constexpr std::size_t kDrawn = 0, kOutOfView = 1, kCovered = 2, kFirstColour = 3
 
 constexpr std::uint32_t kAlone = culler::Culled::kNone;
 
-/// Joins leaves of equal fate to runs.
-class Runs {
- public:
-  explicit Runs(Bytes& bytes) : bytes_(bytes) {}
-
-  void add(std::size_t fate, std::size_t leaves) {
-    if (fate != fate_) end();
-    fate_ = fate;
-    leaves_ += leaves;
-  }
-  void end() {
-    if (leaves_ == 0) return;
-    bytes_.number(fate_);
-    bytes_.number(leaves_);
-    leaves_ = 0;
-  }
-
- private:
-  Bytes& bytes_;
-  std::size_t fate_ = kDrawn, leaves_ = 0;
-};
-
 }  // namespace
 
 void PageFrames::add(const culler::CullResult& frame) {
@@ -70,13 +48,7 @@ void PageFrames::count(const culler::CullResult& frame) {
     const auto [found, is_new] = occluders_.try_emplace(occluder.index);
     OccluderRecord& record = found->second;
     if (is_new) describe(occluder.index, record);
-    ++record.frames;
-    record.hidden += occluder.hidden;
-    if (occluder.hidden == 0) ++record.useless;
-    if (occluder.hidden > record.best_hidden || is_new) {
-      record.best_frame = seen_;
-      record.best_hidden = occluder.hidden;
-    }
+    record.did.add(seen_, occluder.hidden);
   }
 }
 
@@ -142,26 +114,30 @@ void PageFrames::pack_hiders(const culler::CullResult& frame, Bytes& bytes) cons
 }
 
 void PageFrames::pack_fates(const culler::CullResult& frame, Bytes& bytes) const {
-  Runs runs(bytes);
+  const auto add = [&](std::size_t fate, std::size_t leaves) {
+    if (leaves == 0) return;
+    bytes.number(fate);
+    bytes.number(leaves);
+  };
   std::size_t leaf = 0;
   for (const culler::Culled& culled : frame.culled) {
-    const auto [first, count] = model_.leaves_of(culler_.hierarchy().nodes()[culled.node]);
-    runs.add(kDrawn, first - leaf);
+    const culler::HierarchyNode& node = culler_.hierarchy().nodes()[culled.node];
+    const auto [first, count] = model_.leaves_of({node.first, node.count});
+    add(kDrawn, first - leaf);
     leaf = first + count;
     switch (culled.by) {
       case culler::Culled::By::view:
-        runs.add(kOutOfView, count);
+        add(kOutOfView, count);
         break;
       case culler::Culled::By::cover:
-        runs.add(kCovered, count);
+        add(kCovered, count);
         break;
       case culler::Culled::By::shadow:
-        runs.add(kFirstColour + colours_.at(hider_of(frame, culled)), count);
+        add(kFirstColour + colours_.at(hider_of(frame, culled)), count);
         break;
     }
   }
-  runs.add(kDrawn, model_.leaves() - leaf);
-  runs.end();
+  add(kDrawn, model_.leaves() - leaf);
 }
 
 }  // namespace occlude::render

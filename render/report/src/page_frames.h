@@ -2,7 +2,6 @@
 // The frames of a walk as its page holds them: what became of each leaf, and who hid it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -11,20 +10,17 @@
 #include <vector>
 
 #include "bytes.h"
+#include "hider_record.h"
 #include "occlude/culler/culler.h"
 #include "page_model.h"
 
 namespace occlude::render {
 
-/// What an occluder did on the whole walk.
+/// An occluder, and what it did on the whole walk.
 struct OccluderRecord {
   std::vector<std::uint32_t> places;  ///< of its polygons, in the page
   bool is_shell = false;
-  std::size_t frames = 0;       ///< in which it was chosen
-  std::size_t useless = 0;      ///< of these, in which it hid nothing
-  std::size_t hidden = 0;       ///< polygons that it hid, summed over the frames
-  std::size_t best_frame = 0;   ///< in which it hid most, counted from the first of the walk
-  std::size_t best_hidden = 0;  ///< and how much there
+  HiderRecord did;
 };
 
 class PageFrames {
@@ -44,16 +40,15 @@ class PageFrames {
   /// 1. its occluders: their number, and for each one the number of its outline and how many polygons it hid;
   /// 2. its hiders, each one occluder or a pair: their number, and for each one its colour, the occluder, and 1 + the other
   ///    occluder or 0, both by their place in this frame;
-  /// 3. its leaves as runs of one fate: drawn (0), out of view (1), hidden by a cover (2) or by the hider of colour fate -
-  /// 3;
-  ///    for each run its fate and its number of leaves.
+  /// 3. its leaves in their order, as culled subtrees and what is drawn between them: for each its fate and its number of
+  ///    leaves. The fate is drawn (0), out of view (1), hidden by a cover (2) or by the hider of colour fate - 3.
   [[nodiscard]] std::string packed() const;
 
   /// By their index in the OccluderSet.
   [[nodiscard]] const std::map<std::uint32_t, OccluderRecord>& occluders() const { return occluders_; }
   struct Outline {
     std::uint32_t occluder = 0;  ///< index in the OccluderSet
-    std::vector<std::array<std::uint16_t, 3>> corners;
+    std::vector<GridPoint> corners;
     auto operator<=>(const Outline&) const = default;
   };
   /// The silhouettes of occluders, on the grid of the page, by their numbers.

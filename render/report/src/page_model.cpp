@@ -2,6 +2,7 @@
 #include "page_model.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,7 +14,7 @@
 namespace occlude::render {
 namespace {
 
-constexpr double kSteps = 65535;
+constexpr double kMostSteps = (std::uint32_t{1} << PageGrid::kBits) - 1;
 
 /// Whether each polygon is among the `most` largest.
 std::vector<bool> largest(const culler::PolygonSoup& soup, std::size_t most) {
@@ -29,38 +30,56 @@ std::vector<bool> largest(const culler::PolygonSoup& soup, std::size_t most) {
 /// Vertices that fall on one point of the grid become one; they are numbered by their first use.
 class Vertices {
  public:
-  std::uint32_t number_of(const std::array<std::uint16_t, 3>& point) {
-    const std::uint64_t key =
-        static_cast<std::uint64_t>(point[0]) << 32 | static_cast<std::uint64_t>(point[1]) << 16 | point[2];
-    const auto [found, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(points_.size()));
+  std::uint32_t number_of(const GridPoint& point) {
+    const auto [found, is_new] = numbers_.try_emplace(point, static_cast<std::uint32_t>(points_.size()));
     if (is_new) points_.push_back(point);
     return found->second;
   }
-  [[nodiscard]] const std::vector<std::array<std::uint16_t, 3>>& points() const { return points_; }
+  [[nodiscard]] const std::vector<GridPoint>& points() const { return points_; }
 
  private:
-  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
-  std::vector<std::array<std::uint16_t, 3>> points_;
+  struct Hash {
+    std::size_t operator()(const GridPoint& point) const {
+      constexpr std::uint64_t kMix = 0x9E3779B97F4A7C15U;
+      const std::uint64_t high = (std::uint64_t{point[0]} << 32U | point[1]) * kMix;
+      return static_cast<std::size_t>((high ^ high >> 32U ^ point[2]) * kMix);
+    }
+  };
+  std::unordered_map<GridPoint, std::uint32_t, Hash> numbers_;
+  std::vector<GridPoint> points_;
 };
 
-/// For x, then y, then z: of each point the difference from the point before, modulo 2^16, with the sign in the lowest bit;
-/// first all low bytes, then all high bytes.
-std::string pack_vertices(const std::vector<std::array<std::uint16_t, 3>>& points) {
-  std::string bytes;
+/// For x, then y, then z: of each point the difference from the point before, with the sign in the lowest bit, in four
+/// bytes; first all lowest bytes, then all second ones, ...
+std::string pack_vertices(const std::vector<GridPoint>& points) {
+  constexpr std::size_t kBytes = 4;
+  std::string bytes(3 * kBytes * points.size(), '\0');
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::string low, high;
-    std::uint16_t before = 0;
-    for (const auto& point : points) {
-      const auto difference = static_cast<std::int16_t>(static_cast<std::uint16_t>(point[axis] - before));
-      const unsigned folded =
-          difference < 0 ? ~(static_cast<unsigned>(difference) << 1) : static_cast<unsigned>(difference) << 1;
-      low += static_cast<char>(folded & 0xFFU);
-      high += static_cast<char>(folded >> 8 & 0xFFU);
-      before = point[axis];
+    std::int64_t before = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::int64_t difference = points[i][axis] - before;
+      const auto folded = static_cast<std::uint64_t>(difference < 0 ? -2 * difference - 1 : 2 * difference);
+      for (std::size_t byte = 0; byte < kBytes; ++byte) {
+        bytes[(kBytes * axis + byte) * points.size() + i] = static_cast<char>(folded >> 8 * byte & 0xFFU);
+      }
+      before = points[i][axis];
     }
-    bytes += low + high;
   }
   return bytes;
+}
+
+/// The coarsest power of two, at least `finest`, of which all coordinates are multiples, counted from `low`; `finest` if
+/// there is none.
+double common_step(std::span<const glm::dvec3> points, const glm::dvec3& low, double finest) {
+  std::uint32_t bits = 0;  // set in some number of finest steps
+  for (const glm::dvec3& point : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double steps = (point[axis] - low[axis]) / finest;
+      if (steps != std::floor(steps)) return finest;
+      bits |= static_cast<std::uint32_t>(steps);
+    }
+  }
+  return bits == 0 ? finest : std::ldexp(finest, std::countr_zero(bits));
 }
 
 }  // namespace
@@ -73,16 +92,18 @@ PageGrid::PageGrid(std::span<const glm::dvec3> points) {
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (high[axis] > low[axis]) step[axis] = (high[axis] - low[axis]) / kSteps;
-  }
+  const glm::dvec3 sides = high - low;
+  const double size = std::max({sides.x, sides.y, sides.z});
+  if (size == 0) return;
+  step = common_step(points, low, std::exp2(std::ceil(std::log2(size / kMostSteps))));
+  steps = at(high);
 }
 
-std::array<std::uint16_t, 3> PageGrid::at(const glm::dvec3& point) const {
-  std::array<std::uint16_t, 3> result{};
+GridPoint PageGrid::at(const glm::dvec3& point) const {
+  GridPoint result{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double steps = std::clamp(std::round((point[axis] - low[axis]) / step[axis]), 0.0, kSteps);
-    result[static_cast<std::size_t>(axis)] = static_cast<std::uint16_t>(steps);
+    const double nearest = std::clamp(std::round((point[axis] - low[axis]) / step), 0.0, kMostSteps);
+    result[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(nearest);
   }
   return result;
 }
@@ -123,10 +144,14 @@ PageModel::PageModel(const culler::Hierarchy& hierarchy, std::size_t most)
   numbers_ = numbers.text();
 }
 
-std::pair<std::uint32_t, std::uint32_t> PageModel::leaves_of(const culler::HierarchyNode& node) const {
-  const auto first = std::ranges::lower_bound(leaf_first_, node.first);
-  const auto end = std::ranges::lower_bound(first, leaf_first_.end(), node.first + node.count);
+std::pair<std::uint32_t, std::uint32_t> PageModel::leaves_of(const culler::PolygonRange& polygons) const {
+  const auto first = std::ranges::lower_bound(leaf_first_, polygons.first);
+  const auto end = std::ranges::lower_bound(first, leaf_first_.end(), polygons.first + polygons.count);
   return {static_cast<std::uint32_t>(first - leaf_first_.begin()), static_cast<std::uint32_t>(end - first)};
+}
+
+std::uint32_t PageModel::leaf_of(std::uint32_t p) const {
+  return static_cast<std::uint32_t>(std::ranges::upper_bound(leaf_first_, p) - leaf_first_.begin() - 1);
 }
 
 }  // namespace occlude::render

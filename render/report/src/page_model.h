@@ -16,13 +16,21 @@
 
 namespace occlude::render {
 
-/// A grid of 2^16 steps on each axis over the box of a model.
+/// A point of a PageGrid: steps along each axis.
+using GridPoint = std::array<std::uint32_t, 3>;
+
+/// A grid over the box of a model, of less than 2^24 steps on each axis: as fine as single precision. The step is a power of
+/// two. If all coordinates are multiples of a coarser one, the step is the coarsest such, and nothing is rounded.
 struct PageGrid {
-  glm::dvec3 low{0, 0, 0}, step{1, 1, 1};
+  static constexpr unsigned kBits = 24;
+
+  glm::dvec3 low{0, 0, 0};
+  double step = 1;
+  GridPoint steps{};  ///< to the far corner of the box
 
   explicit PageGrid(std::span<const glm::dvec3> points);
   /// The nearest point of the grid.
-  [[nodiscard]] std::array<std::uint16_t, 3> at(const glm::dvec3& point) const;
+  [[nodiscard]] GridPoint at(const glm::dvec3& point) const;
 };
 
 /// The polygons of a page are in the order of the leaves, and within a leaf in the order of their numbers in the model file.
@@ -40,8 +48,10 @@ class PageModel {
   [[nodiscard]] std::size_t leaves() const { return leaf_first_.size(); }
   /// The place in the page of polygon p of the tree; kNone if the page leaves it out.
   [[nodiscard]] std::uint32_t place(std::uint32_t p) const { return place_[p]; }
-  /// The leaves of a subtree: the first, and their number.
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> leaves_of(const culler::HierarchyNode& node) const;
+  /// The leaves that have these polygons of the tree, and no others: the first leaf, and their number.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> leaves_of(const culler::PolygonRange& polygons) const;
+  /// The leaf of polygon p of the tree.
+  [[nodiscard]] std::uint32_t leaf_of(std::uint32_t p) const;
 
   // What page/unpack.js reads.
 

@@ -15,6 +15,19 @@ constexpr const char* kUnknown = "&ndash;";
 
 std::string times(const std::optional<double>& ratio) { return ratio ? fmt::format("{:.1f} &times;", *ratio) : kUnknown; }
 
+std::string ms(double value) { return fmt::format("{:.2f}", value); }
+std::string speedup(double ratio) { return fmt::format("{:.2f} &times;", ratio); }
+
+/// A row of spread_html().
+std::string spread_row(const char* name, const std::optional<double>& mean, const std::optional<Spread>& spread,
+                       std::string (*number)(double)) {
+  if (!spread) return "";
+  return fmt::format(
+      "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} in frame <a href=\"#frame={}\">{}</a></td></tr>\n",
+      name, mean ? number(*mean) : kUnknown, number(spread->median), number(spread->percentile_5),
+      number(spread->percentile_95), number(spread->worst.value), spread->worst.frame, spread->worst.frame);
+}
+
 template <class Member>
 Series series(const std::vector<FrameRecord>& frames, const std::string& name, const std::string& colour, Member member) {
   Series s{name, colour, {}};
@@ -57,6 +70,16 @@ std::string table2_html(const Summary& summary) {
       fps(mean.frame_ms_visible_only, kUnknown), 100 * summary.culled_share, gain(summary.speedup, kUnknown),
       gain(summary.limit_by_polygons, kUnknown), times(summary.limit_by_visible),
       summary.culled_share_of_hidden ? percent(*summary.culled_share_of_hidden) : kUnknown);
+}
+
+std::string spread_html(const Summary& summary) {
+  const std::string rows = spread_row("Culling, ms", summary.mean.cull_ms, summary.spread.cull_ms, ms) +
+                           spread_row("Frame, ms", summary.mean.frame_ms, summary.spread.frame_ms, ms) +
+                           spread_row("Speedup", summary.speedup, summary.spread.speedup, speedup);
+  if (rows.empty()) return "";
+  return "<div class=\"wide\"><table><thead><tr><th>Frame by frame</th><th>mean</th><th>median</th><th>5 %</th><th>95 %</th>"
+         "<th>worst</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>";
 }
 
 std::string figures_html(const std::vector<FrameRecord>& frames, bool rendered) {

@@ -181,6 +181,10 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   summary.wrong_pixels = if_rendered(total_of(&FrameRecord::wrong_pixels));
   summary.snapped_pixels = if_rendered(total_of(&FrameRecord::snapped_pixels));
   summary.false_culls = if_rendered(total_of(&FrameRecord::false_culls));
+  if (!result.missed.empty()) {
+    summary.missed = {.method = options.cull.method, .frames = result.missed.size(), .counts = {}};
+    for (const culler::MissedReasons::Counts& counts : result.missed) summary.missed->counts += counts;
+  }
   summary.reference_frames = result.reference_frames;
   summary.witnesses = result.witnesses;
   summary.operations = result.operations;
@@ -299,6 +303,7 @@ Json json_of(const Summary& summary) {
           {"wrong_pixels", if_known(summary.wrong_pixels)},
           {"wrong_pixels_explained_by_snapping", if_known(summary.snapped_pixels)},
           {"false_culls", if_known(summary.false_culls)},
+          {"missed", summary.missed ? json_of(*summary.missed) : Json()},
           {"reference_frames", summary.reference_frames},
           {"witnesses", summary.witnesses},
           {"operations", operations(summary.operations)},

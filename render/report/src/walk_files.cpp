@@ -28,9 +28,7 @@ WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& opt
 
 void WalkFiles::add_model(const culler::Culler& culler) { recording_.emplace(culler); }
 
-void WalkFiles::add_frame(const culler::Camera& camera, const culler::CullResult& culled) {
-  recording_->add_frame(camera, culled);
-}
+void WalkFiles::add_frame(const ShownFrame& frame) { recording_->add_frame(frame); }
 
 void WalkFiles::add_witness(std::string_view line) {
   witness_->write(line);
@@ -45,7 +43,7 @@ void WalkFiles::add_plate(const Plate& plate, const Image& image) {
 
 void WalkFiles::commit(const WalkResult& result, const Summary& summary) {
   csv_.write(frames_csv(result));
-  report_.write(walk_page(summary, {result.frames, *recording_, page_pictures_, command_}));
+  report_.write(walk_page(summary, {result.frames, result.missed, *recording_, page_pictures_, command_}));
   summary_.write(json_of(summary).dump(2) + "\n");
   std::vector<OutputFile*> files{&csv_, &report_, &summary_};
   if (witness_) files.push_back(&*witness_);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "deflated.h"
+#include "occlude/render/missed_report.h"
 #include "occlude/render/page.h"
 #include "occlude/render/paper_html.h"
 #include "page_files.h"
@@ -103,16 +105,46 @@ std::string conditions(const Summary& summary) {
 std::string digits(std::size_t count) { return std::to_string(count); }
 std::string digits(double ms) { return fmt::format("{:.5g}", ms); }
 
-/// The figures of all frames, in columns.
-std::string figures(const Summary& summary, const std::vector<FrameRecord>& frames) {
-  std::string columns;
-  const auto add = [&](const char* name, auto&& value) {
-    fmt::format_to(std::back_inserter(columns), R"({}"{}":[)", columns.empty() ? "" : ",", name);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      columns += (i == 0 ? "" : ",") + digits(std::invoke(value, frames[i]));
-    }
-    columns += "]";
+/// Lists of numbers by their names, as members of a JSON object.
+class Columns {
+ public:
+  /// `value` is a member of an element of `rows`, or a function of one.
+  template <class Rows, class Value>
+  void add(std::string_view name, const Rows& rows, Value&& value) {
+    fmt::format_to(std::back_inserter(text_), R"({}"{}":[)", text_.empty() ? "" : ",", name);
+    for (std::size_t i = 0; i < rows.size(); ++i) text_ += (i == 0 ? "" : ",") + digits(std::invoke(value, rows[i]));
+    text_ += "]";
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Why each frame drew what is hidden: a column for each reason that some frame has. Returns the names of these columns with
+/// the reasons in words.
+nlohmann::ordered_json add_missed(Columns& columns, const std::vector<culler::MissedReasons::Counts>& missed) {
+  using Counts = culler::MissedReasons::Counts;
+  nlohmann::ordered_json names = nlohmann::ordered_json::object();
+  const auto add = [&](const std::string& name, const char* text, const std::function<std::size_t(const Counts&)>& count) {
+    if (std::ranges::all_of(missed, [&](const Counts& counts) { return count(counts) == 0; })) return;
+    columns.add(name, missed, count);
+    names[name] = text;
   };
+  for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
+    const auto reason = static_cast<culler::Missed>(r);
+    add("missed_" + std::string(to_string(reason)), text_of(reason),
+        [r](const Counts& counts) { return counts.reasons[r]; });
+  }
+  add("missed_unasked", "not asked: the work for this frame was spent",
+      [](const Counts& counts) { return counts.missed - counts.asked(); });
+  return names;
+}
+
+/// The figures of all frames, in columns.
+std::string figures(const Summary& summary, const WalkPageContent& content) {
+  Columns columns;
+  const auto add = [&](const char* name, auto&& value) { columns.add(name, content.frames, value); };
   add("frame", &FrameRecord::frame);
   add("in_view", &FrameRecord::view_frustum_polygons);
   add("drawn", &FrameRecord::rendered_polygons);
@@ -125,12 +157,14 @@ std::string figures(const Summary& summary, const std::vector<FrameRecord>& fram
     add("view_frustum_frame_ms", &FrameRecord::view_frustum_frame_ms);
     add("visible_frame_ms", &FrameRecord::visible_frame_ms);
   }
+  const nlohmann::ordered_json reasons = add_missed(columns, content.missed);
   const nlohmann::ordered_json walk = {{"model", summary.model},
                                        {"polygons", summary.polygons},
                                        {"rendered", summary.options.render},
                                        {"method", method_of(summary)},
-                                       {"size", {summary.options.width, summary.options.height}}};
-  return fmt::format(R"({{"walk":{},"columns":{{{}}}}})", walk.dump(), columns);
+                                       {"size", {summary.options.width, summary.options.height}},
+                                       {"reasons", reasons}};
+  return fmt::format(R"({{"walk":{},"columns":{{{}}}}})", walk.dump(), columns.text());
 }
 
 std::string part(std::string_view name, std::string_view bytes) {
@@ -139,7 +173,7 @@ std::string part(std::string_view name, std::string_view bytes) {
 }
 
 std::string parts(const Summary& summary, const WalkPageContent& content) {
-  std::string html = part("figures", figures(summary, content.frames));
+  std::string html = part("figures", figures(summary, content));
   for (const auto& [name, bytes] : content.recording.parts()) html += part(name, bytes);
   return html;
 }
@@ -155,12 +189,14 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
       {"facts", [&] { return facts(summary); }},
       {"simplified", [&] { return simplified(summary, content.recording); }},
       {"table1", [&] { return table1_html(summary); }},
+      {"spread", [&] { return spread_html(summary); }},
       {"table2", [&] { return table2_html(summary) + note(limit_note(summary)); }},
       {"pictures", [&] { return pictures_html(content.pictures); }},
       {"conditions", [&] { return conditions(summary); }},
       {"command", [&] { return escaped(content.command); }},
       {"options", [&] { return escaped(json_of(summary.options, summary.build).dump(2)); }},
       {"culled", [&] { return is_cover(summary) ? "culled by cover" : "culled by shadow"; }},
+      {"hiders", [&] { return is_cover(summary) ? "What each piece of the covers hid" : "What each occluder hid"; }},
       {"machine", [&] { return escaped(machine_of(summary.machine)); }},
       {"version", [] { return std::string(OCCLUDE_VERSION); }},
       {"parts", [&] { return parts(summary, content); }}};

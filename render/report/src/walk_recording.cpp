@@ -9,6 +9,8 @@
 
 #include "page_frames.h"
 #include "page_model.h"
+#include "page_pieces.h"
+#include "page_vain.h"
 
 namespace occlude::render {
 namespace {
@@ -16,6 +18,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+Json json_of(const HiderRecord& record) {
+  return {{"frames", record.frames},
+          {"useless", record.useless},
+          {"hidden", record.hidden},
+          {"best_frame", record.best_frame},
+          {"best_hidden", record.best_hidden}};
+}
 
 /// Null if it is infinite.
 Json if_finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -34,7 +44,8 @@ Json lens(const culler::Camera& camera) {
 }  // namespace
 
 struct WalkRecording::Impl {
-  explicit Impl(const culler::Culler& culler) : model(culler.hierarchy()), frames(culler, model) {}
+  explicit Impl(const culler::Culler& culler)
+      : model(culler.hierarchy()), frames(culler, model), pieces(model), vain(model) {}
 
   /// Each occluder that was chosen: its polygons by their places in the page, and what it did. `numbers` gets its place in
   /// the list.
@@ -42,15 +53,28 @@ struct WalkRecording::Impl {
     Json list = Json::array();
     for (const auto& [index, record] : frames.occluders()) {
       numbers.emplace(index, list.size());
-      list.push_back({{"polygons", record.places},
-                      {"shell", record.is_shell},
-                      {"frames", record.frames},
-                      {"useless", record.useless},
-                      {"hidden", record.hidden},
-                      {"best_frame", record.best_frame},
-                      {"best_hidden", record.best_hidden}});
+      list.push_back(json_of(record.did));
+      list.back()["polygons"] = record.places;
+      list.back()["shell"] = record.is_shell;
     }
     return list;
+  }
+
+  /// The pieces that hid most, and the useless ones used most often. Null if there are no covers.
+  [[nodiscard]] Json ranked_pieces() const {
+    constexpr std::size_t kMost = 15;  // of each kind
+    if (!has_covers) return nullptr;
+    const PagePieces::Ranking ranking = pieces.ranking(kMost);
+    const auto list = [&](const std::vector<std::uint32_t>& leaves) {
+      Json result = Json::array();
+      for (const std::uint32_t leaf : leaves) {
+        result.push_back(json_of(pieces.records()[leaf]));
+        result.back()["leaf"] = leaf;
+      }
+      return result;
+    };
+    return {{"used", ranking.used}, {"useless", ranking.useless}, {"uses", ranking.uses},
+            {"idle", ranking.idle}, {"best", list(ranking.best)}, {"worst", list(ranking.worst)}};
   }
 
   [[nodiscard]] Json outlines(const std::map<std::uint32_t, std::size_t>& numbers) const {
@@ -63,6 +87,10 @@ struct WalkRecording::Impl {
 
   PageModel model;
   PageFrames frames;
+  PagePieces pieces;
+  bool has_covers = false;
+  PageVain vain;
+  std::size_t drawn = 0;      ///< frames
   culler::Camera camera;      ///< of the last frame
   std::string eyes, targets;  ///< of all frames, numbers with commas
 };
@@ -72,14 +100,22 @@ WalkRecording::~WalkRecording() = default;
 WalkRecording::WalkRecording(WalkRecording&&) noexcept = default;
 WalkRecording& WalkRecording::operator=(WalkRecording&&) noexcept = default;
 
-void WalkRecording::add_frame(const culler::Camera& camera, const culler::CullResult& culled) {
-  impl_->frames.add(culled);
-  impl_->camera = camera;
+void WalkRecording::add_frame(const ShownFrame& frame) {
+  impl_->frames.add(frame.culled);
+  if (frame.culled.method == culler::Method::cover) {
+    impl_->has_covers = true;
+    impl_->pieces.add(frame.culled, frame.covers);
+  }
+  if (frame.visible) {
+    impl_->vain.add(frame.culled, *frame.visible);
+    ++impl_->drawn;
+  }
+  impl_->camera = frame.camera;
   const auto append = [](std::string& list, const glm::dvec3& v) {
     fmt::format_to(std::back_inserter(list), "{}{:.9g},{:.9g},{:.9g}", list.empty() ? "" : ",", v.x, v.y, v.z);
   };
-  append(impl_->eyes, camera.eye);
-  append(impl_->targets, camera.target);
+  append(impl_->eyes, frame.camera.eye);
+  append(impl_->targets, frame.camera.target);
 }
 
 std::size_t WalkRecording::polygons() const { return impl_->model.polygons(); }
@@ -90,11 +126,10 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
   const PageModel& model = impl_->model;
   std::map<std::uint32_t, std::size_t> numbers;
   const Json occluders = impl_->occluders(numbers);
-  const Json scene = {{"low", json_of(model.grid().low)},
-                      {"step", json_of(model.grid().step)},
-                      {"every", every()},
-                      {"camera", lens(impl_->camera)},
-                      {"occluders", occluders},
+  const Json scene = {{"low", json_of(model.grid().low)},    {"step", model.grid().step},
+                      {"steps", model.grid().steps},         {"every", every()},
+                      {"camera", lens(impl_->camera)},       {"occluders", occluders},
+                      {"pieces", impl_->ranked_pieces()},    {"drawn_frames", impl_->drawn},
                       {"outlines", impl_->outlines(numbers)}};
   return {{"scene", scene.dump()},
           {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]}})", impl_->eyes, impl_->targets)},
@@ -103,6 +138,7 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
           {"sides", model.sides()},
           {"corners", model.corners()},
           {"numbers", model.numbers()},
+          {"vain", impl_->vain.packed()},
           {"frames", impl_->frames.packed()}};
 }
 

@@ -7,6 +7,7 @@
 
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_limits.h"
 #include "occlude/render/plates.h"
 #include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
@@ -33,6 +34,19 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
         {frame, occluder.frustum.viewpoint(), culler.occluders().geometry(occluder.index), options.cull.near, box});
   });
   return total;
+}
+
+/// The reasons of a frame take a quarter of a second of one processor at most. Nearly always they take a tenth of that, and
+/// none is left unknown.
+constexpr std::size_t kMostWork = culler::MissedReasons::kMostWork / 4;
+
+/// Why the frame drew what it does not show.
+culler::MissedReasons::Counts count_missed(const culler::Culler& culler, const ShownFrame& frame,
+                                           const culler::CullOptions& options) {
+  std::vector<bool> shows(culler.hierarchy().soup().size());
+  for (const std::uint32_t p : *frame.visible) shows[p] = true;
+  const culler::MissedReasons reasons(culler, frame.camera, options, frame.culled);
+  return reasons.count(shows, check_interrupt, kMostWork);
 }
 
 }  // namespace
@@ -81,21 +95,31 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   output.add_model(culler);
   Stage stage(culler, options);
   kernel::Operations operations;
+  std::vector<culler::MissedReasons::Counts> missed;
   std::size_t witnesses = 0;
   std::vector<std::string> lines;
-  const auto on_frame = [&](const FrameRecord& record, const culler::CullResult& culled, bool is_reference) {
-    const culler::Camera camera = path.camera(record.frame, aspect(options));
-    output.add_frame(camera, culled);
-    if (is_reference) operations += visit_shadow_tests(culler, record.frame, culled, options);
+  std::vector<culler::CoverWitness> covers;
+  const auto on_frame = [&](const FinishedFrame& finished) {
+    const std::size_t frame = finished.record.frame;
+    const culler::Camera camera = path.camera(frame, aspect(options));
+    covers.clear();
+    if (options.cull.method == culler::Method::cover) {
+      culler.append_covers(finished.culled, camera, options.cull, kMostCoverVertices, covers);
+    }
+    const ShownFrame shown{camera, finished.culled, finished.visible, covers};
+    output.add_frame(shown);
+    if (shown.visible) missed.push_back(count_missed(culler, shown, options.cull));
+    if (finished.is_reference) operations += visit_shadow_tests(culler, frame, finished.culled, options);
     if (!options.witness) return;
     lines.clear();
-    append_witnesses(lines, record.frame, camera, culler, culled, options.cull);
+    append_witnesses(lines, frame, camera, culler, finished.culled, options.cull);
     for (const std::string& line : lines) output.add_witness(line);
     witnesses += lines.size();
   };
   WalkResult result = walk_frames(culler, path, options, stage, on_frame);
   result.preprocess_s = preprocess_s;
   result.operations = operations;
+  result.missed = std::move(missed);
   result.witnesses = witnesses;
 
   if (!options.render) return result;

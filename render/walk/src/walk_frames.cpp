@@ -54,9 +54,13 @@ class Walker {
       const PolygonRange all{0, static_cast<std::uint32_t>(culler_.hierarchy().soup().size())};
       full = draw(camera, std::span(&all, 1));
     }
-    record.visible_frame_ms = draw_only(camera, compare(full, picture, culler_, camera, culled, record));
+    visible_ = compare(full, picture, culler_, camera, culled, record);
+    record.visible_frame_ms = draw_only(camera, visible_);
     return record;
   }
+
+  /// The polygons that the last frame showed, ascending; null if nothing is drawn.
+  [[nodiscard]] const std::vector<std::uint32_t>* visible() const { return renderer_ ? &visible_ : nullptr; }
 
  private:
   struct Timing {
@@ -105,6 +109,7 @@ class Walker {
   culler::View view_without_;  ///< with view-frustum culling alone
   bool is_occlusion_first_ = false;
   std::vector<culler::Witness> witnesses_;  ///< of the last frame
+  std::vector<std::uint32_t> visible_;      ///< in the last frame
 };
 
 }  // namespace
@@ -137,7 +142,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
     culler::View& view = along.before(frames[i]);
     result.frames.push_back(walker.frame(frames[i], is_reference, view));
     if (is_reference && options.render) ++result.reference_frames;
-    if (on_frame) on_frame(result.frames.back(), view.result(), is_reference);
+    if (on_frame) on_frame({result.frames.back(), view.result(), walker.visible(), is_reference});
     progress.update(i + 1);
   }
   return result;

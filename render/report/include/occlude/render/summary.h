@@ -9,6 +9,7 @@
 #include <string>
 
 #include "occlude/kernel/operations.h"
+#include "occlude/render/missed_report.h"
 #include "occlude/render/paint.h"
 #include "occlude/render/spread.h"
 #include "occlude/render/walk.h"
@@ -57,6 +58,7 @@ struct Summary {
   std::optional<double> limit_by_visible;   ///< of the speedup: drawing only what is visible
   AboveLimit above_limit = AboveLimit::no;
   std::optional<std::size_t> wrong_pixels, snapped_pixels, false_culls;
+  std::optional<MissedCounts> missed;  ///< over all frames, if the walk rendered
   std::size_t reference_frames = 0, witnesses = 0;
   kernel::Operations operations;
   double preprocess_s = 0;

@@ -25,7 +25,7 @@ class WalkFiles : public WalkOutput {
   WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command);
 
   void add_model(const culler::Culler& culler) override;
-  void add_frame(const culler::Camera& camera, const culler::CullResult& culled) override;
+  void add_frame(const ShownFrame& frame) override;
   void add_witness(std::string_view line) override;
   void add_plate(const Plate& plate, const Image& image) override;
   /// Writes the reports, then renames all files once every one is complete.

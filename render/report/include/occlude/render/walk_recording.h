@@ -19,7 +19,7 @@ class WalkRecording {
   WalkRecording(WalkRecording&&) noexcept;
   WalkRecording& operator=(WalkRecording&&) noexcept;
 
-  void add_frame(const culler::Camera& camera, const culler::CullResult& culled);
+  void add_frame(const ShownFrame& frame);
 
   /// The polygons that the page has; the walk may have more.
   [[nodiscard]] std::size_t polygons() const;

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "occlude/culler/culler.h"
+#include "occlude/culler/missed.h"
 #include "occlude/kernel/operations.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"
@@ -59,7 +61,7 @@ struct WalkOptions {
 [[nodiscard]] std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& options);
 
 /// The step between the reference frames in a walk of `frames` frames. On these the whole model is drawn for reference, and
-/// operations and reasons are counted.
+/// operations are counted.
 [[nodiscard]] std::size_t reference_step(std::size_t frames);
 
 /// The figures of one frame. Times are in milliseconds.
@@ -91,11 +93,21 @@ struct WalkResult {
   std::size_t polygons = 0, triangles = 0;  ///< of the model
   culler::BuildConfig build;                ///< how the model was prepared: by the options or the preprocess file
   std::vector<FrameRecord> frames;
+  /// For each frame why it drew what is hidden; empty if the walk does not render.
+  std::vector<culler::MissedReasons::Counts> missed;
   std::size_t reference_frames = 0;  ///< frames whose item buffer was drawn from the whole model, without culling
   std::size_t witnesses = 0;
   kernel::Operations operations;  ///< of the shadow tests on the reference frames, in plain arithmetic
   double preprocess_s = 0;
   std::string renderer;  ///< the driver's own name for itself
+};
+
+/// A counted frame.
+struct ShownFrame {
+  const culler::Camera& camera;
+  const culler::CullResult& culled;
+  const std::vector<std::uint32_t>* visible;     ///< polygons with a pixel, ascending; null if the walk does not render
+  std::span<const culler::CoverWitness> covers;  ///< what hides everything that was culled by cover
 };
 
 /// Receives what a walk shows and proves while it runs.
@@ -104,8 +116,8 @@ class WalkOutput {
   virtual ~WalkOutput() = default;
   /// The prepared model, before its first frame. It stays as it is until walk() returns.
   virtual void add_model(const culler::Culler& culler) = 0;
-  /// Each counted frame, in the order of the walk.
-  virtual void add_frame(const culler::Camera& camera, const culler::CullResult& culled) = 0;
+  /// In the order of the walk.
+  virtual void add_frame(const ShownFrame& frame) = 0;
   /// The proof of one cull, a line of JSON without line break. Called only if WalkOptions names a witness file.
   virtual void add_witness(std::string_view line) = 0;
   virtual void add_plate(const Plate& plate, const Image& image) = 0;

@@ -2,9 +2,11 @@
 // The frames of a walk: each is culled by both methods, drawn and compared.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "occlude/culler/culler.h"
 #include "occlude/render/offscreen_context.h"
@@ -24,8 +26,15 @@ struct Stage {
   std::unique_ptr<SceneRenderer> renderer;
 };
 
-/// Called after each frame with its figures, the result of culling, and whether it is a reference frame.
-using OnFrame = std::function<void(const FrameRecord& record, const culler::CullResult& culled, bool is_reference)>;
+/// A frame with its figures.
+struct FinishedFrame {
+  const FrameRecord& record;
+  const culler::CullResult& culled;
+  const std::vector<std::uint32_t>* visible;  ///< polygons with a pixel, ascending; null if nothing is drawn
+  bool is_reference;
+};
+/// Called after each frame.
+using OnFrame = std::function<void(const FinishedFrame& frame)>;
 
 /// Culls, draws (if the stage has a renderer) and compares the frames that the options select. Fills everything of the
 /// result except witnesses, operations and the time of the preprocess. Shows progress. Throws InputError if there is no such

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/render/missed_report.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace occlude::render {
+
+const char* text_of(culler::Missed reason) {
+  constexpr std::array<const char*, culler::kMissedReasons> kTexts{
+      "it is out of view, and its leaf is not",
+      "its leaf is too coarse: its own box is hidden",
+      "its box straddles: itself it is in the shadow of an occluder",
+      "in the shadows of several occluders, in none alone",
+      "an occluder that hides it was listed, and not chosen",
+      "no listed occluder hides it alone, or it is seen between pixels",
+      "its box reaches out of the coarse picture, or before the near plane",
+      "it would be hidden, but the frame's budget was spent",
+      "a pixel of its box is open: a border runs there, or nothing closes it",
+      "what closes the pixels of its box is not nearer than the box"};
+  return kTexts[static_cast<std::size_t>(reason)];
+}
+
+nlohmann::ordered_json json_of(const MissedCounts& missed) {
+  nlohmann::ordered_json json = {
+      {"frames", missed.frames}, {"polygons", missed.counts.missed}, {"asked", missed.counts.asked()}};
+  for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
+    const auto reason = static_cast<culler::Missed>(r);
+    if (is_of(reason, missed.method)) json[std::string(to_string(reason))] = missed.counts.reasons[r];
+  }
+  return json;
+}
+
+}  // namespace occlude::render
