@@ -2,7 +2,9 @@
 #include "box_plane.h"
 
 #include <cmath>
+#include <optional>
 
+#include "grid_sign.h"
 #include "rounded_plane.h"
 
 namespace occlude::kernel {
@@ -24,8 +26,10 @@ int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb&
   const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));
   const CertainSign refined = refined_sign(plane, frustum.refined_planes[i], vertex, frustum.origin, reach);
   if (refined.is_certain) return refined.sign;
-  const auto* laid = std::get_if<ExactPlane>(&frustum.recipes[i]);
-  if (laid && has_certain_signs(plane, frustum.refined_planes[i]) && is_defined_by(*laid, vertex)) return 0;
+  if (const auto* laid = std::get_if<ExactPlane>(&frustum.recipes[i])) {
+    if (has_certain_signs(plane, frustum.refined_planes[i]) && is_defined_by(*laid, vertex)) return 0;
+    if (const std::optional<int> sign = grid_extremal_sign(*laid, box, direction)) return *sign;
+  }
   ExactArithmetic exact;
   return extremal_sign(exact, coefficients<ExactArithmetic>(frustum, frustum.recipes[i]), frustum.origin, box, direction);
 }

@@ -2,7 +2,10 @@
 // Computes the coefficients of a plane from input coordinates, in any arithmetic.
 #pragma once
 
+#include <optional>
+
 #include "arithmetic.h"
+#include "grid_sign.h"
 #include "stored_frustum.h"
 #include "vector3.h"
 
@@ -30,7 +33,13 @@ template <class A>
 /// Exact sign of the plane at x: 1 on the inner side, 0 on the plane, -1 on the outer side.
 [[nodiscard]] inline int sign_at(const ExactPlane& plane, const Vec3& x, Stage* stage = nullptr) {
   if (is_defined_by(plane, x)) return 0;
-  return certified([&]<class A>(A& arithmetic) { return arithmetic.sign(value<A>(plane, x)); }, stage);
+  const auto question = [&]<class A>(A& arithmetic) { return arithmetic.sign(value<A>(plane, x)); };
+  FilterArithmetic filter;
+  const int sign = question(filter);
+  if (!filter.failed()) return sign;
+  if (stage) *stage = Stage::exact;
+  if (const std::optional<int> on_grid = grid_sign(plane, x)) return *on_grid;
+  return exactly(question);
 }
 
 /// f(x) = normal . (x - origin of the frustum) + offset.
