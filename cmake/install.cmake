@@ -36,6 +36,8 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
 if(OCCLUDE_TOOLS)
   install(TARGETS occlude)
+  # Where render/live/build.sh has made it. The program looks for it beside itself.
+  install(FILES ${PROJECT_BINARY_DIR}/live.wasm TYPE BIN OPTIONAL)
   # The command writes its manual page and its completion itself.
   set(text_folder ${PROJECT_BINARY_DIR}/package/text)
   install(CODE "

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,7 +55,9 @@ class PageFrames {
   struct Outline {
     std::uint32_t occluder = 0;  ///< index in the OccluderSet
     std::vector<std::array<std::uint16_t, 3>> corners;
-    auto operator<=>(const Outline&) const = default;
+    friend bool operator<(const Outline& a, const Outline& b) {
+      return std::tie(a.occluder, a.corners) < std::tie(b.occluder, b.corners);
+    }
   };
   /// The silhouettes of occluders, on the grid of the page, by their numbers.
   [[nodiscard]] std::vector<Outline> outlines() const;

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "page_camera.h"
 #include "page_frames.h"
 #include "page_model.h"
 
@@ -14,22 +14,6 @@ namespace occlude::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-/// Null if it is infinite.
-Json if_finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-/// What all cameras of a path share.
-Json lens(const culler::Camera& camera) {
-  return {{"projection", camera.projection == culler::Projection::perspective ? "perspective" : "orthographic"},
-          {"fov_y_deg", camera.fov_y_deg},
-          {"height", camera.height},
-          {"aspect", camera.aspect},
-          {"near", camera.near},
-          {"far", if_finite(camera.far)},
-          {"up", json_of(camera.up)}};
-}
 
 }  // namespace
 
@@ -90,10 +74,10 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
   const PageModel& model = impl_->model;
   std::map<std::uint32_t, std::size_t> numbers;
   const Json occluders = impl_->occluders(numbers);
-  const Json scene = {{"low", json_of(model.grid().low)},
-                      {"step", json_of(model.grid().step)},
+  const Json scene = {{"low", page_json(model.grid().low)},
+                      {"step", page_json(model.grid().step)},
                       {"every", every()},
-                      {"camera", lens(impl_->camera)},
+                      {"camera", page_lens(impl_->camera)},
                       {"occluders", occluders},
                       {"outlines", impl_->outlines(numbers)}};
   return {{"scene", scene.dump()},
