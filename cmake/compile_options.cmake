@@ -16,6 +16,10 @@ if(PROJECT_IS_TOP_LEVEL)
     # False positives on std::string concatenation (GCC bug 105651, fixed in 13).
     target_compile_options(occlude_options INTERFACE -Wno-restrict)
   endif()
+  if(CMAKE_SIZEOF_VOID_P EQUAL 4)
+    # Of what is in memory there are fewer than 2^31, also where a number has 64 bits, or 32 without a sign.
+    target_compile_options(occlude_options INTERFACE -Wno-shorten-64-to-32 -Wno-sign-conversion)
+  endif()
 endif()
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")

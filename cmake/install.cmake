@@ -11,8 +11,12 @@ foreach(name IN ITEMS kernel culler)
   install(DIRECTORY ${OCCLUDE_SOURCES}/${name}/include/ TYPE INCLUDE)
 endforeach()
 set_target_properties(occlude_c PROPERTIES EXPORT_NAME c)
-set_target_properties(occlude_c_shared PROPERTIES EXPORT_NAME c_shared)
-install(TARGETS occlude_c occlude_c_shared EXPORT occlude INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(c_libraries occlude_c)
+if(TARGET occlude_c_shared)
+  set_target_properties(occlude_c_shared PROPERTIES EXPORT_NAME c_shared)
+  list(APPEND c_libraries occlude_c_shared)
+endif()
+install(TARGETS ${c_libraries} EXPORT occlude INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${OCCLUDE_SOURCES}/culler/c/include/ TYPE INCLUDE)
 install(EXPORT occlude NAMESPACE occlude:: FILE occlude-targets.cmake DESTINATION ${package_folder})
 
@@ -32,6 +36,8 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
 if(OCCLUDE_TOOLS)
   install(TARGETS occlude)
+  # Where render/live/build.sh has made it. The program looks for it beside itself.
+  install(FILES ${PROJECT_BINARY_DIR}/live.wasm TYPE BIN OPTIONAL)
   # The command writes its manual page and its completion itself.
   set(text_folder ${PROJECT_BINARY_DIR}/package/text)
   install(CODE "

@@ -58,10 +58,11 @@ class Corners {
 
 /// Tells nearly all polygons apart: the first three corners and the number of sides.
 struct PolygonKey {
-  std::array<std::uint32_t, 3> corners;
-  std::uint32_t sides, polygon;
+  std::uint32_t first, second, third, sides, polygon;
 
-  [[nodiscard]] bool is_like(const PolygonKey& other) const { return corners == other.corners && sides == other.sides; }
+  [[nodiscard]] bool is_like(const PolygonKey& other) const {
+    return first == other.first && second == other.second && third == other.third && sides == other.sides;
+  }
   auto operator<=>(const PolygonKey&) const = default;
 };
 
@@ -109,7 +110,7 @@ std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::ui
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     checkpoint.at(p);
     const Corners corners(soup.loop(p), weld);
-    keys[p] = {{corners[0], corners[1], corners[2]}, static_cast<std::uint32_t>(corners.size()), p};
+    keys[p] = {corners[0], corners[1], corners[2], static_cast<std::uint32_t>(corners.size()), p};
   }
   parallel_sort(keys, checkpoint);
   // Compares polygons with equal keys by their remaining corners. The sort is stable, so the first of equal polygons stays

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <system_error>
+#include <exception>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -23,13 +23,14 @@ Executor Executor::own_threads(std::size_t threads) {
     const auto share = [&] {
       for (std::size_t i = next++; i < count; i = next++) part(i);
     };
-    std::vector<std::jthread> others;
+    std::vector<std::thread> others;
     try {
       while (others.size() + 1 < std::min(threads, count)) others.emplace_back(share);
-    } catch (const std::system_error&) {
-      // Fewer do it as well.
+    } catch (const std::exception&) {
+      // No thread, or no memory for one. Fewer do it as well.
     }
     share();
+    for (std::thread& thread : others) thread.join();
   };
   return {threads, run};
 }

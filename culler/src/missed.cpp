@@ -214,8 +214,8 @@ class MissedReasons::Asking {
   }
 
   [[nodiscard]] std::size_t missed_in(const HierarchyNode& n) const {
-    const auto begin = missed_.begin() + std::ptrdiff_t{n.first};
-    return static_cast<std::size_t>(std::count(begin, begin + std::ptrdiff_t{n.count}, true));
+    const auto begin = missed_.begin() + static_cast<std::ptrdiff_t>(n.first);
+    return static_cast<std::size_t>(std::count(begin, begin + static_cast<std::ptrdiff_t>(n.count), true));
   }
 
  private:

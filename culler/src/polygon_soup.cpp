@@ -10,7 +10,9 @@ namespace occlude::culler {
 
 std::vector<bool> polygons_of(std::span<const PolygonRange> ranges, std::size_t count) {
   std::vector<bool> result(count);
-  for (const auto [first, length] : ranges) std::fill_n(result.begin() + std::ptrdiff_t{first}, length, true);
+  for (const auto [first, length] : ranges) {
+    std::fill_n(result.begin() + static_cast<std::ptrdiff_t>(first), length, true);
+  }
   return result;
 }
 

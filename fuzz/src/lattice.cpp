@@ -44,7 +44,7 @@ std::vector<Step> lattice_edges(Random& random, int count, int reach) {
   while (true) {
     std::vector<Step> steps = closed_steps(random, count, reach);
     if (std::ranges::all_of(steps, [&](const Step& s) { return cross(steps[0], s) == 0; })) continue;  // no area
-    std::ranges::sort(steps, has_lower_angle);
+    std::ranges::stable_sort(steps, has_lower_angle);  // two may have one direction: the same order with every library
     return steps;
   }
 }

@@ -19,6 +19,7 @@ void add_preprocess(Command app, int& exit_code);
 void add_walk(Command app, int& exit_code, const std::string& command_line);
 void add_render(Command app, int& exit_code);
 void add_compare(Command app, int& exit_code);
+void add_inspect(Command app, int& exit_code);
 void add_classify(Command app, int& exit_code);
 void add_why(Command app, int& exit_code);
 void add_validate(Command app, int& exit_code);

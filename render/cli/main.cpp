@@ -52,6 +52,7 @@ void run(int argc, char** argv, int& exit_code) {
     occlude::cli::add_preprocess(app, exit_code);
     occlude::cli::add_walk(app, exit_code, as_typed(argc, argv));
     occlude::cli::add_render(app, exit_code);
+    occlude::cli::add_inspect(app, exit_code);
     occlude::cli::add_compare(app, exit_code);
     occlude::cli::add_why(app, exit_code);
     occlude::cli::add_classify(app, exit_code);

@@ -8,7 +8,7 @@ walk_of_squares
 
 expect_error "frobnicate" "$occlude" frobnicate
 
-commands=("" generate "generate city" preprocess walk render compare why classify validate fuzz bench "bench kernel" "bench culler"
+commands=("" generate "generate city" preprocess walk render inspect compare why classify validate fuzz bench "bench kernel" "bench culler"
   "bench scene" help)
 for command in "${commands[@]}"; do
   "$occlude" $command --help >stdout || fail "no help for '$command'"

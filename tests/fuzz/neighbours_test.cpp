@@ -37,10 +37,10 @@ void damage(Case& c, std::uint64_t seed) {
 }
 
 TEST(Golden, NeighboursAreWhatTheyWere) {
-  EXPECT_EQ(hash_of(move_box), 0x8169ff6007ab43e1U) << std::hex << hash_of(move_box);
+  EXPECT_EQ(hash_of(move_box), 0xb8e43f6007ab43e1U) << std::hex << hash_of(move_box);
 }
 
-TEST(Golden, SpoiledCasesAreWhatTheyWere) { EXPECT_EQ(hash_of(damage), 0xe220e1ae4458cf9dU) << std::hex << hash_of(damage); }
+TEST(Golden, SpoiledCasesAreWhatTheyWere) { EXPECT_EQ(hash_of(damage), 0xcb5521ae4458cf9dU) << std::hex << hash_of(damage); }
 
 TEST(Neighbour, MovesBoundsByTheLeastThereIsAndByWhole) {
   const kernel::Aabb box{{8, 16, 24}, {40, 48, 72}};

@@ -209,7 +209,10 @@ TEST(Refusal, EveryReasonHasAnExampleAndAText) {
   constexpr int kReasons = static_cast<int>(Refusal::rounding_mode) + 1;
   for (int i = 0; i < kReasons; ++i) {
     const auto reason = static_cast<Refusal>(i);
-    EXPECT_EQ(to_string(example_of(reason)), to_string(reason));
+    const bool has_example = reason != Refusal::rounding_mode || occlude::kHasOtherRoundings;
+    if (has_example) {
+      EXPECT_EQ(to_string(example_of(reason)), to_string(reason));
+    }
     texts.insert(to_string(reason));
   }
   EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));

@@ -19,6 +19,12 @@ class WithRounding {
   int before_;
 };
 
+/// WebAssembly has no others, and does not say so when it is asked for one.
+#ifdef __wasm__
+inline constexpr bool kHasOtherRoundings = false;
+#else
+inline constexpr bool kHasOtherRoundings = true;
+#endif
 inline constexpr std::array kOtherRoundings{FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 }  // namespace occlude

@@ -13,9 +13,10 @@ import unittest
 
 from selenium import webdriver
 from selenium.webdriver import ActionChains, Keys
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
+
+import browser
 
 OCCLUDE = sys.argv.pop(1)
 WALK = ['city.ply', '--path', 'city.json', '--frames', '0:400:20', '--size', '320x180']
@@ -23,46 +24,14 @@ OPTIONS = {'frusta': ['--unions'], 'cover': ['--method', 'cover']}
 SIZE = (320, 180)
 
 
-def browser(*options):
-    chrome = webdriver.ChromeOptions()
-    for option in ('--headless=new', '--no-sandbox', '--disable-dev-shm-usage', '--use-gl=angle', '--use-angle=swiftshader',
-                   '--enable-unsafe-swiftshader', '--window-size=1200,900', *options):
-        chrome.add_argument(option)
-    chrome.set_capability('goog:loggingPrefs', {'browser': 'ALL', 'performance': 'ALL'})
-    driver = webdriver.Chrome(options=chrome, service=Service('chromedriver'))
-    driver.set_script_timeout(120)
-    return driver
-
-
 def why(walk, frame, *which):
     done = subprocess.run([OCCLUDE, 'why', *WALK, *OPTIONS[walk], '--frame', str(frame), *which, '--json'], capture_output=True)
     return json.loads(done.stdout) if done.returncode == 0 else None
 
 
-class Page(unittest.TestCase):
-    OPTIONS = ()
-
-    @classmethod
-    def setUpClass(cls):
-        cls.driver = browser(*cls.OPTIONS)
-        cls.addClassCleanup(cls.driver.quit)
-
+class Page(browser.Page):
     def open(self, walk):
-        self.driver.get('about:blank')  # a new page, whatever frame the address names
-        self.driver.get(f'file://{os.getcwd()}/{walk}/report.html')
-        opened = self.driver.execute_async_script(
-            'const done = arguments[0]; walkPage.then(p => { window.page = p; done("open"); }, error => done(String(error)));')
-        self.assertEqual(opened, 'open')
-
-    def element(self, name):
-        return self.driver.find_element(By.ID, name)
-
-    def run_script(self, script, *arguments):
-        return self.driver.execute_script(script, *arguments)
-
-    def click(self, element):
-        self.run_script('arguments[0].scrollIntoView({block: "center"})', element)
-        element.click()
+        super().open(f'{walk}/report.html', 'walkPage')
 
     def number(self):
         return int(self.element('number').text)
@@ -73,15 +42,6 @@ class Page(unittest.TestCase):
 
     def look(self, from_outside):
         self.click(self.element('outside' if from_outside else 'eye'))
-
-    def assert_quiet(self):
-        """No message on the console, and nothing fetched but the page itself."""
-        self.assertEqual([entry['message'] for entry in self.driver.get_log('browser')], [])
-        for entry in self.driver.get_log('performance'):
-            message = json.loads(entry['message'])['message']
-            if message['method'] == 'Network.requestWillBeSent':
-                url = message['params']['request']['url']
-                self.assertTrue(url.startswith(f'file://{os.getcwd()}') or url.startswith('data:'), url)
 
 
 class Reading(Page):

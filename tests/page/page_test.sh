@@ -5,15 +5,7 @@
 set -uo pipefail
 tests=$(realpath "$(dirname "$0")")
 . "$tests/../cli/common.sh"
-
-python=
-for candidate in python3 /usr/bin/python3; do
-  [ -z "$python" ] && "$candidate" -c 'import selenium' 2>/dev/null && python=$candidate
-done
-if [ -z "$python" ] || ! command -v chromium >/dev/null || ! command -v chromedriver >/dev/null; then
-  echo "no chromium, chromium-driver and python3-selenium: skipped"
-  exit 77
-fi
+. "$tests/need_browser.sh"
 
 "$occlude" generate city --polygons 20000 --seed 1 --out city.ply --path city.json >/dev/null || fail "generate"
 frames=(--path city.json --frames 0:400:20 --size 320x180)

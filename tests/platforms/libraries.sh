@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # What the kernel, the culler and their tests need on a platform, from Debian's sources into FOLDER/prefix, once: Debian has
 # Highway and GoogleTest for this machine alone. Installs the compiler and what runs its programs.
-# Usage: bash tests/platforms/libraries.sh aarch64|s390x|windows FOLDER
+# Usage: bash tests/platforms/libraries.sh aarch64|s390x|windows|wasm FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 platform=$1 folder=$(realpath -m "$2")
@@ -12,29 +12,61 @@ exec >"$folder/libraries.txt" 2>&1
 packages=(dpkg-dev googletest)
 case $platform in
   windows) packages+=(g++-mingw-w64-x86-64-posix wine wine64) ;;
+  wasm) packages+=(emscripten) ;;
   *) packages+=(qemu-user "g++-$platform-linux-gnu") ;;
 esac
 bash .ci/packages.sh "${packages[@]}"
 [ -e "$folder/prefix/complete" ] && exit
 
-# Debian's sources, whether or not this machine lists them.
-get_highway() {
-  local apt=(apt-get -o "Dir::Etc::sourcelist=$PWD/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$PWD/lists")
-  mkdir -p lists/partial highway
-  echo "deb-src http://deb.debian.org/debian bookworm main" >sources.list
-  "${apt[@]}" update
-  "${apt[@]}" source --download-only highway
-  tar -xf highway_*.orig.tar.* -C highway --strip-components 1
+# Where Debian has what Emscripten's scripts need. Its own node looks there unasked.
+export NODE_PATH=/usr/share/nodejs
+
+# get_source PACKAGE [PATTERN...]: Debian's source of a package, or the parts of it whose paths match, into FOLDER/PACKAGE,
+# whether or not this machine lists sources.
+get_source() {
+  (
+    cd "$folder"
+    local apt=(apt-get -o "Dir::Etc::sourcelist=$PWD/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$PWD/lists")
+    mkdir -p lists/partial "$1"
+    echo "deb-src http://deb.debian.org/debian bookworm main" >sources.list
+    "${apt[@]}" update
+    "${apt[@]}" source --download-only "$1"
+    tar -xf "$1"_*.orig.tar.* -C "$1" --strip-components 1 --wildcards "${@:2}"
+  )
+}
+
+# The standard library of Debian's Emscripten lacks much of C++20. That of LLVM 16 has it, and clang 14 can compile it. The
+# rest of the runtime stays that of Emscripten, whose namespace, __2, is kept.
+install_standard_library() {
+  get_source llvm-toolchain-16 '*/libcxx/include' '*/libcxx/src'
+  local sources=$folder/llvm-toolchain-16/libcxx include=$folder/prefix/include/c++/v1 objects=$folder/libcxx-build
+  mkdir -p "$include" "$objects"
+  cp -r "$sources/include/." /usr/share/emscripten/system/lib/libcxxabi/include/*.h "$include"
+  printf '#define %s\n' '_LIBCPP_ABI_VERSION 2' '_LIBCPP_ABI_NAMESPACE __2' _LIBCPP_HAS_MUSL_LIBC \
+    _LIBCPP_HAS_NO_VENDOR_AVAILABILITY_ANNOTATIONS '_LIBCPP_ENABLE_ASSERTIONS_DEFAULT 0' >"$include/__config_site"
+  cat >"$objects/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.25)
+project(standard_library CXX)
+file(GLOB sources $sources/src/*.cpp $sources/src/ryu/*.cpp $sources/src/filesystem/[do]*.cpp)
+add_library(c++16 STATIC \${sources})
+target_include_directories(c++16 PRIVATE $sources/src)
+target_compile_features(c++16 PRIVATE cxx_std_20)
+target_compile_definitions(c++16 PRIVATE _LIBCPP_BUILDING_LIBRARY LIBCXX_BUILDING_LIBCXXABI _LIBCPP_DISABLE_VISIBILITY_ANNOTATIONS)
+install(TARGETS c++16)
+END
+  install_library "$objects" libcxx-build/build
 }
 
 # install_library SOURCE NAME OPTIONS...
 install_library() {
   cmake -S "$1" -B "$folder/$2" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$platform.cmake" \
-    -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF "-DCMAKE_INSTALL_PREFIX=$folder/prefix" "${@:3}"
+    -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF "-DCMAKE_PREFIX_PATH=$folder/prefix" \
+    "-DCMAKE_INSTALL_PREFIX=$folder/prefix" "${@:3}"
   cmake --build "$folder/$2" --target install
 }
 
-(cd "$folder" && get_highway)
+[ "$platform" != wasm ] || install_standard_library
+get_source highway
 install_library "$folder/highway" highway-build -DBUILD_TESTING=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF
 install_library /usr/src/googletest googletest-build -DBUILD_GMOCK=OFF
 # GLM and the JSON parser are headers. The folder that holds them, /usr/include, must not be searched for this platform.

@@ -92,9 +92,20 @@ class ModelPainter {
     gl.uniform1f(uniforms.ceiling, ceiling.height);
     gl.uniform1i(uniforms.fates, this.fates.unit);
     gl.uniform1i(uniforms.marks ?? null, this.marks.unit);
+    this.showsOnlyDrawn = shown.drawn && !shown.outOfView && !shown.hidden;
   }
+  /** All that is shown. Where that is only what the frame draws, nothing else is sent to the graphics card. */
   drawAll() {
-    this.gl.drawArrays(this.gl.TRIANGLES, 0, 3 * this.model.triangles);
+    if (!this.showsOnlyDrawn) return this.drawTriangles(0, this.model.triangles);
+    const {leaves, firstPolygon, firstTriangle} = this.model, fates = this.fates.texels;
+    for (let leaf = 0, end; leaf < leaves; leaf = end + 1) {
+      while (leaf < leaves && fates[leaf] !== Fate.drawn) ++leaf;
+      for (end = leaf; end < leaves && fates[end] === Fate.drawn;) ++end;
+      this.drawTriangles(firstTriangle[firstPolygon[leaf]], firstTriangle[firstPolygon[end]]);
+    }
+  }
+  drawTriangles(first, end) {
+    if (first < end) this.gl.drawArrays(this.gl.TRIANGLES, 3 * first, 3 * (end - first));
   }
   /** Polygons with a share of one colour, whatever became of them; after use(this.colours, ...). */
   drawPolygons(polygons, colour, share) {
@@ -104,8 +115,7 @@ class ModelPainter {
     for (let i = 0; i < polygons.length;) {
       let end = i + 1;
       while (end < polygons.length && polygons[end] === polygons[end - 1] + 1) ++end;
-      const first = firstTriangle[polygons[i]];
-      gl.drawArrays(gl.TRIANGLES, 3 * first, 3 * (firstTriangle[polygons[end - 1] + 1] - first));
+      this.drawTriangles(firstTriangle[polygons[i]], firstTriangle[polygons[end - 1] + 1]);
       i = end;
     }
     gl.uniform4f(uniforms.tint, 0, 0, 0, 0);

@@ -84,7 +84,7 @@ class Model {
     this.polygons = this.firstTriangle.length - 1;
     this.triangles = this.firstTriangle[this.polygons];
     this.readNumbers(parts.numbers);
-    this.readVain(parts.vain);
+    this.readVain(parts.vain ?? new Uint8Array(this.polygons));
     this.readTriangles(unpackVertices(parts.vertices), new Numbers(parts.sides), new Numbers(parts.corners));
   }
   readNumbers(bytes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "deflated.h"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <array>
@@ -35,6 +36,11 @@ std::string base64(std::string_view bytes) {
     for (std::size_t k = 0; k < 4; ++k) result += i + k <= bytes.size() ? kLetters[letters[k] & 63U] : '=';
   }
   return result;
+}
+
+std::string page_part(std::string_view name, std::string_view bytes) {
+  return fmt::format("<script type=\"application/octet-stream\" id=\"part-{}\">{}</script>\n", name,
+                     base64(deflated(bytes)));
 }
 
 }  // namespace occlude::render

@@ -13,4 +13,7 @@ namespace occlude::render {
 /// In the letters of RFC 4648, padded.
 [[nodiscard]] std::string base64(std::string_view bytes);
 
+/// Both, as the part of a page that page/unpack.js finds by this name.
+[[nodiscard]] std::string page_part(std::string_view name, std::string_view bytes);
+
 }  // namespace occlude::render

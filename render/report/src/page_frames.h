@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,9 @@ class PageFrames {
   struct Outline {
     std::uint32_t occluder = 0;  ///< index in the OccluderSet
     std::vector<GridPoint> corners;
-    auto operator<=>(const Outline&) const = default;
+    friend bool operator<(const Outline& a, const Outline& b) {
+      return std::tie(a.occluder, a.corners) < std::tie(b.occluder, b.corners);
+    }
   };
   /// The silhouettes of occluders, on the grid of the page, by their numbers.
   [[nodiscard]] std::vector<Outline> outlines() const;

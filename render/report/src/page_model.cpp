@@ -40,9 +40,9 @@ class Vertices {
  private:
   struct Hash {
     std::size_t operator()(const GridPoint& point) const {
-      constexpr std::uint64_t kMix = 0x9E3779B97F4A7C15U;
-      const std::uint64_t high = (std::uint64_t{point[0]} << 32U | point[1]) * kMix;
-      return static_cast<std::size_t>((high ^ high >> 32U ^ point[2]) * kMix);
+      constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
+      const std::uint64_t high = (std::uint64_t{point[0]} << 32U | point[1]) * kGolden;
+      return static_cast<std::size_t>((high ^ high >> 32U ^ point[2]) * kGolden);
     }
   };
   std::unordered_map<GridPoint, std::uint32_t, Hash> numbers_;
@@ -52,15 +52,15 @@ class Vertices {
 /// For x, then y, then z: of each point the difference from the point before, with the sign in the lowest bit, in four
 /// bytes; first all lowest bytes, then all second ones, ...
 std::string pack_vertices(const std::vector<GridPoint>& points) {
-  constexpr std::size_t kBytes = 4;
-  std::string bytes(3 * kBytes * points.size(), '\0');
+  constexpr std::size_t kBytesEach = 4;
+  std::string bytes(3 * kBytesEach * points.size(), '\0');
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::int64_t before = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::int64_t difference = points[i][axis] - before;
       const auto folded = static_cast<std::uint64_t>(difference < 0 ? -2 * difference - 1 : 2 * difference);
-      for (std::size_t byte = 0; byte < kBytes; ++byte) {
-        bytes[(kBytes * axis + byte) * points.size() + i] = static_cast<char>(folded >> 8 * byte & 0xFFU);
+      for (std::size_t byte = 0; byte < kBytesEach; ++byte) {
+        bytes[(kBytesEach * axis + byte) * points.size() + i] = static_cast<char>(folded >> 8 * byte & 0xFFU);
       }
       before = points[i][axis];
     }

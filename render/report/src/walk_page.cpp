@@ -167,14 +167,9 @@ std::string figures(const Summary& summary, const WalkPageContent& content) {
   return fmt::format(R"({{"walk":{},"columns":{{{}}}}})", walk.dump(), columns.text());
 }
 
-std::string part(std::string_view name, std::string_view bytes) {
-  return fmt::format("<script type=\"application/octet-stream\" id=\"part-{}\">{}</script>\n", name,
-                     base64(deflated(bytes)));
-}
-
 std::string parts(const Summary& summary, const WalkPageContent& content) {
-  std::string html = part("figures", figures(summary, content));
-  for (const auto& [name, bytes] : content.recording.parts()) html += part(name, bytes);
+  std::string html = page_part("figures", figures(summary, content));
+  for (const auto& [name, bytes] : content.recording.parts()) html += page_part(name, bytes);
   return html;
 }
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "page_camera.h"
 #include "page_frames.h"
 #include "page_model.h"
 #include "page_pieces.h"
@@ -17,28 +17,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
 Json json_of(const HiderRecord& record) {
   return {{"frames", record.frames},
           {"useless", record.useless},
           {"hidden", record.hidden},
           {"best_frame", record.best_frame},
           {"best_hidden", record.best_hidden}};
-}
-
-/// Null if it is infinite.
-Json if_finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-/// What all cameras of a path share.
-Json lens(const culler::Camera& camera) {
-  return {{"projection", camera.projection == culler::Projection::perspective ? "perspective" : "orthographic"},
-          {"fov_y_deg", camera.fov_y_deg},
-          {"height", camera.height},
-          {"aspect", camera.aspect},
-          {"near", camera.near},
-          {"far", if_finite(camera.far)},
-          {"up", json_of(camera.up)}};
 }
 
 }  // namespace
@@ -126,10 +110,14 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
   const PageModel& model = impl_->model;
   std::map<std::uint32_t, std::size_t> numbers;
   const Json occluders = impl_->occluders(numbers);
-  const Json scene = {{"low", json_of(model.grid().low)},    {"step", model.grid().step},
-                      {"steps", model.grid().steps},         {"every", every()},
-                      {"camera", lens(impl_->camera)},       {"occluders", occluders},
-                      {"pieces", impl_->ranked_pieces()},    {"drawn_frames", impl_->drawn},
+  const Json scene = {{"low", page_json(model.grid().low)},
+                      {"step", model.grid().step},
+                      {"steps", model.grid().steps},
+                      {"every", every()},
+                      {"camera", page_lens(impl_->camera)},
+                      {"occluders", occluders},
+                      {"pieces", impl_->ranked_pieces()},
+                      {"drawn_frames", impl_->drawn},
                       {"outlines", impl_->outlines(numbers)}};
   return {{"scene", scene.dump()},
           {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]}})", impl_->eyes, impl_->targets)},

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The format: the number of vertices and of polygons; for each polygon its number of sides; for each corner the difference
+// of its vertex from that of the corner before; then for x, y and z of each vertex the difference of its 64 bits from those
+// of the vertex before, first the lowest byte of all, then the next ones.
+#include "packed_soup.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "bytes.h"
+
+namespace occlude::render {
+namespace {
+
+constexpr std::size_t kBytes = sizeof(double);
+
+/// Small for a small difference of either sign (Bytes::difference).
+std::uint64_t folded(std::uint64_t difference) { return difference << 1 ^ (difference >> 63 == 0 ? 0 : ~std::uint64_t{0}); }
+std::uint64_t unfolded(std::uint64_t number) { return number >> 1 ^ ((number & 1U) == 0 ? 0 : ~std::uint64_t{0}); }
+
+void pack_axis(const culler::PolygonSoup& soup, int axis, std::string& text) {
+  const std::size_t count = soup.vertices.size(), start = text.size();
+  text.resize(start + kBytes * count);
+  std::uint64_t before = 0;
+  for (std::size_t v = 0; v < count; ++v) {
+    const auto bits = std::bit_cast<std::uint64_t>(soup.vertices[v][axis]);
+    const std::uint64_t number = folded(bits - before);
+    before = bits;
+    for (std::size_t k = 0; k < kBytes; ++k) text[start + k * count + v] = static_cast<char>(number >> 8 * k & 0xFFU);
+  }
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  std::uint64_t number() {
+    std::uint64_t value = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+      const std::uint64_t byte = next();
+      value |= (byte & 0x7FU) << shift;
+      if (byte < 0x80) return value;
+    }
+    throw std::invalid_argument("a number in the model is too long");
+  }
+  /// A count of things that take a byte or more each.
+  std::size_t count() {
+    const std::uint64_t value = number();
+    if (value > bytes_.size()) throw std::invalid_argument("the model ends early");
+    return static_cast<std::size_t>(value);
+  }
+  void axis(culler::PolygonSoup& soup, int axis) {
+    const std::size_t count = soup.vertices.size();
+    if (bytes_.size() - at_ < kBytes * count) throw std::invalid_argument("the model ends early");
+    std::uint64_t bits = 0;
+    for (std::size_t v = 0; v < count; ++v) {
+      std::uint64_t folded = 0;
+      for (std::size_t k = 0; k < kBytes; ++k) {
+        folded |= std::uint64_t{static_cast<unsigned char>(bytes_[at_ + k * count + v])} << 8 * k;
+      }
+      bits += unfolded(folded);
+      soup.vertices[v][axis] = std::bit_cast<double>(bits);
+    }
+    at_ += kBytes * count;
+  }
+
+ private:
+  std::uint64_t next() {
+    if (at_ == bytes_.size()) throw std::invalid_argument("the model ends early");
+    return static_cast<unsigned char>(bytes_[at_++]);
+  }
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::string packed(const culler::PolygonSoup& soup) {
+  Bytes bytes;
+  bytes.number(soup.vertices.size());
+  bytes.number(soup.size());
+  for (std::size_t p = 0; p < soup.size(); ++p) bytes.number(soup.loop(p).size());
+  std::int64_t before = 0;
+  for (const std::uint32_t index : soup.indices) {
+    bytes.difference(index - before);
+    before = index;
+  }
+  std::string text = bytes.text();
+  for (int axis = 0; axis < 3; ++axis) pack_axis(soup, axis, text);
+  return text;
+}
+
+culler::PolygonSoup unpacked(std::string_view bytes) {
+  Reader reader(bytes);
+  culler::PolygonSoup soup;
+  soup.vertices.resize(reader.count());
+  const std::size_t polygons = reader.count();
+  soup.first.reserve(polygons + 1);
+  for (std::size_t p = 0; p < polygons; ++p) {
+    soup.first.push_back(culler::PolygonSoup::narrowed(soup.first.back() + reader.count()));
+  }
+  soup.indices.reserve(soup.first.back());
+  std::uint64_t index = 0;
+  for (std::size_t i = 0; i < soup.first.back(); ++i) {
+    index += unfolded(reader.number());
+    soup.indices.push_back(static_cast<std::uint32_t>(index));
+  }
+  for (int axis = 0; axis < 3; ++axis) reader.axis(soup, axis);
+  return soup;
+}
+
+}  // namespace occlude::render
