@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of the README anew, with build/release/occlude, of the city of demo.sh.
+# Draws the pictures of the README anew, with build/release/occlude, of the city of demo.sh. That of the page needs the packages
+# chromium, chromium-driver and python3-selenium.
 # Usage: bash render/pictures.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,3 +15,6 @@ draw() {
 }
 draw street
 draw outside --layer outside
+# The same frame in the page of a walk.
+build/release/occlude walk "$demo/city.ply" --path "$demo/city.json" --frames 3:2748:109 --out "$demo/pictures"
+python3 tests/page/picture.py "$demo/pictures/report.html" 1093 render/images/page.png
