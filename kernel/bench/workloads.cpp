@@ -18,7 +18,9 @@ using kernel::Aabb;
 using Loop = std::array<Vec3, 4>;
 
 /// With the edges `u` and `v` at `corner`.
-Loop parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v) { return {corner, corner + u, corner + u + v, corner + v}; }
+Loop parallelogram(const Vec3& corner, const Vec3& u, const Vec3& v) {
+  return {corner, corner + u, corner + u + v, corner + v};
+}
 
 kernel::ShadowFrustum shadow_of(const Vec3& eye, const Loop& loop) {
   auto result = kernel::ShadowFrustum::make(kernel::Viewpoint::eye(eye), loop, kernel::Near::surface);
@@ -81,8 +83,8 @@ std::vector<Workload> make_workloads(std::size_t boxes, std::uint64_t seed) {
   return {
       workload("random", "boxes of 1/8 to 4 units strewn about the shadow of an occluder of 2 units", generic, boxes,
                [&](const auto& frustum) { return random_box(frustum.viewpoint().value, random); }),
-      workload("integer_touching", "whole coordinates, each box touches a plane, an edge or a vertex exactly",
-               whole, boxes, [&](const auto& frustum) { return touching_box(frustum, Numbers::whole, random); }),
+      workload("integer_touching", "whole coordinates, each box touches a plane, an edge or a vertex exactly", whole, boxes,
+               [&](const auto& frustum) { return touching_box(frustum, Numbers::whole, random); }),
       workload("ulp_touching", "each box touches up to rounding and is moved by -2 to 2 ulps", generic, boxes,
                [&](const auto& frustum) { return nudged(touching_box(frustum, Numbers::real, random), random); }),
       workload("decimal", "hundredths of whole coordinates, each box touches up to their rounding", decimal_frustum(), boxes,

@@ -51,8 +51,8 @@ class WalkArguments {
   std::vector<Option> add_debugging_to(Command command);
 
   std::string frames_, size_;
-  std::string near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified", test_ = "conservative",
-              angle_ = "area", preprocess_;
+  std::string near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
+              test_ = "conservative", angle_ = "area", preprocess_;
   BuildArguments build_;
   std::vector<Option> build_options_;
   double pixel_margin_ = render::kPixelMargin;

@@ -98,7 +98,8 @@ void render_frames(const Arguments& arguments) {
     return;
   }
   render::tell(fmt::format("{}: {} of {}x{} pixels\n", arguments.out,
-                           pictures == 1 ? "a picture" : fmt::format("{} pictures", pictures), options.width, options.height));
+                           pictures == 1 ? "a picture" : fmt::format("{} pictures", pictures), options.width,
+                           options.height));
 }
 
 }  // namespace
@@ -111,8 +112,8 @@ void add_render(Command app, int&) {
     layers += fmt::format("  {:<10} {}\n", layer.name, layer.what);
     names.emplace_back(layer.name);
   }
-  command.footer(layers +
-                 "The earlier frames are culled first, as in a walk; give the options of that walk.\n" + limits_help() +
+  command.footer(layers + "The earlier frames are culled first, as in a walk; give the options of that walk.\n" +
+                 limits_help() +
                  "\n"
                  "Example: occlude render city.ply --path city.json --frame 120 --layer outside --out outside.png\n"
                  "Example: occlude render city.ply --path city.json --frames 0:600:10 --layer fates --out fates.png");
@@ -122,7 +123,9 @@ void add_render(Command app, int&) {
   add_output(command, "--out", a->out, "PNG file to write").required();
   command.add("--frame", a->frame, "number of the frame, from 0 (default: all of --frames, as an animated PNG)");
   command.add("--layer", a->layer, "what to draw: see below").show_default().one_of(names);
-  command.add("--fps", a->fps, "frames per second of an animation").show_default().in_range(std::size_t{1}, std::size_t{100});
+  command.add("--fps", a->fps, "frames per second of an animation")
+      .show_default()
+      .in_range(std::size_t{1}, std::size_t{100});
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
   a->walk.add_preprocess_to(command);

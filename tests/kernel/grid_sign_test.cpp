@@ -34,14 +34,22 @@ class Coordinates {
   Coordinates(std::mt19937_64& random, int kind) : random_(random), kind_(kind) {}
 
   double operator()() {
-    const auto integer = [&](std::int64_t most) { return static_cast<double>(static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(2 * most + 1)) - most); };
+    const auto integer = [&](std::int64_t most) {
+      return static_cast<double>(static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(2 * most + 1)) - most);
+    };
     switch (kind_) {
-      case 0: return integer(4);                                        // zeros are common
-      case 1: return integer(300) / 100;                                // decimal
-      case 2: return integer(1000000) / 1000;                           // decimal, of many magnitudes
-      case 3: return std::ldexp(integer(std::int64_t{1} << 52U), -50);  // all bits
-      case 4: return std::ldexp(integer(8), static_cast<int>(random_() % 100) - 50);
-      default: return std::ldexp(integer(std::int64_t{1} << 52U), static_cast<int>(random_() % 90) - 100);
+      case 0:
+        return integer(4);  // zeros are common
+      case 1:
+        return integer(300) / 100;  // decimal
+      case 2:
+        return integer(1000000) / 1000;  // decimal, of many magnitudes
+      case 3:
+        return std::ldexp(integer(std::int64_t{1} << 52U), -50);  // all bits
+      case 4:
+        return std::ldexp(integer(8), static_cast<int>(random_() % 100) - 50);
+      default:
+        return std::ldexp(integer(std::int64_t{1} << 52U), static_cast<int>(random_() % 90) - 100);
     }
   }
   Vec3 vector() {
@@ -82,7 +90,9 @@ TEST(GridSign, IsThatOfExpansions) {
     }
     for (const int direction : {-1, 1}) {
       const auto extremal = grid_extremal_sign(plane, box, direction);
-      if (extremal) { ASSERT_EQ(*extremal, exact_extremal(plane, box, direction)) << "seed " << kSeed << " case " << i; }
+      if (extremal) {
+        ASSERT_EQ(*extremal, exact_extremal(plane, box, direction)) << "seed " << kSeed << " case " << i;
+      }
     }
   }
   EXPECT_GT(std::ranges::min(seen), 1000U);  // all signs
@@ -97,11 +107,14 @@ TEST(GridSign, HoldsAtTheLimitsOfItsDigits) {
     for (int signs = 0; signs < 512; ++signs) {
       const auto at = [&](int k) { return (signs >> k & 1) != 0 ? large : -large; };
       // Differences are twice as large as coordinates.
-      const ExactPlane plane{false, {at(0), at(1), at(2)}, {-at(0), -at(1), -at(2)}, {at(3), at(4), at(5)}, {1, 0, -1}, {-at(6), -at(7), -at(8)}};
+      const ExactPlane plane{false,      {at(0), at(1), at(2)},   {-at(0), -at(1), -at(2)}, {at(3), at(4), at(5)},
+                             {1, 0, -1}, {-at(6), -at(7), -at(8)}};
       const Vec3 x{at(6), at(7), at(8)};
       const auto sign = grid_sign(plane, x);
       ASSERT_EQ(sign.has_value(), bits <= 119) << bits;
-      if (sign) { ASSERT_EQ(*sign, exact_sign(plane, x)) << bits << ' ' << signs; }
+      if (sign) {
+        ASSERT_EQ(*sign, exact_sign(plane, x)) << bits << ' ' << signs;
+      }
     }
   }
 }
@@ -123,7 +136,9 @@ TEST(GridSign, SeesTheLastPlace) {
       ASSERT_TRUE(on && beside);
       ASSERT_EQ(*on, 0) << i;
       ASSERT_EQ(*beside, exact_sign(upright, x)) << i;
-      if (o.y != a.y) { ASSERT_NE(*beside, 0) << i; }
+      if (o.y != a.y) {
+        ASSERT_NE(*beside, 0) << i;
+      }
     }
   }
 }

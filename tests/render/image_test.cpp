@@ -95,7 +95,8 @@ TEST_F(ImageTest, AnAnimationHoldsItsPictures) {
     EXPECT_EQ(control, std::string("\0\0\0\3\0\0\0\2\0\0\0\0\0\0\0\0\0\1\0\x19\0\0", 22));
   }
   ASSERT_EQ(chunks.pictures.size(), images.size());
-  for (std::size_t i = 0; i < images.size(); ++i) EXPECT_EQ(chunks.pictures[i], Chunks(png_of(images[i])).pictures.at(0)) << i;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    EXPECT_EQ(chunks.pictures[i], Chunks(png_of(images[i])).pictures.at(0)) << i;
   EXPECT_TRUE(is_own_png(folder_ / "a.png"));
 }
 

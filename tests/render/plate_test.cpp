@@ -35,8 +35,8 @@ class PlateTest : public testing::Test {
     return camera;
   }
   static void add_quad(PolygonSoup& soup, const dvec3& corner, const dvec3& u, const dvec3& v) {
-    const std::array<std::uint32_t, 4> loop = {soup.add_vertex(corner), soup.add_vertex(corner + u), soup.add_vertex(corner + u + v),
-                                               soup.add_vertex(corner + v)};
+    const std::array<std::uint32_t, 4> loop = {soup.add_vertex(corner), soup.add_vertex(corner + u),
+                                               soup.add_vertex(corner + u + v), soup.add_vertex(corner + v)};
     soup.add_polygon(loop);
   }
   /// A wall before a camera that looks along +x.
@@ -88,7 +88,8 @@ TEST_F(PlateTest, CulledAndMissedAreHatchedInOppositeDirections) {
     const Image image = draw(wall(), camera_at({0, 0, 0}, {1, 0, 0}), style);
     double sum = 0;
     for (int y = 10; y < kHeight - 10; ++y) {
-      for (int x = 10; x < kWidth - 10; ++x) sum += std::fabs(lightness(image.at(x, y)) - lightness(image.at(x + 1, y + step)));
+      for (int x = 10; x < kWidth - 10; ++x)
+        sum += std::fabs(lightness(image.at(x, y)) - lightness(image.at(x + 1, y + step)));
     }
     return sum;
   };

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -88,7 +87,9 @@ TEST_F(SteppedWalk, PlatesShowTheCullsOfTheWalk) {
   ASSERT_EQ(result.frames.size(), 3U);
   ASSERT_GE(output.plates.size(), 4U);
   for (std::size_t i = 1; i < output.plates.size(); i += 2) {
-    const auto is_its = [&](const FrameRecord& frame) { return output.plates[i].file.ends_with(fmt::format("{:06}_outside.png", frame.frame)); };
+    const auto is_its = [&](const FrameRecord& frame) {
+      return output.plates[i].file.ends_with(fmt::format("{:06}_outside.png", frame.frame));
+    };
     const auto frame = std::ranges::find_if(result.frames, is_its);
     ASSERT_NE(frame, result.frames.end()) << output.plates[i].file;
     const std::string drawn = fmt::format("outside: {} polygons drawn", frame->rendered_polygons);

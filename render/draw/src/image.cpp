@@ -87,7 +87,8 @@ void Animation::add(const Image& image) {
   const std::string png = encode(file_.path().string(), image);
   if (added_ == 0) {
     constexpr std::uint32_t kWithoutEnd = 0;
-    file_.write(png.substr(0, kHead) + marker(file_.path()) + chunk("acTL", big_endian(pictures_) + big_endian(kWithoutEnd)));
+    file_.write(png.substr(0, kHead) + marker(file_.path()) +
+                chunk("acTL", big_endian(pictures_) + big_endian(kWithoutEnd)));
   }
   const std::string delay{'\0', '\1', static_cast<char>(fps_ >> 8U), static_cast<char>(fps_)};  // 1 / fps seconds
   const std::string whole_and_opaque(2, '\0');
@@ -96,8 +97,10 @@ void Animation::add(const Image& image) {
                                 whole_and_opaque));
   for (std::size_t at = kHead; at < png.size();) {
     const std::size_t length = number_at(png, at);
-    const std::string_view type = std::string_view(png).substr(at + 4, 4), data = std::string_view(png).substr(at + 8, length);
-    if (type == "IDAT") file_.write(added_ == 0 ? chunk(type, data) : chunk("fdAT", big_endian(chunks_++) + std::string(data)));
+    const std::string_view type = std::string_view(png).substr(at + 4, 4),
+                           data = std::string_view(png).substr(at + 8, length);
+    if (type == "IDAT")
+      file_.write(added_ == 0 ? chunk(type, data) : chunk("fdAT", big_endian(chunks_++) + std::string(data)));
     at += kFrame + length;
   }
   if (++added_ == pictures_) file_.write(chunk("IEND", {}));

@@ -38,8 +38,8 @@ class Font {
     library_.reset(library);
     const std::string_view bytes = font_file("DejaVuSans.ttf");
     FT_Face face = nullptr;
-    require(FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()), static_cast<FT_Long>(bytes.size()), 0,
-                               &face));
+    require(FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()), static_cast<FT_Long>(bytes.size()),
+                               0, &face));
     face_.reset(face);
     require(FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(pixels)));
   }
@@ -55,7 +55,8 @@ class Font {
       const FT_Bitmap& bitmap = glyph->bitmap;
       for (unsigned y = 0; y < bitmap.rows; ++y) {
         for (unsigned x = 0; x < bitmap.width; ++x) {
-          const std::uint8_t share = bitmap.buffer[static_cast<std::ptrdiff_t>(y) * bitmap.pitch + static_cast<std::ptrdiff_t>(x)];
+          const std::uint8_t share =
+              bitmap.buffer[static_cast<std::ptrdiff_t>(y) * bitmap.pitch + static_cast<std::ptrdiff_t>(x)];
           visit(pen + glyph->bitmap_left + static_cast<int>(x), static_cast<int>(y) - glyph->bitmap_top, share / 255.0);
         }
       }

@@ -12,9 +12,9 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kLeast = 0.6;        // pixels
-constexpr double kHalfWidth = 1;     // pixels, in a picture 720 high
+constexpr double kHalfWidth = 1;      // pixels, in a picture 720 high
 constexpr double kHiddenShare = 0.3;  // of a line behind the surface
-constexpr double kNearer = 1.001;    // lines on a surface are before it
+constexpr double kNearer = 1.001;     // lines on a surface are before it
 
 std::uint8_t mixed(std::uint8_t under, std::uint8_t over, double share) {
   return static_cast<std::uint8_t>(std::lround(under + share * (over - under)));
@@ -47,7 +47,8 @@ class SeenLine {
     const double squared = glm::dot(along, along);
     const double t = squared > 0 ? std::clamp(glm::dot(place - a_, along) / squared, 0.0, 1.0) : 0;
     // In perspective 1 / depth is linear in the picture, else the depth is.
-    const double depth = rays_.is_perspective() ? 1 / ((1 - t) / depth_a_ + t / depth_b_) : (1 - t) * depth_a_ + t * depth_b_;
+    const double depth =
+        rays_.is_perspective() ? 1 / ((1 - t) / depth_a_ + t / depth_b_) : (1 - t) * depth_a_ + t * depth_b_;
     return {glm::length(place - (a_ + t * along)), depth};
   }
 

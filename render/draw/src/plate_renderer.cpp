@@ -46,7 +46,6 @@ constexpr double kClear = 5;
 constexpr dvec3 kSkyAbove{0.66, 0.78, 0.90}, kSkyBelow{0.88, 0.92, 0.95};
 constexpr double kSkyFades = 1.6;
 
-
 Rgba to_rgba(const dvec3& colour) {
   const auto channel = [](double value) {
     return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0))) : std::uint8_t{0};  // also of NaN
@@ -61,7 +60,8 @@ double edge(const SeenSurface& seen, int x, int y, int nx, int ny) {
   if (p == q) return 1;
   if (p == kNothing || q == kNothing) return kOutline;
   const dvec3 normal = seen.normal(x, y), to = seen.position(nx, ny) - seen.position(x, y);
-  const double apart = std::fabs(glm::dot(normal, to)) / seen.rays().pixel_size(std::min(seen.depth(x, y), seen.depth(nx, ny)));
+  const double apart =
+      std::fabs(glm::dot(normal, to)) / seen.rays().pixel_size(std::min(seen.depth(x, y), seen.depth(nx, ny)));
   if (apart > kApart) return kOutline;
   return glm::dot(normal, seen.normal(nx, ny)) < kBent ? kBend : 1;
 }
@@ -132,7 +132,8 @@ dvec3 PlateRenderer::Impl::colour(const SeenSurface& seen, const Light& light, i
   if (p == kNothing) return sky * lines;
   const dvec3 normal = seen.normal(x, y);
   const double facing = glm::dot(normal, kSun);
-  const double sun = facing > 0 && light.from_sun != nullptr ? light.from_sun->sun_at(seen.position(x, y), seen.noise(x, y)) : 0;
+  const double sun =
+      facing > 0 && light.from_sun != nullptr ? light.from_sun->sun_at(seen.position(x, y), seen.noise(x, y)) : 0;
   const double all = (kAmbient + kFromAbove * (0.5 + 0.5 * normal.z)) * seen_sky(seen, x, y) + kSunlight * facing * sun;
   const dvec3 surface = styled(styles[p], colours[p], x, y, height) * glm::mix(1.0, all * lines, relief(styles[p]));
   return glm::mix(sky, surface, std::exp2(-seen.depth(x, y) / light.haze_depth));

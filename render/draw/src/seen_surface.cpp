@@ -40,8 +40,7 @@ SeenSurface::SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, cons
         if (p != last) range = depth_range(soup, p, rays);
         last = p;
         const auto [origin, direction] = ray(x, y);
-        const double plane =
-            glm::dot(normals[p], soup.vertices[soup.loop(p)[0]] - origin) / glm::dot(normals[p], direction);
+        const double plane = glm::dot(normals[p], soup.vertices[soup.loop(p)[0]] - origin) / glm::dot(normals[p], direction);
         // Polygons that are seen edge-on, or are not quite plane, would be anywhere. A NaN becomes the least depth.
         depth = plane >= range.low ? std::min(plane, range.high) : range.low;
       }

@@ -20,6 +20,7 @@ namespace occlude::render {
 /// The colour of each polygon without light, in [0, 1]. Level ground and gentle slopes are grey, steeper ones roof
 /// tiles, walls brick and stucco; polygons of one surface and one steepness have the same shade. It depends on the places of
 /// the corners alone, so it is the same on every machine and in every order of the polygons.
-[[nodiscard]] std::vector<glm::dvec3> surface_colours(const culler::PolygonSoup& soup, const std::vector<glm::dvec3>& normals);
+[[nodiscard]] std::vector<glm::dvec3> surface_colours(const culler::PolygonSoup& soup,
+                                                      const std::vector<glm::dvec3>& normals);
 
 }  // namespace occlude::render

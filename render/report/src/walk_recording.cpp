@@ -110,14 +110,10 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
   const PageModel& model = impl_->model;
   std::map<std::uint32_t, std::size_t> numbers;
   const Json occluders = impl_->occluders(numbers);
-  const Json scene = {{"low", page_json(model.grid().low)},
-                      {"step", model.grid().step},
-                      {"steps", model.grid().steps},
-                      {"every", every()},
-                      {"camera", page_lens(impl_->camera)},
-                      {"occluders", occluders},
-                      {"pieces", impl_->ranked_pieces()},
-                      {"drawn_frames", impl_->drawn},
+  const Json scene = {{"low", page_json(model.grid().low)},  {"step", model.grid().step},
+                      {"steps", model.grid().steps},         {"every", every()},
+                      {"camera", page_lens(impl_->camera)},  {"occluders", occluders},
+                      {"pieces", impl_->ranked_pieces()},    {"drawn_frames", impl_->drawn},
                       {"outlines", impl_->outlines(numbers)}};
   return {{"scene", scene.dump()},
           {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]}})", impl_->eyes, impl_->targets)},

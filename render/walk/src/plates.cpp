@@ -93,12 +93,13 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
     plates.push_back({{name + "_view.png", fmt::format("Frame {}, {}: the view of the camera.", record->frame, what)},
                       painter.view(camera, result.drawn)});
     const culler::CullStats& stats = result.stats;
-    plates.push_back({{name + "_outside.png",
-                       fmt::format("Frame {}, {}, from outside: {} polygons drawn, {} culled because they are hidden, {} because "
-                                   "they are out of view. Lines: the edges of the view frustum (blue){}.",
-                                   record->frame, what, stats.drawn_polygons, stats.shadow_culled_polygons,
-                                   stats.view_culled_polygons, result.occluders.empty() ? "" : " and of the shadows (orange)")},
-                      painter.outside(camera, result)});
+    plates.push_back(
+        {{name + "_outside.png",
+          fmt::format("Frame {}, {}, from outside: {} polygons drawn, {} culled because they are hidden, {} because "
+                      "they are out of view. Lines: the edges of the view frustum (blue){}.",
+                      record->frame, what, stats.drawn_polygons, stats.shadow_culled_polygons, stats.view_culled_polygons,
+                      result.occluders.empty() ? "" : " and of the shadows (orange)")},
+         painter.outside(camera, result)});
   }
   return plates;
 }

@@ -32,8 +32,9 @@ class SceneRenderer {
   /// in a parallel projection, which has no distance from the eye.
   [[nodiscard]] double haze_depth(const culler::Camera& camera) const;
 
-  /// Clears and draws, each polygon in a colour of its own. Returns when the picture is finished (glFinish), so that callers can time it. Of polygons at equal
-  /// depth the first one drawn is visible, so leaving out hidden polygons changes no pixel.
+  /// Clears and draws, each polygon in a colour of its own. Returns when the picture is finished (glFinish), so that callers
+  /// can time it. Of polygons at equal depth the first one drawn is visible, so leaving out hidden polygons changes no
+  /// pixel.
   void draw(const culler::Camera& camera, std::span<const PolygonRange> ranges);
 
   /// The picture of the last draw().

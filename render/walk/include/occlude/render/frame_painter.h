@@ -16,16 +16,14 @@ class FramePainter {
   /// The culler must outlive this object. Throws as SceneRenderer. REQUIRES: an OffscreenContext current on this thread, for
   /// the lifetime of the object.
   FramePainter(const culler::Culler& culler, int width, int height)
-      : culler_(culler),
-        scene_(culler.hierarchy().soup(), width, height),
-        plates_(culler.hierarchy().soup(), scene_) {}
+      : culler_(culler), scene_(culler.hierarchy().soup(), width, height), plates_(culler.hierarchy().soup(), scene_) {}
 
   /// These polygons of the tree in the colours of their surfaces, as the camera sees them, but `marked` in magenta.
   [[nodiscard]] Image view(const culler::Camera& camera, std::span<const PolygonRange> ranges,
                            const std::optional<PolygonRange>& marked = std::nullopt, std::span<const Line> lines = {});
 
-  /// All polygons, by what became of them, from above and behind the camera, cut open above it if it is inside of something, with the edges of the view
-  /// frustum and of the shadows.
+  /// All polygons, by what became of them, from above and behind the camera, cut open above it if it is inside of something,
+  /// with the edges of the view frustum and of the shadows.
   [[nodiscard]] Image outside(const culler::Camera& camera, const culler::CullResult& result,
                               const std::optional<PolygonRange>& marked = std::nullopt, std::span<const Line> lines = {});
 

@@ -16,9 +16,9 @@ struct DrawnPlate {
   Image image;
 };
 
-/// The view of the camera and a view from outside, for up to four of `frames`: those in which the most is culled, the most is
-/// drawn in vain, the most is seen, and one with the usual share of culled polygons. Each is culled after the same frames as
-/// in the walk, but in the shape of the plates, 16:9. REQUIRES: frames; an OffscreenContext current on this thread.
+/// The view of the camera and a view from outside, for up to four of `frames`: those in which the most is culled, the most
+/// is drawn in vain, the most is seen, and one with the usual share of culled polygons. Each is culled after the same frames
+/// as in the walk, but in the shape of the plates, 16:9. REQUIRES: frames; an OffscreenContext current on this thread.
 [[nodiscard]] std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPath& path,
                                                   const std::vector<FrameRecord>& frames, const WalkOptions& options);
 
