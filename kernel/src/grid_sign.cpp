@@ -14,11 +14,11 @@ namespace occlude::kernel {
 #ifdef __SIZEOF_INT128__
 namespace {
 
-__extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): __extension__ needs a declaration
+__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): __extension__ needs a declaration
 
 /// A number is the sum of its digits times powers of 2^kDigit, lowest first. All but the last are in [0, 2^kDigit).
 constexpr unsigned kDigit = 60;
-constexpr Wide kMask = (Wide{1} << kDigit) - 1;
+constexpr Int128 kDigitMask = (Int128{1} << kDigit) - 1;
 template <std::size_t size>
 using Digits = std::array<std::int64_t, size>;
 
@@ -31,12 +31,12 @@ int sign(const Digits<size>& digits) {
 /// Digits of a number whose coefficients need not be digits. REQUIRES: no coefficient is beyond 2^125, and the last is at
 /// most 2^122, so that the last digit is at most 2^62 and a bit.
 template <std::size_t size>
-Digits<size + 1> carried(const std::array<Wide, size>& coefficients) {
+Digits<size + 1> carried(const std::array<Int128, size>& coefficients) {
   Digits<size + 1> digits;
-  Wide carry = 0;
+  Int128 carry = 0;
   for (std::size_t i = 0; i < size; ++i) {
     carry += coefficients[i];
-    digits[i] = static_cast<std::int64_t>(carry & kMask);
+    digits[i] = static_cast<std::int64_t>(carry & kDigitMask);
     carry >>= kDigit;
   }
   digits[size] = static_cast<std::int64_t>(carry);
@@ -65,12 +65,12 @@ class Grid {
   [[nodiscard]] int bits() const { return high_ - low_; }
 
   /// x divided by the power. REQUIRES: it holds x; bits() <= 126.
-  [[nodiscard]] Wide integer(double x) const {
+  [[nodiscard]] Int128 integer(double x) const {
     if (x == 0) return 0;
     const Parts parts(x);
     const int zeros = std::countr_zero(parts.mantissa);
-    const Wide magnitude = static_cast<Wide>(parts.mantissa >> static_cast<unsigned>(zeros))
-                           << static_cast<unsigned>(parts.exponent + zeros - low_);
+    const Int128 magnitude = static_cast<Int128>(parts.mantissa >> static_cast<unsigned>(zeros))
+                             << static_cast<unsigned>(parts.exponent + zeros - low_);
     return x < 0 ? -magnitude : magnitude;
   }
 
@@ -108,10 +108,10 @@ class GridPlane {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       // Each coefficient is of at most 2 * size products within ±2^120.
-      std::array<Wide, 2 * size - 1> coefficients{};
+      std::array<Int128, 2 * size - 1> coefficients{};
       for (std::size_t m = 0; m < size; ++m) {
         for (std::size_t n = 0; n < size; ++n) {
-          coefficients[m + n] += Wide{a[j][m]} * b[k][n] - Wide{a[k][m]} * b[j][n];
+          coefficients[m + n] += Int128{a[j][m]} * b[k][n] - Int128{a[k][m]} * b[j][n];
         }
       }
       normal_[i] = carried(coefficients);
@@ -125,17 +125,17 @@ class GridPlane {
     const Difference d = difference(x, origin_);
     // Each coefficient is of at most 3 * size products. Only those of the last digit of a normal exceed 2^120: they are
     // within ±2^122 and a bit.
-    std::array<Wide, 3 * size - 1> coefficients{};
+    std::array<Int128, 3 * size - 1> coefficients{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t m = 0; m < 2 * size; ++m) {
-        for (std::size_t n = 0; n < size; ++n) coefficients[m + n] += Wide{normal_[i][m]} * d[i][n];
+        for (std::size_t n = 0; n < size; ++n) coefficients[m + n] += Int128{normal_[i][m]} * d[i][n];
       }
     }
-    Wide carry = 0;
+    Int128 carry = 0;
     bool is_zero = true;
-    for (const Wide coefficient : coefficients) {
+    for (const Int128 coefficient : coefficients) {
       carry += coefficient;
-      is_zero = is_zero && (carry & kMask) == 0;
+      is_zero = is_zero && (carry & kDigitMask) == 0;
       carry >>= kDigit;
     }
     if (carry != 0) return carry > 0 ? 1 : -1;
@@ -148,10 +148,10 @@ class GridPlane {
   [[nodiscard]] Difference difference(const Vec3& to, const Vec3& from) const {
     Difference all;
     for (int axis = 0; axis < 3; ++axis) {
-      Wide left = grid_.integer(to[axis]) - grid_.integer(from[axis]);
+      Int128 left = grid_.integer(to[axis]) - grid_.integer(from[axis]);
       Digits<size>& digits = all[static_cast<std::size_t>(axis)];
       for (std::size_t i = 0; i + 1 < size; ++i) {
-        digits[i] = static_cast<std::int64_t>(left & kMask);
+        digits[i] = static_cast<std::int64_t>(left & kDigitMask);
         left >>= kDigit;
       }
       digits[size - 1] = static_cast<std::int64_t>(left);
@@ -160,7 +160,7 @@ class GridPlane {
   }
 
   static Digits<2 * size> widened(const Digits<size>& digits) {
-    std::array<Wide, 2 * size - 1> coefficients{};
+    std::array<Int128, 2 * size - 1> coefficients{};
     std::ranges::copy(digits, coefficients.begin());
     return carried(coefficients);
   }
