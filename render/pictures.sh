@@ -17,4 +17,5 @@ draw street
 draw outside --layer outside
 # The same frame in the page of a walk.
 build/release/occlude walk "$demo/city.ply" --path "$demo/city.json" --frames 3:2748:109 --out "$demo/pictures"
-python3 tests/page/picture.py "$demo/pictures/report.html" 1093 render/images/page.png
+. tests/page/need_browser.sh
+"$python" -B tests/page/picture.py "$demo/pictures/report.html" 1093 render/images/page.png
