@@ -56,11 +56,10 @@ render::Image ItemBuffers::picture(const culler::Camera& camera, const std::vect
       }
     }
   }
-  const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup_.size())};
+  const culler::PolygonRange all = soup_.all();
   const std::array<render::PlateLayer, 2> layers{render::PlateLayer{marked, render::Style::marked},
                                                  render::PlateLayer{std::span(&all, 1), render::Style::plain}};
-  return render::PlateRenderer(soup_, *renderers_[0].renderer)
-      .draw(camera, layers, {.lines = outlines, .legend = {}, .casters = {}});
+  return render::PlateRenderer(soup_, *renderers_[0].renderer).draw(camera, layers, {.lines = outlines});
 }
 
 }  // namespace occlude::cli

@@ -158,6 +158,12 @@ void cull_frames(const Walked& walked, const char* label, OnFrame&& on_frame) {
   }
 }
 
+void append_witnesses(std::vector<std::string>& lines, const Walked& walked, std::size_t frame, const culler::Camera& camera,
+                      const culler::CullResult& culled) {
+  const auto covers = render::covers_of(walked.culler, camera, culled, walked.options.cull);
+  render::append_witnesses(lines, frame, camera, walked.culler, culled, walked.options.cull, covers);
+}
+
 void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
   std::vector<std::string> lines;
   std::vector<Place> places;
@@ -166,7 +172,7 @@ void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
                 if (!shard.has(frame)) return;
                 proving.visit(frame);
                 lines.clear();
-                render::append_witnesses(lines, frame, camera, walked.culler, culled, walked.options.cull);
+                append_witnesses(lines, walked, frame, camera, culled);
                 for (std::size_t i = 0; i < lines.size(); ++i) {
                   places.push_back({std::move(lines[i]), fmt::format("frame {}", frame), i + 1});
                 }
@@ -204,7 +210,7 @@ WitnessText witnesses_anew(const Walked& walked, const Visibility& visibility) {
                 [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
                   const auto found = lines.find(frame);
                   if (found == lines.end()) return;
-                  render::append_witnesses(found->second, frame, camera, walked.culler, culled, walked.options.cull);
+                  append_witnesses(found->second, walked, frame, camera, culled);
                 });
   }
   return [lines = std::move(lines)](std::size_t frame, std::size_t number) { return lines.at(frame).at(number - 1); };

@@ -95,7 +95,7 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
     render::check_interrupt();
     const std::size_t turn = walk.turns.turn(frame);
     const std::size_t polygons = hierarchy.soup().size();
-    const culler::PolygonRange all{0, static_cast<std::uint32_t>(polygons)};
+    const culler::PolygonRange all = hierarchy.soup().all();
     std::vector<std::uint32_t> pixels(polygons);
     for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), std::span(&all, 1)).pixels) {
       if (p != render::kNothing) ++pixels[p];

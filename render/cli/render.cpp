@@ -31,12 +31,10 @@ struct Arguments {
   WalkArguments walk{"all", "1280x720"};
 };
 
-using Draw = render::Image (*)(render::FramePainter&, const culler::Camera&, const culler::CullResult&,
-                               const culler::PolygonSoup&);
+using Draw = render::Image (*)(render::FramePainter&, const culler::Camera&, const culler::CullResult&);
 
 template <render::Style style>
-render::Image one_layer(render::FramePainter& painter, const culler::Camera& camera, const culler::CullResult& result,
-                        const culler::PolygonSoup&) {
+render::Image one_layer(render::FramePainter& painter, const culler::Camera& camera, const culler::CullResult& result) {
   return painter.layer(style, camera, result);
 }
 
@@ -46,20 +44,16 @@ struct Layer {
 };
 const std::array<Layer, 8> kLayers{{
     {"drawn", "what is drawn",
-     [](auto& painter, const auto& camera, const auto& result, const auto&) { return painter.view(camera, result.drawn); }},
-    {"all", "the whole model",
-     [](auto& painter, const auto& camera, const auto&, const auto& soup) {
-       const culler::PolygonRange all{0, static_cast<std::uint32_t>(soup.size())};
-       return painter.view(camera, std::span(&all, 1));
-     }},
+     [](auto& painter, const auto& camera, const auto& result) { return painter.view(camera, result.drawn); }},
+    {"all", "the whole model", [](auto& painter, const auto& camera, const auto&) { return painter.whole(camera); }},
     {"seen", "what is drawn and seen", one_layer<render::Style::drawn>},
     {"missed", "what is drawn, but hidden", one_layer<render::Style::missed>},
     {"culled", "what is culled because it is hidden", one_layer<render::Style::culled>},
     {"occluders", "the occluders of frusta", one_layer<render::Style::occluder>},
     {"fates", "the whole model, by what became of it",
-     [](auto& painter, const auto& camera, const auto& result, const auto&) { return painter.fates(camera, result); }},
+     [](auto& painter, const auto& camera, const auto& result) { return painter.fates(camera, result); }},
     {"outside", "the same, from above and behind the camera",
-     [](auto& painter, const auto& camera, const auto& result, const auto&) { return painter.outside(camera, result); }},
+     [](auto& painter, const auto& camera, const auto& result) { return painter.outside(camera, result); }},
 }};
 
 void render_frames(const Arguments& arguments) {
@@ -69,28 +63,28 @@ void render_frames(const Arguments& arguments) {
   const render::CameraPath path = render::read_camera_path(arguments.path);
   render::OutputFile file(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
-  const culler::PolygonSoup& soup = culler.hierarchy().soup();
-  warn_of_misfit(path, arguments.path, arguments.model, soup);
+  warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   const Draw draw = std::ranges::find(kLayers, arguments.layer, &Layer::name)->draw;
   const auto context = render::make_offscreen_context();
   render::FramePainter painter(culler, options.width, options.height);
+  std::size_t pictures = 1;
   if (frame) {
     const render::ReplayedFrame replayed(culler, path, options, *frame);
-    render::write_png(file, draw(painter, replayed.camera(), replayed.result(), soup));
+    render::write_png(file, draw(painter, replayed.camera(), replayed.result()));
   } else {
     const std::vector<std::size_t> frames = render::frames_of(path, options);
+    pictures = frames.size();
     render::ViewAlongPath along(culler, path, options, options.cull);
     render::Animation animation(file, static_cast<std::uint32_t>(frames.size()), arguments.fps);
     render::Progress progress("picture", frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const culler::Camera camera = path.camera(frames[i], render::aspect(options));
-      animation.add(draw(painter, camera, culler.cull(camera, options.cull, along.before(frames[i])), soup));
+      animation.add(draw(painter, camera, culler.cull(camera, options.cull, along.before(frames[i]))));
       render::check_interrupt();
       progress.update(i + 1);
     }
   }
   file.commit();
-  const std::size_t pictures = frame ? 1 : render::frames_of(path, options).size();
   if (arguments.json) {
     const nlohmann::ordered_json summary{
         {"layer", arguments.layer}, {"width", options.width}, {"height", options.height}, {"pictures", pictures}};

@@ -74,7 +74,7 @@ int why(const Arguments& arguments) {
   const render::ReplayedFrame frame(culler, path, options, number);
 
   const auto context = render::make_offscreen_context();
-  const culler::PolygonRange all{0, static_cast<std::uint32_t>(hierarchy.soup().size())};
+  const culler::PolygonRange all = hierarchy.soup().all();
   const render::ItemBuffer items =
       render::SceneRenderer(hierarchy.soup(), options.width, options.height).item_buffer(frame.camera(), std::span(&all, 1));
   if (pixel) polygon = items.at(pixel->x, pixel->y);

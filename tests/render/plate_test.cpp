@@ -48,10 +48,10 @@ class PlateTest : public testing::Test {
   [[nodiscard]] static Image draw(const PolygonSoup& soup, const Camera& camera, std::span<const PlateLayer> layers,
                                   std::span<const Line> lines = {}, std::span<const LegendEntry> legend = {}) {
     SceneRenderer renderer(soup, kWidth, kHeight);
-    return PlateRenderer(soup, renderer).draw(camera, layers, {.lines = lines, .legend = legend, .casters = {}});
+    return PlateRenderer(soup, renderer).draw(camera, layers, {.lines = lines, .legend = legend});
   }
   [[nodiscard]] static Image draw(const PolygonSoup& soup, const Camera& camera, Style style) {
-    const PolygonRange all{0, static_cast<std::uint32_t>(soup.size())};
+    const PolygonRange all = soup.all();
     const PlateLayer layer{std::span(&all, 1), style};
     return draw(soup, camera, std::span(&layer, 1));
   }

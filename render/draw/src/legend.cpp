@@ -92,29 +92,24 @@ void draw_legend(Image& image, std::span<const LegendEntry> entries) {
   constexpr double kReadable = 0.7;  // of these sizes
   const double scale = std::max(kReadable, image.height / 720.0);
   const auto scaled = [&](double pixels) { return static_cast<int>(std::lround(pixels * scale)); };
-  const auto pixel = [&](int x, int y) -> Rgba& {
-    return image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)];
-  };
   const Font font(scaled(kTextSize));
   const int padding = scaled(kPadding), row = scaled(kRow), swatch = scaled(kSwatch);
   int widest = 0;
   for (const LegendEntry& entry : entries) widest = std::max(widest, font.width(entry.text));
   const int height = static_cast<int>(entries.size()) * row + padding, width = swatch + widest + 3 * padding;
   const int left = padding, top = image.height - padding - height;
-  visit_rectangle(image, left, top, width, height, [&](int x, int y) { blend(pixel(x, y), kGround, kGroundShare); });
+  visit_rectangle(image, left, top, width, height, [&](int x, int y) { blend(image.at(x, y), kGround, kGroundShare); });
   int y0 = top + padding / 2 + (row - swatch) / 2;
   for (const LegendEntry& entry : entries) {
     const int x0 = left + padding;
     visit_rectangle(image, x0, y0, swatch, swatch, [&](int x, int y) {
       constexpr glm::dvec3 kOwn{0.80, 0.70, 0.60};  // of a wall
       const bool is_border = x == x0 || y == y0 || x == x0 + swatch - 1 || y == y0 + swatch - 1;
-      const glm::dvec3 colour = 255.0 * styled(entry.style, kOwn, x, y, image.height);
-      const auto channel = [](double value) { return static_cast<std::uint8_t>(std::lround(value)); };
-      pixel(x, y) = is_border ? kText : Rgba{channel(colour.r), channel(colour.g), channel(colour.b), 255};
+      image.at(x, y) = is_border ? kText : to_rgba(styled(entry.style, kOwn, x, y, image.height));
     });
     const int base = y0 + swatch - scaled(2), text = x0 + swatch + padding;
     font.draw(entry.text, [&](int x, int y, double share) {
-      visit_rectangle(image, text + x, base + y, 1, 1, [&](int px, int py) { blend(pixel(px, py), kText, share); });
+      visit_rectangle(image, text + x, base + y, 1, 1, [&](int px, int py) { blend(image.at(px, py), kText, share); });
     });
     y0 += row;
   }

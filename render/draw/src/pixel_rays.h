@@ -45,8 +45,6 @@ class PixelRays {
   [[nodiscard]] double pixel_size(double depth) const { return is_perspective_ ? step_.y * depth : step_.y; }
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }
-  [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
-  [[nodiscard]] const glm::dvec3& forward() const { return axes_.forward; }
 
  private:
   culler::Camera::Axes axes_;

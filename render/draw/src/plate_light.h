@@ -4,7 +4,6 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
-#include <vector>
 
 #include "occlude/culler/camera.h"
 #include "seen_surface.h"

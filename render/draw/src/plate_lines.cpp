@@ -97,8 +97,7 @@ void draw_lines(Image& image, const SeenSurface& seen, double near, std::span<co
       const double cover = std::clamp(half_width + 0.5 - distance, 0.0, 1.0);
       if (cover == 0) return;
       const bool is_hidden = seen.polygon(x, y) != kNothing && seen.depth(x, y) * kNearer < depth;
-      blend(image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)],
-            line.colour, cover * (is_hidden ? kHiddenShare : 1));
+      blend(image.at(x, y), line.colour, cover * (is_hidden ? kHiddenShare : 1));
     });
   }
 }

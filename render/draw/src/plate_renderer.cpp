@@ -46,13 +46,6 @@ constexpr double kClear = 5;
 constexpr dvec3 kSkyAbove{0.66, 0.78, 0.90}, kSkyBelow{0.88, 0.92, 0.95};
 constexpr double kSkyFades = 1.6;
 
-Rgba to_rgba(const dvec3& colour) {
-  const auto channel = [](double value) {
-    return value > 0 ? static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0))) : std::uint8_t{0};  // also of NaN
-  };
-  return {channel(colour.r), channel(colour.g), channel(colour.b), 255};
-}
-
 /// The light that an edge between a pixel and a neighbour leaves.
 double edge(const SeenSurface& seen, int x, int y, int nx, int ny) {
   if (!seen.holds(nx, ny)) return 1;
@@ -158,11 +151,11 @@ Image PlateRenderer::Impl::shaded(const Samples& seen, const Light& light) const
   Image image{width, height, {}};
   image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto shade_row = [&](std::size_t row) {
+    const auto y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
       dvec3 sum{0, 0, 0};
-      for (const SeenSurface& sample : seen.pictures()) sum += colour(sample, light, x, static_cast<int>(row));
-      image.pixels[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
-          to_rgba(sum / static_cast<double>(kOffsets.size()));
+      for (const SeenSurface& sample : seen.pictures()) sum += colour(sample, light, x, y);
+      image.at(x, y) = to_rgba(sum / static_cast<double>(kOffsets.size()));
     }
   };
   culler::Executor::own_threads().run(static_cast<std::size_t>(height), shade_row);

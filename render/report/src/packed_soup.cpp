@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "bytes.h"
 
@@ -16,20 +17,14 @@ namespace {
 
 constexpr std::size_t kBytes = sizeof(double);
 
-/// Small for a small difference of either sign (Bytes::difference).
-std::uint64_t folded(std::uint64_t difference) { return difference << 1 ^ (difference >> 63 == 0 ? 0 : ~std::uint64_t{0}); }
 std::uint64_t unfolded(std::uint64_t number) { return number >> 1 ^ ((number & 1U) == 0 ? 0 : ~std::uint64_t{0}); }
 
 void pack_axis(const culler::PolygonSoup& soup, int axis, std::string& text) {
-  const std::size_t count = soup.vertices.size(), start = text.size();
-  text.resize(start + kBytes * count);
   std::uint64_t before = 0;
-  for (std::size_t v = 0; v < count; ++v) {
+  append_planes(text, soup.vertices.size(), kBytes, [&](std::size_t v) {
     const auto bits = std::bit_cast<std::uint64_t>(soup.vertices[v][axis]);
-    const std::uint64_t number = folded(bits - before);
-    before = bits;
-    for (std::size_t k = 0; k < kBytes; ++k) text[start + k * count + v] = static_cast<char>(number >> 8 * k & 0xFFU);
-  }
+    return folded(bits - std::exchange(before, bits));
+  });
 }
 
 class Reader {

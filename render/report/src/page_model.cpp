@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <unordered_map>
+#include <utility>
 
 #include "bytes.h"
 #include "occlude/render/polygon_area.h"
@@ -49,21 +50,14 @@ class Vertices {
   std::vector<GridPoint> points_;
 };
 
-/// For x, then y, then z: of each point the difference from the point before, with the sign in the lowest bit, in four
-/// bytes; first all lowest bytes, then all second ones, ...
+/// For x, then y, then z: the folded difference of each point from the point before, in planes of bytes.
 std::string pack_vertices(const std::vector<GridPoint>& points) {
   constexpr std::size_t kBytesEach = 4;
-  std::string bytes(3 * kBytesEach * points.size(), '\0');
+  std::string bytes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::int64_t before = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::int64_t difference = points[i][axis] - before;
-      const auto folded = static_cast<std::uint64_t>(difference < 0 ? -2 * difference - 1 : 2 * difference);
-      for (std::size_t byte = 0; byte < kBytesEach; ++byte) {
-        bytes[(kBytesEach * axis + byte) * points.size() + i] = static_cast<char>(folded >> 8 * byte & 0xFFU);
-      }
-      before = points[i][axis];
-    }
+    std::uint64_t before = 0;
+    append_planes(bytes, points.size(), kBytesEach,
+                  [&](std::size_t i) { return folded(points[i][axis] - std::exchange(before, points[i][axis])); });
   }
   return bytes;
 }

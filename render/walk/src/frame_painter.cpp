@@ -15,8 +15,13 @@ Image FramePainter::view(const culler::Camera& camera, std::span<const PolygonRa
   std::vector<PlateLayer> layers;
   if (marked) layers.push_back({std::span(&*marked, 1), Style::marked});
   layers.push_back({ranges, Style::plain});
-  const PolygonRange all{0, static_cast<std::uint32_t>(culler_.hierarchy().soup().size())};
-  return plates_.draw(camera, layers, {.lines = lines, .legend = {}, .casters = all});  // what is culled casts shadows
+  return plates_.draw(camera, layers,
+                      {.lines = lines, .casters = culler_.hierarchy().soup().all()});  // what is culled casts shadows
+}
+
+Image FramePainter::whole(const culler::Camera& camera) {
+  const PolygonRange all = culler_.hierarchy().soup().all();
+  return view(camera, std::span(&all, 1));
 }
 
 Image FramePainter::outside(const culler::Camera& camera, const culler::CullResult& result,
@@ -37,13 +42,13 @@ Image FramePainter::outside(const culler::Camera& camera, const culler::CullResu
   std::vector<Line> drawn(lines.begin(), lines.end());
   add_frustum(drawn, camera, depth);
   for (const culler::Occluder& occluder : result.occluders) add_shadow(drawn, occluder, camera, depth);
-  return plates_.draw(above, shown, {.lines = drawn, .legend = legend, .casters = {}});
+  return plates_.draw(above, shown, {.lines = drawn, .legend = legend});
 }
 
 Image FramePainter::fates(const culler::Camera& camera, const culler::CullResult& result) {
   const FrameLayers layers = layers_of(culler_, camera, result, plates_);
   const std::vector<LegendEntry> legend = layers.legend();
-  return plates_.draw(camera, layers.all(), {.lines = {}, .legend = legend, .casters = {}});
+  return plates_.draw(camera, layers.all(), {.legend = legend});
 }
 
 Image FramePainter::layer(Style style, const culler::Camera& camera, const culler::CullResult& result) {
@@ -51,7 +56,7 @@ Image FramePainter::layer(Style style, const culler::Camera& camera, const culle
   const std::vector<PlateLayer> all = layers.all();
   const auto layer = std::ranges::find(all, style, &PlateLayer::style);
   const std::vector<LegendEntry> legend = layers.legend();
-  return plates_.draw(camera, std::span(&*layer, 1), {.lines = {}, .legend = legend, .casters = {}});
+  return plates_.draw(camera, std::span(&*layer, 1), {.legend = legend});
 }
 
 }  // namespace occlude::render

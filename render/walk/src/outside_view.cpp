@@ -54,7 +54,7 @@ std::optional<double> cut_height(const culler::Camera& camera, const culler::Cam
   back.eye = camera.eye;
   back.target = outside.eye;
   back.near = camera.near;
-  const PolygonRange all{0, static_cast<std::uint32_t>(soup.size())};
+  const PolygonRange all = soup.all();
   const ItemBuffer items = renderer.item_buffer(back, std::span(&all, 1));
   const std::uint32_t between = items.at(items.width / 2, items.height / 2);
   if (between == kNothing) return std::nullopt;

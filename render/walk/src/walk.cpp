@@ -7,7 +7,6 @@
 
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/plates.h"
 #include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
@@ -98,21 +97,17 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
   std::vector<culler::MissedReasons::Counts> missed;
   std::size_t witnesses = 0;
   std::vector<std::string> lines;
-  std::vector<culler::CoverWitness> covers;
   const auto on_frame = [&](const FinishedFrame& finished) {
     const std::size_t frame = finished.record.frame;
     const culler::Camera camera = path.camera(frame, aspect(options));
-    covers.clear();
-    if (options.cull.method == culler::Method::cover) {
-      culler.append_covers(finished.culled, camera, options.cull, kMostCoverVertices, covers);
-    }
+    const std::vector<culler::CoverWitness> covers = covers_of(culler, camera, finished.culled, options.cull);
     const ShownFrame shown{camera, finished.culled, finished.visible, covers};
     output.add_frame(shown);
     if (shown.visible) missed.push_back(count_missed(culler, shown, options.cull));
     if (finished.is_reference) operations += visit_shadow_tests(culler, frame, finished.culled, options);
     if (!options.witness) return;
     lines.clear();
-    append_witnesses(lines, frame, camera, culler, finished.culled, options.cull);
+    append_witnesses(lines, frame, camera, culler, finished.culled, options.cull, covers);
     for (const std::string& line : lines) output.add_witness(line);
     witnesses += lines.size();
   };

@@ -51,7 +51,7 @@ class Walker {
     record.stats = culled.stats;
     if (!renderer_) return record;
     if (reference) {
-      const PolygonRange all{0, static_cast<std::uint32_t>(culler_.hierarchy().soup().size())};
+      const PolygonRange all = culler_.hierarchy().soup().all();
       full = draw(camera, std::span(&all, 1));
     }
     visible_ = compare(full, picture, culler_, camera, culled, record);

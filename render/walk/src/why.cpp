@@ -9,7 +9,6 @@
 
 #include "occlude/culler/clearance.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/input_limits.h"
 #include "occlude/render/progress.h"
 
 namespace occlude::render {
@@ -34,9 +33,7 @@ namespace {
 
 /// The polygons that hide the culled subtree, or the part of it that contains the polygon.
 std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t polygon) {
-  std::vector<culler::CoverWitness> covers;
-  frame.culler().append_covers(frame.result(), frame.camera(), frame.options().cull, kMostCoverVertices, covers);
-  for (const culler::CoverWitness& cover : covers) {
+  for (const culler::CoverWitness& cover : covers_of(frame.culler(), frame.camera(), frame.result(), frame.options().cull)) {
     if (polygon >= cover.range.first && polygon - cover.range.first < cover.range.count) return cover.polygons;
   }
   return {};

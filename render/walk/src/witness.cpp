@@ -104,8 +104,18 @@ class Reasons {
 
 }  // namespace
 
+std::vector<culler::CoverWitness> covers_of(const culler::Culler& culler, const culler::Camera& camera,
+                                            const culler::CullResult& result, const culler::CullOptions& options) {
+  std::vector<culler::CoverWitness> covers;
+  if (options.method == culler::Method::cover) {
+    culler.append_covers(result, camera, options, kMostCoverVertices, covers);
+  }
+  return covers;
+}
+
 void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
-                      const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options) {
+                      const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options,
+                      std::span<const culler::CoverWitness> covers) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Reasons reasons(culler, result, options.near);
   const std::string viewpoint = camera.projection == culler::Projection::perspective
@@ -128,9 +138,6 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
     append({node.first, node.count}, hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }),
            fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
   }
-  if (options.method != culler::Method::cover) return;
-  std::vector<culler::CoverWitness> covers;
-  culler.append_covers(result, camera, options, kMostCoverVertices, covers);
   for (const culler::CoverWitness& cover : covers) {
     append(cover.range, box_member(cover.box), R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) {
                                                  return std::to_string(hierarchy.original(p));

@@ -40,6 +40,7 @@ struct PolygonSoup {
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] PolygonRange all() const { return {0, static_cast<std::uint32_t>(size())}; }
 
   /// The vertex indices of polygon p, in loop order.
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t p) const {

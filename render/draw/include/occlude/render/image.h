@@ -18,8 +18,12 @@ struct Raster {
   int width = 0, height = 0;
   std::vector<Pixel> pixels;
 
-  [[nodiscard]] const Pixel& at(int x, int y) const {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  [[nodiscard]] const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
+  [[nodiscard]] Pixel& at(int x, int y) { return pixels[index(x, y)]; }
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 };
 

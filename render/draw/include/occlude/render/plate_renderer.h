@@ -48,10 +48,10 @@ struct LegendEntry {
 
 /// What a plate has besides polygons.
 struct PlateExtras {
-  std::span<const Line> lines;
-  std::span<const LegendEntry> legend;
+  std::span<const Line> lines = {};
+  std::span<const LegendEntry> legend = {};
   /// The polygons that keep the sun out, if not those of the layers.
-  std::optional<culler::PolygonRange> casters;
+  std::optional<culler::PolygonRange> casters = {};
 };
 
 class PlateRenderer {

@@ -22,6 +22,9 @@ class FramePainter {
   [[nodiscard]] Image view(const culler::Camera& camera, std::span<const PolygonRange> ranges,
                            const std::optional<PolygonRange>& marked = std::nullopt, std::span<const Line> lines = {});
 
+  /// The whole model in these colours, as the camera sees it.
+  [[nodiscard]] Image whole(const culler::Camera& camera);
+
   /// All polygons, by what became of them, from above and behind the camera, cut open above it if it is inside of something,
   /// with the edges of the view frustum and of the shadows.
   [[nodiscard]] Image outside(const culler::Camera& camera, const culler::CullResult& result,
