@@ -175,7 +175,20 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near, W
 MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const {
   const Checkpoint none;
   Work unbounded(std::numeric_limits<std::size_t>::max(), none);
-  return answer(p, narrowed(all(), hierarchy_.leaf_of(p), unbounded), unbounded);
+  std::uint32_t node = 0;
+  Near near = narrowed(all(), node, unbounded);
+  while (!hierarchy_.nodes()[node].is_leaf()) {
+    const std::uint32_t right = hierarchy_.nodes()[node].right;
+    node = p < hierarchy_.nodes()[right].first ? node + 1 : right;
+    near = narrowed(near, node, unbounded);
+  }
+  return answer(p, near, unbounded);
+}
+
+MissedReasons::Counts MissedReasons::Answers::counts() const {
+  Counts counts{.missed = missed};
+  for (const PolygonAnswer& one : asked) ++counts.reasons[static_cast<std::size_t>(one.answer.reason)];
+  return counts;
 }
 
 MissedReasons::Counts& MissedReasons::Counts::operator+=(const Counts& other) {
@@ -204,12 +217,12 @@ class MissedReasons::Asking {
     descend(here, polygons, on_subtree);
   }
 
-  void count_leaf(const Subtree& leaf, Counts& counts) {
+  void answer_leaf(const Subtree& leaf, std::vector<PolygonAnswer>& answers) {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[leaf.node];
     for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
       if (!missed_[p] || !work_.is_left()) continue;
       const Answer answer = reasons_.answer(p, leaf.near, work_);
-      if (work_.is_left()) ++counts.reasons[static_cast<std::size_t>(answer.reason)];
+      if (work_.is_left()) answers.push_back({p, answer});
     }
   }
 
@@ -224,8 +237,8 @@ class MissedReasons::Asking {
   Work& work_;
 };
 
-MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const Checkpoint& checkpoint,
-                                           std::size_t most_work) const {
+MissedReasons::Answers MissedReasons::answers(const std::vector<bool>& shows, const Checkpoint& checkpoint,
+                                              std::size_t most_work) const {
   std::vector<bool> missed = polygons_of(frame_.drawn, hierarchy_.soup().size());
   for (std::size_t p = 0; p < missed.size(); ++p) missed[p] = missed[p] && !shows[p];
   // Divides the model into subtrees, so that all processors have some.
@@ -235,22 +248,22 @@ MissedReasons::Counts MissedReasons::count(const std::vector<bool>& shows, const
   Work work(most_work, checkpoint);
   Asking asking(*this, missed, work);
   asking.descend({0, all()}, root.count / kShares, [&](Subtree&& s) { subtrees.push_back(std::move(s)); });
-  Counts total{.missed = asking.missed_in(root)};
-  std::vector<Counts> counts(subtrees.size());
-  const auto count_subtree = [&](std::size_t i) {
+  Answers result{.missed = asking.missed_in(root), .asked = {}};
+  std::vector<std::vector<PolygonAnswer>> parts(subtrees.size());
+  const auto answer_subtree = [&](std::size_t i) {
     // Half of the work that is left is divided equally, for the way down. The other half is divided in proportion to the
     // missed polygons.
     const double even = 1 / static_cast<double>(subtrees.size());
     const double of_missed =
-        static_cast<double>(asking.missed_in(hierarchy_.nodes()[subtrees[i].node])) / static_cast<double>(total.missed);
+        static_cast<double>(asking.missed_in(hierarchy_.nodes()[subtrees[i].node])) / static_cast<double>(result.missed);
     const double share = (even + of_missed) / 2;
     Work part(static_cast<std::size_t>(share * static_cast<double>(work.left())), checkpoint);
     Asking below(*this, missed, part);
-    below.descend(subtrees[i], 0, [&](const Subtree& leaf) { below.count_leaf(leaf, counts[i]); });
+    below.descend(subtrees[i], 0, [&](const Subtree& leaf) { below.answer_leaf(leaf, parts[i]); });
   };
-  parallel_for(subtrees.size(), count_subtree, checkpoint);
-  for (const Counts& some : counts) total += some;
-  return total;
+  parallel_for(subtrees.size(), answer_subtree, checkpoint);
+  for (const auto& part : parts) result.asked.insert(result.asked.end(), part.begin(), part.end());
+  return result;
 }
 
 }  // namespace occlude::culler

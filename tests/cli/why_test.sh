@@ -14,7 +14,7 @@ grep -q '^  by occluder 0: polygon 0; it hides [1-9][0-9]* polygons in this fram
 grep -q '^  the box is inside its shadow by [0-9.]*, nearest to the side through its edge (2, ' stdout || fail "why said: $(cat stdout)"
 why --frame 0 --polygon 1 >stdout || fail "why"
 grep -q '^frame 0, polygon 1: drawn$' stdout || fail "why said: $(cat stdout)"
-grep -q "it was not culled: its own box is hidden" stdout || fail "why said: $(cat stdout)"
+grep -q "it was not culled: its leaf is too coarse: its own box is hidden" stdout || fail "why said: $(cat stdout)"
 why --frame 0 --pixel 32,18 --json --out why >stdout || fail "why"
 grep -q '"polygon": 0,' stdout || fail "why --pixel said: $(cat stdout)"
 grep -q '"fate": "drawn"' stdout || fail "why --pixel said: $(cat stdout)"

@@ -31,7 +31,7 @@ MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, co
     const MissedReasons::Answer answer = reasons.answer(p);
     std::vector<bool> shows(polygons, true);
     shows[p] = false;
-    const auto counts = reasons.count(shows);
+    const auto counts = reasons.answers(shows).counts();
     for (std::size_t r = 0; r < kMissedReasons; ++r)
       EXPECT_EQ(counts.reasons[r], r == static_cast<std::size_t>(answer.reason));
     return answer;
@@ -136,15 +136,15 @@ TEST(Missed, AsFarAsTheWorkGoes) {
   const CullResult frame = culler.cull(Camera{});
   const MissedReasons reasons(culler, Camera{}, {}, frame);
   const std::vector<bool> shows(soup.size());  // nothing does
-  const MissedReasons::Counts all = reasons.count(shows);
+  const MissedReasons::Counts all = reasons.answers(shows).counts();
   EXPECT_EQ(all.missed, frame.stats.drawn_polygons);
   EXPECT_EQ(all.asked(), all.missed);
   constexpr std::size_t kWork = 500000;  // less than half of what all take
-  const MissedReasons::Counts some = reasons.count(shows, {}, kWork);
+  const MissedReasons::Counts some = reasons.answers(shows, {}, kWork).counts();
   EXPECT_EQ(some.missed, all.missed);
   EXPECT_LT(some.asked(), all.missed / 2);
   EXPECT_GT(some.asked(), 0U);
-  EXPECT_EQ(reasons.count(shows, {}, kWork).reasons, some.reasons);
+  EXPECT_EQ(reasons.answers(shows, {}, kWork).counts().reasons, some.reasons);
 }
 
 /// Walls with corners exactly on the borders of each other's shadows, so that the exact stage answers.
@@ -159,7 +159,8 @@ TEST(Missed, CountsTheExactStageAsWork) {
   const CullResult frame = culler.cull(Camera{}, options);
   const MissedReasons reasons(culler, Camera{}, options, frame);
   constexpr std::size_t kExact = 500;  // answers of the exact stage; each wall asks dozens
-  const MissedReasons::Counts some = reasons.count(std::vector<bool>(soup.size()), {}, kExact * PlaneWork::kExact);
+  const MissedReasons::Counts some =
+      reasons.answers(std::vector<bool>(soup.size()), {}, kExact * PlaneWork::kExact).counts();
   EXPECT_LT(some.asked(), some.missed / 2);
 }
 
@@ -169,7 +170,7 @@ TEST(Missed, StopsWhenItsCheckpointThrows) {
   const CullResult frame = culler.cull(Camera{});
   const MissedReasons reasons(culler, Camera{}, {}, frame);
   const auto stop = [] { throw std::runtime_error("stopped"); };
-  EXPECT_THROW(static_cast<void>(reasons.count(std::vector<bool>(soup.size()), stop)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(reasons.answers(std::vector<bool>(soup.size()), stop)), std::runtime_error);
 }
 
 TEST(Clearance, IsTheDistanceToTheNearestPlane) {

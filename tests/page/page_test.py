@@ -7,6 +7,7 @@ Usage: page_test.py PATH_OF_OCCLUDE. page_test.sh makes the walks.
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 import unittest
@@ -280,11 +281,63 @@ class Viewing(Page):
                 command = f'occlude why {" ".join(WALK + OPTIONS[walk])} --frame {frame} --polygon {polygon}'
                 self.assertEqual(text.splitlines()[1], command)
                 self.assertIn(words[said['fate']], text)
-                for shadow in said['shadows'] if said['fate'] == 'in_shadow' else []:
-                    self.assertIn(str(shadow['occluder']['polygons'][0]), text)
                 if said['fate'] == 'in_shadow' and walk == 'cover':
                     self.assertIn('several polygons', text)
+                self.assert_same_distances(said, text)
+                self.assert_same_reason(said, text)
             self.assertGreaterEqual(len(fates), 2)
+
+    def assert_same_distances(self, said, text):
+        if said['fate'] == 'out_of_view':
+            self.assertIn(f"beyond the {said['plane']['name']} plane by", text)
+            expected = [said['plane']['distance']]
+        else:
+            expected = [shadow['distance'] for shadow in said['shadows']] if said['fate'] == 'in_shadow' else []
+        told = re.findall(r'(sticks out of its shadow by|inside its shadow by|plane by) ([0-9.e+-]+[0-9])', text)
+        self.assertEqual(len(told), len(expected), text)
+        for (words, number), distance in zip(told, expected):
+            self.assertAlmostEqual(float(number) / abs(distance), 1, places=5)
+            self.assertEqual('sticks out' in words, distance < 0)
+        for shadow in said['shadows'] if said['fate'] == 'in_shadow' else []:
+            self.assertIn(str(shadow['occluder']['polygons'][0]), text)
+            self.assertIn('its near side' if shadow['plane'] == 'near' else 'the side through its edge', text)
+
+    def assert_same_reason(self, said, text):
+        self.assertEqual(said['missed'] is not None, 'though it is hidden: ' in text, text)
+        if said['missed'] is None:
+            return
+        self.assertIn(self.reason_in_words(said['missed']['reason']), text)
+        if said['missed']['occluder']:
+            self.assertIn(str(min(said['missed']['occluder']['polygons'])), text)
+
+    def reason_in_words(self, name):
+        return self.run_script('return page.walk.reasons[`missed_${arguments[0]}`]', name)
+
+    def test_every_hidden_polygon_that_was_drawn_has_its_reason(self):
+        for walk in ('frusta', 'cover'):
+            self.open(walk)
+            counts = self.run_script('''return page.columns.frame.map((_, i) => {
+                const counts = {};
+                for (const {reason} of page.details.at(i).missed.values()) {
+                  const words = page.scene.reasons[reason];
+                  counts[words] = (counts[words] ?? 0) + 1;
+                }
+                return counts;
+            })''')
+            columns, reasons = self.run_script('return [page.columns, page.walk.reasons]')
+            for i, count in enumerate(counts):
+                self.assertEqual({words: n for words, n in count.items()},
+                                 {words: columns[name][i] for name, words in reasons.items() if columns[name][i] > 0})
+            name, words = next(iter(reasons.items()))
+            frame = max(range(len(counts)), key=lambda i: columns[name][i])
+            place = self.run_script('''page.setIndex(arguments[0]);
+                const {missed} = page.details.at(arguments[0]);
+                for (const [place, {reason}] of missed) if (page.scene.reasons[reason] === arguments[1]) return place;''', frame, words)
+            text = self.run_script('return page.accountOf(arguments[0])', place)
+            said = why(walk, columns['frame'][frame], '--polygon', str(self.run_script('return page.model.numbers[arguments[0]]', place)))
+            self.assertEqual(said['fate'], 'drawn')
+            self.assertEqual(said['pixels'], 0)
+            self.assert_same_reason(said, text)
 
 
 class WithoutWebGL(Page):

@@ -150,7 +150,7 @@ std::string page_of(const Summary& summary, const WalkResult& result) {
   const culler::Culler culler(soup);
   WalkRecording recording(culler);
   const culler::CullResult culled = culler.cull(culler::Camera{});
-  recording.add_frame({culler::Camera{}, culled, nullptr, {}});
+  recording.add_frame({result.frames[0], culler::Camera{}, culled, {}, nullptr, nullptr});
   return walk_page(summary, {result.frames, result.missed, recording, {}, "occlude walk 'a<b.ply'"});
 }
 

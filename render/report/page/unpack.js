@@ -182,6 +182,50 @@ class Model {
   }
 }
 
+/** What a click on a polygon tells, of some frames of a walk. */
+class Details {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.starts = new Map();  // by the number of the frame
+    for (let numbers = new Numbers(bytes), frame = 0; !numbers.isAtEnd;) {
+      frame += numbers.next();
+      const length = numbers.next();
+      this.starts.set(frame, {first: numbers.at, end: numbers.at + length});
+      numbers.at += length;
+    }
+  }
+  /** The frame with details that is nearest to frame i. */
+  nearest(i) {
+    return [...this.starts.keys()].reduce((best, frame) => Math.abs(frame - i) < Math.abs(best - i) ? frame : best, Infinity);
+  }
+  /**
+   * The planes that culled each subtree of a frame that was not culled by a cover, in their order, and the distances from
+   * them; and by the place of each hidden polygon that was drawn: why, and the number of what hides it alone, or -1.
+   */
+  at(i) {
+    if (!this.starts.has(i)) return null;
+    const {first, end} = this.starts.get(i), numbers = new Numbers(this.bytes, first), count = numbers.next();
+    const planes = Array.from({length: count}, () => numbers.next());
+    const distances = this.floats(numbers.at, count);
+    numbers.at += 4 * count;
+    const missed = new Map();
+    for (let place = 0; numbers.at < end;) {
+      place += numbers.next();
+      const length = numbers.next(), answer = {reason: numbers.next(), occluder: numbers.next() - 1};
+      for (const last = place + length; place < last; ++place) missed.set(place, answer);
+    }
+    return {planes, distances, missed};
+  }
+  /** First the lowest byte of all, then the next ones. */
+  floats(at, count) {
+    const {bytes} = this, bits = new Uint32Array(count);
+    for (let i = 0; i < count; ++i) {
+      for (let k = 0; k < 4; ++k) bits[i] |= bytes[at + k * count + i] << 8 * k;
+    }
+    return new Float32Array(bits.buffer);
+  }
+}
+
 /** What may become of a leaf. From Fate.hidden on: hidden by the hider of colour fate - Fate.hidden. */
 const Fate = {drawn: 0, outOfView: 1, covered: 2, hidden: 3};
 

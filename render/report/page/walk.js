@@ -46,10 +46,11 @@ class WalkPage {
   }
 
   /** Once the model is unpacked. */
-  addScene(scene, path, model, frames) {
+  addScene(scene, path, model, frames, details) {
     this.scene = scene;
     this.model = model;
     this.frames = frames;
+    this.details = details;
     this.eyes = points(path.eyes);
     this.targets = points(path.targets);
     for (const outline of scene.outlines) {
@@ -91,7 +92,7 @@ class WalkPage {
     if (!this.viewer) return;
     const shown = Math.floor(this.index / this.scene.every);
     this.frame = this.frames.at(shown);
-    const at = shown * this.scene.every;
+    const at = this.shown = shown * this.scene.every;
     this.viewer.setFrame(this.frame, this.eyes[at], this.targets[at]);
     this.map?.setCursor(this.index);
     this.tellPicked();
@@ -161,6 +162,9 @@ class WalkPage {
     const polygon = this.viewer.picked;
     byId('picked').textContent = polygon === null ? 'Click a polygon to see what became of it.' : this.accountOf(polygon);
     if (polygon === null) return;
+    if (!this.details.starts.has(this.shown)) {
+      byId('picked').append(' Distances and reasons: this page has those of frame ', frameLink(this.columns.frame[this.details.nearest(this.shown)]), '; the command tells those of this one.');
+    }
     byId('picked').append(element('br', {}), element('code', {}, this.commandFor(polygon)));
   }
 
@@ -177,13 +181,44 @@ class WalkPage {
     return `${name}: ${this.fateOf(polygon)} ${this.vainOf(polygon)}`;
   }
   fateOf(polygon) {
-    const leaf = this.model.leafOf(polygon), fate = this.frame.fates[leaf];
-    if (fate === Fate.drawn) return `drawn, with its leaf of ${this.countIn(leaf, leaf + 1)}.`;
-    const {first, end} = this.frame.culled.find(node => leaf < node.end), node = `with a node of ${this.countIn(first, end)}`;
-    if (fate === Fate.outOfView) return `culled, out of view, ${node}.`;
+    const leaf = this.model.leafOf(polygon), fate = this.frame.fates[leaf], details = this.details.at(this.shown);
+    if (fate === Fate.drawn) return `drawn, with its leaf of ${this.countIn(leaf, leaf + 1)}${this.reasonFor(polygon, details)}.`;
+    const i = this.frame.culled.findIndex(node => leaf < node.end), {first, end} = this.frame.culled[i];
+    const node = `with a node of ${this.countIn(first, end)}`;
     if (fate === Fate.covered) return `culled, hidden by several polygons in front of it together, ${node}.`;
-    const both = this.frame.hiders.get(fate - Fate.hidden);
-    return `culled, in the shadow of ${both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ')}, ${node}.`;
+    const both = this.hidersOf(fate), [plane, ...planes] = this.planesThatCulled(i, details);
+    if (fate === Fate.outOfView) {
+      return `culled, out of view, ${node}${plane ? `, which is beyond the ${this.scene.planes[plane.number]} plane by ${plane.distance}` : ''}.`;
+    }
+    const names = both.map(o => nameOfOccluder(this.occluder(o), this.model)).join(' and of ');
+    return `culled, in the shadow of ${names}, ${node}${plane ? [plane, ...planes].map((p, k) => this.clearance(both[k], p)).join('') : ''}.`;
+  }
+  /** One or two occluders, none of what is not hidden by a shadow. */
+  hidersOf(fate) {
+    return fate >= Fate.hidden ? this.frame.hiders.get(fate - Fate.hidden) : [];
+  }
+  /** The planes that culled subtree i, with the distances from them; none where the page has no details. */
+  planesThatCulled(i, details) {
+    if (!details) return [];
+    const planesOf = ({fate}) => fate === Fate.outOfView ? 1 : this.hidersOf(fate).length;
+    const first = this.frame.culled.slice(0, i).reduce((sum, node) => sum + planesOf(node), 0);
+    return Array.from({length: planesOf(this.frame.culled[i])}, (_, k) => ({
+      number: details.planes[first + k], distance: this.inUnits(details.distances[first + k]), isOutside: details.distances[first + k] < 0}));
+  }
+  /** Model units; single precision has so many digits. */
+  inUnits(distance) {
+    return String(Number(Math.abs(distance).toPrecision(6)));
+  }
+  clearance({outline}, {number, distance, isOutside}) {
+    const corner = i => `(${outline.points[i % outline.points.length].map(c => Number(c.toPrecision(6))).join(', ')})`;
+    const side = number === 0 ? 'its near side' : `the side through its edge ${corner(number - 1)} – ${corner(number)}`;
+    return isOutside ? `; the node sticks out of its shadow by ${distance}, at ${side}` : `; the node is inside its shadow by ${distance}, nearest to ${side}`;
+  }
+  reasonFor(polygon, details) {
+    const answer = details?.missed.get(polygon);
+    if (!answer) return '';
+    const alone = answer.occluder < 0 ? '' : ` (${nameOfOccluder(this.scene.alone[answer.occluder], this.model)})`;
+    return `, though it is hidden: ${this.scene.reasons[answer.reason]}${alone}`;
   }
   countIn(firstLeaf, endLeaf) {
     const count = this.model.firstPolygon[endLeaf] - this.model.firstPolygon[firstLeaf];
@@ -263,10 +298,10 @@ function showPictures(reason) {
 async function open() {
   const page = new WalkPage(await jsonOfPart('figures'));
   const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
-  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'vain', 'frames'];
+  const names = ['vertices', 'leaves', 'sides', 'corners', 'numbers', 'vain', 'frames', 'details'];
   const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(name)])));
   const model = new Model(scene, parts);
-  page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves));
+  page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves), new Details(parts.details));
   return page;
 }
 

@@ -40,6 +40,12 @@ class Bytes {
     text_ += bytes.text_;
   }
 
+  /// append_planes() of these numbers.
+  template <class Number>
+  void planes(std::size_t count, std::size_t size, const Number& number) {
+    append_planes(text_, count, size, number);
+  }
+
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:

@@ -9,16 +9,16 @@ namespace occlude::render {
 
 const char* text_of(culler::Missed reason) {
   constexpr std::array<const char*, culler::kMissedReasons> kTexts{
-      "it is out of view, and its leaf is not",
+      "it is out of view, but its leaf is not",
       "its leaf is too coarse: its own box is hidden",
-      "its box straddles: itself it is in the shadow of an occluder",
-      "in the shadows of several occluders, in none alone",
-      "an occluder that hides it was listed, and not chosen",
-      "no listed occluder hides it alone, or it is seen between pixels",
-      "its box reaches out of the coarse picture, or before the near plane",
+      "its box is too coarse: the polygon itself is in a shadow",
+      "several occluders hide it together, none alone",
+      "an occluder that hides it was listed, but not chosen",
+      "no listed occluder hides it alone, or it is visible between pixels",
+      "its box extends beyond the coarse picture, or in front of the near plane",
       "it would be hidden, but the frame's budget was spent",
-      "a pixel of its box is open: a border runs there, or nothing closes it",
-      "what closes the pixels of its box is not nearer than the box"};
+      "a pixel of its box is open: a border crosses it, or no polygon covers it",
+      "the polygons that cover the pixels of its box are not nearer than the box"};
   return kTexts[static_cast<std::size_t>(reason)];
 }
 

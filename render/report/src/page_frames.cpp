@@ -45,17 +45,12 @@ std::vector<PageFrames::Outline> PageFrames::outlines() const {
 
 void PageFrames::count(const culler::CullResult& frame) {
   for (const culler::Occluder& occluder : frame.occluders) {
-    const auto [found, is_new] = occluders_.try_emplace(occluder.index);
-    OccluderRecord& record = found->second;
-    if (is_new) describe(occluder.index, record);
-    record.did.add(seen_, occluder.hidden);
-  }
-}
-
-void PageFrames::describe(std::uint32_t occluder, OccluderRecord& record) const {
-  record.is_shell = culler_.occluders().is_shell(occluder);
-  for (const std::uint32_t part : culler_.occluders().parts(occluder)) {
-    if (model_.place(part) != PageModel::kNone) record.places.push_back(model_.place(part));
+    auto found = occluders_.find(occluder.index);
+    if (found == occluders_.end()) {
+      const OccluderRecord record{{culler_.occluders(), occluder.index, model_}};
+      found = occluders_.emplace(occluder.index, record).first;
+    }
+    found->second.did.add(seen_, occluder.hidden);
   }
 }
 

@@ -14,14 +14,14 @@
 #include "hider_record.h"
 #include "occlude/culler/culler.h"
 #include "page_model.h"
+#include "page_occluder.h"
 
 namespace occlude::render {
 
 /// An occluder, and what it did on the whole walk.
 struct OccluderRecord {
-  std::vector<std::uint32_t> places;  ///< of its polygons, in the page
-  bool is_shell = false;
-  HiderRecord did;
+  PageOccluder occluder;
+  HiderRecord did = {};
 };
 
 class PageFrames {
@@ -62,7 +62,6 @@ class PageFrames {
   using Hider = std::pair<std::uint32_t, std::uint32_t>;
 
   void count(const culler::CullResult& frame);
-  void describe(std::uint32_t occluder, OccluderRecord& record) const;
   void choose_colours(const culler::CullResult& frame);
   Hider hider_of(const culler::CullResult& frame, const culler::Culled& culled) const;
   Bytes packed(const culler::CullResult& frame);

@@ -6,11 +6,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "occlude/render/missed_report.h"
 #include "page_camera.h"
+#include "page_details.h"
 #include "page_frames.h"
 #include "page_model.h"
 #include "page_pieces.h"
 #include "page_vain.h"
+#include "view_planes.h"
 
 namespace occlude::render {
 namespace {
@@ -25,11 +28,20 @@ Json json_of(const HiderRecord& record) {
           {"best_hidden", record.best_hidden}};
 }
 
+/// In words, by their numbers.
+Json reasons() {
+  Json list = Json::array();
+  for (std::size_t r = 0; r < culler::kMissedReasons; ++r) list.push_back(text_of(static_cast<culler::Missed>(r)));
+  return list;
+}
+
+Json json_of(const PageOccluder& occluder) { return {{"polygons", occluder.places}, {"shell", occluder.is_shell}}; }
+
 }  // namespace
 
 struct WalkRecording::Impl {
   explicit Impl(const culler::Culler& culler)
-      : model(culler.hierarchy()), frames(culler, model), pieces(model), vain(model) {}
+      : model(culler.hierarchy()), frames(culler, model), details(culler, model), pieces(model), vain(model) {}
 
   /// Each occluder that was chosen: its polygons by their places in the page, and what it did. `numbers` gets its place in
   /// the list.
@@ -37,9 +49,8 @@ struct WalkRecording::Impl {
     Json list = Json::array();
     for (const auto& [index, record] : frames.occluders()) {
       numbers.emplace(index, list.size());
-      list.push_back(json_of(record.did));
-      list.back()["polygons"] = record.places;
-      list.back()["shell"] = record.is_shell;
+      list.push_back(json_of(record.occluder));
+      list.back().update(json_of(record.did));
     }
     return list;
   }
@@ -69,8 +80,16 @@ struct WalkRecording::Impl {
     return list;
   }
 
+  /// The occluders that the details name.
+  [[nodiscard]] Json hiders_alone() const {
+    Json list = Json::array();
+    for (const PageOccluder& occluder : details.occluders()) list.push_back(json_of(occluder));
+    return list;
+  }
+
   PageModel model;
   PageFrames frames;
+  PageDetails details;
   PagePieces pieces;
   bool has_covers = false;
   PageVain vain;
@@ -86,6 +105,7 @@ WalkRecording& WalkRecording::operator=(WalkRecording&&) noexcept = default;
 
 void WalkRecording::add_frame(const ShownFrame& frame) {
   impl_->frames.add(frame.culled);
+  impl_->details.add(frame, frame.visible ? frame.record.frame_ms : frame.record.cull_ms);
   if (frame.culled.method == culler::Method::cover) {
     impl_->has_covers = true;
     impl_->pieces.add(frame.culled, frame.covers);
@@ -110,11 +130,18 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
   const PageModel& model = impl_->model;
   std::map<std::uint32_t, std::size_t> numbers;
   const Json occluders = impl_->occluders(numbers);
-  const Json scene = {{"low", page_json(model.grid().low)},  {"step", model.grid().step},
-                      {"steps", model.grid().steps},         {"every", every()},
-                      {"camera", page_lens(impl_->camera)},  {"occluders", occluders},
-                      {"pieces", impl_->ranked_pieces()},    {"drawn_frames", impl_->drawn},
-                      {"outlines", impl_->outlines(numbers)}};
+  const Json scene = {{"low", page_json(model.grid().low)},
+                      {"step", model.grid().step},
+                      {"steps", model.grid().steps},
+                      {"every", every()},
+                      {"camera", page_lens(impl_->camera)},
+                      {"occluders", occluders},
+                      {"pieces", impl_->ranked_pieces()},
+                      {"drawn_frames", impl_->drawn},
+                      {"outlines", impl_->outlines(numbers)},
+                      {"alone", impl_->hiders_alone()},
+                      {"reasons", reasons()},
+                      {"planes", kViewPlanes}};
   return {{"scene", scene.dump()},
           {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]}})", impl_->eyes, impl_->targets)},
           {"vertices", model.vertices()},
@@ -123,7 +150,8 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
           {"corners", model.corners()},
           {"numbers", model.numbers()},
           {"vain", impl_->vain.packed()},
-          {"frames", impl_->frames.packed()}};
+          {"frames", impl_->frames.packed()},
+          {"details", impl_->details.packed()}};
 }
 
 }  // namespace occlude::render

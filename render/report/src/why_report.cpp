@@ -14,16 +14,15 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/render/missed_report.h"
 #include "occlude/render/plates.h"
 #include "occlude/render/progress.h"
+#include "view_planes.h"
 
 namespace occlude::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// In the order of append_view_frustum.
-constexpr std::array<const char*, 6> kViewPlanes{"left", "right", "bottom", "top", "near", "far"};
 
 std::string text_of(const kernel::Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
@@ -82,32 +81,6 @@ std::string text_of_clearance(const kernel::ShadowFrustum& shadow, const kernel:
   return clearance.distance < 0
              ? fmt::format("the box sticks out of its shadow by {:.6g}, at {}", -clearance.distance, plane)
              : fmt::format("the box is inside its shadow by {:.6g}, nearest to {}", clearance.distance, plane);
-}
-
-const char* why_missed(culler::Missed reason) {
-  switch (reason) {
-    case culler::Missed::out_of_view:
-      return "the polygon is out of view, but its leaf is not";
-    case culler::Missed::coarse_node:
-      return "its own box is hidden, but the box of its leaf is not: the leaf is too coarse";
-    case culler::Missed::straddling_box:
-      return "the polygon is in that shadow, but its box straddles it";
-    case culler::Missed::several:
-      return "each of its corners is in a shadow, but no shadow contains all of them: several occluders hide it together";
-    case culler::Missed::not_chosen:
-      return "it is in the shadow of an occluder that was listed but not chosen";
-    case culler::Missed::no_single_one:
-      return "no listed occluder hides it alone, or it is visible between pixels";
-    case culler::Missed::beyond_picture:
-      return "its box extends beyond the coarse picture, or in front of the near plane";
-    case culler::Missed::over_budget:
-      return "it would be hidden if the frame had drawn all visible polygons into its picture: the budget was spent";
-    case culler::Missed::open_pixel:
-      return "a pixel of its box is open: a border crosses it, or no polygon covers it";
-    case culler::Missed::not_behind:
-      return "the polygons that cover the pixels of its box are not nearer than the box";
-  }
-  return "";
 }
 
 /// The number of nearest shadows listed for a drawn polygon.
@@ -187,7 +160,7 @@ class Text {
   }
 
   void add_missed(const culler::MissedReasons::Answer& missed) {
-    add("  it was not culled: {}", why_missed(missed.reason));
+    add("  it was not culled: {}", render::text_of(missed.reason));
     if (missed.occluder != culler::Culled::kNone) {
       add("  an occluder that hides it alone: {}", text_of_occluder(culler_, missed.occluder));
     }

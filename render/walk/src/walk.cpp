@@ -39,13 +39,13 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
 /// none is left unknown.
 constexpr std::size_t kMostWork = culler::MissedReasons::kMostWork / 4;
 
-/// Why the frame drew what it does not show.
-culler::MissedReasons::Counts count_missed(const culler::Culler& culler, const ShownFrame& frame,
-                                           const culler::CullOptions& options) {
+/// Why the frame drew what it does not show; nothing if that is not known.
+std::optional<culler::MissedReasons::Answers> missed_by(const FinishedFrame& frame, const culler::Culler& culler,
+                                                        const culler::Camera& camera, const culler::CullOptions& options) {
+  if (!frame.visible) return std::nullopt;
   std::vector<bool> shows(culler.hierarchy().soup().size());
   for (const std::uint32_t p : *frame.visible) shows[p] = true;
-  const culler::MissedReasons reasons(culler, frame.camera, options, frame.culled);
-  return reasons.count(shows, check_interrupt, kMostWork);
+  return culler::MissedReasons(culler, camera, options, frame.culled).answers(shows, check_interrupt, kMostWork);
 }
 
 }  // namespace
@@ -101,9 +101,9 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     const std::size_t frame = finished.record.frame;
     const culler::Camera camera = path.camera(frame, aspect(options));
     const std::vector<culler::CoverWitness> covers = covers_of(culler, camera, finished.culled, options.cull);
-    const ShownFrame shown{camera, finished.culled, finished.visible, covers};
-    output.add_frame(shown);
-    if (shown.visible) missed.push_back(count_missed(culler, shown, options.cull));
+    const auto reasons = missed_by(finished, culler, camera, options.cull);
+    output.add_frame({finished.record, camera, finished.culled, covers, finished.visible, reasons ? &*reasons : nullptr});
+    if (reasons) missed.push_back(reasons->counts());
     if (finished.is_reference) operations += visit_shadow_tests(culler, frame, finished.culled, options);
     if (!options.witness) return;
     lines.clear();

@@ -39,7 +39,25 @@ std::vector<std::uint32_t> cover_of(const ReplayedFrame& frame, std::uint32_t po
   return {};
 }
 
+AgainstShadow against(const culler::CullResult& frame, std::uint32_t occluder, const culler::Box& box) {
+  const kernel::ShadowFrustum& shadow = frame.occluders[occluder].frustum;
+  return {occluder, std::visit([&](const auto& b) { return kernel::clearance(shadow, b); }, box)};
+}
+
 }  // namespace
+
+double beyond_view(const culler::Culler& culler, const culler::CullResult& frame, const culler::Culled& culled) {
+  return culler.hierarchy().ask(culled.node,
+                                [&](const auto& box) { return culler::distance_beyond(frame.view[culled.index], box); });
+}
+
+std::vector<AgainstShadow> against_shadows(const culler::Culler& culler, const culler::CullResult& frame,
+                                           const culler::Culled& culled) {
+  const culler::Box box = culler.hierarchy().volume(culled.node);
+  std::vector<AgainstShadow> result{against(frame, culled.index, box)};
+  if (culled.second != culler::Culled::kNone) result.push_back(against(frame, culled.second, box));
+  return result;
+}
 
 Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const ItemBuffer& items) {
   const culler::Culler& culler = frame.culler();
@@ -47,28 +65,21 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   Account account;
   account.polygon = polygon;
   account.pixels = static_cast<std::size_t>(std::ranges::count(items.pixels, polygon));
-  const auto against = [&](std::uint32_t occluder, const culler::Box& box) {
-    const kernel::ShadowFrustum& shadow = result.occluders[occluder].frustum;
-    account.shadows.push_back({occluder, std::visit([&](const auto& b) { return kernel::clearance(shadow, b); }, box)});
-  };
   if (const culler::Culled* cull = culler.cull_of(result, polygon)) {
     account.cull = *cull;
     account.node = cull->node;
-    const culler::Box box = culler.hierarchy().volume(cull->node);
     if (cull->by == culler::Culled::By::view) {
-      account.beyond_view =
-          std::visit([&](const auto& b) { return culler::distance_beyond(result.view[cull->index], b); }, box);
+      account.beyond_view = beyond_view(culler, result, *cull);
     } else if (cull->by == culler::Culled::By::cover) {
       account.cover = cover_of(frame, polygon);
     } else {
-      against(cull->index, box);
-      if (cull->second != culler::Culled::kNone) against(cull->second, box);
+      account.shadows = against_shadows(culler, result, *cull);
     }
     return account;
   }
   account.node = culler.hierarchy().leaf_of(polygon);
   const culler::Box own = culler.hierarchy().soup().box(polygon);
-  for (std::uint32_t i = 0; i < result.occluders.size(); ++i) against(i, own);
+  for (std::uint32_t i = 0; i < result.occluders.size(); ++i) account.shadows.push_back(against(result, i, own));
   std::ranges::stable_sort(account.shadows, std::greater{}, [](const AgainstShadow& a) { return a.clearance.distance; });
   if (account.pixels == 0) {
     account.missed = culler::MissedReasons(culler, frame.camera(), frame.options().cull, result).answer(polygon);

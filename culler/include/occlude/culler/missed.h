@@ -54,8 +54,8 @@ class MissedReasons {
   /// The most occluders of the region's list that are tried: those that look largest from the eye. Nearly all lists of the
   /// models tried are shorter.
   static constexpr std::size_t kMostListed = 4096;
-  /// The default work of count(): about a second of one processor. The unit is one plane of a shadow that a box or a corner
-  /// is tested against (README.md, Budgets).
+  /// The default work of answers(): about a second of one processor. The unit is one plane of a shadow that a box or a
+  /// corner is tested against (README.md, Budgets).
   static constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
   /// REQUIRES: `frame` is what `culler` made of this camera with these options, which is not checked; both outlive this
@@ -65,6 +65,8 @@ class MissedReasons {
   struct Answer {
     Missed reason;
     std::uint32_t occluder = Culled::kNone;  ///< one that hides the polygon alone, in Culler::occluders(), or kNone
+
+    friend bool operator==(const Answer&, const Answer&) = default;
   };
   /// Why polygon p of Hierarchy::soup() was not culled. Takes as much work as it needs. REQUIRES: p is hidden, and drawn by
   /// the frame.
@@ -77,12 +79,21 @@ class MissedReasons {
     [[nodiscard]] std::size_t asked() const { return std::accumulate(reasons.begin(), reasons.end(), std::size_t{0}); }
     Counts& operator+=(const Counts& other);
   };
-  /// Counts the reasons of everything that the frame missed. Polygons that `most_work` does not reach are counted in
-  /// `missed` alone. Runs on all processors; the result does not depend on their number. shows[p] tells whether polygon p of
-  /// Hierarchy::soup() is visible in the frame. What `checkpoint` throws is thrown on.
-  /// REQUIRES: shows.size() is the number of polygons.
-  [[nodiscard]] Counts count(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
-                             std::size_t most_work = kMostWork) const;
+  struct PolygonAnswer {
+    std::uint32_t polygon;
+    Answer answer;
+  };
+  struct Answers {
+    std::size_t missed = 0;            ///< polygons that are hidden and drawn
+    std::vector<PolygonAnswer> asked;  ///< ascending, each as of answer(polygon)
+
+    [[nodiscard]] Counts counts() const;
+  };
+  /// The reasons of everything that the frame missed, but for polygons that `most_work` does not reach. Runs on all
+  /// processors; the result does not depend on their number. shows[p] tells whether polygon p of Hierarchy::soup() is
+  /// visible in the frame. What `checkpoint` throws is thrown on. REQUIRES: shows.size() is the number of polygons.
+  [[nodiscard]] Answers answers(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
+                                std::size_t most_work = kMostWork) const;
 
  private:
   struct Shadow {

@@ -104,10 +104,12 @@ struct WalkResult {
 
 /// A counted frame.
 struct ShownFrame {
+  const FrameRecord& record;
   const culler::Camera& camera;
   const culler::CullResult& culled;
-  const std::vector<std::uint32_t>* visible;     ///< polygons with a pixel, ascending; null if the walk does not render
   std::span<const culler::CoverWitness> covers;  ///< what hides everything that was culled by cover
+  const std::vector<std::uint32_t>* visible;     ///< polygons with a pixel, ascending; null if the walk does not render
+  const culler::MissedReasons::Answers* missed;  ///< of what is drawn, but not visible; null if the walk does not render
 };
 
 /// Receives what a walk shows and proves while it runs.

@@ -44,13 +44,20 @@ struct AgainstShadow {
   kernel::Clearance clearance;
 };
 
+/// By how much a culled subtree is beyond the half-space that culled it. REQUIRES: culled by view.
+[[nodiscard]] double beyond_view(const culler::Culler& culler, const culler::CullResult& frame,
+                                 const culler::Culled& culled);
+/// The box of a culled subtree against the one or two shadows that culled it. REQUIRES: culled by shadow.
+[[nodiscard]] std::vector<AgainstShadow> against_shadows(const culler::Culler& culler, const culler::CullResult& frame,
+                                                         const culler::Culled& culled);
+
 /// The account of one polygon.
 struct Account {
   std::uint32_t polygon = 0;           ///< index in the tree
   std::size_t pixels = 0;              ///< pixels that show it without culling
   std::uint32_t node = 0;              ///< the culled subtree, or the drawn leaf
   std::optional<culler::Culled> cull;  ///< none if it was drawn
-  double beyond_view = 0;              ///< culled by view: distance of the node beyond the half-space
+  double beyond_view = 0;              ///< culled by view: beyond_view() of the node
   /// Culled by shadow: the node against the one or two shadows. Drawn: the polygon's own box against every shadow, those
   /// that most nearly contain it first.
   std::vector<AgainstShadow> shadows;
