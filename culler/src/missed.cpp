@@ -185,9 +185,11 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const {
   return answer(p, near, unbounded);
 }
 
-MissedReasons::Counts MissedReasons::Answers::counts() const {
-  Counts counts{.missed = missed};
-  for (const PolygonAnswer& one : asked) ++counts.reasons[static_cast<std::size_t>(one.answer.reason)];
+MissedReasons::Counts MissedReasons::count(const Answers& answers) {
+  Counts counts{.missed = answers.size()};
+  for (const auto& [polygon, answer] : answers) {
+    if (answer) ++counts.reasons[static_cast<std::size_t>(answer->reason)];
+  }
   return counts;
 }
 
@@ -217,12 +219,12 @@ class MissedReasons::Asking {
     descend(here, polygons, on_subtree);
   }
 
-  void answer_leaf(const Subtree& leaf, std::vector<PolygonAnswer>& answers) {
+  void answer_leaf(const Subtree& leaf, Answers& asked) {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[leaf.node];
     for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
       if (!missed_[p] || !work_.is_left()) continue;
       const Answer answer = reasons_.answer(p, leaf.near, work_);
-      if (work_.is_left()) answers.push_back({p, answer});
+      if (work_.is_left()) asked.push_back({p, answer});
     }
   }
 
@@ -248,21 +250,32 @@ MissedReasons::Answers MissedReasons::answers(const std::vector<bool>& shows, co
   Work work(most_work, checkpoint);
   Asking asking(*this, missed, work);
   asking.descend({0, all()}, root.count / kShares, [&](Subtree&& s) { subtrees.push_back(std::move(s)); });
-  Answers result{.missed = asking.missed_in(root), .asked = {}};
-  std::vector<std::vector<PolygonAnswer>> parts(subtrees.size());
+  const std::size_t total = asking.missed_in(root);
+  std::vector<Answers> parts(subtrees.size());
   const auto answer_subtree = [&](std::size_t i) {
     // Half of the work that is left is divided equally, for the way down. The other half is divided in proportion to the
     // missed polygons.
     const double even = 1 / static_cast<double>(subtrees.size());
     const double of_missed =
-        static_cast<double>(asking.missed_in(hierarchy_.nodes()[subtrees[i].node])) / static_cast<double>(result.missed);
+        static_cast<double>(asking.missed_in(hierarchy_.nodes()[subtrees[i].node])) / static_cast<double>(total);
     const double share = (even + of_missed) / 2;
     Work part(static_cast<std::size_t>(share * static_cast<double>(work.left())), checkpoint);
     Asking below(*this, missed, part);
     below.descend(subtrees[i], 0, [&](const Subtree& leaf) { below.answer_leaf(leaf, parts[i]); });
   };
   parallel_for(subtrees.size(), answer_subtree, checkpoint);
-  for (const auto& part : parts) result.asked.insert(result.asked.end(), part.begin(), part.end());
+  Answers result;
+  result.reserve(total);
+  for (std::uint32_t p = 0; p < missed.size(); ++p) {
+    if (missed[p]) result.push_back({p, std::nullopt});
+  }
+  auto next = result.begin();
+  for (const Answers& part : parts) {
+    for (const MissedPolygon& asked : part) {
+      while (next->polygon != asked.polygon) ++next;
+      *next = asked;
+    }
+  }
   return result;
 }
 

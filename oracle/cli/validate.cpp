@@ -196,7 +196,7 @@ render::MissedCounts count_missed(const Walked& walked, const Visibility& visibi
                 if (found == shows.end()) return;
                 ++missed.frames;
                 const culler::MissedReasons reasons(walked.culler, camera, walked.options.cull, culled);
-                missed.counts += reasons.answers(*found->second, render::check_interrupt).counts();
+                missed.counts += culler::MissedReasons::count(reasons.answers(*found->second, render::check_interrupt));
               });
   return missed;
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -31,7 +32,7 @@ MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, co
     const MissedReasons::Answer answer = reasons.answer(p);
     std::vector<bool> shows(polygons, true);
     shows[p] = false;
-    const auto counts = reasons.answers(shows).counts();
+    const auto counts = MissedReasons::count(reasons.answers(shows));
     for (std::size_t r = 0; r < kMissedReasons; ++r)
       EXPECT_EQ(counts.reasons[r], r == static_cast<std::size_t>(answer.reason));
     return answer;
@@ -136,18 +137,44 @@ TEST(Missed, AsFarAsTheWorkGoes) {
   const CullResult frame = culler.cull(Camera{});
   const MissedReasons reasons(culler, Camera{}, {}, frame);
   const std::vector<bool> shows(soup.size());  // nothing does
-  const MissedReasons::Counts all = reasons.answers(shows).counts();
+  const MissedReasons::Counts all = MissedReasons::count(reasons.answers(shows));
   EXPECT_EQ(all.missed, frame.stats.drawn_polygons);
   EXPECT_EQ(all.asked(), all.missed);
   constexpr std::size_t kWork = 500000;  // less than half of what all take
-  const MissedReasons::Counts some = reasons.answers(shows, {}, kWork).counts();
+  const MissedReasons::Answers answers = reasons.answers(shows, {}, kWork);
+  const MissedReasons::Counts some = MissedReasons::count(answers);
   EXPECT_EQ(some.missed, all.missed);
   EXPECT_LT(some.asked(), all.missed / 2);
   EXPECT_GT(some.asked(), 0U);
-  EXPECT_EQ(reasons.answers(shows, {}, kWork).counts().reasons, some.reasons);
+  EXPECT_EQ(reasons.answers(shows, {}, kWork), answers);
 }
 
 /// Walls with corners exactly on the borders of each other's shadows, so that the exact stage answers.
+TEST(Missed, AnswersOneByOneAsTogether) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-8, 8), size(0.1, 2);
+  PolygonSoup soup;
+  for (int i = 0; i < 400; ++i) {
+    const double y = place(random), z = place(random);
+    add_wall(soup, 10 + place(random), y, y + size(random), z, z + size(random));
+  }
+  const Culler culler = with_leaves(soup, 2);
+  const CullOptions options{.occluders = 4};
+  const CullResult frame = culler.cull(Camera{}, options);
+  const MissedReasons reasons(culler, Camera{}, options, frame);
+  std::vector<bool> shows(soup.size());
+  for (std::size_t p = 0; p < shows.size(); p += 3) shows[p] = true;
+  const MissedReasons::Answers together = reasons.answers(shows);
+  ASSERT_GT(MissedReasons::count(together).reasons[static_cast<std::size_t>(Missed::not_chosen)], 3U);
+  std::uint32_t next = 0;
+  for (const auto& [polygon, answer] : together) {
+    EXPECT_GE(polygon, next);
+    EXPECT_FALSE(shows[polygon]);
+    EXPECT_EQ(reasons.answer(polygon), answer) << polygon;
+    next = polygon + 1;
+  }
+}
+
 TEST(Missed, CountsTheExactStageAsWork) {
   PolygonSoup soup;
   for (int i = 0; i < 200; ++i) {
@@ -160,7 +187,7 @@ TEST(Missed, CountsTheExactStageAsWork) {
   const MissedReasons reasons(culler, Camera{}, options, frame);
   constexpr std::size_t kExact = 500;  // answers of the exact stage; each wall asks dozens
   const MissedReasons::Counts some =
-      reasons.answers(std::vector<bool>(soup.size()), {}, kExact * PlaneWork::kExact).counts();
+      MissedReasons::count(reasons.answers(std::vector<bool>(soup.size()), {}, kExact * PlaneWork::kExact));
   EXPECT_LT(some.asked(), some.missed / 2);
 }
 

@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -35,6 +36,19 @@ class PageNumbers {
     const std::size_t size = next();
     at_ += size;
     return bytes_.substr(at_ - size, size);
+  }
+  /// Numbers in planes of bytes.
+  std::vector<float> floats(std::size_t count) {
+    std::vector<float> numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < sizeof bits; ++k) {
+        bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes_.at(at_ + k * count + i))) << 8 * k;
+      }
+      numbers.push_back(std::bit_cast<float>(bits));
+    }
+    at_ += sizeof(float) * count;
+    return numbers;
   }
   [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size(); }
 

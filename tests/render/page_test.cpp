@@ -14,6 +14,8 @@
 #include "bytes.h"
 #include "deflated.h"
 #include "occlude/culler/culler.h"
+#include "occlude/render/why.h"
+#include "page_details.h"
 #include "page_files.h"
 #include "page_frames.h"
 #include "page_model.h"
@@ -323,6 +325,71 @@ TEST_F(PageFramesTest, OfMoreBytesThanAllowedEverySecondFrameIsKept) {
   for (int i = 0; i < 3; ++i) kept.add(frame);  // 0, 4 and 8
   EXPECT_EQ(frames.packed(), kept.packed());
   EXPECT_EQ(frames.occluders().begin()->second.did.frames, 9U);
+}
+
+/// The numbers of the frames that `details` keeps.
+std::vector<std::size_t> kept_by(const PageDetails& details) {
+  std::vector<std::size_t> frames;
+  const std::string packed = details.packed();
+  for (PageNumbers numbers(packed); !numbers.is_at_end(); static_cast<void>(numbers.block())) {
+    const std::size_t before = frames.empty() ? 0 : frames.back();
+    frames.push_back(before + static_cast<std::size_t>(numbers.next()));
+  }
+  return frames;
+}
+
+TEST_F(PageFramesTest, DetailsAreKeptOfTheSlowestFramesToo) {
+  const culler::CullResult frame = culler_.cull(camera_);
+  const FrameRecord record;
+  const ShownFrame shown{record, camera_, frame, {}, nullptr, nullptr};
+  PageDetails one(culler_, model_);
+  one.add(shown, 1);
+  constexpr std::size_t kFrames = 100, kSlow = PageDetails::kSlowest;
+  PageDetails all(culler_, model_), some(culler_, model_, (kSlow + 10) * one.packed().size());
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    const double ms = i % 10 == 3 ? 50 : static_cast<double>(i % 7);  // the slow ones: 3, 13, ...
+    all.add(shown, ms);
+    some.add(shown, ms);
+  }
+  EXPECT_EQ(kept_by(all).size(), kFrames);
+  const std::vector<std::size_t> kept = kept_by(some);
+  std::vector<std::size_t> expected;
+  for (std::size_t i = 0; i < kFrames; ++i) {
+    if (i % 10 == 3 || i % 16 == 0) expected.push_back(i);
+  }
+  EXPECT_EQ(kept, expected);
+}
+
+TEST_F(PageFramesTest, DetailsHaveTheDistancesOfEachCulledSubtree) {
+  const culler::CullResult frame = culler_.cull(camera_, {.unions = true});
+  const FrameRecord record;
+  PageDetails details(culler_, model_);
+  details.add({record, camera_, frame, {}, nullptr, nullptr}, 1);
+  std::vector<double> expected;
+  for (const culler::Culled& culled : frame.culled) {
+    if (culled.by == culler::Culled::By::view) {
+      expected.push_back(beyond_view(culler_, frame, culled));
+      EXPECT_GE(expected.back(), 0);
+    } else {
+      for (const AgainstShadow& shadow : against_shadows(culler_, frame, culled)) {
+        expected.push_back(shadow.clearance.distance);
+        if (culled.second == culler::Culled::kNone) {
+          EXPECT_GE(expected.back(), 0);
+        }
+      }
+    }
+  }
+  const std::string packed = details.packed();
+  PageNumbers frames(packed);
+  static_cast<void>(frames.next());
+  PageNumbers numbers(frames.block());
+  ASSERT_EQ(numbers.next(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) static_cast<void>(numbers.next());
+  for (const double distance : numbers.floats(expected.size())) {
+    EXPECT_EQ(distance, static_cast<float>(expected.front()));
+    expected.erase(expected.begin());
+  }
+  EXPECT_TRUE(numbers.is_at_end());
 }
 
 TEST_F(PageFramesTest, CountWhatAnOccluderHid) {

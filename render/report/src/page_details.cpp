@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
+#include <optional>
 
 #include "occlude/render/why.h"
 
@@ -83,10 +84,10 @@ void PageDetails::pack_distances(const culler::CullResult& frame, Bytes& bytes) 
 void PageDetails::pack_reasons(const culler::MissedReasons::Answers& missed, Bytes& bytes) {
   struct Run {
     std::uint32_t first, end;  // places
-    culler::MissedReasons::Answer answer;
+    std::optional<culler::MissedReasons::Answer> answer;
   };
   std::vector<Run> runs;
-  for (const auto& [polygon, answer] : missed.asked) {
+  for (const auto& [polygon, answer] : missed) {
     const std::uint32_t place = model_.place(polygon);
     if (place != PageModel::kNone) runs.push_back({place, place + 1, answer});
   }
@@ -95,11 +96,11 @@ void PageDetails::pack_reasons(const culler::MissedReasons::Answers& missed, Byt
   for (auto run = runs.begin(); run != runs.end();) {
     Run joined = *run;
     for (++run; run != runs.end() && run->first == joined.end && run->answer == joined.answer; ++run) joined.end = run->end;
-    const std::uint32_t occluder = joined.answer.occluder;
     bytes.number(joined.first - at);
     bytes.number(joined.end - joined.first);
-    bytes.number(static_cast<std::size_t>(joined.answer.reason));
-    bytes.number(occluder == culler::Culled::kNone ? 0 : 1 + number_of(occluder));
+    bytes.number(joined.answer ? static_cast<std::size_t>(joined.answer->reason) : culler::kMissedReasons);
+    const bool is_alone = joined.answer && joined.answer->occluder != culler::Culled::kNone;
+    bytes.number(is_alone ? 1 + number_of(joined.answer->occluder) : 0);
     at = joined.end;
   }
 }

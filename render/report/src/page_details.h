@@ -20,7 +20,7 @@ namespace occlude::render {
 class PageDetails {
  public:
   /// Once the frames take so many bytes before compression, only every second one is kept, then every fourth, ...
-  static constexpr std::size_t kMostBytes = std::size_t{4} << 20;
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 20;
   /// The slowest frames are kept as well: page/tables.js lists them.
   static constexpr std::size_t kSlowest = 10;
 
@@ -37,7 +37,8 @@ class PageDetails {
   ///    cover: the number of planes; for each plane its number (plane_of), then for each one the distance of the subtree's
   ///    box from it, as float, in planes of bytes;
   /// 2. the hidden polygons that it drew, as runs with one answer: for each its distance in places from the end of the run
-  ///    before, its length, the reason, and 1 + the number of the occluder that hides it alone or 0.
+  ///    before, its length, the reason (kMissedReasons: not asked), and 1 + the number of the occluder that hides it alone
+  ///    or 0.
   [[nodiscard]] std::string packed() const;
 
   /// The occluders that hide something alone, by their numbers.

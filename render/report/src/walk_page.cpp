@@ -136,8 +136,7 @@ nlohmann::ordered_json add_missed(Columns& columns, const std::vector<culler::Mi
     add("missed_" + std::string(to_string(reason)), text_of(reason),
         [r](const Counts& counts) { return counts.reasons[r]; });
   }
-  add("missed_unasked", "not asked: the work for this frame was spent",
-      [](const Counts& counts) { return counts.missed - counts.asked(); });
+  add("missed_unasked", kUnasked, [](const Counts& counts) { return counts.missed - counts.asked(); });
   return names;
 }
 

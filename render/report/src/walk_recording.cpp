@@ -28,10 +28,11 @@ Json json_of(const HiderRecord& record) {
           {"best_hidden", record.best_hidden}};
 }
 
-/// In words, by their numbers.
+/// In words, by their numbers, and last what stands in place of one.
 Json reasons() {
   Json list = Json::array();
   for (std::size_t r = 0; r < culler::kMissedReasons; ++r) list.push_back(text_of(static_cast<culler::Missed>(r)));
+  list.push_back(kUnasked);
   return list;
 }
 

@@ -103,7 +103,7 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     const std::vector<culler::CoverWitness> covers = covers_of(culler, camera, finished.culled, options.cull);
     const auto reasons = missed_by(finished, culler, camera, options.cull);
     output.add_frame({finished.record, camera, finished.culled, covers, finished.visible, reasons ? &*reasons : nullptr});
-    if (reasons) missed.push_back(reasons->counts());
+    if (reasons) missed.push_back(culler::MissedReasons::count(*reasons));
     if (finished.is_reference) operations += visit_shadow_tests(culler, frame, finished.culled, options);
     if (!options.witness) return;
     lines.clear();

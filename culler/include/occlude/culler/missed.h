@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -72,6 +73,21 @@ class MissedReasons {
   /// the frame.
   [[nodiscard]] Answer answer(std::uint32_t p) const;
 
+  /// A polygon that is hidden and drawn.
+  struct MissedPolygon {
+    std::uint32_t polygon;
+    std::optional<Answer> answer;  ///< as of answer(polygon); none if there was too little work
+
+    friend bool operator==(const MissedPolygon&, const MissedPolygon&) = default;
+  };
+  using Answers = std::vector<MissedPolygon>;
+  /// Everything that the frame missed, ascending, with the reasons as far as `most_work` goes. Runs on all processors; the
+  /// result does not depend on their number. shows[p] tells whether polygon p of Hierarchy::soup() is visible in the frame.
+  /// What `checkpoint` throws is thrown on.
+  /// REQUIRES: shows.size() is the number of polygons.
+  [[nodiscard]] Answers answers(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
+                                std::size_t most_work = kMostWork) const;
+
   struct Counts {
     std::size_t missed = 0;                             ///< polygons that are hidden and drawn
     std::array<std::size_t, kMissedReasons> reasons{};  ///< how many of them were missed for each, of those that were asked
@@ -79,21 +95,7 @@ class MissedReasons {
     [[nodiscard]] std::size_t asked() const { return std::accumulate(reasons.begin(), reasons.end(), std::size_t{0}); }
     Counts& operator+=(const Counts& other);
   };
-  struct PolygonAnswer {
-    std::uint32_t polygon;
-    Answer answer;
-  };
-  struct Answers {
-    std::size_t missed = 0;            ///< polygons that are hidden and drawn
-    std::vector<PolygonAnswer> asked;  ///< ascending, each as of answer(polygon)
-
-    [[nodiscard]] Counts counts() const;
-  };
-  /// The reasons of everything that the frame missed, but for polygons that `most_work` does not reach. Runs on all
-  /// processors; the result does not depend on their number. shows[p] tells whether polygon p of Hierarchy::soup() is
-  /// visible in the frame. What `checkpoint` throws is thrown on. REQUIRES: shows.size() is the number of polygons.
-  [[nodiscard]] Answers answers(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
-                                std::size_t most_work = kMostWork) const;
+  [[nodiscard]] static Counts count(const Answers& answers);
 
  private:
   struct Shadow {

@@ -19,6 +19,9 @@ struct MissedCounts {
 /// The reason in words.
 [[nodiscard]] const char* text_of(culler::Missed reason);
 
+/// In place of a reason.
+inline constexpr const char* kUnasked = "not asked: the work for this frame was spent";
+
 /// Frames, polygons, how many of them were asked, and the number for each reason that the method can have.
 [[nodiscard]] nlohmann::ordered_json json_of(const MissedCounts& missed);
 
