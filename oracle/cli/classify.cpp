@@ -74,7 +74,7 @@ bool classify(const cases::CoverLine& line, Json& answer) {
   const kernel::Refusal refusal = refused != kernel::Refusal::none ? refused : cases::check(line.box);
   if (refusal != kernel::Refusal::none) return refuse(truth, line.expect, refusal, answer);
   const kernel::Decision certified =
-      std::visit([&](const auto& box) { return kernel::overlap_certified(*cover, box); }, line.box);
+      std::visit([&hides = *cover](const auto& box) { return kernel::overlap_certified(hides, box); }, line.box);
   answer["certified"] = text(certified.relation);
   answer["stage"] = text(certified.stage);
   const std::string judged = text(truth);
@@ -111,7 +111,8 @@ void add_classify(Command app, int& exit_code) {
                   render::kMostCoverVertices) +
       limits_help() +
       "\n"
-      R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},"near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
+      R"(Example: echo '{"id":"wall","eye":[0,0,0],"occluder":{"polygon":[[2,-1,-1],[2,1,-1],[2,1,1],[2,-1,1]]},)"
+      R"("near":"surface","box":{"min":[4,0,0],"max":[5,2,1]}}' | occlude classify)");
   const auto file = std::make_shared<std::string>("-");
   add_input(command, "FILE", *file, "case file, - for standard input").show_default();
   command.run([file, &exit_code] { classify_file(*file, exit_code); });

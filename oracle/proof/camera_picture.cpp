@@ -54,8 +54,9 @@ oracle::Picture picture_of(const culler::Camera& camera, double outward) {
 
 double depth_of(const oracle::Aabb& model, const culler::Camera& camera) {
   double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    sum += std::max(std::fabs(model.min[axis] - camera.eye[axis]), std::fabs(model.max[axis] - camera.eye[axis]));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double eye = camera.eye[static_cast<int>(axis)];
+    sum += std::max(std::fabs(model.min[axis] - eye), std::fabs(model.max[axis] - eye));
   }
   return sum;
 }

@@ -106,7 +106,7 @@ struct LessByVertices {
   [[nodiscard]] static std::array<double, 3> corner(const kernel::Vec3& v) { return key(v); }
   [[nodiscard]] bool less(const auto& a, const auto& b) const {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-                                        [this](const auto& v, const auto& w) { return corner(v) < corner(w); });
+                                        [&](const auto& v, const auto& w) { return corner(v) < corner(w); });
   }
 };
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
+#include <algorithm>
 #include <system_error>
 
 #include "occlude/render/errors.h"
@@ -22,7 +22,7 @@ std::vector<fs::path> with_parents(const fs::path& folder) {
 
 void remove_empty(const std::vector<fs::path>& folders) {
   std::error_code not_empty;
-  for (const fs::path& folder : folders | std::views::reverse) fs::remove(folder, not_empty);
+  std::for_each(folders.rbegin(), folders.rend(), [&](const fs::path& folder) { fs::remove(folder, not_empty); });
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "occlude/culler/clearance.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/witness.h"
 
 namespace occlude::render {
 
