@@ -35,7 +35,7 @@ class Viewer {
     this.canvas = canvas;
     this.model = model;
     this.lens = lens;
-    this.gl = canvas.getContext('webgl2', {antialias: true, alpha: false});
+    this.gl = contextOf(canvas);
     if (!this.gl) throw new Error('this browser has no WebGL2.');
     this.models = new ModelPainter(this.gl, model);
     this.lines = new LinePainter(this.gl);

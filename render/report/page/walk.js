@@ -71,6 +71,11 @@ class WalkPage {
     byId('viewer').classList.add('ready');
     this.orbit = new OrbitControl(this.viewer, (x, y) => this.pick(x, y));
     this.setIndex(this.index);
+  }
+
+  /** Draws the whole model once, so that the first picture comes before it. */
+  addMap() {
+    if (!this.viewer) return;
     const shares = [...this.columns.frame.keys()].map(i => this.shareCulled(i));
     this.map = new PathMap(byId('map'), this.viewer, this.eyes, this.targets, shares, index => this.setIndex(index));
     this.setIndex(this.index);
@@ -295,6 +300,9 @@ function showPictures(reason) {
   byId('reason').textContent = reason;
 }
 
+/** Once the browser has drawn. */
+const picture = () => new Promise(done => requestAnimationFrame(() => setTimeout(done)));
+
 async function open() {
   const page = new WalkPage(await jsonOfPart('figures'));
   const [scene, path] = await Promise.all([jsonOfPart('scene'), jsonOfPart('path')]);
@@ -302,6 +310,8 @@ async function open() {
   const parts = Object.fromEntries(await Promise.all(names.map(async name => [name, await bytesOfPart(name)])));
   const model = new Model(scene, parts);
   page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves), new Details(parts.details));
+  await picture();
+  page.addMap();
   return page;
 }
 

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// WebGL for the picture. The browser takes up to two seconds to start it, beside everything else: the page asks for it as soon
+// as there is a canvas.
+
+const contextOf = canvas => canvas.getContext('webgl2', {antialias: true, alpha: false});
+
+contextOf(document.getElementById('picture'));
