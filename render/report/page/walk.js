@@ -17,12 +17,12 @@ class WalkPage {
     this.count = columns.frame.length;
     this.index = 0;
     this.charts = new Charts(index => this.setIndex(index));
-    this.fillCharts();
     this.fillTables();
     this.listen();
     this.setIndex(this.indexOfAddress() ?? 0);
   }
 
+  /** Takes as long as unpacking the model, and comes after the first picture. */
   fillCharts() {
     const c = this.columns, frames = c.frame;
     const line = (name, colour, values) => ({name, colour, values});
@@ -39,6 +39,7 @@ class WalkPage {
     const outOfView = c.out_of_view.reduce((sum, n) => sum + n, 0) / (this.count * this.walk.polygons);
     this.charts.add(byId('fates'), frames, [line('out of view', kColours.outOfView, c.out_of_view), line('culled by shadow or cover', kColours.culled, c.culled), ...drawn],
                     {unit: 'polygons', stacked: true, hiddenAtFirst: outOfView > 2 / 3 ? ['out of view'] : []});
+    this.charts.setCursor(this.index);
   }
 
   fillTables() {
@@ -311,6 +312,7 @@ async function open() {
   const model = new Model(scene, parts);
   page.addScene(scene, path, model, new Frames(scene, parts.frames, model.leaves), new Details(parts.details));
   await picture();
+  page.fillCharts();
   page.addMap();
   return page;
 }
