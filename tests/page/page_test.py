@@ -77,6 +77,20 @@ class Reading(Page):
             expected = self.run_script('return page.charts.charts[arguments[0]].chart.toDomXCoord(arguments[1])', chart, frame)
             self.assertAlmostEqual(float(left[:-2]), expected, places=1)
 
+    def test_a_link_leads_to_its_frame_while_the_address_waits(self):
+        self.open('frusta')
+        self.driver.get(f'file://{os.getcwd()}/frusta/report.html#frame=40')
+        WebDriverWait(self.driver, 10).until(lambda _: self.number() == 40)
+        # In one script, so that the address still names frame 40 when its link is followed from frame 60.
+        self.run_script('''
+            page.setIndex(3);
+            const link = document.createElement('a');
+            link.href = '#frame=40';
+            document.body.append(link);
+            link.click();''')
+        WebDriverWait(self.driver, 10).until(lambda _: self.number() == 40)
+        self.assertTrue(self.driver.current_url.endswith('#frame=40'))
+
     def test_space_plays(self):
         self.open('frusta')
         body = self.driver.find_element(By.TAG_NAME, 'body')

@@ -247,7 +247,12 @@ class WalkPage {
   nameInAddress() {
     clearTimeout(this.naming);
     if (this.index === this.indexOfAddress() || (this.index === 0 && !location.hash)) return;
-    this.naming = setTimeout(() => history.replaceState(null, '', `#frame=${this.columns.frame[this.index]}`), 300);
+    this.naming = setTimeout(() => this.nameNow(), 300);
+  }
+
+  nameNow() {
+    clearTimeout(this.naming);
+    history.replaceState(null, '', `#frame=${this.columns.frame[this.index]}`);
   }
 
   indexOfAddress() {
@@ -274,7 +279,9 @@ class WalkPage {
     }
     addEventListener('click', event => {
       const link = event.target.closest('a[href^="#frame="]');
-      if (link) byId('viewer').scrollIntoView();
+      if (!link) return;
+      this.nameNow();  // a name still to come would undo the link's, or be the same, and the link would lead nowhere
+      byId('viewer').scrollIntoView();
     });
     addEventListener('hashchange', () => this.setIndex(this.indexOfAddress() ?? this.index));
     addEventListener('keydown', event => this.key(event));
