@@ -30,7 +30,7 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);
-  farthest_.assign(pixels / kTilePixels, kOpen);
+  farthest_.assign(pixels / kTilePixels + kTile, kOpen);
   owners_.clear();
 }
 
@@ -106,13 +106,14 @@ float CoverBuffer::seen_size(const SeenBoxes& boxes, std::size_t i) const {
   return rounded_up(std::max(right, up) / (picture_.height() - 2 * kBorder));
 }
 
-bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box.pixels, box.most, 1) == 0; }
+bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box, 1) == 0; }
 
 CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
   const Footprint footprint = this->footprint(box);
   if (!footprint.is_in_picture) return Gap::beyond_picture;
   if (hides(footprint)) return Gap::none;
-  return open(footprint.pixels, std::numeric_limits<float>::lowest(), 1) > 0 ? Gap::open : Gap::not_behind;
+  return open_pixels(tile_picture(), footprint.pixels, std::numeric_limits<float>::lowest(), 1) > 0 ? Gap::open
+                                                                                                    : Gap::not_behind;
 }
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {

@@ -63,13 +63,19 @@ class CoverBuffer {
   /// from the eye than the depth of the view.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
   [[nodiscard]] bool hides(const Footprint& box) const;
+  /// Those of the asked boxes that are hidden.
+  [[nodiscard]] kernel::BoxBits hidden(const SeenBoxes& boxes, kernel::BoxBits asked) const {
+    return culler::hidden(tile_picture(), boxes, asked);
+  }
   /// Why the box is not hidden; `none` if it is.
   enum class Gap { none, beyond_picture, open, not_behind };
   [[nodiscard]] Gap gap(const kernel::Aabb& box) const;
 
   /// How many of the pixels that the box touches do not hide it. Counting stops at `enough`. A box in the picture is hidden
   /// if the result is 0.
-  [[nodiscard]] int open(const Footprint& box, int enough) const { return open(box.pixels, box.most, enough); }
+  [[nodiscard]] int open(const Footprint& box, int enough) const {
+    return open_pixels(tile_picture(), box.pixels, box.most, enough);
+  }
 
   /// A mesh that closes pixels of a box, and the rectangle of positions that holds these pixels as far as the box may reach.
   struct Owner {
@@ -93,9 +99,8 @@ class CoverBuffer {
   [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
-  /// How many pixels of the rectangle do not hide what has a nearness of `most` or less. Counting stops at `enough`.
-  [[nodiscard]] int open(const PixelRectangle& r, float most, int enough) const {
-    return open_pixels({nearness_.data(), farthest_.data(), tiles_across_}, r, most, enough);
+  [[nodiscard]] TilePicture tile_picture() const {
+    return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
   }
 
   [[nodiscard]] SeenBoxes seen(const kernel::Aabb& box) const;

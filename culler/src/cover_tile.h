@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "beam_picture.h"
+#include "occlude/kernel/box_block.h"
+#include "seen_boxes.h"
 
 namespace occlude::culler {
 
@@ -17,11 +19,17 @@ inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 /// The nearness of pixels, stored by tiles.
 struct TilePicture {
   const float* nearness;  ///< of each pixel, tile after tile
-  const float* farthest;  ///< of each tile, the least nearness of its pixels
-  int tiles_across;
+  const float* farthest;  ///< of each tile, the least nearness of its pixels; readable kTile tiles past the last
+  int tiles_across, tiles_up;
+
+  [[nodiscard]] int width() const { return kTile * tiles_across; }
+  [[nodiscard]] int height() const { return kTile * tiles_up; }
 };
-/// How many pixels of the rectangle have a nearness of at most `most`. Counts tile by tile, and stops at `enough`.
+/// How many pixels of the rectangle, which may be empty, have a nearness of at most `most`. Counts tile by tile, and stops
+/// at `enough`.
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
+/// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch.
+[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const SeenBoxes& boxes, kernel::BoxBits asked);
 /// Raises the pixels of the mask to `nearness` unless they are nearer already. Returns the least nearness of all pixels of
 /// the tile.
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness);

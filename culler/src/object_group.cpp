@@ -23,26 +23,23 @@ void ObjectGroup::assign(std::span<const SceneObject> objects, GroupBuilder& bui
   clear();
   builder.boxes.clear();
   for (const SceneObject& object : objects) builder.boxes.push_back(outer_box(object.box));
-  builder.tree.build(builder.boxes, kLeaf);
-  // A tree of full leaves has a node for four objects; most have leaves that are half full. With this room, another tree of
-  // as many objects hardly ever needs more.
-  nodes_.reserve(objects.size() / 2 + 1);
-  nodes_.assign(builder.tree.nodes().begin(), builder.tree.nodes().end());
+  builder.curve.sort(builder.boxes);
+  tree_.build(builder.boxes, builder.curve.order());
   places_.reserve(objects.size());
-  for (const std::uint32_t from : builder.tree.order()) {
+  for (const std::uint32_t from : builder.curve.order()) {
     const SceneObject& object = objects[from];
     const auto* const oriented = std::get_if<kernel::Obb>(&object.box);
     const std::uint32_t k = oriented == nullptr ? kNone : static_cast<std::uint32_t>(oriented_.size());
     if (oriented != nullptr) oriented_.push_back(*oriented);
-    places_.push_back({builder.boxes[from], object.id, object.mask, k});
+    places_.push_back({object.id, object.mask, k});
     is_in_all_layers_ = is_in_all_layers_ && object.mask == kAllLayers;
   }
   living_ = objects.size();
-  if (living_ > 0) box_ = nodes_[0].box;
+  box_ = tree_.box();
 }
 
 void ObjectGroup::clear() {
-  nodes_.clear();
+  tree_.clear();
   places_.clear();
   oriented_.clear();
   living_ = 0;
@@ -61,8 +58,8 @@ void ObjectGroup::fit_box() {
   if (!is_box_loose_) return;
   is_box_loose_ = false;
   box_ = empty_box();
-  for (const Place& place : places_) {
-    if (!place.id.is_none()) grow(box_, place.outer);
+  for (std::uint32_t i = 0; i < size(); ++i) {
+    if (!id(i).is_none()) grow(box_, outer(i));
   }
 }
 
@@ -78,11 +75,20 @@ void ObjectGroup::append_living(std::vector<SceneObject>& objects) const {
   }
 }
 
-std::size_t ObjectGroup::bytes() const { return capacity_of(nodes_) + capacity_of(places_) + capacity_of(oriented_); }
+std::size_t ObjectGroup::bytes() const { return tree_.bytes() + capacity_of(places_) + capacity_of(oriented_); }
 
-std::size_t ObjectGroup::count(const HierarchyNode& node, std::uint32_t mask) const {
-  if (is_in_all_layers_ && living_ == size() && mask != 0) return node.count;
-  const auto places = std::span(places_).subspan(node.first, node.count);
+ObjectGroup::Kinds ObjectGroup::kinds(std::uint32_t first, std::uint32_t mask) const {
+  const auto places = std::span(places_).subspan(first);
+  Kinds kinds;
+  for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), PackedTree::kWidth); ++i) {
+    kinds.in_layers |= static_cast<kernel::BoxBits>(((places[i].mask & mask) != 0 ? 1U : 0U) << i);
+    kinds.oriented |= static_cast<kernel::BoxBits>((places[i].oriented != kNone ? 1U : 0U) << i);
+  }
+  return kinds;
+}
+
+std::size_t ObjectGroup::count_one_by_one(const PackedTree::Items& objects, std::uint32_t mask) const {
+  const auto places = std::span(places_).subspan(objects.first, objects.count);
   return static_cast<std::size_t>(
       std::ranges::count_if(places, [&](const Place& place) { return (place.mask & mask) != 0; }));
 }

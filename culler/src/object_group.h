@@ -8,11 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "linear_tree.h"
+#include "curve_order.h"
 #include "occlude/culler/box.h"
-#include "occlude/culler/hierarchy.h"
 #include "occlude/culler/scene_id.h"
+#include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
+#include "packed_tree.h"
 
 namespace occlude::culler {
 
@@ -25,16 +26,13 @@ struct SceneObject {
 
 /// Memory for building, shared by all groups.
 struct GroupBuilder {
-  LinearTree tree;
+  CurveOrder curve;
   std::vector<kernel::Aabb> boxes;
 };
 
 /// Several threads may read at once.
 class ObjectGroup {
  public:
-  /// Objects of a leaf are tested together: eight at most.
-  static constexpr std::uint32_t kLeaf = 8;
-
   void assign(std::span<const SceneObject> objects, GroupBuilder& builder);
   void clear();
   /// Removes object i. Its place stays empty, and in no layer. The tree stays, so its boxes may be larger than they need be.
@@ -45,7 +43,7 @@ class ObjectGroup {
   /// Appends what is left.
   void append_living(std::vector<SceneObject>& objects) const;
 
-  /// The places of objects, in the order of the leaves; of these, those that are not empty.
+  /// The places of objects, in the order of the tree; of these, those that are not empty.
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] std::size_t living() const { return living_; }
   /// The box around all objects, those removed since the last fit_box() included.
@@ -54,11 +52,16 @@ class ObjectGroup {
   [[nodiscard]] std::size_t capacity() const { return places_.capacity(); }
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Of its tree. A node that is not culled as a whole says nothing of the objects in it.
-  [[nodiscard]] std::span<const HierarchyNode> nodes() const { return nodes_; }
+  /// A tree over outer(i), those of empty places included.
+  [[nodiscard]] const PackedTree& tree() const { return tree_; }
   [[nodiscard]] ObjectId id(std::uint32_t i) const { return places_[i].id; }
   [[nodiscard]] std::uint32_t mask(std::uint32_t i) const { return places_[i].mask; }
-  [[nodiscard]] const kernel::Aabb& outer(std::uint32_t i) const { return places_[i].outer; }
+  /// Of the objects [first, first + 8): those that are in one of these layers, and those whose boxes are oriented.
+  struct Kinds {
+    kernel::BoxBits in_layers = 0, oriented = 0;
+  };
+  [[nodiscard]] Kinds kinds(std::uint32_t first, std::uint32_t mask) const;
+  [[nodiscard]] kernel::Aabb outer(std::uint32_t i) const { return tree_.item(i); }
   /// Calls question(box) with the box of object i, which may be oriented.
   template <class Question>
   decltype(auto) ask(std::uint32_t i, const Question& question) const {
@@ -67,22 +70,24 @@ class ObjectGroup {
   }
   /// Whether every object is in all layers.
   [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
-  /// How many of the objects of a node are in one of these layers.
-  [[nodiscard]] std::size_t count(const HierarchyNode& node, std::uint32_t mask) const;
+  /// How many of these objects are in one of these layers.
+  [[nodiscard]] std::size_t count(const PackedTree::Items& objects, std::uint32_t mask) const {
+    return is_in_all_layers_ && living_ == size() && mask != 0 ? objects.count : count_one_by_one(objects, mask);
+  }
+  [[nodiscard]] std::size_t count(std::uint32_t mask) const { return count({0, static_cast<std::uint32_t>(size())}, mask); }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// An object. What a frame reads of it is in one line of the cache.
-  struct alignas(64) Place {
-    kernel::Aabb outer;
+  [[nodiscard]] std::size_t count_one_by_one(const PackedTree::Items& objects, std::uint32_t mask) const;
+
+  struct Place {
     ObjectId id;             ///< none if the place is empty
     std::uint32_t mask;      ///< 0 if the place is empty
     std::uint32_t oriented;  ///< the index in oriented_, or kNone
   };
-  static_assert(sizeof(Place) == 64);
 
-  std::vector<HierarchyNode> nodes_;
+  PackedTree tree_;
   std::vector<Place> places_;
   std::vector<kernel::Obb> oriented_;
   std::size_t living_ = 0;

@@ -30,7 +30,7 @@ class ObjectListing {
     (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
   }
 
-  [[nodiscard]] bool is_out_of_view(const ObjectGroup& group, std::uint32_t object, std::uint32_t across);
+  [[nodiscard]] bool is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
   /// As DrawnObject::size.
   [[nodiscard]] float size_of(const kernel::Aabb& box) const;
 
@@ -38,7 +38,7 @@ class ObjectListing {
   [[nodiscard]] SceneStats& stats() { return stats_; }
 
  private:
-  void list_leaf(const ObjectGroup& group, const HierarchyNode& leaf, std::uint32_t across);
+  class Objects;
 
   const SceneOptions& options_;
   const ViewPlanes& view_;

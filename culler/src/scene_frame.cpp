@@ -91,7 +91,7 @@ class SceneFrame {
     if ((object->mask & options_.mask) == 0) return {Reason::in_no_layer};
     if (object->group == nullptr) return {Reason::always_drawn};
     for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) {
-      if (asking_.is_out_of_view(*object->group, object->index, 1U << plane)) return {Reason::out_of_view, plane};
+      if (asking_.is_beyond(plane, *object->group, object->index)) return {Reason::out_of_view, plane};
     }
     const kernel::Aabb& box = object->group->outer(object->index);
     if (buffer_.hides(box)) return {Reason::hidden};

@@ -301,7 +301,7 @@ void SceneObjects::build_top() {
     groups_[g].fit_box();
     grow(box_, groups_[g].box());
     top_groups_.push_back(g);
-    boxes_.push_back(groups_[g].nodes()[0].box);
+    boxes_.push_back(groups_[g].tree().box());
   }
   top_.build(boxes_, 1);
   count_groups();
@@ -328,7 +328,7 @@ std::size_t SceneObjects::count(const HierarchyNode& node, std::uint32_t mask) c
   std::size_t objects = mask == 0 ? 0 : before_[end] - before_[node.first];
   for (auto i = std::ranges::lower_bound(layered_, node.first); i != layered_.end() && *i < end; ++i) {
     const ObjectGroup& layered = group(top_.order()[*i]);
-    objects += layered.count(layered.nodes()[0], mask);
+    objects += layered.count(mask);
   }
   return objects;
 }
@@ -348,7 +348,7 @@ std::size_t SceneObjects::bytes() const {
                       bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) + bytes_of(unplaced_) +
                       bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() + bytes_of(before_) +
                       bytes_of(layered_) + bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) +
-                      bytes_of(batch_) + builder_.tree.bytes() + bytes_of(builder_.boxes) + bytes_of(boxes_);
+                      bytes_of(batch_) + builder_.curve.bytes() + bytes_of(builder_.boxes) + bytes_of(boxes_);
   for (const ObjectGroup& group : groups_) bytes += group.bytes();
   return bytes;
 }

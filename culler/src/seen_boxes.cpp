@@ -131,6 +131,18 @@ HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) 
   hn::StoreU(is_perspective ? squared : nearest, kD, &boxes.distance[i]);
 }
 
+HWY_INLINE void take(const BoxPicture& picture, const kernel::BoxBlock& block, SeenBoxes& boxes) {
+  const hn::CappedTag<double, SeenBoxes::kMost> d;
+  const hn::Rebind<float, decltype(d)> to;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto eye = hn::Set(d, picture.eye[static_cast<int>(axis)]);
+    for (std::size_t i = 0; i < SeenBoxes::kMost; i += hn::Lanes(d)) {
+      hn::StoreU(hn::DemoteTo(to, hn::Sub(hn::Load(d, &block.min[axis][i]), eye)), to, &boxes.low[axis][i]);
+      hn::StoreU(hn::DemoteTo(to, hn::Sub(hn::Load(d, &block.max[axis][i]), eye)), to, &boxes.high[axis][i]);
+    }
+  }
+}
+
 void see(const BoxPicture& picture, SeenBoxes& boxes) {
   for (std::size_t i = 0; i < boxes.size; i += hn::Lanes(kD)) {
     if (picture.is_perspective) {
@@ -139,6 +151,11 @@ void see(const BoxPicture& picture, SeenBoxes& boxes) {
       see_lanes<false>(picture, boxes, i);
     }
   }
+}
+
+void see_block(const BoxPicture& picture, const kernel::BoxBlock& block, SeenBoxes& boxes) {
+  take(picture, block, boxes);
+  HWY_NAMESPACE::see(picture, boxes);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -152,6 +169,7 @@ HWY_AFTER_NAMESPACE();
 namespace occlude::culler {
 namespace {
 HWY_EXPORT(see);
+HWY_EXPORT(see_block);
 
 std::array<float, 3> to_floats(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -176,6 +194,11 @@ BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
       wider_y(rounded_up(margin.y)) {}
 
 void SeenBoxes::see(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(see)(picture, *this); }
+
+void SeenBoxes::see(const BoxPicture& picture, const kernel::BoxBlock& block) {
+  size = kMost;
+  HWY_DYNAMIC_DISPATCH(see_block)(picture, block, *this);
+}
 
 }  // namespace occlude::culler
 #endif

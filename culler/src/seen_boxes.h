@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "beam_picture.h"
+#include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -31,7 +32,7 @@ class BoxPicture {
 
 /// At most eight boxes, and what is known of them in a picture. Each array has a value for each box.
 struct SeenBoxes {
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMost = kernel::BoxBlock::kBoxes;
   using Floats = std::array<float, kMost>;
   using Integers = std::array<std::int32_t, kMost>;
 
@@ -44,6 +45,8 @@ struct SeenBoxes {
   }
   /// Computes the members below that follow `low` and `high`.
   void see(const BoxPicture& picture);
+  /// The same for all boxes of a block, instead of those that were added.
+  void see(const BoxPicture& picture, const kernel::BoxBlock& block);
 
   std::size_t size = 0;
   alignas(32) std::array<Floats, 3> low{}, high{};  ///< relative to the eye, rounded to nearest

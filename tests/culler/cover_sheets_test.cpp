@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The division of a mesh into sheets, the numbers of what is gathered, and the pixels of a tile.
+// The division of a mesh into sheets, and the numbers of what is gathered.
 #include "cover_sheets.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cover_group.h"
-#include "cover_tile.h"
 #include "cover_triangles.h"
 #include "local_index.h"
 #include "occlude/culler/polygon_soup.h"
@@ -129,54 +128,6 @@ TEST(LocalIndex, CountsWhatIsNewAndForgetsAll) {
       if (known == things.end()) things.push_back(thing);
       EXPECT_EQ(index.size(), things.size());
     }
-  }
-}
-
-TEST(CoverTile, CountsWhatIsOpen) {
-  std::mt19937 random(5);
-  constexpr int kAcross = 3, kDown = 2;
-  for (int i = 0; i < 2000; ++i) {
-    std::vector<float> nearness(kAcross * kDown * kTilePixels), farthest(kAcross * kDown);
-    for (float& pixel : nearness)
-      pixel = random() % 8 == 0 ? -std::numeric_limits<float>::infinity() : static_cast<float>(random() % 4);
-    for (std::size_t tile = 0; tile < farthest.size(); ++tile) {
-      farthest[tile] = *std::min_element(&nearness[tile * kTilePixels], &nearness[tile * kTilePixels] + kTilePixels);
-    }
-    const auto ordered = [&](int end) {
-      const auto below = [&] { return static_cast<int>(random() % static_cast<unsigned>(end)); };
-      const int a = below(), b = below();
-      return std::pair{std::min(a, b), std::max(a, b) + 1};
-    };
-    const auto [x0, x1] = ordered(kAcross * kTile);
-    const auto [y0, y1] = ordered(kDown * kTile);
-    const auto most = static_cast<float>(random() % 5) - 1;
-    int expected = 0;
-    for (int y = y0; y < y1; ++y) {
-      for (int x = x0; x < x1; ++x) {
-        const int tile = y / kTile * kAcross + x / kTile;
-        if (!(nearness[static_cast<std::size_t>(tile * 64 + y % kTile * kTile + x % kTile)] > most)) ++expected;
-      }
-    }
-    const TilePicture picture{nearness.data(), farthest.data(), kAcross};
-    EXPECT_EQ(open_pixels(picture, {x0, y0, x1, y1}, most, 1000), expected);
-    const int enough = 1 + static_cast<int>(random() % 8);
-    EXPECT_EQ(open_pixels(picture, {x0, y0, x1, y1}, most, enough) >= enough, expected >= enough);
-  }
-}
-
-TEST(CoverTile, BringsNearerWhatTheMaskHas) {
-  std::mt19937 random(6);
-  for (int i = 0; i < 1000; ++i) {
-    std::array<float, kTilePixels> pixels;
-    for (float& pixel : pixels) pixel = static_cast<float>(random() % 16);
-    const std::uint64_t mask = (std::uint64_t{random()} << 32U | random()) & (i % 2 == 0 ? ~std::uint64_t{0} : random());
-    const auto nearness = static_cast<float>(random() % 16);
-    std::array<float, kTilePixels> expected = pixels;
-    for (std::size_t k = 0; k < kTilePixels; ++k) {
-      if ((mask >> k & 1U) != 0) expected[k] = std::max(expected[k], nearness);
-    }
-    EXPECT_EQ(bring_nearer(pixels.data(), mask, nearness), std::ranges::min(expected));
-    EXPECT_EQ(pixels, expected);
   }
 }
 

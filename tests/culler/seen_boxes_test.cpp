@@ -66,11 +66,18 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
       batch.add(boxes, asked.back());
     }
     batch.see(boxes);
+    kernel::BoxBlock block;
+    for (std::size_t k = 0; k < asked.size(); ++k) block.set(k, asked[k]);
+    SeenBoxes of_block;
+    of_block.see(boxes, block);
     for (std::size_t k = 0; k < batch.size; ++k) {
       SeenBoxes alone;
       alone.add(boxes, asked[k]);
       alone.see(boxes);
       EXPECT_EQ(alone.most[0], batch.most[k]) << "its lane decides";
+      EXPECT_EQ(of_block.most[k], batch.most[k]) << "how it came there decides";
+      EXPECT_EQ(of_block.low_x[k], batch.low_x[k]);
+      EXPECT_EQ(of_block.y1[k], batch.y1[k]);
       EXPECT_EQ(alone.low_x[0], batch.low_x[k]);
       EXPECT_EQ(alone.y1[0], batch.y1[k]);
       if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// This file is compiled once for every instruction set; the one that runs is chosen at run time. Boxes that the filter
+// cannot decide are left to the test of a single box.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "half_space_block.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target.h must come first.
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstddef>
+#include <span>
+
+#include "error_bounds.h"
+#include "occlude/kernel/box_block.h"
+
+#ifndef OCCLUDE_HALF_SPACE_BLOCK_ONCE
+#define OCCLUDE_HALF_SPACE_BLOCK_ONCE
+namespace occlude::kernel {
+namespace {
+
+/// What the filter knows of the boxes of a block. Boxes of which none of these is set straddle the plane.
+struct Known {
+  unsigned outside = 0, inside = 0, unknown = 0;
+};
+
+/// The answers, by the test of a single box where the filter has none.
+inline BlockRelation decided(const HalfSpace& half_space, const BoxBlock& block, BoxBits asked, Known known) {
+  for (unsigned left = known.unknown & asked; left != 0; left &= left - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(left));
+    const Relation relation = kernel::relation(half_space, block.box(i), Arithmetic::certified);
+    known.outside |= (relation == Relation::outside ? 1U : 0U) << i;
+    known.inside |= (relation == Relation::inside ? 1U : 0U) << i;
+  }
+  return {static_cast<BoxBits>(known.outside & asked), static_cast<BoxBits>(known.inside & asked)};
+}
+
+}  // namespace
+}  // namespace occlude::kernel
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace occlude::kernel {
+namespace {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// At most eight boxes.
+using Boxes = hn::CappedTag<double, BoxBlock::kBoxes>;
+using Lanes = hn::Vec<Boxes>;
+
+/// The value of the half-space at a corner of each box, and the bound of its error: as in half_space.cpp, where the
+/// derivation of kHalfSpaceError allows any order of the sum.
+struct Value {
+  Lanes value, error;
+
+  HWY_INLINE Value(const HalfSpace& h, const double* x, const double* y, const double* z) {
+    const Boxes d;
+    const Lanes px = hn::Mul(hn::Set(d, h.normal.x), hn::Load(d, x)), py = hn::Mul(hn::Set(d, h.normal.y), hn::Load(d, y)),
+                pz = hn::Mul(hn::Set(d, h.normal.z), hn::Load(d, z));
+    value = hn::Add(hn::Add(hn::Add(px, py), pz), hn::Set(d, h.offset));
+    const Lanes magnitude = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Abs(pz));
+    error = hn::Mul(hn::Set(d, kHalfSpaceError), magnitude);
+  }
+};
+
+HWY_INLINE unsigned bits(hn::Mask<Boxes> mask) {
+  std::uint8_t stored[8] = {};
+  hn::StoreMaskBits(Boxes(), mask, stored);
+  return stored[0];
+}
+
+HWY_INLINE Known filter(const HalfSpace& h, const BoxBlock& block) {
+  const auto &x = h.normal.x >= 0 ? block.max[0] : block.min[0], &far_x = h.normal.x >= 0 ? block.min[0] : block.max[0];
+  const auto &y = h.normal.y >= 0 ? block.max[1] : block.min[1], &far_y = h.normal.y >= 0 ? block.min[1] : block.max[1];
+  const auto &z = h.normal.z >= 0 ? block.max[2] : block.min[2], &far_z = h.normal.z >= 0 ? block.min[2] : block.max[2];
+  Known known;
+  for (std::size_t i = 0; i < BoxBlock::kBoxes; i += hn::Lanes(Boxes())) {
+    const Value most(h, &x[i], &y[i], &z[i]), least(h, &far_x[i], &far_y[i], &far_z[i]);
+    const auto outside = hn::Lt(most.value, hn::Neg(most.error)), inside = hn::Gt(least.value, least.error);
+    const auto straddles = hn::And(hn::Gt(most.value, most.error), hn::Lt(least.value, hn::Neg(least.error)));
+    known.outside |= bits(outside) << i;
+    known.inside |= bits(inside) << i;
+    known.unknown |= bits(hn::Not(hn::Or(hn::Or(outside, inside), straddles))) << i;
+  }
+  return known;
+}
+
+HWY_ATTR void relations(std::span<const HalfSpace> half_spaces, std::uint32_t which, const BoxBlock& block, BoxBits asked,
+                        std::span<BlockRelation> relations) {
+  for (; which != 0; which &= which - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(which));
+    relations[i] = decided(half_spaces[i], block, asked, filter(half_spaces[i], block));
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace occlude::kernel
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace occlude::kernel {
+namespace {
+HWY_EXPORT(relations);
+}  // namespace
+
+void relations(std::span<const HalfSpace> half_spaces, std::uint32_t which, const BoxBlock& block, BoxBits asked,
+               std::span<BlockRelation> relations) {
+  HWY_DYNAMIC_DISPATCH(relations)(half_spaces, which, block, asked, relations);
+}
+
+}  // namespace occlude::kernel
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Pixels of tiles, eight at a time, as one by one.
+#include "cover_tile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+constexpr std::uint32_t kSeed = 29;
+constexpr int kAcross = 11, kUp = 3;
+
+class CoverTile : public testing::Test {
+ protected:
+  CoverTile() : nearness_(kAcross * kUp * kTilePixels), farthest_(kAcross * kUp + kTile, -1) {
+    for (std::size_t tile = 0; tile < kAcross * kUp; ++tile) {
+      const int kind = pick(0, 3);  // all near, a few far, all far, any
+      float* const pixels = &nearness_[tile * kTilePixels];
+      for (std::size_t i = 0; i < kTilePixels; ++i) {
+        pixels[i] = static_cast<float>(kind == 0 ? 9 : kind == 1 ? (pick(0, 40) == 0 ? 1 : 9) : kind == 2 ? 1 : pick(0, 9));
+        if (pick(0, 60) == 0 && kind != 0) pixels[i] = -std::numeric_limits<float>::infinity();
+      }
+      farthest_[tile] = *std::min_element(pixels, pixels + kTilePixels);
+    }
+  }
+
+  int pick(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
+  [[nodiscard]] TilePicture picture() const { return {nearness_.data(), farthest_.data(), kAcross, kUp}; }
+  /// How many pixels of the rectangle are at most `most`, one by one.
+  [[nodiscard]] int count(const PixelRectangle& r, float most) const {
+    int found = 0;
+    for (int y = r.y0; y < r.y1; ++y) {
+      for (int x = r.x0; x < r.x1; ++x) {
+        const int tile = y / kTile * kAcross + x / kTile, pixel = y % kTile * kTile + x % kTile;
+        found += nearness_[static_cast<std::size_t>(tile) * kTilePixels + static_cast<std::size_t>(pixel)] <= most ? 1 : 0;
+      }
+    }
+    return found;
+  }
+  PixelRectangle rectangle() {
+    const int x0 = pick(0, kAcross * kTile - 1), y0 = pick(0, kUp * kTile - 1), most = pick(0, 1) == 0 ? 4 : 100;
+    return {x0, y0, std::min(x0 + pick(1, most), kAcross * kTile), std::min(y0 + pick(1, most), kUp * kTile)};
+  }
+
+  std::mt19937 random_{kSeed};
+  std::vector<float> nearness_, farthest_;
+};
+
+TEST_F(CoverTile, CountsAsOneByOne) {
+  int open = 0, closed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // One in twenty is empty, and across the side of a tile.
+    const PixelRectangle r = i % 20 == 0 ? PixelRectangle{20, 23, 17, 20} : rectangle();
+    const auto most = static_cast<float>(pick(0, 9));
+    const int expected = count(r, most);
+    EXPECT_EQ(open_pixels(picture(), r, most, std::numeric_limits<int>::max()), expected) << "seed " << kSeed;
+    const int some = open_pixels(picture(), r, most, 3);
+    EXPECT_EQ(std::min(some, 3), std::min(expected, 3)) << "it stops early";
+    ++(expected > 0 ? open : closed);
+  }
+  EXPECT_GT(open, 1000);
+  EXPECT_GT(closed, 1000);
+}
+
+TEST_F(CoverTile, HidesBoxesInThePictureOnly) {
+  std::size_t hidden_boxes = 0;
+  for (int i = 0; i < 5000; ++i) {
+    SeenBoxes boxes;
+    unsigned expected = 0;
+    for (std::size_t k = 0; k < SeenBoxes::kMost; ++k) {
+      const PixelRectangle r = rectangle();
+      const int beyond = pick(0, 9);
+      boxes.x0[k] = beyond == 0 ? -1 : r.x0;
+      boxes.y0[k] = beyond == 1 ? -1 : r.y0;
+      boxes.x1[k] = beyond == 2 ? kAcross * kTile + 1 : r.x1;
+      boxes.y1[k] = beyond == 3 ? kUp * kTile + 1 : r.y1;
+      boxes.most[k] = beyond == 4 ? std::numeric_limits<float>::infinity() : static_cast<float>(pick(0, 9));
+      if (beyond > 4 && count(r, boxes.most[k]) == 0) expected |= 1U << k;
+    }
+    boxes.size = SeenBoxes::kMost;
+    const auto asked = static_cast<kernel::BoxBits>(pick(0, 255));
+    EXPECT_EQ(hidden(picture(), boxes, asked), expected & asked) << "seed " << kSeed;
+    hidden_boxes += (expected & asked) != 0 ? 1 : 0;
+  }
+  EXPECT_GT(hidden_boxes, 1000U);
+}
+
+TEST_F(CoverTile, BringsNearerWhatTheMaskHas) {
+  for (int i = 0; i < 1000; ++i) {
+    std::array<float, kTilePixels> pixels;
+    for (float& pixel : pixels) pixel = static_cast<float>(random_() % 16);
+    const std::uint64_t mask = (std::uint64_t{random_()} << 32U | random_()) & (i % 2 == 0 ? ~std::uint64_t{0} : random_());
+    const auto nearness = static_cast<float>(random_() % 16);
+    std::array<float, kTilePixels> expected = pixels;
+    for (std::size_t k = 0; k < kTilePixels; ++k) {
+      if ((mask >> k & 1U) != 0) expected[k] = std::max(expected[k], nearness);
+    }
+    EXPECT_EQ(bring_nearer(pixels.data(), mask, nearness), std::ranges::min(expected));
+    EXPECT_EQ(pixels, expected);
+  }
+}
+
+}  // namespace
