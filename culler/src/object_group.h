@@ -2,6 +2,9 @@
 // Some objects of a scene, with a tree of their own.
 #pragma once
 
+#include <hwy/cache_control.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -61,6 +64,11 @@ class ObjectGroup {
     kernel::BoxBits in_layers = 0, oriented = 0;
   };
   [[nodiscard]] Kinds kinds(std::uint32_t first, std::uint32_t mask) const;
+  /// A hint that kinds(first, …) comes.
+  void prefetch(std::uint32_t first) const {
+    hwy::Prefetch(&places_[first]);
+    hwy::Prefetch(&places_[std::min(first + PackedTree::kWidth, static_cast<std::uint32_t>(size())) - 1]);
+  }
   [[nodiscard]] kernel::Aabb outer(std::uint32_t i) const { return tree_.item(i); }
   /// Calls question(box) with the box of object i, which may be oriented.
   template <class Question>

@@ -29,6 +29,8 @@ class ObjectListing::Objects {
     return static_cast<kernel::BoxBits>(beyond);
   }
 
+  void prefetch(std::uint32_t first) const { group_.prefetch(first); }
+
   void cull(Culled::By by, const PackedTree::Items& objects) {
     listing_.count(by, group_.count(objects, listing_.options_.mask));
   }

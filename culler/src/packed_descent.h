@@ -2,8 +2,6 @@
 // One descent of a packed tree that culls by the view and by what a cover buffer has closed, eight boxes at a time.
 #pragma once
 
-#include <hwy/cache_control.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -20,6 +18,7 @@ namespace occlude::culler {
 /// `items` says what the tree holds:
 /// asked(first): which of the items [first, first + 8) take part; the others are not heard of again.
 /// beyond(first, plane, boxes): of these, those that are beyond a plane though their boxes in the tree are not.
+/// prefetch(first): a hint that asked(first) comes.
 /// cull(by, items): called for all that is culled together.
 /// see(item, seen, i, across): called for each item that is not culled. It is box i of those seen; `across` has a bit for
 /// each plane that may cross it.
@@ -31,7 +30,12 @@ class PackedDescent {
 
   /// Descends from the root. `across` has a bit for each plane that may cross it.
   void run(std::uint32_t across) {
-    if (!tree_.empty()) visit(tree_.root(), across);
+    if (tree_.empty()) return;
+    if (tree_.root().level > 0) {
+      visit_below(tree_.root(), visit(tree_.root(), across));
+    } else {
+      visit(tree_.root(), across);
+    }
   }
 
  private:
@@ -39,31 +43,50 @@ class PackedDescent {
   using BoxBits = kernel::BoxBits;
   using Across = std::array<std::uint32_t, PackedTree::kWidth>;
 
-  void visit(const At& at, std::uint32_t across) {
-    Across across_of;
-    across_of.fill(across);
-    const BoxBits in_view = keep_in_view(at, across, across_of);
-    if (in_view == 0) return;
+  /// The boxes of a block that are not culled, and the planes that may cross each of them.
+  struct Seen {
+    BoxBits boxes = 0;
+    Across across;
+  };
+
+  /// Visits the blocks below a block. All of them are visited before those below them, so that memory has time to fetch
+  /// these. REQUIRES: at.level > 0.
+  void visit_below(const At& at, const Seen& seen) {
+    std::array<Seen, PackedTree::kWidth> below;
+    for_each(seen.boxes, [&](std::uint32_t i) { below[i] = visit(PackedTree::below(at, i), seen.across[i]); });
+    if (at.level == 1) return;
+    for_each(seen.boxes, [&](std::uint32_t i) { visit_below(PackedTree::below(at, i), below[i]); });
+  }
+
+  Seen visit(const At& at, std::uint32_t across) {
+    Seen seen;
+    seen.across.fill(across);
+    const BoxBits in_view = keep_in_view(at, across, seen.across);
+    if (in_view == 0) return seen;
     SeenBoxes boxes;
     boxes.see(buffer_.box_picture(), tree_.block(at));
-    stats_.cover_tests += static_cast<std::size_t>(std::popcount(in_view));
+    stats_.cover_tests += kernel::count(in_view);
     const BoxBits hidden = buffer_.hidden(boxes, in_view);
     cull(at, Culled::By::cover, hidden);
-    const auto seen = static_cast<BoxBits>(in_view & ~hidden);
-    if (at.level == 0) {
-      for_each(seen, [&](std::uint32_t i) { items_.see(first_item(at) + i, boxes, i, across_of[i]); });
-    } else {
-      for_each(seen, [&](std::uint32_t i) { prefetch(tree_.block(PackedTree::below(at, i))); });
-      for_each(seen, [&](std::uint32_t i) { visit(PackedTree::below(at, i), across_of[i]); });
-    }
+    seen.boxes = static_cast<BoxBits>(in_view & ~hidden);
+    for_each(seen.boxes, [&](std::uint32_t i) {
+      if (at.level > 0) {
+        const At below = PackedTree::below(at, i);
+        tree_.prefetch(below);
+        if (below.level == 0) items_.prefetch(first_item(below));
+      } else {
+        items_.see(first_item(at) + i, boxes, i, seen.across[i]);
+      }
+    });
+    return seen;
   }
 
   /// The boxes of a block that take part and are in view. Culls those that are not.
   BoxBits keep_in_view(const At& at, std::uint32_t across, Across& across_of) {
     BoxBits left = at.level == 0 ? items_.asked(first_item(at)) : tree_.used(at);
-    stats_.nodes_visited += static_cast<std::size_t>(std::popcount(left));
+    stats_.nodes_visited += kernel::count(left);
     if (across == 0 || left == 0) return left;
-    stats_.view_tests += static_cast<std::size_t>(std::popcount(left) * std::popcount(across));
+    stats_.view_tests += kernel::count(left) * static_cast<std::size_t>(std::popcount(across));
     std::array<kernel::BlockRelation, ViewPlanes::kMostPlanes> relations;
     kernel::relations(view_.planes, across, tree_.block(at), left, relations);
     BoxBits outside = 0;
@@ -90,12 +113,6 @@ class PackedDescent {
   template <class Visit>
   static void for_each(BoxBits boxes, const Visit& visit) {
     for (unsigned left = boxes; left != 0; left &= left - 1) visit(static_cast<std::uint32_t>(std::countr_zero(left)));
-  }
-
-  static void prefetch(const kernel::BoxBlock& block) {
-    for (const auto* rows : {&block.min, &block.max}) {
-      for (const kernel::BoxBlock::Row& row : *rows) hwy::Prefetch(row.data());
-    }
   }
 
   const PackedTree& tree_;

@@ -2,6 +2,8 @@
 // A tree of blocks of eight boxes, built in linear time, for what is tested eight boxes at once.
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -41,6 +43,13 @@ class PackedTree {
   [[nodiscard]] At root() const { return {levels_ - 1, 0}; }
   [[nodiscard]] static At below(const At& at, std::uint32_t i) { return {at.level - 1, kWidth * at.block + i}; }
   [[nodiscard]] const kernel::BoxBlock& block(const At& at) const { return blocks_[begin_[at.level] + at.block]; }
+  /// A hint that block(at) comes.
+  void prefetch(const At& at) const {
+    const kernel::BoxBlock& block = this->block(at);
+    for (const auto* rows : {&block.min, &block.max}) {
+      for (const kernel::BoxBlock::Row& row : *rows) hwy::Prefetch(row.data());
+    }
+  }
   /// The boxes that a block has.
   [[nodiscard]] kernel::BoxBits used(const At& at) const {
     return static_cast<kernel::BoxBits>((1U << std::min(kWidth, boxes_[at.level] - kWidth * at.block)) - 1);

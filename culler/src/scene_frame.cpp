@@ -162,6 +162,10 @@ class SceneFrame {
     descend(groups.nodes(), see, cull, listing.stats().work);
   }
 
+  static void prefetch(const ObjectGroup& group) {
+    if (!group.tree().empty()) group.tree().prefetch(group.tree().root());
+  }
+
   void list_parts() {
     const std::span<const SceneView::Memory::SeenGroup> groups = memory_.groups;
     const Executor this_thread;
@@ -182,6 +186,7 @@ class SceneFrame {
     }
     const auto list_part = [&](std::size_t part) {
       for (std::size_t i = part * length; i < std::min((part + 1) * length, groups.size()); ++i) {
+        if (i + 1 < groups.size()) prefetch(objects_.group(groups[i + 1].group));
         memory_.parts[part].list(objects_.group(groups[i].group), groups[i].across);
       }
     };
