@@ -38,6 +38,7 @@ class PackedTree {
   void build(std::span<const kernel::Aabb> boxes, std::span<const std::uint32_t> order);
   void clear();
 
+  [[nodiscard]] std::uint32_t size() const { return empty() ? 0 : boxes_[0]; }
   [[nodiscard]] bool empty() const { return levels_ == 0; }
   /// The block that all others are below. REQUIRES: not empty.
   [[nodiscard]] At root() const { return {levels_ - 1, 0}; }

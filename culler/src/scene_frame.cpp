@@ -14,6 +14,7 @@
 #include "cover_descent.h"
 #include "drawn_groups.h"
 #include "object_listing.h"
+#include "packed_descent.h"
 #include "placed.h"
 #include "prepared_mesh.h"
 
@@ -149,17 +150,34 @@ class SceneFrame {
     return {options_, planes_, buffer_, std::span(memory_.room.get(), memory_.room_size).subspan(first, objects)};
   }
 
+  /// The groups of a scene, for a descent of their tree.
+  class Groups {
+   public:
+    Groups(const SceneFrame& frame, ObjectListing& listing)
+        : objects_(frame.objects_), mask_(frame.options_.mask), seen_(frame.memory_.groups), listing_(listing) {}
+
+    [[nodiscard]] kernel::BoxBits asked(std::uint32_t first) const {
+      return objects_.groups().used({0, first / PackedTree::kWidth});
+    }
+    [[nodiscard]] static kernel::BoxBits beyond(std::uint32_t, std::uint32_t, kernel::BoxBits) { return 0; }
+    static void prefetch(std::uint32_t) {}
+    void cull(Culled::By by, const PackedTree::Items& groups) { listing_.count(by, objects_.count(groups, mask_)); }
+    void see(std::uint32_t group, const SeenBoxes&, std::uint32_t, std::uint32_t across) {
+      seen_.push_back({group, across});
+    }
+
+   private:
+    const SceneObjects& objects_;
+    std::uint32_t mask_;
+    std::vector<SceneView::Memory::SeenGroup>& seen_;
+    ObjectListing& listing_;
+  };
+
   void find_groups(ObjectListing& listing) {
-    const LinearTree& groups = objects_.groups();
     memory_.groups.clear();
-    memory_.groups.reserve(std::bit_ceil(groups.order().size()));
-    const auto see = [&](const SeenNode& leaf) {
-      memory_.groups.push_back({groups.order()[groups.nodes()[leaf.node].first], leaf.across});
-    };
-    const auto cull = [&](const Culled& culled) {
-      listing.count(culled.by, objects_.count(groups.nodes()[culled.node], options_.mask));
-    };
-    descend(groups.nodes(), see, cull, listing.stats().work);
+    memory_.groups.reserve(std::bit_ceil(objects_.groups().size()));
+    Groups groups(*this, listing);
+    PackedDescent(objects_.groups(), planes_, buffer_, listing.stats().work, groups).run(planes_.all());
   }
 
   static void prefetch(const ObjectGroup& group) {

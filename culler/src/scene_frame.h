@@ -23,7 +23,7 @@ namespace occlude::culler {
 struct SceneView::Memory {
   /// A group of objects that is neither hidden nor out of view.
   struct SeenGroup {
-    std::uint32_t group;   ///< in the order of SceneObjects::groups()
+    std::uint32_t group;   ///< an item of SceneObjects::groups()
     std::uint32_t across;  ///< a bit for each plane that may cross it
   };
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "bounds.h"
+#include "linear_tree.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/culler/scene.h"
 #include "outer_box.h"
@@ -291,7 +292,7 @@ void SceneObjects::tidy_loose() {
 }
 
 void SceneObjects::build_top() {
-  top_groups_.clear();
+  used_groups_.clear();
   boxes_.clear();
   seen_ = unplaced_.size() + moving_unplaced_.size();
   box_ = empty_box();
@@ -300,10 +301,13 @@ void SceneObjects::build_top() {
     seen_ += groups_[g].living();
     groups_[g].fit_box();
     grow(box_, groups_[g].box());
-    top_groups_.push_back(g);
+    used_groups_.push_back(g);
     boxes_.push_back(groups_[g].tree().box());
   }
-  top_.build(boxes_, 1);
+  builder_.curve.sort(boxes_);
+  top_.build(boxes_, builder_.curve.order());
+  top_groups_.clear();
+  for (const std::uint32_t k : builder_.curve.order()) top_groups_.push_back(used_groups_[k]);
   count_groups();
 }
 
@@ -311,9 +315,9 @@ void SceneObjects::count_groups() {
   before_.clear();
   layered_.clear();
   std::uint32_t objects = 0;
-  for (std::uint32_t i = 0; i < top_.order().size(); ++i) {
+  for (std::uint32_t i = 0; i < top_groups_.size(); ++i) {
     before_.push_back(objects);
-    const ObjectGroup& group = this->group(top_.order()[i]);
+    const ObjectGroup& group = this->group(i);
     if (group.is_in_all_layers()) {
       objects += static_cast<std::uint32_t>(group.living());
     } else {
@@ -323,12 +327,11 @@ void SceneObjects::count_groups() {
   before_.push_back(objects);
 }
 
-std::size_t SceneObjects::count(const HierarchyNode& node, std::uint32_t mask) const {
-  const std::uint32_t end = node.first + node.count;
-  std::size_t objects = mask == 0 ? 0 : before_[end] - before_[node.first];
-  for (auto i = std::ranges::lower_bound(layered_, node.first); i != layered_.end() && *i < end; ++i) {
-    const ObjectGroup& layered = group(top_.order()[*i]);
-    objects += layered.count(mask);
+std::size_t SceneObjects::count(const PackedTree::Items& groups, std::uint32_t mask) const {
+  const std::uint32_t end = groups.first + groups.count;
+  std::size_t objects = mask == 0 ? 0 : before_[end] - before_[groups.first];
+  for (auto i = std::ranges::lower_bound(layered_, groups.first); i != layered_.end() && *i < end; ++i) {
+    objects += group(*i).count(mask);
   }
   return objects;
 }
@@ -346,9 +349,10 @@ std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
 std::size_t SceneObjects::bytes() const {
   std::size_t bytes = objects_.bytes() + bytes_of(moving_) + bytes_of(arrivals_) + bytes_of(departed_) +
                       bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) + bytes_of(unplaced_) +
-                      bytes_of(moving_unplaced_) + bytes_of(top_groups_) + top_.bytes() + bytes_of(before_) +
-                      bytes_of(layered_) + bytes_of(free_groups_) + bytes_of(small_groups_) + bytes_of(loose_groups_) +
-                      bytes_of(batch_) + builder_.curve.bytes() + bytes_of(builder_.boxes) + bytes_of(boxes_);
+                      bytes_of(moving_unplaced_) + bytes_of(top_groups_) + bytes_of(used_groups_) + top_.bytes() +
+                      bytes_of(before_) + bytes_of(layered_) + bytes_of(free_groups_) + bytes_of(small_groups_) +
+                      bytes_of(loose_groups_) + bytes_of(batch_) + builder_.curve.bytes() + bytes_of(builder_.boxes) +
+                      bytes_of(boxes_);
   for (const ObjectGroup& group : groups_) bytes += group.bytes();
   return bytes;
 }

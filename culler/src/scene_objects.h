@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "bounds.h"
-#include "linear_tree.h"
 #include "object_group.h"
 #include "occlude/culler/box.h"
 #include "occlude/culler/executor.h"
 #include "occlude/culler/scene_id.h"
+#include "packed_tree.h"
 #include "slots.h"
 
 namespace occlude::culler {
@@ -42,11 +42,11 @@ class SceneObjects {
 
   void update(const Executor& executor);
 
-  /// What views see. The leaves of groups() are groups, one each.
-  [[nodiscard]] const LinearTree& groups() const { return top_; }
-  [[nodiscard]] const ObjectGroup& group(std::uint32_t in_order) const { return groups_[top_groups_[in_order]]; }
-  /// How many of the objects of a node of groups() are in one of these layers.
-  [[nodiscard]] std::size_t count(const HierarchyNode& node, std::uint32_t mask) const;
+  /// What views see: a tree whose items are groups.
+  [[nodiscard]] const PackedTree& groups() const { return top_; }
+  [[nodiscard]] const ObjectGroup& group(std::uint32_t item) const { return groups_[top_groups_[item]]; }
+  /// How many of the objects of these items of groups() are in one of these layers.
+  [[nodiscard]] std::size_t count(const PackedTree::Items& groups, std::uint32_t mask) const;
   /// Objects without a place, which are always drawn.
   struct Unplaced {
     ObjectId id;
@@ -123,8 +123,8 @@ class SceneObjects {
   std::vector<Place> places_;  ///< by slots
   std::vector<ObjectGroup> groups_;
   std::vector<Unplaced> unplaced_, moving_unplaced_;
-  std::vector<std::uint32_t> top_groups_;  ///< the groups in the order of the leaves of top_
-  LinearTree top_;
+  PackedTree top_;
+  std::vector<std::uint32_t> top_groups_;  ///< the groups in the order of top_
   std::vector<std::uint32_t> before_;   ///< for each group in the order of top_, and the end: objects before it, but those
                                         ///< of layered groups
   std::vector<std::uint32_t> layered_;  ///< in the order of top_, groups with an object that is not in all layers
@@ -134,6 +134,7 @@ class SceneObjects {
   // Of update().
   std::vector<std::uint32_t> free_groups_, small_groups_, loose_groups_;
   std::vector<SceneObject> batch_;
+  std::vector<std::uint32_t> used_groups_;
   GroupBuilder builder_;
   std::vector<kernel::Aabb> boxes_;
 };
