@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "cover_tile.h"
 
@@ -19,17 +18,23 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// At most eight pixels: a row of a tile.
-using Floats = hn::CappedTag<float, kTile>;
+/// At most eight: the pixels of a row of a tile, or the boxes of a block.
+using FloatTag = hn::CappedTag<float, kTile>;
+using IntegerTag = hn::RebindToSigned<FloatTag>;
+using Floats = hn::Vec<FloatTag>;
+using Integers = hn::Vec<IntegerTag>;
+using Mask = hn::Mask<FloatTag>;
+
+constexpr FloatTag kFloats;
+constexpr IntegerTag kIntegers;
 
 /// The numbers of at most `most` among `count` numbers, as bits. REQUIRES: count is a multiple of eight, at most 64.
 template <int count>
 HWY_INLINE std::uint64_t at_most(const float* numbers, float most) {
-  const Floats d;
   std::uint64_t result = 0;
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < count; i += hn::Lanes(kFloats)) {
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, most)), bits);
+    hn::StoreMaskBits(kFloats, hn::Le(hn::LoadU(kFloats, numbers + i), hn::Set(kFloats, most)), bits);
     result |= std::uint64_t{bits[0]} << i;
   }
   return result;
@@ -68,35 +73,123 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
   return found;
 }
 
-/// Whether box i is in the picture and beyond the near plane, and no pixel that it touches is open.
-HWY_INLINE bool is_hidden(const TilePicture& picture, const SeenBoxes& boxes, std::size_t i) {
-  const PixelRectangle r{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]};
-  const bool is_in_picture = r.x0 >= 0 && r.y0 >= 0 && r.x1 <= picture.width() && r.y1 <= picture.height();
-  return is_in_picture && boxes.most[i] < std::numeric_limits<float>::infinity() &&
-         HWY_NAMESPACE::open_pixels(picture, r, boxes.most[i], 1) == 0;
+/// Several boxes, of which a few numbers often tell.
+class Boxes {
+ public:
+  Boxes(const TilePicture& picture, const SeenBoxes& boxes, std::size_t first)
+      : picture_(picture),
+        most_(hn::LoadU(kFloats, &boxes.most[first])),
+        x0_(hn::LoadU(kIntegers, &boxes.x0[first])),
+        y0_(hn::LoadU(kIntegers, &boxes.y0[first])),
+        x1_(hn::LoadU(kIntegers, &boxes.x1[first])),
+        y1_(hn::LoadU(kIntegers, &boxes.y1[first])) {}
+
+  /// Those that are in the picture and beyond the near plane.
+  [[nodiscard]] Mask in_picture() const {
+    const Integers zero = hn::Zero(kIntegers);
+    const auto beside = hn::Or(hn::Lt(x0_, zero), hn::Gt(x1_, hn::Set(kIntegers, picture_.width())));
+    const auto above = hn::Or(hn::Lt(y0_, zero), hn::Gt(y1_, hn::Set(kIntegers, picture_.height())));
+    return hn::AndNot(hn::RebindMask(kFloats, hn::Or(beside, above)), hn::Lt(most_, hn::Inf(kFloats)));
+  }
+
+  /// Those of the asked boxes that touch a pixel.
+  [[nodiscard]] Mask touching(Mask asked) const {
+    return hn::And(asked, hn::RebindMask(kFloats, hn::And(hn::Lt(x0_, x1_), hn::Lt(y0_, y1_))));
+  }
+
+  /// Those of the asked boxes that an upper corner shows to be open. Nine of ten visible boxes of a town are among them.
+  /// REQUIRES: the asked boxes touch pixels of the picture.
+  [[nodiscard]] Mask open_in_upper_corner(Mask asked) const {
+    const Integers top = previous(y1_);
+    const Floats nearness = hn::Min(pixel(asked, x0_, top), pixel(asked, previous(x1_), top));
+    return hn::And(asked, hn::Le(nearness, most_));
+  }
+
+  /// Those of the asked boxes that are behind all pixels of their tiles, which are at most two across and up.
+  /// REQUIRES: the asked boxes touch pixels of the picture.
+  [[nodiscard]] Mask behind_tiles(Mask asked) const {
+    const Integers left = tile(x0_), right = tile(previous(x1_)), low = tile(y0_), top = tile(previous(y1_));
+    const Integers two = hn::Set(kIntegers, 2);
+    const auto are_few = hn::And(hn::Lt(hn::Sub(right, left), two), hn::Lt(hn::Sub(top, low), two));
+    const Mask few = hn::And(asked, hn::RebindMask(kFloats, are_few));
+    const Floats lower = hn::Min(farthest(few, left, low), farthest(few, right, low));
+    const Floats upper = hn::Min(farthest(few, left, top), farthest(few, right, top));
+    return hn::And(few, hn::Gt(hn::Min(lower, upper), most_));
+  }
+
+ private:
+  static Integers previous(Integers i) { return hn::Sub(i, hn::Set(kIntegers, 1)); }
+  static Integers tile(Integers pixel) { return hn::ShiftRight<kTileBits>(pixel); }
+  static Integers in_tile(Integers pixel) { return hn::And(pixel, hn::Set(kIntegers, kTile - 1)); }
+  [[nodiscard]] Integers tile_index(Integers across, Integers up) const {
+    return hn::Add(hn::Mul(up, hn::Set(kIntegers, picture_.tiles_across)), across);
+  }
+
+  /// The nearness of a pixel for each of the asked boxes.
+  [[nodiscard]] Floats pixel(Mask asked, Integers x, Integers y) const {
+    const Integers at = hn::Add(hn::ShiftLeft<kTileBits>(in_tile(y)), in_tile(x));
+    return gather(picture_.nearness, asked, hn::Add(hn::ShiftLeft<2 * kTileBits>(tile_index(tile(x), tile(y))), at));
+  }
+  /// The least nearness in a tile for each of the asked boxes.
+  [[nodiscard]] Floats farthest(Mask asked, Integers across, Integers up) const {
+    return gather(picture_.farthest, asked, tile_index(across, up));
+  }
+  [[nodiscard]] static Floats gather(const float* numbers, Mask asked, Integers index) {
+    return hn::GatherIndex(kFloats, numbers, hn::IfThenElseZero(hn::RebindMask(kIntegers, asked), index));
+  }
+
+  const TilePicture& picture_;
+  Floats most_;
+  Integers x0_, y0_, x1_, y1_;
+};
+
+/// The lanes of a mask as bits.
+HWY_INLINE unsigned bits_of(Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(kFloats, mask, bits);
+  return bits[0];
+}
+
+/// Those of the asked boxes, a lane each from `first`, that are hidden.
+HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const SeenBoxes& boxes, std::size_t first, unsigned asked) {
+  const Boxes several(picture, boxes, first);
+  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(asked)};
+  const Mask in_picture = hn::And(several.in_picture(), hn::LoadMaskBits(kFloats, bits));
+  const Mask touching = several.touching(in_picture);
+  unsigned hidden = bits_of(hn::AndNot(touching, in_picture));  // these lie beside the picture
+  if (hn::AllFalse(kFloats, touching)) return hidden;
+  const Mask left = hn::AndNot(several.open_in_upper_corner(touching), touching);
+  if (hn::AllFalse(kFloats, left)) return hidden;
+  const Mask behind_tiles = several.behind_tiles(left);
+  hidden |= bits_of(behind_tiles);
+  for (unsigned rest = bits_of(hn::AndNot(behind_tiles, left)); rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<unsigned>(std::countr_zero(rest));
+    const std::size_t i = first + lane;
+    const PixelRectangle touched{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]};
+    hidden |= (HWY_NAMESPACE::open_pixels(picture, touched, boxes.most[i], 1) == 0 ? 1U : 0U) << lane;
+  }
+  return hidden;
 }
 
 kernel::BoxBits hidden(const TilePicture& picture, const SeenBoxes& boxes, kernel::BoxBits asked) {
   unsigned hidden = 0;
-  for (unsigned left = asked; left != 0; left &= left - 1) {
-    const auto i = static_cast<unsigned>(std::countr_zero(left));
-    hidden |= (is_hidden(picture, boxes, i) ? 1U : 0U) << i;
+  for (std::size_t first = 0; first < SeenBoxes::kMost; first += hn::Lanes(kFloats)) {
+    hidden |= hidden_lanes(picture, boxes, first, unsigned{asked} >> first) << first;
   }
   return static_cast<kernel::BoxBits>(hidden);
 }
 
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {
-  const Floats d;
-  const auto near = hn::Set(d, nearness);
-  auto least = hn::Set(d, hwy::HighestValue<float>());
-  for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(d)) {
+  const auto near = hn::Set(kFloats, nearness);
+  auto least = hn::Set(kFloats, hwy::HighestValue<float>());
+  for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(kFloats)) {
     const std::uint8_t bits[8] = {static_cast<std::uint8_t>(mask >> i)};
-    const auto old = hn::LoadU(d, pixels + i);
-    const auto now = hn::IfThenElse(hn::LoadMaskBits(d, bits), hn::Max(old, near), old);
-    hn::StoreU(now, d, pixels + i);
+    const auto old = hn::LoadU(kFloats, pixels + i);
+    const auto now = hn::IfThenElse(hn::LoadMaskBits(kFloats, bits), hn::Max(old, near), old);
+    hn::StoreU(now, kFloats, pixels + i);
     least = hn::Min(least, now);
   }
-  return hn::GetLane(hn::MinOfLanes(d, least));
+  return hn::GetLane(hn::MinOfLanes(kFloats, least));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -13,7 +13,7 @@ namespace occlude::culler {
 
 /// The sides of a tile in pixels. The nearness of pixels is stored tile by tile. A mask has a bit for each pixel of a tile:
 /// bit 8 y + x.
-inline constexpr int kTile = 8;
+inline constexpr int kTileBits = 3, kTile = 1 << kTileBits;
 inline constexpr std::size_t kTilePixels = std::size_t{kTile} * kTile;
 
 /// The nearness of pixels, stored by tiles.
