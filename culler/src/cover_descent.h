@@ -19,6 +19,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/types.h"
 #include "seen_boxes.h"
+#include "view_planes.h"
 
 namespace occlude::culler {
 
@@ -30,19 +31,6 @@ struct StandingBoxes {
   template <class Question>
   decltype(auto) ask(std::uint32_t node, const Question& question) const {
     return question(box(node));
-  }
-};
-
-/// The planes of a view, at most kMostPlanes, and how boxes are held against them.
-struct ViewPlanes {
-  static constexpr std::size_t kMostPlanes = 32;
-
-  std::span<const kernel::HalfSpace> planes;
-  kernel::Arithmetic arithmetic;
-
-  /// A bit for each plane.
-  [[nodiscard]] std::uint32_t all() const {
-    return planes.size() < kMostPlanes ? (std::uint32_t{1} << planes.size()) - 1 : ~std::uint32_t{0};
   }
 };
 

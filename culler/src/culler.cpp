@@ -9,6 +9,7 @@
 #include "cull_frame.h"
 #include "lazy_triangles.h"
 #include "legal_soup.h"
+#include "node_blocks.h"
 #include "node_tests.h"
 #include "occlude/culler/clearance.h"
 #include "occlude/kernel/clearance.h"
@@ -46,6 +47,7 @@ Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpo
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
       occluders_(
           OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config.occluders, config.lists, checkpoint)),
+      blocks_(std::make_shared<const NodeBlocks>(hierarchy_)),
       triangles_(std::make_shared<LazyTriangles>()) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
@@ -53,6 +55,7 @@ Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint&
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
       occluders_(OccluderSet::restore(hierarchy_.shared_soup(), space_of(hierarchy_), preprocess.config.occluders,
                                       preprocess.config.lists, std::move(preprocess.lists), checkpoint)),
+      blocks_(std::make_shared<const NodeBlocks>(hierarchy_)),
       triangles_(std::make_shared<LazyTriangles>()) {}
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
@@ -78,7 +81,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
-    cull_by_frusta(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), occluders_, camera, options,
+    cull_by_frusta(hierarchy_.nodes(), *blocks_, volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), occluders_, camera, options,
                    memory);
   }
   return memory.result;
@@ -101,7 +104,15 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   memory.result.margin = frame.margin;
   memory.result.occluders = frame.occluders;
   memory.result.pairs = frame.pairs;
-  traverse(hierarchy_.nodes(), volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), visit, options, memory);
+  const auto on_tests = [&](const NodeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) {
+    for (std::uint32_t i = 0; i < NodeBlock::kNodes; ++i) {
+      for (std::size_t k = 0; k < questions.count; ++k) {
+        if ((kernel::boxes_of(nodes, k) >> i & 1U) == 0) continue;
+        visit(memory.result.occluders[questions.frustum[k]], hierarchy_.volume(block.node[i]));
+      }
+    }
+  };
+  traverse(*blocks_, volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), on_tests, options, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

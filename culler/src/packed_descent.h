@@ -7,11 +7,11 @@
 #include <cstdint>
 
 #include "cover_buffer.h"
-#include "cover_descent.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
 #include "packed_tree.h"
 #include "seen_boxes.h"
+#include "view_planes.h"
 
 namespace occlude::culler {
 

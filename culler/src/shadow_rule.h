@@ -26,6 +26,13 @@ template <class AnyBox>
   return kernel::overlap_certified(shadows, box, kernel::NearBoundary::open);
 }
 
+/// The last two conditions of the rule below, of a box for which the first two hold.
+template <class Shadow, class AnyBox, class Margin, class HoldsOwnPiece>
+[[nodiscard]] bool is_cull(const Shadow& shadow, const AnyBox& box, const Margin& margin,
+                           const HoldsOwnPiece& holds_own_piece) {
+  return margin.keeps(shadow, box) && !holds_own_piece();
+}
+
 /// The rule. A box may be culled by a shadow, and the answer is `inside`, if and only if
 ///  - the whole box is inside the shadow,
 ///  - it is strictly beyond the near plane, because what is coplanar with an occluder is drawn,
@@ -37,7 +44,7 @@ template <class Shadow, class AnyBox, class Margin, class HoldsOwnPiece>
 [[nodiscard]] kernel::Decision decide_cull(const Shadow& shadow, const AnyBox& box, const Asked& asked, const Margin& margin,
                                            const HoldsOwnPiece& holds_own_piece) {
   kernel::Decision found = decide_open(shadow, box, asked);
-  if (found.relation == kernel::Relation::inside && (!margin.keeps(shadow, box) || holds_own_piece())) {
+  if (found.relation == kernel::Relation::inside && !is_cull(shadow, box, margin, holds_own_piece)) {
     found.relation = kernel::Relation::partial;
   }
   return found;

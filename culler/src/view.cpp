@@ -59,6 +59,13 @@ void View::Memory::take_planes() {
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
 }
 
+void View::Memory::take_frusta() {
+  frusta.clear();
+  for (const auto* occluders : {&result.occluders, &probes}) {
+    for (const Occluder& occluder : *occluders) frusta.push_back(&occluder.frustum);
+  }
+}
+
 void View::Memory::shrink_shadows() {
   shrunk.resize(std::max(shrunk.size(), result.occluders.size()));
   for (std::size_t i = 0; i < result.occluders.size(); ++i) shrunk[i].assign(result.margin, result.occluders[i].frustum);

@@ -13,6 +13,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
 #include "shrunk_shadow.h"
+#include "traverse.h"
 
 namespace occlude::culler {
 
@@ -40,14 +41,16 @@ struct View::Memory {
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
   std::vector<ShrunkShadow> shrunk;    ///< for each occluder of the result, its shadow less the margin
-  std::vector<std::uint32_t> holding;  ///< the stacks of the traversal, with `active`
-  std::vector<std::uint32_t> active;
+  std::vector<const kernel::ShadowFrustum*> frusta;  ///< of the occluders, then of the probes
+  TraversalMemory traversal;
 
   CoverMemory cover;
   std::vector<SeenLeaf> seen;  ///< leaves that a frame by cover has not culled so far
 
   /// Fills `planes` with the view of the result.
   void take_planes();
+  /// Fills `frusta`.
+  void take_frusta();
   /// Fills `shrunk`, which may be longer than the occluders are.
   void shrink_shadows();
   /// Empties the result for the next frame and keeps its frusta as spare ones. Reserves memory for all that a frame may draw

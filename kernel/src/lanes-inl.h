@@ -22,7 +22,7 @@
 namespace occlude::kernel {
 
 /// Longer vectors are not used, so that reads and writes beyond the end of an array are bounded.
-inline constexpr std::size_t kMaxLanes = 32;
+inline constexpr std::size_t kMaxLanes = 8;
 
 }  // namespace occlude::kernel
 #endif

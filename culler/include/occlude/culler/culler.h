@@ -18,6 +18,7 @@ namespace occlude::culler {
 class CoverBuffer;
 class CoverTriangles;
 class LazyTriangles;
+class NodeBlocks;
 
 /// Const calls may run on several threads at once, each with a View of its own. A copy counts as the same culler for a View.
 class Culler {
@@ -94,6 +95,7 @@ class Culler {
   BuildConfig config_;
   Hierarchy hierarchy_;
   OccluderSet occluders_;
+  std::shared_ptr<const NodeBlocks> blocks_;
   std::shared_ptr<LazyTriangles> triangles_;
 };
 

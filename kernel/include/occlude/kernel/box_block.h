@@ -8,6 +8,7 @@
 #include <span>
 
 #include "occlude/kernel/half_space.h"
+#include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::kernel {
@@ -51,5 +52,38 @@ struct BlockRelation {
 /// the asked boxes, as relation().
 void relations(std::span<const HalfSpace> half_spaces, std::uint32_t which, const BoxBlock& block, BoxBits asked,
                std::span<BlockRelation> relations);
+
+/// For each of eight questions, boxes of a block: byte k is the BoxBits of question k.
+using BoxBytes = std::uint64_t;
+
+/// How many there are for all of them together.
+[[nodiscard]] constexpr std::size_t count(BoxBytes bytes) {
+  constexpr BoxBytes kOdd = 0x5555'5555'5555'5555, kPairs = 0x3333'3333'3333'3333, kNibbles = 0x0F0F'0F0F'0F0F'0F0F;
+  bytes -= bytes >> 1 & kOdd;
+  bytes = (bytes & kPairs) + (bytes >> 2 & kPairs);
+  bytes = (bytes + (bytes >> 4)) & kNibbles;
+  return bytes * 0x0101'0101'0101'0101 >> 56;
+}
+/// The same boxes for each of eight questions.
+[[nodiscard]] constexpr BoxBytes for_all(BoxBits boxes) { return boxes * BoxBytes{0x0101'0101'0101'0101}; }
+/// The boxes of one of them. REQUIRES: question < 8.
+[[nodiscard]] constexpr BoxBits boxes_of(BoxBytes bytes, std::size_t question) {
+  return static_cast<BoxBits>(bytes >> 8 * question & 0xFF);
+}
+
+/// Up to eight frusta that are asked about with the boxes of a block, and what the filter knows of the answers that
+/// conservative_certified() gives (overlap.h), for either NearBoundary. Boxes of which nothing is set are `partial`.
+struct BlockQuestions {
+  static constexpr std::size_t kMost = 8;
+
+  std::array<std::uint32_t, kMost> frustum;  ///< of each question
+  std::uint32_t count = 0;                   ///< of questions
+  BoxBytes outside = 0, inside = 0;
+  BoxBytes unknown = 0;  ///< left to the test of a single box
+};
+
+/// Answers the questions as far as error bounds suffice. The answers for boxes that were never set mean nothing. Nothing is
+/// allocated. REQUIRES (not checked): of each question, frusta[frustum] exists; of the boxes, as conservative_certified().
+void conservative_filter(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, BlockQuestions& questions);
 
 }  // namespace occlude::kernel
