@@ -59,6 +59,7 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
   const auto taken = filling.taken();
   NodeBlock block;
   block.below.fill(NodeBlock::kNone);
+  std::vector<NodeBlock::Parent> parents;
   for (std::uint32_t i = static_cast<std::uint32_t>(taken.size()); i-- > 0;) {
     const HierarchyNode& node = nodes[taken[i]];
     block.boxes.set(i, node.box);
@@ -66,20 +67,27 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
     block.first[i] = node.first;
     block.count[i] = node.count;
     block.used = static_cast<Bits>(block.used | bit(i));
+    if (node.count > kProbed) block.probed = static_cast<Bits>(block.probed | bit(i));
     block.subtree[i] = bit(i);
     const bool is_oriented = hierarchy.ask(taken[i], [](const auto& box) {
       return std::is_same_v<std::remove_cvref_t<decltype(box)>, kernel::Obb>;
     });
     if (is_oriented) block.oriented = static_cast<Bits>(block.oriented | bit(i));
-    if (node.is_leaf() || !filling.has(taken[i] + 1)) continue;
-    block.parents = static_cast<Bits>(block.parents | bit(i));
+    if (node.is_leaf()) continue;
+    if (!filling.has(taken[i] + 1)) {
+      block.exits = static_cast<Bits>(block.exits | bit(i));
+      continue;
+    }
+    NodeBlock::Parent parent{static_cast<std::uint8_t>(i)};
     for (const std::uint32_t child : {taken[i] + 1, node.right}) {
       const auto k = static_cast<std::uint32_t>(std::ranges::lower_bound(taken, child) - taken.begin());
-      block.children[i] = static_cast<Bits>(block.children[i] | bit(k));
+      parent.children = static_cast<Bits>(parent.children | bit(k));
       block.subtree[i] = static_cast<Bits>(block.subtree[i] | block.subtree[k]);
     }
+    parents.push_back(parent);
   }
-  block.roots = static_cast<Bits>(block.used & ~block.children_of(block.used));
+  std::ranges::reverse_copy(parents, block.parents.begin());
+  block.roots = static_cast<Bits>(block.used & ~kernel::boxes_of(block.children_of(kernel::BoxBytes{block.used}), 0));
   return block;
 }
 
@@ -96,13 +104,13 @@ NodeBlocks::NodeBlocks(const Hierarchy& hierarchy) {
     const Pending at = pending.back();
     pending.pop_back();
     Filling filling(nodes, at.above);
-    if (at.above != NodeBlock::kNone) filling.fill();
+    filling.fill();
     const auto index = static_cast<std::uint32_t>(blocks_.size());
     if (at.above != NodeBlock::kNone) blocks_[at.block].below[at.i] = index;
     blocks_.push_back(made(hierarchy, filling));
     const auto taken = filling.taken();
     for (auto i = static_cast<std::uint32_t>(taken.size()); i-- > 0;) {
-      if (!nodes[taken[i]].is_leaf() && blocks_[index].children[i] == 0) pending.push_back({taken[i], index, i});
+      if ((blocks_[index].exits >> i & 1U) != 0) pending.push_back({taken[i], index, i});
     }
   }
   blocks_.shrink_to_fit();

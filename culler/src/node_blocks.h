@@ -2,6 +2,8 @@
 // The nodes of a hierarchy in blocks of up to eight, for tests of eight boxes at once.
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -21,6 +23,9 @@ void for_each_bit(std::uint32_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
+/// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
+inline constexpr std::uint32_t kProbed = 64;
+
 /// A part of the tree: nodes that hang together, and are numbered depth-first. Every node but the root is in one block,
 /// below that of its parent or in the same; the root is the only node of the first block.
 struct alignas(64) NodeBlock {
@@ -28,24 +33,36 @@ struct alignas(64) NodeBlock {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   using Bits = kernel::BoxBits;
 
+  /// A node with children in this block.
+  struct Parent {
+    std::uint8_t i = 0;
+    Bits children = 0;
+  };
+  /// With the children of three nodes and two of another block's, or with the root, a block is full.
+  static constexpr std::size_t kMostParents = 3;
+
   kernel::BoxBlock boxes;
   std::array<std::uint32_t, kNodes> node{}, first{}, count{};  ///< of each, its index in the tree, and its items
   std::array<std::uint32_t, kNodes> below{};                   ///< the block that its children are in, or kNone
-  std::array<Bits, kNodes> children{};                         ///< its children in this block
   std::array<Bits, kNodes> subtree{};                          ///< itself and what is below it in this block
+  std::array<Parent, kMostParents> parents{};                  ///< ascending; the others have no children
   Bits used = 0;                                               ///< the nodes that there are
   Bits roots = 0;                                              ///< those whose parent is in another block
-  Bits parents = 0;                                            ///< those with children in this block
+  Bits exits = 0;                                              ///< those with children in another block
+  Bits probed = 0;                                             ///< those with more than kProbed items
   Bits oriented = 0;                                           ///< those whose volume is not the box
 
-  [[nodiscard]] bool is_leaf(std::uint32_t i) const { return below[i] == kNone && children[i] == 0; }
-  /// The nodes of the block whose parent is one of these.
-  [[nodiscard]] Bits children_of(Bits nodes) const { return kernel::boxes_of(children_of(kernel::BoxBytes{nodes}), 0); }
-  /// The same for each of eight questions.
+  /// The nodes of the block whose parent is one of these, for each of eight questions.
   [[nodiscard]] kernel::BoxBytes children_of(kernel::BoxBytes nodes) const {
     kernel::BoxBytes found = 0;
-    for_each_bit(parents, [&](std::uint32_t i) { found |= (nodes >> i & kernel::for_all(1)) * children[i]; });
+    for (const Parent& parent : parents) found |= (nodes >> parent.i & kernel::for_all(1)) * parent.children;
     return found;
+  }
+  /// The nodes that a descent visits which enters these: the roots, and the children of nodes that it visits and enters.
+  [[nodiscard]] Bits visited(Bits entered) const {
+    unsigned found = roots;
+    for (const Parent& parent : parents) found |= (found & entered) >> parent.i & 1U ? parent.children : 0U;
+    return static_cast<Bits>(found);
   }
 };
 
@@ -56,7 +73,12 @@ class NodeBlocks {
   explicit NodeBlocks(const Hierarchy& hierarchy);
 
   [[nodiscard]] const NodeBlock& operator[](std::uint32_t i) const { return blocks_[i]; }
-  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
+  /// A hint that block i comes.
+  void prefetch(std::uint32_t i) const {
+    for (std::size_t byte = 0; byte < sizeof(NodeBlock); byte += alignof(NodeBlock)) {
+      hwy::Prefetch(reinterpret_cast<const std::byte*>(&blocks_[i]) + byte);
+    }
+  }
 
  private:
   std::vector<NodeBlock> blocks_;

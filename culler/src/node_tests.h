@@ -77,9 +77,8 @@ class NodeTests {
     });
   }
 
-  bool may_cull(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
+  bool may_cull(std::uint32_t occluder, std::uint32_t node) const {
     const Occluder& by = frame_.occluders[occluder];
-    const std::uint32_t node = block.node[i];
     return ask_(node, [&](const auto& box) {
       return is_cull(by.frustum, box, shrunk_[occluder], [&] { return holds_part_(node, by.index); });
     });

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "node_blocks.h"
-#include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/overlap.h"
@@ -28,10 +27,6 @@ namespace occlude::culler {
 /// tested. The exact stage takes up to a microsecond for each plane of the one shadow and plane of the other, so this is 16
 /// ms and a second. The models tried take at most half of it: 8,300 for each of eight occluders, 8,000 for each of 64.
 inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairWork = std::size_t{1} << 20U;
-
-/// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
-inline constexpr std::uint32_t kProbed = 64;
-
 
 /// Up to eight shadows that are active at a block, and what is known of them and the nodes there.
 struct ActiveShadows {
@@ -54,10 +49,10 @@ class Traversal {
   /// planes(which, block, relations): the relations of half-spaces and nodes, as kernel::relations();
   /// filter(block, questions): as kernel::conservative_filter();
   /// shadow(occluder, node) and probe(probe, node): a kernel::Decision about one node;
-  /// may_cull(occluder, block, i): whether the occluder may cull node i of a block, which is inside of its shadow;
+  /// may_cull(occluder, node): whether the occluder may cull a node that is inside of its shadow;
   /// pair(first, second, node), a kernel::Decision, and pair_work(first, second), the pairs of planes that it may ask;
   /// tested(block, questions, nodes): called for the nodes that were tested against shadows.
-  /// Frustum i is about occluder i, or of probe i - result.occluders.size(). What is in `result.drawn` before run() stays.
+  /// Frustum i is that of occluder i, or of probe i - result.occluders.size().
   Traversal(const NodeBlocks& blocks, Tests& tests, std::span<Occluder> probes, CullResult& result, TraversalMemory& memory)
       : blocks_(blocks),
         tests_(tests),
@@ -72,11 +67,13 @@ class Traversal {
     const auto all = static_cast<std::uint32_t>(occluders + probes_.size());
     active_.clear();
     holding_.clear();
+    drawn_from_ = 0;
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders);
     for (std::uint32_t i = 0; i < occluders; ++i) append(0, i);
     const std::size_t middle = active_.size();
     for (std::uint32_t i = occluders; i < all; ++i) append(middle, i);
-    visit(0, {planes, 0, middle, active_.size()});
+    visit(blocks_[0], {planes, 0, middle, active_.size()});
+    draw_until(blocks_[0].count[0]);
   }
 
  private:
@@ -88,24 +85,23 @@ class Traversal {
     std::uint32_t planes;
     std::size_t begin, middle, end;
   };
-  /// A question about an active shadow: its number in active_[group].
-  struct Question {
-    std::size_t group, number;
-  };
 
   /// A block while it is visited.
   struct Visit {
     const NodeBlock& block;
     const Active& active;
     std::array<kernel::BlockRelation, ViewPlanes::kMostPlanes> planes;
-    std::array<std::uint32_t, NodeBlock::kNodes> hiding;  ///< the occluder whose shadow each hidden node is in
-    Bits visited = 0;
-    Bits out_of_view = 0, hidden = 0;          ///< culled, or below what is
-    Bits hidden_by_pair = 0;                   ///< culled by two shadows
-    Bits undecided = 0, undecided_probes = 0;  ///< straddled by half-spaces or shadows, and by probes
+    std::array<std::uint32_t, NodeBlock::kNodes> hiding, second;  ///< the occluders that hide each hidden node
+    Bits out_of_view = 0, hidden = 0;                             ///< culled, or below what is
+    Bits undecided = 0, undecided_probes = 0;                     ///< straddled by half-spaces or shadows, and by probes
 
     Visit(const NodeBlock& visited_block, const Active& active_there) : block(visited_block), active(active_there) {}
-    [[nodiscard]] Bits left() const { return static_cast<Bits>(block.used & ~(out_of_view | hidden)); }
+    [[nodiscard]] Bits culled() const { return static_cast<Bits>(out_of_view | hidden); }
+    [[nodiscard]] Bits left() const { return static_cast<Bits>(block.used & ~culled()); }
+    /// The nodes below which something is left to decide.
+    [[nodiscard]] Bits entered() const {
+      return static_cast<Bits>(left() & (undecided | (undecided_probes & block.probed)));
+    }
   };
 
   static bool has(std::uint32_t bits, std::uint32_t i) { return (bits >> i & 1U) != 0; }
@@ -116,6 +112,13 @@ class Traversal {
     bytes |= bytes >> 16U;
     return kernel::boxes_of(bytes | bytes >> 8U, 0);
   }
+  /// Calls visit(k) for each question that has this node.
+  template <class Visitor>
+  static void for_each_question(Bytes bytes, std::uint32_t i, const Visitor& visit) {
+    for (Bytes left = bytes >> i & kernel::for_all(1); left != 0; left &= left - 1) {
+      visit(static_cast<std::size_t>(std::countr_zero(left)) / 8);
+    }
+  }
 
   /// Appends a question to those of active_ from `begin` on.
   void append(std::size_t begin, std::uint32_t frustum) {
@@ -124,13 +127,17 @@ class Traversal {
     questions.frustum[questions.count++] = frustum;
   }
 
-  void visit(std::uint32_t index, const Active& active) {
-    Visit here(blocks_[index], active);
+  void visit(const NodeBlock& block, const Active& active) {
+    Visit here(block, active);
     ask_planes(here);
-    for (std::size_t g = active.begin; g < active.middle; ++g) ask_shadows(here, g);
+    for (std::size_t g = active.begin; g < active.middle; ++g) ask_shadows(here, active_[g]);
     for (std::size_t g = active.middle; g < active.end; ++g) ask_probes(here, active_[g]);
-    descend(here);
-    count_tests(here);
+    const Bits before_pairs = here.hidden;
+    if (!result_.pairs.empty()) ask_pairs(here);
+    const Bits visited = block.visited(here.entered());
+    count_tests(here, visited, static_cast<Bits>(here.hidden & ~before_pairs));
+    hold(here, visited);
+    descend(here, visited);
   }
 
   void ask_planes(Visit& here) {
@@ -147,8 +154,7 @@ class Traversal {
     return static_cast<Bits>(block.used & ~(relation.outside | relation.inside));
   }
 
-  void ask_shadows(Visit& here, std::size_t group) {
-    ActiveShadows& shadows = active_[group];
+  void ask_shadows(Visit& here, ActiveShadows& shadows) {
     kernel::BlockQuestions& answers = shadows.answers;
     ask(here, shadows);
     if (((answers.unknown | answers.inside) & kernel::for_all(here.left())) != 0) {
@@ -156,20 +162,22 @@ class Traversal {
         const std::uint32_t occluder = answers.frustum[k];
         const Bits unknown = kernel::boxes_of(answers.unknown, k), inside = kernel::boxes_of(answers.inside, k);
         settle(here, shadows, k, static_cast<Bits>(unknown | inside), [&](std::uint32_t i) {
-          if (has(unknown, i)) return tests_.shadow(occluder, here.block.node[i]);
-          return kernel::Decision{tests_.may_cull(occluder, here.block, i) ? kernel::Relation::inside
-                                                                           : kernel::Relation::partial};
+          const std::uint32_t node = here.block.node[i];
+          if (has(unknown, i)) return tests_.shadow(occluder, node);
+          return kernel::Decision{tests_.may_cull(occluder, node) ? kernel::Relation::inside : kernel::Relation::partial};
         });
-        for_each_bit(kernel::boxes_of(answers.inside & shadows.asked, k) & here.left(), [&](std::uint32_t i) {
-          here.hiding[i] = occluder;
-          set(here.hidden, here.block.subtree[i]);
-        });
+        for_each_bit(kernel::boxes_of(answers.inside & shadows.asked, k) & here.left(),
+                     [&](std::uint32_t i) { hide(here, i, occluder, Culled::kNone); });
       }
     }
     set(here.undecided, any(shadows.partial));
   }
+  static void hide(Visit& here, std::uint32_t i, std::uint32_t occluder, std::uint32_t second) {
+    here.hiding[i] = occluder;
+    here.second[i] = second;
+    set(here.hidden, here.block.subtree[i]);
+  }
 
-  /// A probe that a node is inside of holds all that is below it.
   void ask_probes(Visit& here, ActiveShadows& probes) {
     kernel::BlockQuestions& answers = probes.answers;
     ask(here, probes);
@@ -180,10 +188,6 @@ class Traversal {
                [&](std::uint32_t i) { return tests_.probe(probe, here.block.node[i]); });
       }
     }
-    const Bytes inside = answers.inside & probes.asked;
-    for_each_bit(any(inside), [&](std::uint32_t i) {
-      answers.inside |= (inside >> i & kernel::for_all(1)) * here.block.subtree[i];
-    });
     set(here.undecided_probes, any(probes.partial));
   }
   std::uint32_t probe_of(const kernel::BlockQuestions& questions, std::size_t k) const {
@@ -194,7 +198,7 @@ class Traversal {
   void ask(const Visit& here, ActiveShadows& shadows) {
     kernel::BlockQuestions& answers = shadows.answers;
     tests_.filter(here.block, answers);
-    const Bytes all = answers.count == kernel::BlockQuestions::kMost ? ~Bytes{0} : (Bytes{1} << 8 * answers.count) - 1;
+    const Bytes all = ~Bytes{0} >> 8 * (kernel::BlockQuestions::kMost - answers.count);
     shadows.partial = all & kernel::for_all(here.block.used) & ~(answers.outside | answers.inside | answers.unknown);
     shadows.asked = all & (kernel::for_all(here.block.roots) | here.block.children_of(shadows.partial));
     shadows.exact = 0;
@@ -203,68 +207,35 @@ class Traversal {
   /// Completes the answers to question k: decide(i) answers for each of the doubtful nodes that has to be asked about.
   template <class Decide>
   void settle(Visit& here, ActiveShadows& shadows, std::size_t k, Bits doubtful, const Decide& decide) {
-    kernel::BlockQuestions& answers = shadows.answers;
     for_each_bit(doubtful & here.left(), [&](std::uint32_t i) {
       const Bytes bit = Bytes{1} << (8 * k + i);
       if ((shadows.asked & bit) == 0) return;
       const kernel::Decision found = decide(i);
-      answers.inside &= ~bit;
+      shadows.answers.inside &= ~bit;
       if (found.stage == kernel::Stage::exact) shadows.exact |= bit;
-      if (found.relation == kernel::Relation::inside) answers.inside |= bit;
+      if (found.relation == kernel::Relation::inside) shadows.answers.inside |= bit;
       if (found.relation == kernel::Relation::partial) {
         shadows.partial |= bit;
-        shadows.asked |= Bytes{here.block.children[i]} << 8 * k;
+        shadows.asked |= here.block.children_of(bit);
       }
     });
   }
 
-  /// Culls, draws or enters the nodes of the block, in the order of the tree.
-  void descend(Visit& here) {
-    const NodeBlock& block = here.block;
-    here.visited = block.roots;
+  /// Tests the nodes that are not culled against the pairs of the shadows that they straddle.
+  void ask_pairs(Visit& here) {
     for (std::uint32_t i = 0; i < NodeBlock::kNodes; ++i) {
-      if (!has(here.visited, i) || is_culled(here, i)) continue;
-      const bool is_undecided = has(here.undecided, i) || (has(here.undecided_probes, i) && block.count[i] > kProbed);
-      if (!is_undecided || block.is_leaf(i)) {
-        draw(here, i);
-      } else if (block.children[i] != 0) {
-        set(here.visited, block.children[i]);
-      } else {
-        enter(here, i);
-      }
+      if (!has(here.block.visited(here.entered()) & here.left(), i)) continue;
+      const auto pair = std::ranges::find_if(result_.pairs, [&](const ShadowPair& p) { return is_inside(here, p, i); });
+      if (pair != result_.pairs.end()) hide(here, i, pair->first, pair->second);
     }
   }
-
-  bool is_culled(Visit& here, std::uint32_t i) {
-    const std::uint32_t node = here.block.node[i];
-    if (has(here.out_of_view, i)) {
-      std::uint32_t plane = 0;
-      while (!has(here.active.planes, plane) || !has(here.planes[plane].outside, i)) ++plane;
-      cull({node, Culled::By::view, plane}, here.block.count[i]);
-    } else if (has(here.hidden, i)) {
-      cull({node, Culled::By::shadow, here.hiding[i]}, here.block.count[i]);
-    } else {
-      return !result_.pairs.empty() && is_culled_by_pair(here, i);
-    }
-    return true;
+  bool is_inside(const Visit& here, const ShadowPair& pair, std::uint32_t i) {
+    if (!straddles(here, pair.first, i) || !straddles(here, pair.second, i) || !may_ask(pair)) return false;
+    ++result_.stats.union_tests;
+    const kernel::Decision found = tests_.pair(pair.first, pair.second, here.block.node[i]);
+    if (found.stage == kernel::Stage::exact) ++result_.stats.exact_shadow_tests;
+    return found.relation == kernel::Relation::inside;
   }
-
-  /// Tests a node against the pairs of the shadows that it straddles.
-  bool is_culled_by_pair(Visit& here, std::uint32_t i) {
-    const std::uint32_t node = here.block.node[i];
-    for (const auto& [first, second] : result_.pairs) {
-      if (!straddles(here, first, i) || !straddles(here, second, i) || !may_ask(first, second)) continue;
-      ++result_.stats.union_tests;
-      const kernel::Decision found = tests_.pair(first, second, node);
-      if (found.stage == kernel::Stage::exact) ++result_.stats.exact_shadow_tests;
-      if (found.relation != kernel::Relation::inside) continue;
-      set(here.hidden_by_pair, static_cast<Bits>(1U << i));
-      cull({node, Culled::By::shadow, first, second}, here.block.count[i]);
-      return true;
-    }
-    return false;
-  }
-
   bool straddles(const Visit& here, std::uint32_t occluder, std::uint32_t i) const {
     for (std::size_t g = here.active.begin; g < here.active.middle; ++g) {
       const kernel::BlockQuestions& questions = active_[g].answers;
@@ -274,13 +245,39 @@ class Traversal {
     }
     return false;
   }
-
   /// Takes the work of a test of two shadows from what is left. Returns false, and takes nothing, if that is too little.
-  bool may_ask(std::uint32_t first, std::uint32_t second) {
-    const std::size_t work = tests_.pair_work(first, second);
+  bool may_ask(const ShadowPair& pair) {
+    const std::size_t work = tests_.pair_work(pair.first, pair.second);
     if (work > pair_work_left_) return false;
     pair_work_left_ -= work;
     return true;
+  }
+
+  /// Counts for each probe the items of the nodes that are inside of it. What is culled of them is taken away again. After
+  /// this, `inside` has all that a probe holds.
+  void hold(Visit& here, Bits visited) {
+    for (std::size_t g = here.active.middle; g < here.active.end; ++g) {
+      kernel::BlockQuestions& answers = active_[g].answers;
+      const Bytes inside = answers.inside & active_[g].asked & kernel::for_all(static_cast<Bits>(visited & here.left()));
+      answers.inside = 0;
+      for_each_bit(any(inside), [&](std::uint32_t i) {
+        for_each_question(inside, i, [&](std::size_t k) { probes_[probe_of(answers, k)].hidden += here.block.count[i]; });
+        answers.inside |= (inside >> i & kernel::for_all(1)) * here.block.subtree[i];
+      });
+    }
+  }
+
+  /// Culls or enters nodes of the block, in the order of the tree. What is neither is drawn.
+  void descend(const Visit& here, Bits visited) {
+    const auto entered = static_cast<Bits>(visited & here.entered() & here.block.exits);
+    for_each_bit(entered, [&](std::uint32_t i) { blocks_.prefetch(here.block.below[i]); });
+    for_each_bit((visited & here.culled()) | entered, [&](std::uint32_t i) {
+      if (has(entered, i)) {
+        enter(here, i);
+      } else {
+        cull(here, i);
+      }
+    });
   }
 
   /// Visits the block below a node with what straddles the node.
@@ -288,13 +285,13 @@ class Traversal {
     const Active& active = here.active;
     Active below{0, active_.size(), 0, 0};
     for_each_bit(active.planes, [&](std::uint32_t plane) {
-      if (has(straddling(here.block, here.planes[plane]), i)) below.planes |= std::uint32_t{1} << plane;
+      below.planes |= std::uint32_t{has(straddling(here.block, here.planes[plane]), i)} << plane;
     });
     below.middle = append_straddling(active.begin, active.middle, i);
     below.end = append_straddling(active.middle, active.end, i);
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
-    visit(here.block.below[i], below);
+    visit(blocks_[here.block.below[i]], below);
     holding_.resize(holding);
     active_.resize(below.begin);
   }
@@ -303,9 +300,7 @@ class Traversal {
   std::size_t append_straddling(std::size_t begin, std::size_t end, std::uint32_t i) {
     const std::size_t appended = active_.size();
     for (std::size_t g = begin; g < end; ++g) {
-      for (Bytes left = active_[g].partial >> i & kernel::for_all(1); left != 0; left &= left - 1) {
-        append(appended, active_[g].answers.frustum[static_cast<std::size_t>(std::countr_zero(left)) / 8]);
-      }
+      for_each_question(active_[g].partial, i, [&](std::size_t k) { append(appended, active_[g].answers.frustum[k]); });
     }
     return active_.size();
   }
@@ -315,44 +310,51 @@ class Traversal {
   void for_each_holding(const Visit& here, std::uint32_t i, const Take& take) {
     for (std::size_t g = here.active.middle; g < here.active.end; ++g) {
       const kernel::BlockQuestions& answers = active_[g].answers;
-      for (Bytes left = answers.inside >> i & kernel::for_all(1); left != 0; left &= left - 1) {
-        take(probe_of(answers, static_cast<std::size_t>(std::countr_zero(left)) / 8));
-      }
+      for_each_question(answers.inside, i, [&](std::size_t k) { take(probe_of(answers, k)); });
     }
   }
 
-  void cull(const Culled& culled, std::uint32_t count) {
-    result_.culled.push_back(culled);
-    if (culled.by == Culled::By::view) {
+  void cull(const Visit& here, std::uint32_t i) {
+    const std::uint32_t node = here.block.node[i], count = here.block.count[i];
+    draw_until(here.block.first[i]);
+    drawn_from_ += count;
+    if (has(here.out_of_view, i)) {
+      std::uint32_t plane = 0;
+      while (!has(here.active.planes, plane) || !has(here.planes[plane].outside, i)) ++plane;
+      result_.culled.push_back({node, Culled::By::view, plane});
       result_.stats.view_culled_polygons += count;
     } else {
+      const std::uint32_t occluder = here.hiding[i], second = here.second[i];
+      result_.culled.push_back({node, Culled::By::shadow, occluder, second});
       result_.stats.shadow_culled_polygons += count;
-      result_.occluders[culled.index].hidden += count;
-      if (culled.second != Culled::kNone) result_.occluders[culled.second].hidden += count;
+      result_.occluders[occluder].hidden += count;
+      if (second != Culled::kNone) result_.occluders[second].hidden += count;
     }
+    for (const std::uint32_t probe : holding_) probes_[probe].hidden -= count;
+    for_each_holding(here, i, [&](std::uint32_t probe) { probes_[probe].hidden -= count; });
   }
 
-  void draw(const Visit& here, std::uint32_t i) {
-    const std::uint32_t count = here.block.count[i];
-    append_range(result_.drawn, {here.block.first[i], count});
-    result_.stats.drawn_polygons += count;
-    for (const std::uint32_t probe : holding_) probes_[probe].hidden += count;
-    for_each_holding(here, i, [&](std::uint32_t probe) { probes_[probe].hidden += count; });
+  /// Draws all items before this one that are neither drawn nor culled.
+  void draw_until(std::uint32_t item) {
+    if (item == drawn_from_) return;
+    result_.drawn.push_back({drawn_from_, item - drawn_from_});
+    result_.stats.drawn_polygons += item - drawn_from_;
+    drawn_from_ = item;
   }
 
   /// Counts the tests that a descent from node to node takes. There, what culls a node ends its tests.
-  void count_tests(const Visit& here) {
+  void count_tests(const Visit& here, Bits visited, Bits hidden_by_pairs) {
     CullStats& stats = result_.stats;
-    Bits left = here.visited;
+    Bits left = visited;
     stats.nodes_visited += kernel::count(left);
     for_each_bit(here.active.planes, [&](std::uint32_t plane) {
       const kernel::BlockRelation& relation = here.planes[plane];
-      const auto asked = static_cast<Bits>(here.block.roots | here.block.children_of(straddling(here.block, relation)));
+      const Bytes asked = here.block.roots | here.block.children_of(Bytes{straddling(here.block, relation)});
       stats.view_tests += kernel::count(static_cast<Bits>(asked & left));
       left = static_cast<Bits>(left & ~relation.outside);
     });
     for (std::size_t g = here.active.begin; g < here.active.middle; ++g) left = count_shadow_tests(here, active_[g], left);
-    left = static_cast<Bits>(left & ~here.hidden_by_pair);
+    left = static_cast<Bits>(left & ~hidden_by_pairs);
     for (std::size_t g = here.active.middle; g < here.active.end; ++g) {
       stats.probe_tests += kernel::count(active_[g].asked & kernel::for_all(left));
     }
@@ -360,8 +362,8 @@ class Traversal {
 
   /// Counts the tests of some shadows. Returns the nodes that are left for the next shadows.
   Bits count_shadow_tests(const Visit& here, const ActiveShadows& shadows, Bits left) {
-    Bytes tested = shadows.asked & kernel::for_all(left);
     const kernel::BlockQuestions& answers = shadows.answers;
+    Bytes tested = shadows.asked & kernel::for_all(left);
     if (here.hidden != 0) {
       tested = 0;
       for (std::size_t k = 0; k < answers.count; ++k) {
@@ -371,7 +373,7 @@ class Traversal {
       }
     }
     result_.stats.shadow_tests += kernel::count(tested);
-    if ((shadows.exact & tested) != 0) result_.stats.exact_shadow_tests += kernel::count(shadows.exact & tested);
+    if (shadows.exact != 0) result_.stats.exact_shadow_tests += kernel::count(shadows.exact & tested);
     tests_.tested(here.block, answers, tested);
     return left;
   }
@@ -382,6 +384,7 @@ class Traversal {
   CullResult& result_;
   std::vector<ActiveShadows>& active_;
   std::vector<std::uint32_t>& holding_;
+  std::uint32_t drawn_from_ = 0;  ///< the first item that is neither drawn nor culled
   std::size_t pair_work_left_ = 0;
 };
 

@@ -83,6 +83,10 @@ HWY_INLINE LaneVector load(const Row& row, std::size_t first, std::size_t k) {
 
 /// Moves the boxes that planes of the profile separate from the frustum from straddling to outside.
 HWY_INLINE void separate_by_profile(const StoredFrustum& frustum, const Frame& frame, const Frame& bounds, Known& known) {
+  if (!frustum.has_profile) {
+    known.unknown = hn::Or(known.unknown, known.straddling);
+    return;
+  }
   Least least;
   for (const FilterPlane& plane : frustum.profile_planes()) {
     least.include(frame.extremes(plane));

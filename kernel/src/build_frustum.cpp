@@ -43,27 +43,13 @@ void add_sides(StoredFrustum& frustum) {
   }
 }
 
-void add_profile(StoredFrustum& frustum) {
-  const auto sign_along = [&](std::size_t plane, std::size_t axis) {
-    const auto question = [&]<class A>(A& arithmetic) {
-      return arithmetic.sign(normal<A>(plane_of(frustum, plane))[static_cast<int>(axis)]);
-    };
-    return certified(question);
-  };
-  const auto keep = [&](const PlaneRecipe& recipe) {
-    frustum.recipes.push_back(recipe);
-    return false;
-  };
-  static_cast<void>(visit_profile(frustum, BoxAxes{}, sign_along, keep));
-}
-
-void round_planes(StoredFrustum& frustum) {
+/// Rounds the planes that are not yet rounded. `common` becomes a bound for all of them.
+void round_planes(StoredFrustum& frustum, FilterBound& common) {
   frustum.filter_planes.reserve(frustum.recipes.size());
   frustum.refined_planes.reserve(frustum.recipes.size());
-  for (const PlaneRecipe& recipe : frustum.recipes) {
+  while (frustum.filter_planes.size() < frustum.recipes.size()) {
+    const PlaneRecipe& recipe = frustum.recipes[frustum.filter_planes.size()];
     const auto [filter, bound, refined] = rounded(coefficients<DoubleDoubleArithmetic>(frustum, recipe));
-    const bool is_own = frustum.filter_planes.size() < frustum.plane_count;
-    FilterBound& common = is_own ? frustum.filter_bound : frustum.profile_bound;
     common = {std::max(common.slope, bound.slope), std::max(common.base, bound.base)};
     frustum.filter_planes.push_back(filter);
     frustum.refined_planes.push_back(refined);
@@ -81,6 +67,7 @@ void clear(StoredFrustum& frustum) {
   frustum.filter_planes.clear();
   frustum.refined_planes.clear();
   frustum.filter_bound = frustum.profile_bound = {};
+  frustum.has_profile = false;
   frustum.cap_edges.clear();
   frustum.cap_vertices.clear();
   frustum.support_plane.reset();
@@ -108,8 +95,7 @@ Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, std::span<cons
     frustum.recipes.push_back(exact_plane(*frustum.support_plane));
   }
   add_sides(frustum);
-  add_profile(frustum);
-  round_planes(frustum);
+  round_planes(frustum, frustum.filter_bound);
   return Refusal::none;
 }
 
@@ -134,9 +120,25 @@ Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPo
     frustum.cap_vertices.assign(polytope.vertices().begin(), polytope.vertices().end());
     append_cap_edges(polytope, seen, frustum.silhouette, frustum.cap_edges);
   }
-  add_profile(frustum);
-  round_planes(frustum);
+  round_planes(frustum, frustum.filter_bound);
   return Refusal::none;
+}
+
+void add_profile(StoredFrustum& frustum) {
+  if (frustum.has_profile || frustum.plane_count == 0) return;
+  const auto sign_along = [&](std::size_t plane, std::size_t axis) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return arithmetic.sign(normal<A>(plane_of(frustum, plane))[static_cast<int>(axis)]);
+    };
+    return certified(question);
+  };
+  const auto keep = [&](const PlaneRecipe& recipe) {
+    frustum.recipes.push_back(recipe);
+    return false;
+  };
+  static_cast<void>(visit_profile(frustum, BoxAxes{}, sign_along, keep));
+  round_planes(frustum, frustum.profile_bound);
+  frustum.has_profile = true;
 }
 
 }  // namespace occlude::kernel

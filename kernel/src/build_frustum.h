@@ -15,6 +15,9 @@ namespace occlude::kernel {
 [[nodiscard]] Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                             PolytopeSilhouette& seen);
 
+/// As ShadowFrustum::prepare_overlap().
+void add_profile(StoredFrustum& frustum);
+
 /// Removes the frustum and keeps its memory.
 void clear(StoredFrustum& frustum);
 

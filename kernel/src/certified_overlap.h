@@ -9,9 +9,28 @@
 
 namespace occlude::kernel {
 
-/// Whether a plane of the frustum's profile along the coordinate axes separates the frustum from the box.
+/// Whether a plane of the frustum's profile along these axes separates the frustum from the box: the planes are made for
+/// this question alone.
+template <class Box>
+[[nodiscard]] bool is_separated_along(const BoxAxes& axes, const StoredFrustum& frustum, const Box& box, Stage& stage) {
+  const auto sign_along = [&](std::size_t plane, std::size_t k) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return arithmetic.sign(dot(normal<A>(plane_of(frustum, plane)), constants<A>(axes.directions[k])));
+    };
+    return certified(question, &stage);
+  };
+  const auto separates = [&](const PlaneRecipe& recipe) {
+    const auto question = [&]<class A>(A& arithmetic) {
+      return extremal_sign(arithmetic, coefficients<A>(frustum, recipe), frustum.origin, box, 1) < 0;
+    };
+    return certified(question, &stage);
+  };
+  return visit_profile(frustum, axes, sign_along, separates);
+}
+
+/// The same along the coordinate axes, by the planes that the frustum stores.
 template <class Frame>
-[[nodiscard]] bool is_separated_by_profile(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
+[[nodiscard]] bool is_separated_by_stored(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
   const auto& planes = frustum.filter_planes;
   const double error = frame.error(frustum.profile_bound);
   bool unknown = false;
@@ -29,22 +48,15 @@ template <class Frame>
   return false;
 }
 
-/// The same for the profile along the edges of the box.
+/// The same along the edges of the box.
+template <class Frame>
+[[nodiscard]] bool is_separated_by_profile(const StoredFrustum& frustum, const Aabb& box, const Frame& frame, Stage& stage) {
+  return frustum.has_profile ? is_separated_by_stored(frustum, box, frame, stage)
+                             : is_separated_along(BoxAxes{}, frustum, box, stage);
+}
 template <class Frame>
 [[nodiscard]] bool is_separated_by_profile(const StoredFrustum& frustum, const Obb& box, const Frame&, Stage& stage) {
-  const auto sign_along = [&](std::size_t plane, std::size_t k) {
-    const auto question = [&]<class A>(A& arithmetic) {
-      return arithmetic.sign(dot(normal<A>(plane_of(frustum, plane)), constants<A>(box.half_edges[k])));
-    };
-    return certified(question, &stage);
-  };
-  const auto separates = [&](const PlaneRecipe& recipe) {
-    const auto question = [&]<class A>(A& arithmetic) {
-      return extremal_sign(arithmetic, coefficients<A>(frustum, recipe), frustum.origin, box, 1) < 0;
-    };
-    return certified(question, &stage);
-  };
-  return visit_profile(frustum, {box.half_edges, false}, sign_along, separates);
+  return is_separated_along({box.half_edges, false}, frustum, box, stage);
 }
 
 /// The answer for a frustum that was never made.

@@ -43,6 +43,7 @@ ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, std::span<co
   ShadowFrustum frustum;
   const Refusal refusal = frustum.assign(viewpoint, loop, near);
   if (refusal != Refusal::none) return {std::nullopt, refusal};
+  frustum.prepare_overlap();
   return {std::move(frustum), Refusal::none};
 }
 
@@ -51,8 +52,11 @@ ShadowFrustumResult ShadowFrustum::make(const Viewpoint& viewpoint, const Convex
   PolytopeSilhouette seen;
   const Refusal refusal = frustum.assign(viewpoint, polytope, near, seen);
   if (refusal != Refusal::none) return {std::nullopt, refusal};
+  frustum.prepare_overlap();
   return {std::move(frustum), Refusal::none};
 }
+
+void ShadowFrustum::prepare_overlap() { add_profile(own()); }
 
 void ShadowFrustum::reserve(std::size_t count) {
   StoredFrustum& frustum = own();

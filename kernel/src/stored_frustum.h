@@ -25,8 +25,8 @@ struct CapEdge {
 };
 
 /// The planes come in three forms of the same size and order: recipes, filter_planes and refined_planes. First near_count
-/// planes of the near side, then one per side, plane_count in all; after these the planes of the profile along the
-/// coordinate axes (profile.h). What stage 1 reads comes first.
+/// planes of the near side, then one per side, plane_count in all; after these, if has_profile, the planes of the profile
+/// along the coordinate axes (profile.h). What stage 1 reads comes first.
 struct StoredFrustum {
   /// The point that filter_planes and refined_planes are relative to: the eye, or silhouette[0] for a direction.
   Vec3 origin;
@@ -42,6 +42,7 @@ struct StoredFrustum {
   /// The corners of the polygon, or all vertices of the polytope, if the near side is the occluder; else none.
   std::vector<Vec3> cap_vertices;
   std::optional<SupportPlane> support_plane;
+  bool has_profile = false;
 
   [[nodiscard]] std::span<const FilterPlane> own_planes() const { return {filter_planes.data(), plane_count}; }
   [[nodiscard]] std::span<const FilterPlane> profile_planes() const { return std::span(filter_planes).subspan(plane_count); }

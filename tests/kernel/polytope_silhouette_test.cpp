@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "occlude/kernel/batch.h"
+#include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "stored_frustum.h"
 
@@ -89,6 +91,8 @@ TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
   PolytopeSilhouette seen;
   ShadowFrustum frustum;
   const auto expect_same_as = [&](const ShadowFrustumResult& made) {
+    EXPECT_FALSE(stored(frustum)->has_profile);
+    frustum.prepare_overlap();
     const StoredFrustum &here = *stored(frustum), &there = *stored(*made.frustum);
     EXPECT_EQ(here.viewpoint.kind, there.viewpoint.kind);
     EXPECT_EQ(here.viewpoint.value, there.viewpoint.value);
@@ -119,3 +123,29 @@ TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
 }
 
 }  // namespace
+
+/// A frustum that was assigned answers overlap tests as one that was made, also before it is prepared for them.
+TEST(ShadowFrustum, OverlapNeedsNoPreparation) {
+  const std::vector<Vec3> loop{{4, -1, -1}, {4, 1, -1}, {4.5, 1, 1}, {4, -1, 1}};
+  const Viewpoint eye = Viewpoint::eye({-3, 0.5, 1});
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < 4096; ++i) {
+    const Vec3 corner{i % 16 - 1.0, i / 16 % 16 / 2.0 - 4, i / 256 / 2.0 - 4};
+    boxes.push_back({corner, {corner.x + 1, corner.y + 0.5, corner.z + 0.5}});
+  }
+  for (const Near near : {Near::surface, Near::farthest}) {
+    const ShadowFrustum made = *ShadowFrustum::make(eye, loop, near).frustum;
+    ShadowFrustum assigned;
+    ASSERT_EQ(assigned.assign(eye, loop, near), Refusal::none);
+    std::vector<Relation> batch(boxes.size());
+    overlap_certified(assigned, BoxBatch(boxes), NearBoundary::closed, batch);
+    std::size_t beside_planes = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const Relation relation = overlap_certified(made, boxes[i]).relation;
+      EXPECT_EQ(overlap_certified(assigned, boxes[i]).relation, relation) << "box " << i;
+      EXPECT_EQ(batch[i], relation) << "box " << i;
+      if (conservative_certified(made, boxes[i]).relation != relation) ++beside_planes;
+    }
+    EXPECT_GT(beside_planes, 10U);
+  }
+}

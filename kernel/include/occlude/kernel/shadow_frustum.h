@@ -69,6 +69,10 @@ class ShadowFrustum {
   [[nodiscard]] Refusal assign(const Viewpoint& viewpoint, const ConvexPolytope& polytope, Near near,
                                PolytopeSilhouette& seen);
 
+  /// Derives the planes that `overlap` tests of axis-aligned boxes ask, beside the frustum's own. make() has done so. After
+  /// assign() such tests give the same answers, but derive these planes anew each time. Does nothing if is_none().
+  void prepare_overlap();
+
   /// Whether there is no frustum: none was made yet, or it was moved from. Then every test answers `partial`, and the
   /// other members are empty or mean nothing.
   [[nodiscard]] bool is_none() const;
@@ -100,8 +104,8 @@ class ShadowFrustum {
   [[nodiscard]] const StoredFrustum& own() const;
 
   /// A StoredFrustum in place, because a pointer to one would be one more step to what each test reads. It has six vectors
-  /// of three pointers each, and 160 bytes of numbers.
-  static constexpr std::size_t kBytes = 304;
+  /// of three pointers each, and 168 bytes of numbers.
+  static constexpr std::size_t kBytes = 320;
   alignas(std::max_align_t) std::byte stored_[kBytes];
 };
 
