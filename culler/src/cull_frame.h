@@ -57,10 +57,10 @@ const FrameView& begin_frame(std::span<const HierarchyNode> nodes, const AnyCame
   return memory.view;
 }
 
-/// Culls by frusta, as in the paper. `ask` and `holds_part` as in NodeTests.
-template <class Ask, class HoldsPart, class AnyCamera>
+/// Culls by frusta, as in the paper. `ask` as in NodeTests.
+template <class Ask, class AnyCamera>
 void cull_by_frusta(std::span<const HierarchyNode> nodes, const NodeBlocks& blocks, const Ask& ask,
-                    const HoldsPart& holds_part, const OccluderSet& occluders, const AnyCamera& camera, const CullOptions& options,
+                    const OccluderSet& occluders, const AnyCamera& camera, const CullOptions& options,
                     View::Memory& memory) {
   const FrameView& view = begin_frame(nodes, camera, options, memory);
 
@@ -79,7 +79,7 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const NodeBlocks& bloc
 
   // Section 5: one descent of the tree culls by the half-spaces and by the shadows, and draws.
   const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
-  traverse(blocks, ask, holds_part, unwatched, options, memory);
+  traverse(blocks, ask, occluders, unwatched, options, memory);
 
   // For the next frame: what each occluder hid, and what each probe would have hidden.
   memory.history.record(occluders.size(), memory.result.occluders, memory.probes);

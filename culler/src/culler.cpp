@@ -30,16 +30,6 @@ auto volumes_of(const Hierarchy& hierarchy) {
   return [&](std::uint32_t node, auto&& question) { return hierarchy.ask(node, question); };
 }
 
-/// Whether a part of the occluder is in the node.
-auto parts_in(const Hierarchy& hierarchy, const OccluderSet& occluders) {
-  return [&](std::uint32_t node, std::uint32_t occluder) {
-    const HierarchyNode& n = hierarchy.nodes()[node];
-    const auto parts = occluders.parts(occluder);
-    const auto part = std::ranges::lower_bound(parts, n.first);
-    return part != parts.end() && *part - n.first < n.count;
-  };
-}
-
 }  // namespace
 
 Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
@@ -81,7 +71,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
-    cull_by_frusta(hierarchy_.nodes(), *blocks_, volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), occluders_, camera, options,
+    cull_by_frusta(hierarchy_.nodes(), *blocks_, volumes_of(hierarchy_), occluders_, camera, options,
                    memory);
   }
   return memory.result;
@@ -112,7 +102,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
       }
     }
   };
-  traverse(*blocks_, volumes_of(hierarchy_), parts_in(hierarchy_, occluders_), on_tests, options, memory);
+  traverse(*blocks_, volumes_of(hierarchy_), occluders_, on_tests, options, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

@@ -61,7 +61,7 @@ struct alignas(64) NodeBlock {
   /// The nodes that a descent visits which enters these: the roots, and the children of nodes that it visits and enters.
   [[nodiscard]] Bits visited(Bits entered) const {
     unsigned found = roots;
-    for (const Parent& parent : parents) found |= (found & entered) >> parent.i & 1U ? parent.children : 0U;
+    for (const Parent& parent : parents) found |= (0U - ((found & entered) >> parent.i & 1U)) & parent.children;
     return static_cast<Bits>(found);
   }
 };

@@ -10,6 +10,7 @@
 #include "bounds.h"
 #include "node_blocks.h"
 #include "occlude/culler/cull_result.h"
+#include "occlude/culler/occluder_set.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_union.h"
@@ -19,25 +20,23 @@
 
 namespace occlude::culler {
 
-/// `Ask` calls a question with the bounding volume of a node. holds_part(node, potential occluder) says whether a part of
-/// the occluder is in the node. on_shadow_test(occluder, box) is called for every test of a shadow.
-template <class Ask, class HoldsPart, class OnShadowTests>
+/// `Ask` calls a question with the bounding volume of a node. on_shadow_test(occluder, box) is called for every test of a shadow.
+template <class Ask, class OnShadowTests>
 class NodeTests {
  public:
-  NodeTests(const Ask& ask, const HoldsPart& holds_part, const OnShadowTests& on_shadow_tests, const CullOptions& options,
+  NodeTests(const Ask& ask, const OccluderSet& occluders, const OnShadowTests& on_shadow_tests, const CullOptions& options,
             View::Memory& memory)
       : ask_(ask),
-        holds_part_(holds_part),
         on_shadow_tests_(on_shadow_tests),
         options_(options),
         planes_(memory.planes),
-        probes_(memory.probes),
         shrunk_(memory.shrunk),
+        casters_(memory.casters),
         frusta_(memory.frusta),
         frame_(memory.result) {
     memory.take_planes();
     memory.shrink_shadows();
-    memory.take_frusta();
+    memory.take_casters(occluders, options.near);
   }
 
   void planes(std::uint32_t which, const NodeBlock& block, std::span<kernel::BlockRelation> relations) const {
@@ -69,37 +68,37 @@ class NodeTests {
     if (is_overlap) questions.unknown = kernel::for_all(block.used) & ~(questions.outside | questions.inside);
   }
 
-  kernel::Decision shadow(std::uint32_t occluder, std::uint32_t node) const {
-    const Occluder& by = frame_.occluders[occluder];
-    return ask_(node, [&](const auto& box) {
-      return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, shrunk_[occluder],
-                         [&] { return holds_part_(node, by.index); });
+  kernel::Decision shadow(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
+    const bool holds_part = this->holds_part(occluder, block, i);
+    if (holds_part && is_surface(occluder)) return {kernel::Relation::partial, kernel::Stage::filter};
+    return ask_(block.node[i], [&](const auto& box) {
+      return decide_cull(*frusta_[occluder], box, {options_.arithmetic, options_.test}, shrunk_[occluder],
+                         [&] { return holds_part; });
     });
   }
 
-  bool may_cull(std::uint32_t occluder, std::uint32_t node) const {
-    const Occluder& by = frame_.occluders[occluder];
-    return ask_(node, [&](const auto& box) {
-      return is_cull(by.frustum, box, shrunk_[occluder], [&] { return holds_part_(node, by.index); });
+  bool may_cull(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
+    return ask_(block.node[i], [&](const auto& box) {
+      return is_cull(*frusta_[occluder], box, shrunk_[occluder], [&] { return holds_part(occluder, block, i); });
     });
   }
 
   /// A probe hides nothing, so its answer may be approximate: neither the margin nor its own parts are considered.
-  kernel::Decision probe(std::uint32_t probe, std::uint32_t node) const {
-    return ask_(node, [&](const auto& box) {
-      return decide_cull(probes_[probe].frustum, box, {.arithmetic = options_.arithmetic}, ShadowMargin());
+  kernel::Decision probe(std::uint32_t probe, const NodeBlock& block, std::uint32_t i) const {
+    if (is_surface(probe) && holds_part(probe, block, i)) return {kernel::Relation::partial, kernel::Stage::filter};
+    return ask_(block.node[i], [&](const auto& box) {
+      return decide_cull(*frusta_[probe], box, {.arithmetic = options_.arithmetic}, ShadowMargin());
     });
   }
 
   std::size_t pair_work(std::uint32_t first, std::uint32_t second) const {
-    return frame_.occluders[first].frustum.plane_count() * frame_.occluders[second].frustum.plane_count();
+    return frusta_[first]->plane_count() * frusta_[second]->plane_count();
   }
 
-  kernel::Decision pair(std::uint32_t first, std::uint32_t second, std::uint32_t node) const {
-    const Occluder &a = frame_.occluders[first], &b = frame_.occluders[second];
-    return ask_(node, [&](const auto& box) {
-      return decide_cull(kernel::ShadowUnion{a.frustum, b.frustum}, box, Asked{}, frame_.margin,
-                         [&] { return holds_part_(node, a.index) || holds_part_(node, b.index); });
+  kernel::Decision pair(std::uint32_t first, std::uint32_t second, const NodeBlock& block, std::uint32_t i) const {
+    return ask_(block.node[i], [&](const auto& box) {
+      return decide_cull(kernel::ShadowUnion{*frusta_[first], *frusta_[second]}, box, Asked{}, frame_.margin,
+                         [&] { return holds_part(first, block, i) || holds_part(second, block, i); });
     });
   }
 
@@ -108,22 +107,30 @@ class NodeTests {
   }
 
  private:
+  /// Whether a part of the occluder is in the node.
+  [[nodiscard]] bool holds_part(std::uint32_t frustum, const NodeBlock& block, std::uint32_t i) const {
+    const auto parts = casters_[frustum].parts;
+    const auto part = std::ranges::lower_bound(parts, block.first[i]);
+    return part != parts.end() && *part - block.first[i] < block.count[i];
+  }
+  /// Whether the parts are in the surface at which the shadow begins. A box that holds one meets the shadow, and is not
+  /// beyond the near plane.
+  [[nodiscard]] bool is_surface(std::uint32_t frustum) const { return is_certified() && casters_[frustum].are_surface; }
   [[nodiscard]] bool is_certified() const { return options_.arithmetic == kernel::Arithmetic::certified; }
 
   const Ask& ask_;
-  const HoldsPart& holds_part_;
   const OnShadowTests& on_shadow_tests_;
   const CullOptions& options_;
   const std::vector<kernel::HalfSpace>& planes_;
-  const std::vector<Occluder>& probes_;
   const std::vector<ShrunkShadow>& shrunk_;
+  const std::vector<ShadowCaster>& casters_;
   const std::vector<const kernel::ShadowFrustum*>& frusta_;
   const CullResult& frame_;
 };
 
 /// One descent of the tree, for a frame whose half-spaces and occluders are known.
-template <class Ask, class HoldsPart, class OnShadowTests>
-void traverse(const NodeBlocks& blocks, const Ask& ask, const HoldsPart& holds_part, const OnShadowTests& on_shadow_tests,
+template <class Ask, class OnShadowTests>
+void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet& occluders, const OnShadowTests& on_shadow_tests,
               const CullOptions& options, View::Memory& memory) {
   // Memory for the stacks: all occluders and probes that a frame may have, at each level of the deepest trees. The tree of
   // ten million polygons has some 40 levels of nodes, and fewer of blocks.
@@ -133,7 +140,8 @@ void traverse(const NodeBlocks& blocks, const Ask& ask, const HoldsPart& holds_p
   memory.traversal.holding.reserve(memory.probes.capacity());
   memory.planes.reserve(memory.result.view.size());
   memory.frusta.reserve(most);
-  NodeTests tests(ask, holds_part, on_shadow_tests, options, memory);
+  memory.casters.reserve(most);
+  NodeTests tests(ask, occluders, on_shadow_tests, options, memory);
   const ViewPlanes planes{memory.planes, options.arithmetic};
   Traversal(blocks, tests, memory.probes, memory.result, memory.traversal).run(planes.all());
 }

@@ -63,6 +63,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   memory.candidates.reserve(candidates);
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
+  memory.directions.reserve(std::min(all, options.occluders));
   memory.tried.reserve(std::min(all, kTries * candidates));
   memory.loop.reserve(kPlanes);
   while (memory.spare.size() < used) memory.spare.emplace_back().reserve(kPlanes);
@@ -130,6 +131,7 @@ void OccluderChoice::take_best() {
 void OccluderChoice::take_probes() {
   std::vector<Candidate>& pool = memory_.candidates;
   pool.clear();
+  note_directions();
   for (const Candidate& c : memory_.order.best_first()) {
     if (pool.size() == kPool) break;
     if (memory_.history.hidden(c.occluder)) continue;
@@ -144,15 +146,21 @@ void OccluderChoice::take_probes() {
   }
 }
 
+void OccluderChoice::note_directions() {
+  memory_.directions.clear();
+  for (const Occluder& o : memory_.result.occluders) {
+    memory_.directions.push_back({direction_of(o.index), static_cast<double>(memory_.history.hidden(o.index).value_or(0))});
+  }
+}
+
 /// What the occluders of this frame that are near this one in the picture hid lately: the most of any, as a share of the
-/// most that any occluder of the frame hid.
+/// most that any occluder of the frame hid. REQUIRES: note_directions() was called.
 double OccluderChoice::goodness_near(std::uint32_t i) const {
   const glm::dvec3 direction = direction_of(i);
   double near = 0, most = 1;
-  for (const Occluder& o : memory_.result.occluders) {
-    const double hidden = memory_.history.hidden(o.index).value_or(0);
-    most = std::max(most, hidden);
-    if (glm::dot(direction, direction_of(o.index)) > kNear) near = std::max(near, hidden);
+  for (const OccluderDirection& o : memory_.directions) {
+    most = std::max(most, o.hidden);
+    if (glm::dot(direction, o.direction) > kNear) near = std::max(near, o.hidden);
   }
   return near / most;
 }

@@ -49,6 +49,7 @@ class OccluderChoice {
 
  private:
   [[nodiscard]] double size_of(std::uint32_t i) const;
+  void note_directions();
   [[nodiscard]] double goodness_near(std::uint32_t i) const;
   [[nodiscard]] glm::dvec3 direction_of(std::uint32_t i) const;
   [[nodiscard]] bool is_full() const;

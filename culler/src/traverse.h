@@ -30,15 +30,15 @@ inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairW
 
 /// Up to eight shadows that are active at a block, and what is known of them and the nodes there.
 struct ActiveShadows {
-  kernel::BlockQuestions answers = {};
-  kernel::BoxBytes asked = 0;    ///< nodes whose parents they straddle
-  kernel::BoxBytes partial = 0;  ///< nodes that they straddle
-  kernel::BoxBytes exact = 0;    ///< nodes of which the exact stage had to answer
+  kernel::BlockQuestions answers;
+  kernel::BoxBytes asked;    ///< nodes whose parents they straddle
+  kernel::BoxBytes partial;  ///< nodes that they straddle
+  kernel::BoxBytes exact;    ///< nodes of which the exact stage had to answer
 };
 
-/// The stacks of a traversal. Each level of the descent appends its own.
+/// The stacks of a traversal. Each level of the descent uses its own part.
 struct TraversalMemory {
-  std::vector<ActiveShadows> active;   ///< those of occluders, then those of probes
+  std::vector<ActiveShadows> active;   ///< those of occluders, then those of probes; may be longer than what is in use
   std::vector<std::uint32_t> holding;  ///< probes that hold the node or one above it
 };
 
@@ -48,9 +48,9 @@ class Traversal {
   /// `tests` has
   /// planes(which, block, relations): the relations of half-spaces and nodes, as kernel::relations();
   /// filter(block, questions): as kernel::conservative_filter();
-  /// shadow(occluder, node) and probe(probe, node): a kernel::Decision about one node;
-  /// may_cull(occluder, node): whether the occluder may cull a node that is inside of its shadow;
-  /// pair(first, second, node), a kernel::Decision, and pair_work(first, second), the pairs of planes that it may ask;
+  /// shadow(frustum, block, i) and probe(frustum, block, i): a kernel::Decision about node i of a block;
+  /// may_cull(frustum, block, i): whether an occluder may cull a node that is inside of its shadow;
+  /// pair(first, second, block, i), such a Decision, and pair_work(first, second), the pairs of planes that it may ask;
   /// tested(block, questions, nodes): called for the nodes that were tested against shadows.
   /// Frustum i is that of occluder i, or of probe i - result.occluders.size().
   Traversal(const NodeBlocks& blocks, Tests& tests, std::span<Occluder> probes, CullResult& result, TraversalMemory& memory)
@@ -65,14 +65,14 @@ class Traversal {
   void run(std::uint32_t planes) {
     const auto occluders = static_cast<std::uint32_t>(result_.occluders.size());
     const auto all = static_cast<std::uint32_t>(occluders + probes_.size());
-    active_.clear();
     holding_.clear();
     drawn_from_ = 0;
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders);
-    for (std::uint32_t i = 0; i < occluders; ++i) append(0, i);
-    const std::size_t middle = active_.size();
-    for (std::uint32_t i = occluders; i < all; ++i) append(middle, i);
-    visit(blocks_[0], {planes, 0, middle, active_.size()});
+    Active active{planes, 0, 0, 0};
+    for (std::uint32_t i = 0; i < occluders; ++i) append(active.begin, active.middle, i);
+    active.end = active.middle;
+    for (std::uint32_t i = occluders; i < all; ++i) append(active.middle, active.end, i);
+    visit(blocks_[0], active);
     draw_until(blocks_[0].count[0]);
   }
 
@@ -120,10 +120,13 @@ class Traversal {
     }
   }
 
-  /// Appends a question to those of active_ from `begin` on.
-  void append(std::size_t begin, std::uint32_t frustum) {
-    if (active_.size() == begin || active_.back().answers.count == kernel::BlockQuestions::kMost) active_.emplace_back();
-    kernel::BlockQuestions& questions = active_.back().answers;
+  /// Appends a question to those of active_[begin, end).
+  void append(std::size_t begin, std::size_t& end, std::uint32_t frustum) {
+    if (begin == end || active_[end - 1].answers.count == kernel::BlockQuestions::kMost) {
+      if (end == active_.size()) active_.emplace_back();
+      active_[end++].answers.count = 0;
+    }
+    kernel::BlockQuestions& questions = active_[end - 1].answers;
     questions.frustum[questions.count++] = frustum;
   }
 
@@ -162,9 +165,9 @@ class Traversal {
         const std::uint32_t occluder = answers.frustum[k];
         const Bits unknown = kernel::boxes_of(answers.unknown, k), inside = kernel::boxes_of(answers.inside, k);
         settle(here, shadows, k, static_cast<Bits>(unknown | inside), [&](std::uint32_t i) {
-          const std::uint32_t node = here.block.node[i];
-          if (has(unknown, i)) return tests_.shadow(occluder, node);
-          return kernel::Decision{tests_.may_cull(occluder, node) ? kernel::Relation::inside : kernel::Relation::partial};
+          if (has(unknown, i)) return tests_.shadow(occluder, here.block, i);
+          return kernel::Decision{tests_.may_cull(occluder, here.block, i) ? kernel::Relation::inside
+                                                                           : kernel::Relation::partial};
         });
         for_each_bit(kernel::boxes_of(answers.inside & shadows.asked, k) & here.left(),
                      [&](std::uint32_t i) { hide(here, i, occluder, Culled::kNone); });
@@ -183,9 +186,8 @@ class Traversal {
     ask(here, probes);
     if ((answers.unknown & kernel::for_all(here.left())) != 0) {
       for (std::size_t k = 0; k < answers.count; ++k) {
-        const std::uint32_t probe = probe_of(answers, k);
         settle(here, probes, k, kernel::boxes_of(answers.unknown, k),
-               [&](std::uint32_t i) { return tests_.probe(probe, here.block.node[i]); });
+               [&](std::uint32_t i) { return tests_.probe(answers.frustum[k], here.block, i); });
       }
     }
     set(here.undecided_probes, any(probes.partial));
@@ -232,7 +234,7 @@ class Traversal {
   bool is_inside(const Visit& here, const ShadowPair& pair, std::uint32_t i) {
     if (!straddles(here, pair.first, i) || !straddles(here, pair.second, i) || !may_ask(pair)) return false;
     ++result_.stats.union_tests;
-    const kernel::Decision found = tests_.pair(pair.first, pair.second, here.block.node[i]);
+    const kernel::Decision found = tests_.pair(pair.first, pair.second, here.block, i);
     if (found.stage == kernel::Stage::exact) ++result_.stats.exact_shadow_tests;
     return found.relation == kernel::Relation::inside;
   }
@@ -283,26 +285,26 @@ class Traversal {
   /// Visits the block below a node with what straddles the node.
   void enter(const Visit& here, std::uint32_t i) {
     const Active& active = here.active;
-    Active below{0, active_.size(), 0, 0};
+    Active below{0, active.end, active.end, 0};
     for_each_bit(active.planes, [&](std::uint32_t plane) {
       below.planes |= std::uint32_t{has(straddling(here.block, here.planes[plane]), i)} << plane;
     });
-    below.middle = append_straddling(active.begin, active.middle, i);
-    below.end = append_straddling(active.middle, active.end, i);
+    append_straddling(active.begin, active.middle, i, below.middle);
+    below.end = below.middle;
+    append_straddling(active.middle, active.end, i, below.end);
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
     visit(blocks_[here.block.below[i]], below);
     holding_.resize(holding);
-    active_.resize(below.begin);
   }
 
-  /// Appends questions about those of active_[begin, end) that straddle a node. Returns how long active_ is then.
-  std::size_t append_straddling(std::size_t begin, std::size_t end, std::uint32_t i) {
-    const std::size_t appended = active_.size();
+  /// Appends questions about those of active_[begin, end) that straddle a node, from `appended` on, which becomes their end.
+  void append_straddling(std::size_t begin, std::size_t end, std::uint32_t i, std::size_t& appended) {
+    const std::size_t first = appended;
     for (std::size_t g = begin; g < end; ++g) {
-      for_each_question(active_[g].partial, i, [&](std::size_t k) { append(appended, active_[g].answers.frustum[k]); });
+      for_each_question(active_[g].partial, i,
+                        [&](std::size_t k) { append(first, appended, active_[g].answers.frustum[k]); });
     }
-    return active_.size();
   }
 
   /// Calls take(probe) for each probe that holds a node, but no block above it.

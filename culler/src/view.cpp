@@ -59,10 +59,15 @@ void View::Memory::take_planes() {
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
 }
 
-void View::Memory::take_frusta() {
+void View::Memory::take_casters(const OccluderSet& occluders, kernel::Near near) {
   frusta.clear();
-  for (const auto* occluders : {&result.occluders, &probes}) {
-    for (const Occluder& occluder : *occluders) frusta.push_back(&occluder.frustum);
+  casters.clear();
+  for (const auto* used : {&result.occluders, &probes}) {
+    for (const auto& [index, frustum, hidden] : *used) {
+      frusta.push_back(&frustum);
+      const bool is_flat = !frustum.support_plane() && !occluders.is_shell(index);
+      casters.push_back({occluders.parts(index), near == kernel::Near::surface && is_flat});
+    }
   }
 }
 

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "candidate_order.h"
 #include "cover_painter.h"
 #include "followed_silhouettes.h"
 #include "frame_view.h"
+#include "occlude/culler/occluder_set.h"
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
@@ -21,6 +24,18 @@ namespace occlude::culler {
 struct SeenLeaf {
   std::uint32_t leaf;
   CoverBuffer::Footprint footprint;
+};
+
+/// An occluder of a frame as seen from the eye, and what it hid lately.
+struct OccluderDirection {
+  glm::dvec3 direction;
+  double hidden;
+};
+
+/// What casts a shadow.
+struct ShadowCaster {
+  std::span<const std::uint32_t> parts;  ///< ascending
+  bool are_surface;                      ///< whether the parts are in the surface at which the shadow begins
 };
 
 /// The result of trying to take an occluder.
@@ -36,12 +51,14 @@ struct View::Memory {
   std::vector<Candidate> candidates;
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
+  std::vector<OccluderDirection> directions;
   std::vector<std::uint32_t> tried;  ///< occluders that the frame has tried to take
   std::vector<Trial> trials;         ///< for each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;        ///< of the frame, which hide nothing
   std::vector<ShrunkShadow> shrunk;    ///< for each occluder of the result, its shadow less the margin
   std::vector<const kernel::ShadowFrustum*> frusta;  ///< of the occluders, then of the probes
+  std::vector<ShadowCaster> casters;                 ///< those that cast `frusta`
   TraversalMemory traversal;
 
   CoverMemory cover;
@@ -49,8 +66,8 @@ struct View::Memory {
 
   /// Fills `planes` with the view of the result.
   void take_planes();
-  /// Fills `frusta`.
-  void take_frusta();
+  /// Fills `frusta` and `casters`.
+  void take_casters(const OccluderSet& occluders, kernel::Near near);
   /// Fills `shrunk`, which may be longer than the occluders are.
   void shrink_shadows();
   /// Empties the result for the next frame and keeps its frusta as spare ones. Reserves memory for all that a frame may draw

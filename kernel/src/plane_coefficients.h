@@ -59,6 +59,7 @@ template <class A>
 template <class A>
 [[nodiscard]] PlaneCoefficients<A> coefficients(const StoredFrustum& frustum, const ExactPlane& plane) {
   const auto n = normal<A>(plane);
+  if (plane.origin == frustum.origin) return {n, A::constant(0)};
   return {n, -dot(n, difference<A>(plane.origin, frustum.origin))};
 }
 

@@ -31,34 +31,53 @@ HWY_INLINE LaneVector load(const std::array<BoxBlock::Row, 3>& rows, std::size_t
   return {Lanes::load(&rows[0][first]), Lanes::load(&rows[1][first]), Lanes::load(&rows[2][first])};
 }
 
-/// The boxes in the lanes from `first` on, against each frustum that is asked about.
+/// The boxes in the lanes from `first` on.
+class LaneBoxes {
+ public:
+  HWY_INLINE LaneBoxes(const BoxBlock& block, std::size_t first)
+      : min_(load(block.min, first)), max_(load(block.max, first)), frame_(min_, max_) {}
+
+  HWY_INLINE void see_from(const Vec3& point) {
+    if (point == origin_) return;  // shadows of one eye have one origin
+    origin_ = point;
+    const auto origin = constants<LaneArithmetic>(point);
+    frame_ = Frame(min_ - origin, max_ - origin);
+  }
+
+  [[nodiscard]] HWY_INLINE Known classified(const StoredFrustum& frustum) const {
+    Least least;
+    for (const FilterPlane& plane : frustum.own_planes()) least.include(frame_.extremes(plane));
+    return classify(least, frame_.error(frustum.filter_bound));
+  }
+
+ private:
+  LaneVector min_, max_;
+  Vec3 origin_;
+  Frame frame_;
+};
+
+/// The boxes in the lanes from `first` on, against each frustum that is asked about. The answers are gathered in registers:
+/// bytes that have just been stored can be loaded as words only after a delay.
 HWY_INLINE void ask(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t first,
                     BlockQuestions& questions) {
-  const LaneVector box_min = load(block.min, first), box_max = load(block.max, first);
-  const auto frame_at = [&](const Vec3& point) HWY_ATTR {
-    const auto origin = constants<LaneArithmetic>(point);
-    return Frame(box_min - origin, box_max - origin);
-  };
-  Vec3 origin;
-  Frame frame = frame_at(origin);
+  const BoxBytes all = (BoxBytes{1} << hn::Lanes(Doubles())) - 1;
+  LaneBoxes boxes(block, first);
+  BoxBytes outside = 0, inside = 0, unknown = 0;
   for (std::size_t k = 0; k < questions.count; ++k) {
     const StoredFrustum* const frustum = stored(*frusta[questions.frustum[k]]);
     if (!frustum) [[unlikely]]
       continue;
-    if (frustum->origin != origin) {  // shadows of one eye have one origin
-      origin = frustum->origin;
-      frame = frame_at(origin);
-    }
-    Least least;
-    for (const FilterPlane& plane : frustum->own_planes()) least.include(frame.extremes(plane));
-    const Known known = classify(least, frame.error(frustum->filter_bound));
-    const BoxBytes all = (1U << hn::Lanes(Doubles())) - 1;
-    const BoxBytes outside = bits(known.outside), straddling = bits(known.straddling), unknown = bits(known.unknown);
+    boxes.see_from(frustum->origin);
+    const Known known = boxes.classified(*frustum);
+    const BoxBytes is_outside = bits(known.outside), is_straddling = bits(known.straddling), is_unknown = bits(known.unknown);
     const std::size_t shift = 8 * k + first;
-    questions.outside |= outside << shift;
-    questions.inside |= (all & ~(outside | straddling | unknown)) << shift;
-    questions.unknown |= unknown << shift;
+    outside |= is_outside << shift;
+    inside |= (all & ~(is_outside | is_straddling | is_unknown)) << shift;
+    unknown |= is_unknown << shift;
   }
+  questions.outside |= outside;
+  questions.inside |= inside;
+  questions.unknown |= unknown;
 }
 
 HWY_ATTR void conservative_filter(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block,

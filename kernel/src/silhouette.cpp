@@ -146,15 +146,30 @@ class Ring {
   std::array<bool, 5> has_{};
 };
 
+/// The side to which the loop turns at every vertex; 0 if there is none.
+int common_side(const Viewpoint& viewpoint, std::span<const Vec3> loop) {
+  const auto side_at = [&](std::size_t i) {
+    const Vec3 &a = loop[i], &b = loop[i + 1 < loop.size() ? i + 1 : 0], &c = loop[(i + 2) % loop.size()];
+    return sign_at(side_plane(viewpoint, a, b), c);
+  };
+  const int side = side_at(0);
+  // The three turns of a triangle are one determinant.
+  for (std::size_t i = 1; side != 0 && loop.size() > 3 && i < loop.size(); ++i) {
+    if (side_at(i) != side) return 0;
+  }
+  return side;
+}
+
 /// Whether a loop is the border of a convex cone and runs round it once. REQUIRES: it turns left at each of its corners.
 ///
 /// If so, the other corners are in order about the first one, each less than half a turn from the one before, and all on the
 /// inner side of the first edge: within half a turn in all. So some plane has the viewpoint on it and all corners beyond it.
 /// Seen through a plane parallel to it, the loop is a planar polygon that does not meet itself, and it is convex because it
-/// turns left everywhere. Conversely, every convex loop has these properties.
+/// turns left everywhere. Conversely, every convex loop has these properties. For the corner after the first edge and for
+/// the last corner they are turns.
 bool is_convex(const Viewpoint& viewpoint, std::span<const Vec3> corners) {
   const ExactPlane first = side_plane(viewpoint, corners[0], corners[1]);
-  for (std::size_t i = 2; i < corners.size(); ++i) {
+  for (std::size_t i = 3; i + 1 < corners.size(); ++i) {
     if (sign_at(first, corners[i]) <= 0) return false;
     if (sign_at(side_plane(viewpoint, corners[i - 1], corners[i]), corners[0]) <= 0) return false;
   }
@@ -167,6 +182,12 @@ Silhouette silhouette(const Viewpoint& viewpoint, std::span<const Vec3> loop, st
   if (!has_three_distinct(loop)) return {.corners = {}, .refusal = Refusal::too_few_vertices};
   if (viewpoint.is_eye() && std::find(loop.begin(), loop.end(), viewpoint.value) != loop.end()) {
     return {.corners = {}, .refusal = Refusal::eye_in_plane};
+  }
+  if (const int side = common_side(viewpoint, loop); side != 0) {
+    std::pmr::vector<Vec3> corners(loop.begin(), loop.end(), &memory);
+    if (side < 0) std::reverse(corners.begin(), corners.end());
+    if (!is_convex(viewpoint, corners)) return {.corners = {}, .refusal = Refusal::not_convex};
+    return {.corners = std::move(corners)};
   }
   const Ring ring(viewpoint, loop, memory);
   if (!ring.has(Turn::left) && !ring.has(Turn::right)) return {.corners = {}, .refusal = Refusal::eye_in_plane};

@@ -77,9 +77,9 @@ struct BlockQuestions {
   static constexpr std::size_t kMost = 8;
 
   std::array<std::uint32_t, kMost> frustum;  ///< of each question
-  std::uint32_t count = 0;                   ///< of questions
-  BoxBytes outside = 0, inside = 0;
-  BoxBytes unknown = 0;  ///< left to the test of a single box
+  std::uint32_t count;                       ///< of questions
+  BoxBytes outside, inside;                  ///< answers
+  BoxBytes unknown;                          ///< left to the test of a single box
 };
 
 /// Answers the questions as far as error bounds suffice. The answers for boxes that were never set mean nothing. Nothing is
