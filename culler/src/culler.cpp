@@ -71,8 +71,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
-    cull_by_frusta(hierarchy_.nodes(), *blocks_, volumes_of(hierarchy_), occluders_, camera, options,
-                   memory);
+    cull_by_frusta(hierarchy_.nodes(), *blocks_, volumes_of(hierarchy_), occluders_, camera, options, memory);
   }
   return memory.result;
 }

@@ -69,9 +69,8 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
     block.used = static_cast<Bits>(block.used | bit(i));
     if (node.count > kProbed) block.probed = static_cast<Bits>(block.probed | bit(i));
     block.subtree[i] = bit(i);
-    const bool is_oriented = hierarchy.ask(taken[i], [](const auto& box) {
-      return std::is_same_v<std::remove_cvref_t<decltype(box)>, kernel::Obb>;
-    });
+    const bool is_oriented = hierarchy.ask(
+        taken[i], [](const auto& box) { return std::is_same_v<std::remove_cvref_t<decltype(box)>, kernel::Obb>; });
     if (is_oriented) block.oriented = static_cast<Bits>(block.oriented | bit(i));
     if (node.is_leaf()) continue;
     if (!filling.has(taken[i] + 1)) {

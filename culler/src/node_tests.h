@@ -20,7 +20,8 @@
 
 namespace occlude::culler {
 
-/// `Ask` calls a question with the bounding volume of a node. on_shadow_test(occluder, box) is called for every test of a shadow.
+/// `Ask` calls a question with the bounding volume of a node. on_shadow_test(occluder, box) is called for every test of a
+/// shadow.
 template <class Ask, class OnShadowTests>
 class NodeTests {
  public:
@@ -45,9 +46,8 @@ class NodeTests {
     if (alone == 0) return;
     for_each_bit(which, [&](std::uint32_t plane) {
       for_each_bit(alone, [&](std::uint32_t i) {
-        const kernel::Relation relation = ask_(block.node[i], [&](const auto& box) {
-          return kernel::relation(planes_[plane], box, options_.arithmetic);
-        });
+        const kernel::Relation relation =
+            ask_(block.node[i], [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
         const auto bit = static_cast<NodeBlock::Bits>(1U << i);
         if (relation == kernel::Relation::outside) relations[plane].outside |= bit;
         if (relation == kernel::Relation::inside) relations[plane].inside |= bit;

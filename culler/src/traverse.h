@@ -54,12 +54,7 @@ class Traversal {
   /// tested(block, questions, nodes): called for the nodes that were tested against shadows.
   /// Frustum i is that of occluder i, or of probe i - result.occluders.size().
   Traversal(const NodeBlocks& blocks, Tests& tests, std::span<Occluder> probes, CullResult& result, TraversalMemory& memory)
-      : blocks_(blocks),
-        tests_(tests),
-        probes_(probes),
-        result_(result),
-        active_(memory.active),
-        holding_(memory.holding) {}
+      : blocks_(blocks), tests_(tests), probes_(probes), result_(result), active_(memory.active), holding_(memory.holding) {}
 
   /// `planes` has a bit for each half-space of the view.
   void run(std::uint32_t planes) {

@@ -55,8 +55,8 @@ struct View::Memory {
   std::vector<std::uint32_t> tried;  ///< occluders that the frame has tried to take
   std::vector<Trial> trials;         ///< for each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
-  std::vector<Occluder> probes;        ///< of the frame, which hide nothing
-  std::vector<ShrunkShadow> shrunk;    ///< for each occluder of the result, its shadow less the margin
+  std::vector<Occluder> probes;                      ///< of the frame, which hide nothing
+  std::vector<ShrunkShadow> shrunk;                  ///< for each occluder of the result, its shadow less the margin
   std::vector<const kernel::ShadowFrustum*> frusta;  ///< of the occluders, then of the probes
   std::vector<ShadowCaster> casters;                 ///< those that cast `frusta`
   TraversalMemory traversal;

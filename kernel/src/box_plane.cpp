@@ -16,6 +16,19 @@ bool has_certain_signs(const FilterPlane& plane, const RefinedPlane& tail) {
   return is_certain(plane.normal.x) && is_certain(plane.normal.y) && is_certain(plane.normal.z);
 }
 
+/// The sign at a point of a plane that is exactly perpendicular to a coordinate axis, where the signs of its normal are
+/// certain. Boxes that touch such planes are the most common degeneracy of what is built along the axes.
+std::optional<int> sign_across_axis(const ExactPlane& plane, const Vec3& normal, const Vec3& x) {
+  if (plane.direct) return std::nullopt;
+  for (int k = 0; k < 3; ++k) {
+    if (plane.a_to[k] != plane.a_from[k] || plane.b_to[k] != plane.b_from[k]) continue;
+    const int side = (x[k] > plane.origin[k]) - (x[k] < plane.origin[k]);
+    if (normal[k] == 0) return std::nullopt;  // it underflowed
+    return normal[k] > 0 ? side : -side;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb& box, double reach, int direction) {
@@ -24,10 +37,14 @@ int exact_extremal_sign(const StoredFrustum& frustum, std::size_t i, const Aabb&
   const FilterPlane& plane = frustum.filter_planes[i];
   const auto positive = [&](std::size_t k) { return (plane.farther[k] >= 4) == (direction > 0); };
   const Vec3 vertex = extremal_vertex(box, positive(0), positive(1), positive(2));
+  const auto* const laid = std::get_if<ExactPlane>(&frustum.recipes[i]);
+  if (laid && has_certain_signs(plane, frustum.refined_planes[i])) {
+    if (is_defined_by(*laid, vertex)) return 0;
+    if (const std::optional<int> sign = sign_across_axis(*laid, plane.normal, vertex)) return *sign;
+  }
   const CertainSign refined = refined_sign(plane, frustum.refined_planes[i], vertex, frustum.origin, reach);
   if (refined.is_certain) return refined.sign;
-  if (const auto* laid = std::get_if<ExactPlane>(&frustum.recipes[i])) {
-    if (has_certain_signs(plane, frustum.refined_planes[i]) && is_defined_by(*laid, vertex)) return 0;
+  if (laid) {
     if (const std::optional<int> sign = grid_extremal_sign(*laid, box, direction)) return *sign;
   }
   ExactArithmetic exact;

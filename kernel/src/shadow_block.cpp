@@ -69,7 +69,8 @@ HWY_INLINE void ask(std::span<const ShadowFrustum* const> frusta, const BoxBlock
       continue;
     boxes.see_from(frustum->origin);
     const Known known = boxes.classified(*frustum);
-    const BoxBytes is_outside = bits(known.outside), is_straddling = bits(known.straddling), is_unknown = bits(known.unknown);
+    const BoxBytes is_outside = bits(known.outside), is_straddling = bits(known.straddling),
+                   is_unknown = bits(known.unknown);
     const std::size_t shift = 8 * k + first;
     outside |= is_outside << shift;
     inside |= (all & ~(is_outside | is_straddling | is_unknown)) << shift;

@@ -126,12 +126,12 @@ TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
 
 /// A frustum that was assigned answers overlap tests as one that was made, also before it is prepared for them.
 TEST(ShadowFrustum, OverlapNeedsNoPreparation) {
-  const std::vector<Vec3> loop{{4, -1, -1}, {4, 1, -1}, {4.5, 1, 1}, {4, -1, 1}};
-  const Viewpoint eye = Viewpoint::eye({-3, 0.5, 1});
+  const std::vector<Vec3> loop{{4, 0, -1}, {4, 1, 0}, {4, 0, 1}, {4, -1, 0}};
+  const Viewpoint eye = Viewpoint::eye({-3, 0.5, 0.25});
   std::vector<Aabb> boxes;
   for (int i = 0; i < 4096; ++i) {
     const Vec3 corner{i % 16 - 1.0, i / 16 % 16 / 2.0 - 4, i / 256 / 2.0 - 4};
-    boxes.push_back({corner, {corner.x + 1, corner.y + 0.5, corner.z + 0.5}});
+    boxes.push_back({corner, {corner.x + 1, corner.y + 2, corner.z + 2}});
   }
   for (const Near near : {Near::surface, Near::farthest}) {
     const ShadowFrustum made = *ShadowFrustum::make(eye, loop, near).frustum;
