@@ -29,7 +29,7 @@ namespace occlude::culler {
 inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairWork = std::size_t{1} << 20U;
 
 /// Up to eight shadows that are active at a block, and what is known of them and the nodes there.
-struct ActiveShadows {
+struct alignas(64) ActiveShadows {
   kernel::BlockQuestions answers;
   kernel::BoxBytes asked;    ///< nodes whose parents they straddle
   kernel::BoxBytes partial;  ///< nodes that they straddle
