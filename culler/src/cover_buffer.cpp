@@ -27,6 +27,8 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
   // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
   const double up = margin >= 0 ? margin * (height - 2 * kBorder) : std::numeric_limits<double>::infinity();
   boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up});
+  const double share = 1 / (height - 2 * kBorder);
+  share_of_pixel_ = {share * (picture_.scale().y / picture_.scale().x), share};
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   nearness_.assign(pixels, kOpen);
@@ -100,10 +102,8 @@ CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_
 
 float CoverBuffer::seen_size(const SeenBoxes& boxes, std::size_t i) const {
   if (boxes.most[i] == std::numeric_limits<float>::infinity()) return boxes.most[i];
-  const Place& scale = picture_.scale();
-  const double right = (double{boxes.high_x[i]} - double{boxes.low_x[i]}) * (scale.y / scale.x);
-  const double up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
-  return rounded_up(std::max(right, up) / (picture_.height() - 2 * kBorder));
+  const double right = double{boxes.high_x[i]} - double{boxes.low_x[i]}, up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
+  return rounded_up(std::max(right * share_of_pixel_.x, up * share_of_pixel_.y));
 }
 
 bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box, 1) == 0; }

@@ -106,6 +106,7 @@ class CoverBuffer {
   [[nodiscard]] SeenBoxes seen(const kernel::Aabb& box) const;
 
   BeamPicture picture_;
+  Place share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
   BoxPicture boxes_;  ///< with the margin
   CoverPiece piece_;
   int tiles_across_ = 0;

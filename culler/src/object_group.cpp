@@ -78,9 +78,10 @@ void ObjectGroup::append_living(std::vector<SceneObject>& objects) const {
 std::size_t ObjectGroup::bytes() const { return tree_.bytes() + capacity_of(places_) + capacity_of(oriented_); }
 
 ObjectGroup::Kinds ObjectGroup::kinds(std::uint32_t first, std::uint32_t mask) const {
-  const auto places = std::span(places_).subspan(first);
+  const auto places = std::span(places_).subspan(first, std::min<std::size_t>(size() - first, PackedTree::kWidth));
+  if (oriented_.empty() && is_whole(mask)) return {static_cast<kernel::BoxBits>((1U << places.size()) - 1), 0};
   Kinds kinds;
-  for (std::size_t i = 0; i < std::min<std::size_t>(places.size(), PackedTree::kWidth); ++i) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
     kinds.in_layers |= static_cast<kernel::BoxBits>(((places[i].mask & mask) != 0 ? 1U : 0U) << i);
     kinds.oriented |= static_cast<kernel::BoxBits>((places[i].oriented != kNone ? 1U : 0U) << i);
   }

@@ -80,13 +80,15 @@ class ObjectGroup {
   [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
   /// How many of these objects are in one of these layers.
   [[nodiscard]] std::size_t count(const PackedTree::Items& objects, std::uint32_t mask) const {
-    return is_in_all_layers_ && living_ == size() && mask != 0 ? objects.count : count_one_by_one(objects, mask);
+    return is_whole(mask) ? objects.count : count_one_by_one(objects, mask);
   }
   [[nodiscard]] std::size_t count(std::uint32_t mask) const { return count({0, static_cast<std::uint32_t>(size())}, mask); }
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  /// Whether no place is empty, and every object is in one of these layers.
+  [[nodiscard]] bool is_whole(std::uint32_t mask) const { return is_in_all_layers_ && living_ == size() && mask != 0; }
   [[nodiscard]] std::size_t count_one_by_one(const PackedTree::Items& objects, std::uint32_t mask) const;
 
   struct Place {
