@@ -102,7 +102,8 @@ CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_
 
 float CoverBuffer::seen_size(const SeenBoxes& boxes, std::size_t i) const {
   if (boxes.most[i] == std::numeric_limits<float>::infinity()) return boxes.most[i];
-  const double right = double{boxes.high_x[i]} - double{boxes.low_x[i]}, up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
+  const double right = double{boxes.high_x[i]} - double{boxes.low_x[i]},
+               up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
   return rounded_up(std::max(right * share_of_pixel_.x, up * share_of_pixel_.y));
 }
 

@@ -107,7 +107,7 @@ class CoverBuffer {
 
   BeamPicture picture_;
   Place share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
-  BoxPicture boxes_;  ///< with the margin
+  BoxPicture boxes_;      ///< with the margin
   CoverPiece piece_;
   int tiles_across_ = 0;
   std::size_t work_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eight boxes against half-spaces are answered as one by one.
+// Eight boxes against half-spaces and against shadows are answered as one by one.
 #include "occlude/kernel/box_block.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,14 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "occlude/kernel/half_space.h"
+#include "occlude/kernel/overlap.h"
+#include "occlude/kernel/shadow_frustum.h"
+#include "only_target.h"
 
 namespace {
 
@@ -34,7 +40,8 @@ void expect_same(const HalfSpace& half_space, const BoxBlock& block, BoxBits ask
   }
 }
 
-class BoxBlockTest : public testing::Test {
+/// On one of the instruction sets of this machine.
+class BoxBlockTest : public testing::TestWithParam<std::int64_t> {
  protected:
   /// A number on the grid of `step`, so that sums are often equal, moved by an ulp now and then.
   double number(double step) {
@@ -52,11 +59,22 @@ class BoxBlockTest : public testing::Test {
     }
     return result;
   }
+  /// Boxes of at most an eighth of a step, which often are within a shadow.
+  BoxBlock small_boxes(double step) {
+    BoxBlock result;
+    for (std::size_t i = 0; i < BoxBlock::kBoxes; ++i) {
+      const Vec3 a = point(step);
+      const auto end = [&](double x) { return x + step / 16 * static_cast<double>(random_() % 3); };
+      result.set(i, {a, {end(a.x), end(a.y), end(a.z)}});
+    }
+    return result;
+  }
 
+  occlude::OnlyTarget target_{GetParam()};
   std::mt19937 random_{kSeed};
 };
 
-TEST_F(BoxBlockTest, AnswersAsOneByOneWhereBoxesTouch) {
+TEST_P(BoxBlockTest, AnswersAsOneByOneWhereBoxesTouch) {
   for (const double step : {1.0, 0.1, 1e-9}) {
     Counts counts;
     for (int round = 0; round < 3000; ++round) {
@@ -77,7 +95,7 @@ TEST_F(BoxBlockTest, AnswersAsOneByOneWhereBoxesTouch) {
   }
 }
 
-TEST_F(BoxBlockTest, LeavesWhatIsNotAskedAlone) {
+TEST_P(BoxBlockTest, LeavesWhatIsNotAskedAlone) {
   const std::array<HalfSpace, 2> half_spaces{HalfSpace{{1, 0, 0}, 0}, HalfSpace{{0, 1, 0}, 0}};
   std::array<BlockRelation, 2> answers{BlockRelation{1, 2}, BlockRelation{3, 4}};
   relations(half_spaces, 2, block(1), 0xFF, answers);
@@ -85,12 +103,84 @@ TEST_F(BoxBlockTest, LeavesWhatIsNotAskedAlone) {
   EXPECT_EQ(answers[0].inside, 2);
 }
 
-TEST_F(BoxBlockTest, ReturnsTheBoxesThatWereSet) {
+TEST_P(BoxBlockTest, ReturnsTheBoxesThatWereSet) {
   BoxBlock boxes;
   const Aabb box{{-1, -2, -3}, {4, 5, 6}};
   boxes.set(7, box);
   EXPECT_EQ(boxes.box(7), box);
   EXPECT_EQ(boxes.box(6), Aabb{});
+}
+
+/// Expects of each box what conservative_certified() answers, where the filter knows it.
+void expect_same(const ShadowFrustum& frustum, const BoxBlock& block, const BlockQuestions& questions, std::size_t k,
+                 Counts& counts, std::size_t& unknown) {
+  for (unsigned i = 0; i < BoxBlock::kBoxes; ++i) {
+    const auto has = [&](BoxBytes answers) { return (boxes_of(answers, k) >> i & 1) != 0; };
+    EXPECT_LE(has(questions.inside) + has(questions.outside) + has(questions.unknown), 1);
+    if (has(questions.unknown)) {
+      ++unknown;
+      continue;
+    }
+    for (const NearBoundary near : {NearBoundary::open, NearBoundary::closed}) {
+      const Relation expected = conservative_certified(frustum, block.box(i), near).relation;
+      EXPECT_EQ(has(questions.inside), expected == Relation::inside) << "box " << i << ", seed " << kSeed;
+      EXPECT_EQ(has(questions.outside), expected == Relation::outside) << "box " << i << ", seed " << kSeed;
+      ++(expected == Relation::inside ? counts.inside : expected == Relation::outside ? counts.outside : counts.partial);
+    }
+  }
+}
+
+/// Shadows of triangles and quadrilaterals from several eyes and directions, in one block of questions.
+TEST_P(BoxBlockTest, ShadowsAreAnsweredAsOneByOne) {
+  Counts counts;
+  std::size_t unknown = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const double step = round % 2 == 0 ? 1 : 0.1;
+    std::vector<ShadowFrustum> frusta;
+    while (frusta.size() < 12) {
+      const Viewpoint viewpoint = random_() % 4 == 0 ? Viewpoint::direction(point(step)) : Viewpoint::eye(point(step));
+      const std::vector<Vec3> loop{point(step), point(step), point(step)};
+      auto made = ShadowFrustum::make(viewpoint, loop, random_() % 2 == 0 ? Near::surface : Near::farthest);
+      if (made.frustum) frusta.push_back(std::move(*made.frustum));
+    }
+    std::vector<const ShadowFrustum*> pointers;
+    for (const ShadowFrustum& frustum : frusta) pointers.push_back(&frustum);
+    const BoxBlock boxes = round % 3 == 0 ? block(step) : small_boxes(step);
+    BlockQuestions questions{};
+    questions.count = 1 + static_cast<std::uint32_t>(random_() % BlockQuestions::kMost);
+    for (std::size_t k = 0; k < questions.count; ++k)
+      questions.frustum[k] = static_cast<std::uint32_t>(random_() % frusta.size());
+    conservative_filter(pointers, boxes, questions);
+    for (std::size_t k = 0; k < questions.count; ++k) {
+      expect_same(frusta[questions.frustum[k]], boxes, questions, k, counts, unknown);
+    }
+    for (std::size_t k = questions.count; k < BlockQuestions::kMost; ++k) {
+      EXPECT_EQ(boxes_of(questions.inside | questions.outside | questions.unknown, k), 0) << "not asked";
+    }
+  }
+  EXPECT_GT(counts.inside, 50U);
+  EXPECT_GT(counts.outside, 10000U);
+  EXPECT_GT(counts.partial, 1000U);
+  EXPECT_GT(unknown, 100U);
+}
+
+TEST_P(BoxBlockTest, AFrustumThatIsNoneStraddlesAll) {
+  const ShadowFrustum none;
+  const std::array<const ShadowFrustum*, 1> frusta{&none};
+  BlockQuestions questions{};
+  questions.count = 1;
+  conservative_filter(frusta, block(1), questions);
+  EXPECT_EQ(questions.inside | questions.outside | questions.unknown, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, BoxBlockTest, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
+                         [](const auto& target) { return std::string(hwy::TargetName(target.param)); });
+
+TEST(BoxBytes, CountTheBoxesOfAllQuestions) {
+  EXPECT_EQ(count(BoxBytes{0}), 0U);
+  EXPECT_EQ(count(~BoxBytes{0}), 64U);
+  EXPECT_EQ(count(for_all(0b1010'0001)), 24U);
+  EXPECT_EQ(boxes_of(BoxBytes{0x42} << 24, 3), 0x42);
 }
 
 }  // namespace

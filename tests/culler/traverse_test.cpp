@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// The traversal, which asks about the nodes of blocks at once, answers as a descent from node to node does.
+#include "traverse.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "node_blocks.h"
+#include "node_tests.h"
+#include "occlude/culler/append_range.h"
+#include "occlude/culler/culler.h"
+#include "scenes.h"
+#include "shadow_rule.h"
+#include "view_memory.h"
+
+namespace {
+
+using namespace occlude::culler;
+namespace kernel = occlude::kernel;
+using kernel::Relation;
+
+constexpr std::uint32_t kSeed = 23;
+
+/// Section 5 as the paper tells it: a recursion that tests one node after the other.
+class Descent {
+ public:
+  Descent(const Culler& culler, const CullOptions& options, View::Memory& memory)
+      : culler_(culler), options_(options), memory_(memory), result_(memory.result) {}
+
+  void run() {
+    memory_.take_planes();
+    memory_.shrink_shadows();
+    const auto numbers = [](std::size_t size) {
+      std::vector<std::uint32_t> result(size);
+      for (std::uint32_t i = 0; i < size; ++i) result[i] = i;
+      return result;
+    };
+    visit(0, {numbers(memory_.planes.size()), numbers(result_.occluders.size()), numbers(memory_.probes.size()), {}});
+  }
+
+ private:
+  struct Active {
+    std::vector<std::uint32_t> planes, shadows, probes, holding;
+  };
+
+  void visit(std::uint32_t index, const Active& above) {
+    const HierarchyNode& node = culler_.hierarchy().nodes()[index];
+    Active here;
+    ++result_.stats.nodes_visited;
+    if (is_culled(index, above, here)) return;
+    ask_probes(index, above, here);
+    const bool is_undecided =
+        !here.planes.empty() || !here.shadows.empty() || (!here.probes.empty() && node.count > kProbed);
+    if (is_undecided && !node.is_leaf()) {
+      visit(index + 1, here);
+      visit(node.right, here);
+    } else {
+      append_range(result_.drawn, {node.first, node.count});
+      result_.stats.drawn_polygons += node.count;
+      for (const std::uint32_t probe : here.holding) memory_.probes[probe].hidden += node.count;
+    }
+  }
+
+  bool is_culled(std::uint32_t index, const Active& above, Active& here) {
+    for (const std::uint32_t plane : above.planes) {
+      ++result_.stats.view_tests;
+      const Relation relation = culler_.hierarchy().ask(
+          index, [&](const auto& box) { return kernel::relation(memory_.planes[plane], box, options_.arithmetic); });
+      if (relation == Relation::outside) return cull({index, Culled::By::view, plane});
+      if (relation == Relation::partial) here.planes.push_back(plane);
+    }
+    for (const std::uint32_t s : above.shadows) {
+      ++result_.stats.shadow_tests;
+      const Occluder& by = result_.occluders[s];
+      const Relation relation = culler_.hierarchy().ask(index, [&](const auto& box) {
+        return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, memory_.shrunk[s],
+                           [&] { return holds_part(index, by.index); })
+            .relation;
+      });
+      if (relation == Relation::inside) return cull({index, Culled::By::shadow, s});
+      if (relation == Relation::partial) here.shadows.push_back(s);
+    }
+    for (const auto& [first, second] : result_.pairs) {
+      const auto straddles = [&](std::uint32_t s) { return std::ranges::count(here.shadows, s) != 0; };
+      if (!straddles(first) || !straddles(second)) continue;
+      ++result_.stats.union_tests;
+      const Occluder &a = result_.occluders[first], &b = result_.occluders[second];
+      const Relation relation = culler_.hierarchy().ask(index, [&](const auto& box) {
+        return decide_cull(kernel::ShadowUnion{a.frustum, b.frustum}, box, Asked{}, result_.margin,
+                           [&] { return holds_part(index, a.index) || holds_part(index, b.index); })
+            .relation;
+      });
+      if (relation == Relation::inside) return cull({index, Culled::By::shadow, first, second});
+    }
+    return false;
+  }
+
+  void ask_probes(std::uint32_t index, const Active& above, Active& here) {
+    here.holding = above.holding;
+    for (const std::uint32_t p : above.probes) {
+      ++result_.stats.probe_tests;
+      const Relation relation = culler_.hierarchy().ask(index, [&](const auto& box) {
+        return decide_cull(memory_.probes[p].frustum, box, {.arithmetic = options_.arithmetic}, ShadowMargin()).relation;
+      });
+      if (relation == Relation::inside) here.holding.push_back(p);
+      if (relation == Relation::partial) here.probes.push_back(p);
+    }
+  }
+
+  bool cull(const Culled& culled) {
+    const std::uint32_t count = culler_.hierarchy().nodes()[culled.node].count;
+    result_.culled.push_back(culled);
+    if (culled.by == Culled::By::view) {
+      result_.stats.view_culled_polygons += count;
+      return true;
+    }
+    result_.stats.shadow_culled_polygons += count;
+    result_.occluders[culled.index].hidden += count;
+    if (culled.second != Culled::kNone) result_.occluders[culled.second].hidden += count;
+    return true;
+  }
+
+  bool holds_part(std::uint32_t node, std::uint32_t occluder) const {
+    const HierarchyNode& n = culler_.hierarchy().nodes()[node];
+    return std::ranges::any_of(culler_.occluders().parts(occluder),
+                               [&](std::uint32_t p) { return p >= n.first && p < n.first + n.count; });
+  }
+
+  const Culler& culler_;
+  const CullOptions& options_;
+  View::Memory& memory_;
+  CullResult& result_;
+};
+
+/// A frame that is to be traversed: with the occluders of a culled one, of which every third is a probe instead. If the
+/// frame has pairs, each occluder is paired with the next: any two may be.
+void take_frame(const CullResult& frame, View::Memory& memory) {
+  memory.result.view = frame.view;
+  memory.result.margin = frame.margin;
+  for (std::size_t i = 0; i < frame.occluders.size(); ++i) {
+    const Occluder occluder{frame.occluders[i].index, frame.occluders[i].frustum, 0};
+    (i % 3 == 2 ? memory.probes : memory.result.occluders).push_back(occluder);
+  }
+  if (frame.pairs.empty()) return;
+  for (std::uint32_t i = 0; i + 1 < memory.result.occluders.size(); ++i) memory.result.pairs.push_back({i, i + 1});
+}
+
+auto what_hid(const std::vector<Occluder>& occluders) {
+  std::vector<std::uint32_t> hidden;
+  for (const Occluder& occluder : occluders) hidden.push_back(occluder.hidden);
+  return hidden;
+}
+
+void expect_same(const View::Memory& expected, const View::Memory& found) {
+  const CullResult &e = expected.result, &f = found.result;
+  ASSERT_EQ(f.culled.size(), e.culled.size());
+  for (std::size_t i = 0; i < e.culled.size(); ++i) {
+    const auto told = [](const Culled& c) { return std::tuple(c.node, c.by, c.index, c.second); };
+    EXPECT_EQ(told(f.culled[i]), told(e.culled[i])) << "cull " << i;
+  }
+  ASSERT_EQ(f.drawn.size(), e.drawn.size());
+  for (std::size_t i = 0; i < e.drawn.size(); ++i) {
+    EXPECT_EQ(f.drawn[i].first, e.drawn[i].first);
+    EXPECT_EQ(f.drawn[i].count, e.drawn[i].count);
+  }
+  EXPECT_EQ(what_hid(f.occluders), what_hid(e.occluders));
+  EXPECT_EQ(what_hid(found.probes), what_hid(expected.probes));
+  EXPECT_EQ(f.stats.nodes_visited, e.stats.nodes_visited);
+  EXPECT_EQ(f.stats.view_tests, e.stats.view_tests);
+  EXPECT_EQ(f.stats.shadow_tests, e.stats.shadow_tests);
+  EXPECT_EQ(f.stats.union_tests, e.stats.union_tests);
+  EXPECT_EQ(f.stats.probe_tests, e.stats.probe_tests);
+  EXPECT_EQ(f.stats.drawn_polygons, e.stats.drawn_polygons);
+  EXPECT_EQ(f.stats.view_culled_polygons, e.stats.view_culled_polygons);
+  EXPECT_EQ(f.stats.shadow_culled_polygons, e.stats.shadow_culled_polygons);
+}
+
+struct Case {
+  const char* name;
+  Bounds bounds = Bounds::aabb;
+  CullOptions options = {};
+};
+
+class TraversalTest : public testing::TestWithParam<Case> {};
+
+TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
+  BuildConfig config;
+  config.hierarchy = {.leaf_size = 2, .bounds = GetParam().bounds};
+  const Culler culler(random_town_of_houses(kSeed, 3000), config);
+  const NodeBlocks blocks(culler.hierarchy());
+  const auto ask = [&](std::uint32_t node, auto&& question) { return culler.hierarchy().ask(node, question); };
+  const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
+  std::mt19937 random(kSeed);
+  std::size_t culled = 0, hidden_by_probes = 0, unions = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    Camera camera;
+    camera.eye = {uniform(random, -50, 50), uniform(random, -50, 50), 2};
+    camera.target = camera.eye + glm::dvec3{uniform(random, -1, 1), uniform(random, -1, 1), 0};
+    if (frame % 4 == 3) camera.projection = Projection::orthographic;
+    const CullResult seen = culler.cull(camera, GetParam().options);
+    View::Memory expected, found;
+    take_frame(seen, expected);
+    take_frame(seen, found);
+    Descent(culler, GetParam().options, expected).run();
+    traverse(blocks, ask, culler.occluders(), unwatched, GetParam().options, found);
+    expect_same(expected, found);
+    ASSERT_FALSE(HasFailure()) << "frame " << frame << ", seed " << kSeed;
+    culled += found.result.stats.shadow_culled_polygons;
+    unions += found.result.stats.union_tests;
+    for (const Occluder& probe : found.probes) hidden_by_probes += probe.hidden;
+  }
+  EXPECT_GT(culled, 10000U);
+  EXPECT_GT(hidden_by_probes, 1000U);
+  EXPECT_EQ(unions > 100, GetParam().options.unions);
+}
+
+INSTANTIATE_TEST_SUITE_P(Options, TraversalTest,
+                         testing::Values(Case{"frusta"}, Case{"oriented", Bounds::obb},
+                                         Case{"many", Bounds::aabb, {.occluders = 40}},
+                                         Case{"overlap", Bounds::aabb, {.test = kernel::Test::overlap}},
+                                         Case{"plain", Bounds::aabb, {.arithmetic = kernel::Arithmetic::plain}},
+                                         Case{"farthest", Bounds::aabb, {.near = kernel::Near::farthest}},
+                                         Case{"margin", Bounds::aabb, {.margin = 0.002}},
+                                         Case{"unions", Bounds::aabb, {.occluders = 24, .unions = true}}),
+                         [](const auto& c) { return std::string(c.param.name); });
+
+/// Every node is in one block, with its box and its items, and the blocks are entered as the tree is.
+TEST(NodeBlocks, HoldTheTree) {
+  const Culler culler(random_town_of_houses(kSeed, 3000));
+  const auto nodes = culler.hierarchy().nodes();
+  const NodeBlocks blocks(culler.hierarchy());
+  std::vector<int> found(nodes.size());
+  const auto visit = [&](const auto& self, const NodeBlock& block, std::vector<std::uint32_t> roots) -> void {
+    for_each_bit(block.used, [&](std::uint32_t i) {
+      const HierarchyNode& node = nodes[block.node[i]];
+      ++found[block.node[i]];
+      EXPECT_EQ(block.boxes.box(i), node.box);
+      EXPECT_EQ(block.first[i], node.first);
+      EXPECT_EQ(block.count[i], node.count);
+      EXPECT_EQ((block.probed >> i & 1) != 0, node.count > kProbed);
+      EXPECT_EQ((block.roots >> i & 1) != 0, std::ranges::count(roots, block.node[i]) != 0);
+      const kernel::BoxBits children = kernel::boxes_of(block.children_of(kernel::BoxBytes{1} << i), 0);
+      EXPECT_EQ((block.exits >> i & 1) != 0, !node.is_leaf() && children == 0);
+      EXPECT_EQ((block.exits >> i & 1) != 0, block.below[i] != NodeBlock::kNone);
+      for_each_bit(children, [&](std::uint32_t k) {
+        EXPECT_TRUE(block.node[k] == block.node[i] + 1 || block.node[k] == node.right);
+        EXPECT_EQ(block.subtree[i] & block.subtree[k], block.subtree[k]);
+      });
+      if (block.below[i] != NodeBlock::kNone) self(self, blocks[block.below[i]], {block.node[i] + 1, node.right});
+    });
+  };
+  visit(visit, blocks[0], {0});
+  EXPECT_EQ(std::ranges::count(found, 1), std::ssize(found));
+}
+
+}  // namespace
