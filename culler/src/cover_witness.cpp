@@ -9,7 +9,7 @@
 
 #include "cull_frame.h"
 #include "drawn_groups.h"
-#include "lazy_triangles.h"
+#include "lazy.h"
 #include "occlude/culler/culler.h"
 #include "view_memory.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cull_frame.h"
-#include "lazy_triangles.h"
+#include "lazy.h"
 #include "legal_soup.h"
 #include "node_blocks.h"
 #include "node_tests.h"
@@ -37,22 +37,32 @@ Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpo
       hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
       occluders_(
           OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config.occluders, config.lists, checkpoint)),
-      blocks_(std::make_shared<const NodeBlocks>(hierarchy_)),
-      triangles_(std::make_shared<LazyTriangles>()) {}
+      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
+      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
 
 Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
     : config_(preprocess.config),
       hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
       occluders_(OccluderSet::restore(hierarchy_.shared_soup(), space_of(hierarchy_), preprocess.config.occluders,
                                       preprocess.config.lists, std::move(preprocess.lists), checkpoint)),
-      blocks_(std::make_shared<const NodeBlocks>(hierarchy_)),
-      triangles_(std::make_shared<LazyTriangles>()) {}
+      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
+      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
   return triangles_->get([&] { return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });
 }
 
-void Culler::prepare_cover(const Checkpoint& checkpoint) const { static_cast<void>(triangles(checkpoint)); }
+const NodeBlocks& Culler::blocks(const Checkpoint& checkpoint) const {
+  return blocks_->get([&] { return NodeBlocks(hierarchy_, checkpoint); });
+}
+
+void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
+  if (method == Method::cover) {
+    static_cast<void>(triangles(checkpoint));
+  } else {
+    static_cast<void>(blocks(checkpoint));
+  }
+}
 
 template <class AnyCamera>
 CullResult Culler::cull_alone(const AnyCamera& camera, const CullOptions& options) const {
@@ -71,7 +81,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
-    cull_by_frusta(hierarchy_.nodes(), *blocks_, volumes_of(hierarchy_), occluders_, camera, options, memory);
+    cull_by_frusta(hierarchy_.nodes(), blocks(), volumes_of(hierarchy_), occluders_, camera, options, memory);
   }
   return memory.result;
 }
@@ -101,7 +111,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
       }
     }
   };
-  traverse(*blocks_, volumes_of(hierarchy_), occluders_, on_tests, options, memory);
+  traverse(blocks(), volumes_of(hierarchy_), occluders_, on_tests, options, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

@@ -92,7 +92,7 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
 
 }  // namespace
 
-NodeBlocks::NodeBlocks(const Hierarchy& hierarchy) {
+NodeBlocks::NodeBlocks(const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
   const auto nodes = hierarchy.nodes();
   // Depth-first, as the traversal reads them. A block that is still to be made is below node i of a block.
   struct Pending {
@@ -100,6 +100,7 @@ NodeBlocks::NodeBlocks(const Hierarchy& hierarchy) {
   };
   std::vector<Pending> pending{{NodeBlock::kNone, 0, 0}};
   while (!pending.empty()) {
+    checkpoint.at(blocks_.size());
     const Pending at = pending.back();
     pending.pop_back();
     Filling filling(nodes, at.above);

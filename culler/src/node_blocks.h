@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/box_block.h"
 
@@ -66,11 +67,12 @@ struct alignas(64) NodeBlock {
   }
 };
 
-/// The blocks of a tree, the first first. Copied with its owner.
+/// The blocks of a tree, in the order in which a descent enters them.
 class NodeBlocks {
  public:
   NodeBlocks() = default;
-  explicit NodeBlocks(const Hierarchy& hierarchy);
+  /// What `checkpoint` throws is thrown on.
+  explicit NodeBlocks(const Hierarchy& hierarchy, const Checkpoint& checkpoint = {});
 
   [[nodiscard]] const NodeBlock& operator[](std::uint32_t i) const { return blocks_[i]; }
   /// A hint that block i comes.

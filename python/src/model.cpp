@@ -138,7 +138,7 @@ void define_models(py::module_& module) {
           "prepare_cover",
           [](const Culler& c) {
             const py::gil_scoped_release others_run;
-            c.prepare_cover();
+            c.prepare(culler::Method::cover);
           },
           "Makes what frames by cover need; else the first of them does.")
       .def("__len__", [](const Culler& c) { return c.hierarchy().soup().size(); })

@@ -76,7 +76,7 @@ culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& o
       throw InputError(options.preprocess.string() + ": " + error.what());
     }
   }();
-  if (options.cull.method == culler::Method::cover) culler.prepare_cover(check_interrupt);
+  culler.prepare(options.cull.method, check_interrupt);
   return culler;
 }
 

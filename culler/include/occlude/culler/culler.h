@@ -17,8 +17,9 @@ namespace occlude::culler {
 
 class CoverBuffer;
 class CoverTriangles;
-class LazyTriangles;
 class NodeBlocks;
+template <class T>
+class Lazy;
 
 /// Const calls may run on several threads at once, each with a View of its own. A copy counts as the same culler for a View.
 class Culler {
@@ -34,9 +35,9 @@ class Culler {
   /// be about this soup. Not all others are noticed; they make culling less effective, never wrong.
   Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint = {});
 
-  /// Makes what frames by cover need. Otherwise the first such frame makes it: half a second for a million polygons. It is
-  /// made once. What `checkpoint` throws is thrown on, and the next call tries again.
-  void prepare_cover(const Checkpoint& checkpoint = {}) const;
+  /// Makes what frames by a method need. Otherwise the first such frame makes it: half a second for a million polygons by
+  /// cover, a thirtieth by frusta. It is made once. What `checkpoint` throws is thrown on, and the next call tries again.
+  void prepare(Method method, const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
   /// visible is culled if options.arithmetic is certified. There are no probes. Throws std::invalid_argument for a camera
@@ -90,13 +91,14 @@ class Culler {
   template <class AnyCamera>
   const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
+  const NodeBlocks& blocks(const Checkpoint& checkpoint = {}) const;
 
   Identity identity_;
   BuildConfig config_;
   Hierarchy hierarchy_;
   OccluderSet occluders_;
-  std::shared_ptr<const NodeBlocks> blocks_;
-  std::shared_ptr<LazyTriangles> triangles_;
+  std::shared_ptr<Lazy<NodeBlocks>> blocks_;
+  std::shared_ptr<Lazy<CoverTriangles>> triangles_;
 };
 
 }  // namespace occlude::culler
