@@ -141,7 +141,9 @@ struct CullStats {
   std::size_t cover_tests = 0;                        ///< box against the coarse picture
   std::size_t cover_groups = 0, cover_triangles = 0;  ///< drawn into it: joined meshes, and their triangles
   std::size_t cover_groups_left = 0;                  ///< not drawn into it, because a budget was spent
-  std::size_t exact_shadow_tests = 0;                 ///< of shadow_tests and union_tests: decided by the exact stage
+  /// Of shadow_tests and union_tests: decided by the exact stage. Which these are depends a little on the instruction set,
+  /// because each rounds in its own way before. No other number does, and no answer.
+  std::size_t exact_shadow_tests = 0;
   std::size_t potential_occluders = 0, occluders_in_view = 0;  ///< of the region's list: all, and those in view
   std::size_t sort_kept = 0;                                   ///< candidates that the frame before had as well
   std::size_t sort_moves = 0;                                  ///< places that the insertion sort moved them by, summed
