@@ -46,6 +46,7 @@ void run(CityTrial& trial, const Options& options) {
   const PeakMemory memory;
   const render::Stopwatch stopwatch;
   const culler::Culler culler(city.soup, options.walk.build, render::check_interrupt);
+  culler.prepare(options.walk.cull.method, render::check_interrupt);
   trial.build_s.push_back(stopwatch.seconds());
   note(trial.peak_bytes, memory.peak_bytes(), polygons);
   note(trial.held_bytes, memory.held_bytes(), polygons);

@@ -31,6 +31,7 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
   config.lists = trial.point.lists;
   const render::Stopwatch stopwatch;
   const culler::Culler culler(subject.soup, config, render::check_interrupt);
+  culler.prepare(options.walk.cull.method, render::check_interrupt);
   trial.preprocess_s.push_back(stopwatch.seconds());
   const Pass pass = pass_along(culler, subject.path, options.walk, options.walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);

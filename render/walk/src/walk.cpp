@@ -76,6 +76,7 @@ culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& o
       throw InputError(options.preprocess.string() + ": " + error.what());
     }
   }();
+  culler.prepare(culler::Method::frusta, check_interrupt);  // also for frames by the view frustum alone
   culler.prepare(options.cull.method, check_interrupt);
   return culler;
 }
