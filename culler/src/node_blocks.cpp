@@ -59,7 +59,7 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
   const auto taken = filling.taken();
   NodeBlock block;
   block.below.fill(NodeBlock::kNone);
-  std::vector<NodeBlock::Parent> parents;
+  std::size_t parents = 0;
   for (std::uint32_t i = static_cast<std::uint32_t>(taken.size()); i-- > 0;) {
     const HierarchyNode& node = nodes[taken[i]];
     block.boxes.set(i, node.box);
@@ -77,15 +77,15 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
       block.exits = static_cast<Bits>(block.exits | bit(i));
       continue;
     }
-    NodeBlock::Parent parent{static_cast<std::uint8_t>(i)};
+    NodeBlock::Parent& parent = block.parents[parents++];
+    parent.i = static_cast<std::uint8_t>(i);
     for (const std::uint32_t child : {taken[i] + 1, node.right}) {
       const auto k = static_cast<std::uint32_t>(std::ranges::lower_bound(taken, child) - taken.begin());
       parent.children = static_cast<Bits>(parent.children | bit(k));
       block.subtree[i] = static_cast<Bits>(block.subtree[i] | block.subtree[k]);
     }
-    parents.push_back(parent);
   }
-  std::ranges::reverse_copy(parents, block.parents.begin());
+  std::ranges::reverse(std::span(block.parents).first(parents));
   block.roots = static_cast<Bits>(block.used & ~kernel::boxes_of(block.children_of(kernel::BoxBytes{block.used}), 0));
   return block;
 }

@@ -5,7 +5,6 @@
 #include <hwy/cache_control.h>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,12 +16,6 @@
 #include "occlude/kernel/box_block.h"
 
 namespace occlude::culler {
-
-/// Calls visit(i) for each bit, in ascending order.
-template <class Visit>
-void for_each_bit(std::uint32_t bits, const Visit& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
-}
 
 /// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
 inline constexpr std::uint32_t kProbed = 64;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bounds.h"
+#include "each_bit.h"
 #include "node_blocks.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/occluder_set.h"
@@ -20,8 +21,8 @@
 
 namespace occlude::culler {
 
-/// `Ask` calls a question with the bounding volume of a node. on_shadow_test(occluder, box) is called for every test of a
-/// shadow.
+/// `Ask` calls a question with the bounding volume of a node. on_shadow_tests(block, questions, nodes) is called for the
+/// nodes of a block that were tested against shadows of occluders.
 template <class Ask, class OnShadowTests>
 class NodeTests {
  public:

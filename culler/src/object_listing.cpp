@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "object_listing.h"
 
-#include <bit>
-
+#include "each_bit.h"
 #include "occlude/kernel/half_space.h"
 #include "packed_descent.h"
 #include "seen_boxes.h"
@@ -22,10 +21,8 @@ class ObjectListing::Objects {
 
   [[nodiscard]] kernel::BoxBits beyond(std::uint32_t first, std::uint32_t plane, kernel::BoxBits boxes) const {
     unsigned beyond = 0;
-    for (unsigned left = boxes & oriented_; left != 0; left &= left - 1) {
-      const auto i = static_cast<unsigned>(std::countr_zero(left));
-      beyond |= (listing_.is_beyond(plane, group_, first + i) ? 1U : 0U) << i;
-    }
+    for_each_bit(boxes & oriented_,
+                 [&](std::uint32_t i) { beyond |= (listing_.is_beyond(plane, group_, first + i) ? 1U : 0U) << i; });
     return static_cast<kernel::BoxBits>(beyond);
   }
 

@@ -212,7 +212,7 @@ bool OccluderChoice::add(std::uint32_t i) {
     work_.take(PlaneWork::kExact);  // the kernel refuses where signs are zero, which takes the exact stage
     return false;
   }
-  if (options_.test == kernel::Test::overlap) spare.back().prepare_overlap();
+  if (options_.test == kernel::Test::overlap && !are_probes_) spare.back().prepare_overlap();
   (are_probes_ ? memory_.probes : memory_.result.occluders).push_back({i, std::move(spare.back()), 0});
   spare.pop_back();
   return true;

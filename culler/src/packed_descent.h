@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "cover_buffer.h"
+#include "each_bit.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
 #include "packed_tree.h"
@@ -53,9 +54,9 @@ class PackedDescent {
   /// these. REQUIRES: at.level > 0.
   void visit_below(const At& at, const Seen& seen) {
     std::array<Seen, PackedTree::kWidth> below;
-    for_each(seen.boxes, [&](std::uint32_t i) { below[i] = visit(PackedTree::below(at, i), seen.across[i]); });
+    for_each_bit(seen.boxes, [&](std::uint32_t i) { below[i] = visit(PackedTree::below(at, i), seen.across[i]); });
     if (at.level == 1) return;
-    for_each(seen.boxes, [&](std::uint32_t i) { visit_below(PackedTree::below(at, i), below[i]); });
+    for_each_bit(seen.boxes, [&](std::uint32_t i) { visit_below(PackedTree::below(at, i), below[i]); });
   }
 
   Seen visit(const At& at, std::uint32_t across) {
@@ -69,7 +70,7 @@ class PackedDescent {
     const BoxBits hidden = buffer_.hidden(boxes, in_view);
     cull(at, Culled::By::cover, hidden);
     seen.boxes = static_cast<BoxBits>(in_view & ~hidden);
-    for_each(seen.boxes, [&](std::uint32_t i) {
+    for_each_bit(seen.boxes, [&](std::uint32_t i) {
       if (at.level > 0) {
         const At below = PackedTree::below(at, i);
         tree_.prefetch(below);
@@ -90,30 +91,24 @@ class PackedDescent {
     std::array<kernel::BlockRelation, ViewPlanes::kMostPlanes> relations;
     kernel::relations(view_.planes, across, tree_.block(at), left, relations);
     BoxBits outside = 0;
-    for (; across != 0; across &= across - 1) {
-      const auto plane = static_cast<std::uint32_t>(std::countr_zero(across));
+    for_each_bit(across, [&](std::uint32_t plane) {
       const kernel::BlockRelation& relation = relations[plane];
       outside = static_cast<BoxBits>(outside | relation.outside);
       if (at.level == 0) {
         const auto straddling = static_cast<BoxBits>(left & ~(outside | relation.inside));
         outside = static_cast<BoxBits>(outside | items_.beyond(first_item(at), plane, straddling));
       }
-      for_each(relation.inside, [&](std::uint32_t i) { across_of[i] &= ~(std::uint32_t{1} << plane); });
-    }
+      for_each_bit(relation.inside, [&](std::uint32_t i) { across_of[i] &= ~(std::uint32_t{1} << plane); });
+    });
     cull(at, Culled::By::view, outside);
     return static_cast<BoxBits>(left & ~outside);
   }
 
   void cull(const At& at, Culled::By by, BoxBits boxes) {
-    for_each(boxes, [&](std::uint32_t i) { items_.cull(by, tree_.items(at, i)); });
+    for_each_bit(boxes, [&](std::uint32_t i) { items_.cull(by, tree_.items(at, i)); });
   }
 
   [[nodiscard]] static std::uint32_t first_item(const At& at) { return PackedTree::kWidth * at.block; }
-
-  template <class Visit>
-  static void for_each(BoxBits boxes, const Visit& visit) {
-    for (unsigned left = boxes; left != 0; left &= left - 1) visit(static_cast<std::uint32_t>(std::countr_zero(left)));
-  }
 
   const PackedTree& tree_;
   const ViewPlanes& view_;

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "each_bit.h"
 #include "node_blocks.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"

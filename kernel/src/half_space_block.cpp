@@ -12,6 +12,7 @@
 #include <span>
 
 #include "error_bounds.h"
+#include "lanes-inl.h"
 #include "occlude/kernel/box_block.h"
 
 #ifndef OCCLUDE_HALF_SPACE_BLOCK_ONCE
@@ -41,42 +42,32 @@ inline BlockRelation decided(const HalfSpace& half_space, const BoxBlock& block,
 
 HWY_BEFORE_NAMESPACE();
 namespace occlude::kernel {
-namespace {
 namespace HWY_NAMESPACE {
+namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// At most eight boxes.
-using Boxes = hn::CappedTag<double, BoxBlock::kBoxes>;
-using Lanes = hn::Vec<Boxes>;
+static_assert(kMaxLanes <= BoxBlock::kBoxes, "a vector of boxes is read from one block");
 
 /// The value of the half-space at a corner of each box, and the bound of its error: as in half_space.cpp, where the
 /// derivation of kHalfSpaceError allows any order of the sum.
 struct Value {
-  Lanes value, error;
+  hn::Vec<Doubles> value, error;
 
   HWY_INLINE Value(const HalfSpace& h, const double* x, const double* y, const double* z) {
-    const Boxes d;
-    const Lanes px = hn::Mul(hn::Set(d, h.normal.x), hn::Load(d, x)), py = hn::Mul(hn::Set(d, h.normal.y), hn::Load(d, y)),
-                pz = hn::Mul(hn::Set(d, h.normal.z), hn::Load(d, z));
+    const Doubles d;
+    const auto px = hn::Mul(hn::Set(d, h.normal.x), hn::Load(d, x)), py = hn::Mul(hn::Set(d, h.normal.y), hn::Load(d, y)),
+               pz = hn::Mul(hn::Set(d, h.normal.z), hn::Load(d, z));
     value = hn::Add(hn::Add(hn::Add(px, py), pz), hn::Set(d, h.offset));
-    const Lanes magnitude = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Abs(pz));
+    const auto magnitude = hn::Add(hn::Add(hn::Abs(px), hn::Abs(py)), hn::Abs(pz));
     error = hn::Mul(hn::Set(d, kHalfSpaceError), magnitude);
   }
 };
-
-HWY_INLINE unsigned bits(hn::Mask<Boxes> mask) {
-  std::uint8_t stored[8] = {};
-  hn::StoreMaskBits(Boxes(), mask, stored);
-  return stored[0];
-}
 
 HWY_INLINE Known filter(const HalfSpace& h, const BoxBlock& block) {
   const auto &x = h.normal.x >= 0 ? block.max[0] : block.min[0], &far_x = h.normal.x >= 0 ? block.min[0] : block.max[0];
   const auto &y = h.normal.y >= 0 ? block.max[1] : block.min[1], &far_y = h.normal.y >= 0 ? block.min[1] : block.max[1];
   const auto &z = h.normal.z >= 0 ? block.max[2] : block.min[2], &far_z = h.normal.z >= 0 ? block.min[2] : block.max[2];
   Known known;
-  for (std::size_t i = 0; i < BoxBlock::kBoxes; i += hn::Lanes(Boxes())) {
+  for (std::size_t i = 0; i < BoxBlock::kBoxes; i += hn::Lanes(Doubles())) {
     const Value most(h, &x[i], &y[i], &z[i]), least(h, &far_x[i], &far_y[i], &far_z[i]);
     const auto outside = hn::Lt(most.value, hn::Neg(most.error)), inside = hn::Gt(least.value, least.error);
     const auto straddles = hn::And(hn::Gt(most.value, most.error), hn::Lt(least.value, hn::Neg(least.error)));
@@ -95,8 +86,8 @@ HWY_ATTR void relations(std::span<const HalfSpace> half_spaces, std::uint32_t wh
   }
 }
 
-}  // namespace HWY_NAMESPACE
 }  // namespace
+}  // namespace HWY_NAMESPACE
 }  // namespace occlude::kernel
 HWY_AFTER_NAMESPACE();
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "planes.h"
@@ -34,6 +35,14 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, kMaxLanes>;
+
+/// A bit for each lane.
+HWY_INLINE unsigned bits(hn::Mask<Doubles> mask) {
+  static_assert(kMaxLanes <= 8, "the bits of a mask are one byte");
+  std::uint8_t stored[8] = {};
+  hn::StoreMaskBits(Doubles(), mask, stored);
+  return stored[0];
+}
 
 struct Lanes {
   hn::Vec<Doubles> v;

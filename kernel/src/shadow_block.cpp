@@ -21,12 +21,6 @@ namespace {
 
 static_assert(kMaxLanes <= BoxBlock::kBoxes, "a vector of boxes is read from one block");
 
-HWY_INLINE unsigned bits(hn::Mask<Doubles> mask) {
-  std::uint8_t stored[8] = {};
-  hn::StoreMaskBits(Doubles(), mask, stored);
-  return stored[0];
-}
-
 HWY_INLINE LaneVector load(const std::array<BoxBlock::Row, 3>& rows, std::size_t first) {
   return {Lanes::load(&rows[0][first]), Lanes::load(&rows[1][first]), Lanes::load(&rows[2][first])};
 }

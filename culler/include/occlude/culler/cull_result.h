@@ -141,8 +141,8 @@ struct CullStats {
   std::size_t cover_tests = 0;                        ///< box against the coarse picture
   std::size_t cover_groups = 0, cover_triangles = 0;  ///< drawn into it: joined meshes, and their triangles
   std::size_t cover_groups_left = 0;                  ///< not drawn into it, because a budget was spent
-  /// Of shadow_tests and union_tests: decided by the exact stage. Which these are depends a little on the instruction set,
-  /// because each rounds in its own way before. No other number does, and no answer.
+  /// Of shadow_tests and union_tests: decided by the exact stage. The number depends slightly on the instruction set,
+  /// because the filters before that stage round differently. Neither any answer nor any other number does.
   std::size_t exact_shadow_tests = 0;
   std::size_t potential_occluders = 0, occluders_in_view = 0;  ///< of the region's list: all, and those in view
   std::size_t sort_kept = 0;                                   ///< candidates that the frame before had as well
