@@ -98,15 +98,18 @@ class Boxes {
   }
 
   /// Those of the asked boxes that an upper corner shows to be open. Nine of ten visible boxes of a town are among them.
-  /// REQUIRES: the asked boxes touch pixels of the picture.
-  [[nodiscard]] Mask open_in_upper_corner(Mask asked) const {
-    const Integers top = previous(y1_);
-    const Floats nearness = hn::Min(pixel(asked, x0_, top), pixel(asked, previous(x1_), top));
-    return hn::And(asked, hn::Le(nearness, most_));
+  /// REQUIRES: the asked boxes touch pixels of the picture; so below.
+  [[nodiscard]] Mask open_in_upper_corner(Mask asked) const { return open_in_row(asked, previous(y1_)); }
+  [[nodiscard]] Mask open_in_lower_corner(Mask asked) const { return open_in_row(asked, y0_); }
+
+  /// Those of the asked boxes that have no pixels but their corners. In a town these are half of all that are hidden.
+  [[nodiscard]] Mask of_corners_alone(Mask asked) const {
+    const Integers two = hn::Set(kIntegers, 2);
+    const auto is_larger = hn::Or(hn::Gt(hn::Sub(x1_, x0_), two), hn::Gt(hn::Sub(y1_, y0_), two));
+    return hn::AndNot(hn::RebindMask(kFloats, is_larger), asked);
   }
 
   /// Those of the asked boxes that are behind all pixels of their tiles, which are at most two across and up.
-  /// REQUIRES: the asked boxes touch pixels of the picture.
   [[nodiscard]] Mask behind_tiles(Mask asked) const {
     const Integers left = tile(x0_), right = tile(previous(x1_)), low = tile(y0_), top = tile(previous(y1_));
     const Integers two = hn::Set(kIntegers, 2);
@@ -123,6 +126,12 @@ class Boxes {
   static Integers in_tile(Integers pixel) { return hn::And(pixel, hn::Set(kIntegers, kTile - 1)); }
   [[nodiscard]] Integers tile_index(Integers across, Integers up) const {
     return hn::Add(hn::Mul(up, hn::Set(kIntegers, picture_.tiles_across)), across);
+  }
+
+  /// Those of the asked boxes that are open in their first or last pixel of a row.
+  [[nodiscard]] Mask open_in_row(Mask asked, Integers y) const {
+    const Floats nearness = hn::Min(pixel(asked, x0_, y), pixel(asked, previous(x1_), y));
+    return hn::And(asked, hn::Le(nearness, most_));
   }
 
   /// The nearness of a pixel for each of the asked boxes.
@@ -158,7 +167,12 @@ HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const SeenBoxes& bo
   const Mask touching = several.touching(in_picture);
   unsigned hidden = bits_of(hn::AndNot(touching, in_picture));  // these lie beside the picture
   if (hn::AllFalse(kFloats, touching)) return hidden;
-  const Mask left = hn::AndNot(several.open_in_upper_corner(touching), touching);
+  const Mask closed_above = hn::AndNot(several.open_in_upper_corner(touching), touching);
+  if (hn::AllFalse(kFloats, closed_above)) return hidden;
+  const Mask closed = hn::AndNot(several.open_in_lower_corner(closed_above), closed_above);
+  const Mask small = several.of_corners_alone(closed);
+  hidden |= bits_of(small);
+  const Mask left = hn::AndNot(small, closed);
   if (hn::AllFalse(kFloats, left)) return hidden;
   const Mask behind_tiles = several.behind_tiles(left);
   hidden |= bits_of(behind_tiles);

@@ -64,8 +64,7 @@ class PackedDescent {
     seen.across.fill(across);
     const BoxBits in_view = keep_in_view(at, across, seen.across);
     if (in_view == 0) return seen;
-    SeenBoxes boxes;
-    boxes.see(buffer_.box_picture(), tree_.block(at));
+    const SeenBoxes boxes(buffer_.box_picture(), tree_.block(at));
     stats_.cover_tests += kernel::count(in_view);
     const BoxBits hidden = buffer_.hidden(boxes, in_view);
     cull(at, Culled::By::cover, hidden);

@@ -36,6 +36,10 @@ struct SeenBoxes {
   using Floats = std::array<float, kMost>;
   using Integers = std::array<std::int32_t, kMost>;
 
+  SeenBoxes() : low{}, high{} {}
+  /// All boxes of a block, of which everything is known.
+  SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block);
+
   void add(const BoxPicture& picture, const kernel::Aabb& box) {
     for (int axis = 0; axis < 3; ++axis) {
       low[static_cast<std::size_t>(axis)][size] = static_cast<float>(box.min[axis] - picture.eye[axis]);
@@ -45,11 +49,9 @@ struct SeenBoxes {
   }
   /// Computes the members below that follow `low` and `high`.
   void see(const BoxPicture& picture);
-  /// The same for all boxes of a block, instead of those that were added.
-  void see(const BoxPicture& picture, const kernel::BoxBlock& block);
 
   std::size_t size = 0;
-  alignas(32) std::array<Floats, 3> low{}, high{};  ///< relative to the eye, rounded to nearest
+  alignas(32) std::array<Floats, 3> low, high;  ///< relative to the eye, rounded to nearest
 
   Floats low_x, low_y, high_x, high_y;  ///< the positions between which the whole box lies, with its error
   Integers x0, y0, x1, y1;              ///< the pixels that it touches, with the margin, as BeamPicture::pixels()

@@ -68,8 +68,7 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
     batch.see(boxes);
     kernel::BoxBlock block;
     for (std::size_t k = 0; k < asked.size(); ++k) block.set(k, asked[k]);
-    SeenBoxes of_block;
-    of_block.see(boxes, block);
+    const SeenBoxes of_block(boxes, block);
     for (std::size_t k = 0; k < batch.size; ++k) {
       SeenBoxes alone;
       alone.add(boxes, asked[k]);
