@@ -249,6 +249,10 @@ void warn_of_misfit(const render::CameraPath& path, const std::string& path_file
   render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(path_file + ": " + doubt) + "\n");
 }
 
+render::Digest& add(render::Digest& digest, const culler::PolygonSoup& soup) {
+  return digest.add(soup.vertices).add(soup.indices).add(soup.first);
+}
+
 std::string limits_help() {
   return fmt::format(
       "Limits: at most {} for a JSON file or a line of JSON Lines, {} for any other file. The import library\n"
