@@ -80,8 +80,7 @@ std::vector<float> sample(render::Job& job, const culler::Culler& culler, const 
 }
 
 render::Job job_of(const Arguments& arguments, const culler::PolygonSoup& soup) {
-  return {arguments.samples.viewpoints > 0 && !arguments.out.empty() ? arguments.parts.keeping() : render::Keeping{},
-          [&] {
+  return {arguments.samples.viewpoints > 0 && !arguments.out.empty() ? arguments.parts.keeping() : render::Keeping{}, [&] {
             render::Digest digest;
             return add(digest.add(arguments.given), soup).value();
           }};
@@ -225,8 +224,8 @@ void add_preprocess(Command app, int&) {
   command.add_flag("--json", a->json, "print the counts as JSON");
   a->parts.add_to(command, "preprocess");
   command.run_on_all_ranks([a, command] {
-    a->given = command.given_but({"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--json", "--quiet", "--parts",
-                                  "--resume"});
+    a->given = command.given_but(
+        {"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--json", "--quiet", "--parts", "--resume"});
     preprocess(*a);
   });
 }

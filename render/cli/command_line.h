@@ -71,7 +71,8 @@ class Command {
   void footer(const std::string& text);
   /// Makes a subcommand mandatory.
   void require_command();
-  /// Sets the work of the command, which runs once its options are parsed. Adds --quiet. Under mpirun the first rank does it.
+  /// Sets the work of the command, which runs once its options are parsed. Adds --quiet. Under mpirun the first rank does
+  /// it.
   void run(const std::function<void()>& work);
   /// The same for work in which all ranks take part.
   void run_on_all_ranks(const std::function<void()>& work);

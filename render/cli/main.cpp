@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
   occlude::render::catch_interrupts();
   occlude::render::limit_memory();
   if (!occlude::render::is_first_rank()) occlude::render::be_silent();
+  if (occlude::render::mpirun_has_terminal()) occlude::render::show_progress();
   const int exit_code = run_and_report(argc, argv);
   occlude::render::leave_ranks();
   return exit_code;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ranks of Open MPI. MPI is initialised when a rank needs another one for the first time, so without mpirun it costs nothing.
+// Ranks of Open MPI. MPI is initialised when a rank needs another one for the first time, so without mpirun it costs
+// nothing.
 //
 // A helper sends the first rank its last result, or none, and gets a part, or the end of the stage. After the last stage it
 // waits for leave. Nobody waits inside MPI, which would take a processor.

@@ -12,11 +12,12 @@ std::optional<Dealer::Part> Dealer::next() {
   return part;
 }
 
-void Dealer::accept(std::uint64_t number, std::string result) {
+void Dealer::accept(std::uint64_t number, const std::string& result) {
   const std::lock_guard lock(mutex_);
   attempt([&] {
+    take(number, result);
+    // A result that shows bad input is not kept: take() has thrown.
     if (kept_ != nullptr) kept_->keep({stage_number_, number}, inputs_.extract(number).mapped(), result);
-    take(number, std::move(result));
   });
 }
 

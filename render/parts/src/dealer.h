@@ -29,7 +29,7 @@ class Dealer {
   /// The next part that is not kept; none when all are dealt, or after a failure.
   [[nodiscard]] std::optional<Part> next();
   /// The result of a part that next() gave.
-  void accept(std::uint64_t number, std::string result);
+  void accept(std::uint64_t number, const std::string& result);
   void fail(std::exception_ptr failure);
 
   /// Throws the first failure. Call this when all parts that were dealt are accepted.

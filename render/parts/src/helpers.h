@@ -18,8 +18,8 @@ struct StageKey {
   friend bool operator==(const StageKey&, const StageKey&) = default;
 };
 
-/// On the first rank: deals to the helpers on a thread of its own. The destructor waits until all of them have been told that
-/// nothing is left, or the user interrupts.
+/// On the first rank: deals to the helpers on a thread of its own. The destructor waits until all of them have been told
+/// that nothing is left, or the user interrupts.
 class Helpers {
  public:
   Helpers(Dealer& dealer, StageKey key);

@@ -24,7 +24,7 @@ class KeptParts {
   KeptParts(const KeptParts&) = delete;
   KeptParts& operator=(const KeptParts&) = delete;
 
-  /// The result of a part that was kept. Throws InputError, naming the file, if it is damaged or of another input.
+  /// The result of a part that was kept for this input. Throws InputError, naming the file, if it is damaged.
   [[nodiscard]] std::optional<std::string> find(PartNumber number, const std::string& input);
   void keep(PartNumber number, const std::string& input, const std::string& result);
   void remove();

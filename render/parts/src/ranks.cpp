@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/ranks.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 namespace occlude::render {
 namespace {
@@ -23,6 +29,13 @@ std::size_t ranks() {
 bool is_first_rank() {
   static const bool is_first = number_of("OMPI_COMM_WORLD_RANK", 0) == 0;
   return is_first;
+}
+
+bool mpirun_has_terminal() {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return false;
+  std::error_code error;  // mpirun may be on another machine, and the parent is another program there
+  const std::string target = std::filesystem::read_symlink(fmt::format("/proc/{}/fd/2", getppid()), error).string();
+  return target.starts_with("/dev/pts/") || target.starts_with("/dev/tty");
 }
 
 }  // namespace occlude::render

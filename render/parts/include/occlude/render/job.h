@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work in parts. Whoever is free takes the next part: this process, or the ranks of mpirun. The results come back in the order
-// of the parts, so they are the same for any number of ranks. Finished parts may be kept on disk.
+// Work in parts. Whoever is free takes the next part: this process, or the ranks of mpirun. The results come back in the
+// order of the parts, so they are the same for any number of ranks. Finished parts may be kept on disk.
 #pragma once
 
 #include <cstdint>

@@ -12,6 +12,9 @@ namespace occlude::render {
 
 [[nodiscard]] bool is_first_rank();
 
+/// Whether the standard error of mpirun, to which it copies that of the ranks, is a terminal.
+[[nodiscard]] bool mpirun_has_terminal();
+
 /// Of a helper that cannot go on: the first rank will fail with this message. Does nothing on the first rank.
 void tell_first_rank(const std::string& fault);
 
