@@ -10,15 +10,23 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "occlude/culler/culler.h"
 #include "occlude/culler/inner_boxes.h"
 #include "occlude/render/console.h"
+#include "occlude/render/digest.h"
+#include "occlude/render/job.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
+#include "occlude/render/packing.h"
 #include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/ranks.h"
 #include "occlude/render/stopwatch.h"
 
 namespace occlude::cli {
@@ -33,6 +41,8 @@ struct Arguments {
   culler::SampleConfig samples;
   culler::InnerBoxOptions boxes;
   bool json = false;
+  PartsArguments parts;
+  std::string given;  ///< the options on which the samples depend
 };
 
 /// What is told about a file that was made.
@@ -41,13 +51,53 @@ struct Summary {
   ordered_json json;
 };
 
-Summary make_preprocess(render::OutputFile& file, const culler::PolygonSoup& soup, const Arguments& arguments,
-                        const culler::BuildConfig& config) {
+/// Samples the regions in parts. Returns `hidden` of OccluderLists::Stored.
+std::vector<float> sample(render::Job& job, const culler::Culler& culler, const culler::SampleConfig& samples) {
+  constexpr std::size_t kParts = 256;
+  const std::size_t regions = culler.occluders().lists().partition().regions();
+  const std::size_t of_part = (regions + kParts - 1) / kParts;
+  render::Progress progress("region", regions);
+  std::vector<float> hidden;
+  std::size_t begun = 0, taken = 0;
+  const auto end_of = [&](std::size_t first) { return std::min(first + of_part, regions); };
+  const auto next = [&]() -> std::optional<std::string> {
+    if (begun == regions) return std::nullopt;
+    return render::Packer().put(std::exchange(begun, end_of(begun))).bytes();
+  };
+  const auto work = [&](const std::string& part) {
+    const auto first = render::Unpacker(part).get<std::size_t>();
+    return render::Packer()
+        .put(culler::sample_regions(culler, samples, first, end_of(first), render::check_interrupt))
+        .bytes();
+  };
+  const auto take = [&](const std::string& result) {
+    const std::vector<float> part = render::Unpacker(result).list<float>();
+    hidden.insert(hidden.end(), part.begin(), part.end());
+    progress.update(taken = end_of(taken));
+  };
+  job.run({next, work, take});
+  return hidden;
+}
+
+render::Job job_of(const Arguments& arguments, const culler::PolygonSoup& soup) {
+  return {arguments.samples.viewpoints > 0 && !arguments.out.empty() ? arguments.parts.keeping() : render::Keeping{}, [&] {
+            render::Digest digest;
+            return add(digest.add(arguments.given), soup).value();
+          }};
+}
+
+culler::Preprocess find_out(render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
+                            const culler::BuildConfig& config) {
+  const culler::Culler culler(soup, config, render::check_interrupt);
+  culler::Preprocess result = culler::unsampled(culler, config);
+  if (arguments.samples.viewpoints > 0) result.lists.hidden = sample(job, culler, arguments.samples);
+  return result;
+}
+
+Summary make_preprocess(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup,
+                        const Arguments& arguments, const culler::BuildConfig& config) {
   const render::Stopwatch stopwatch;
-  const culler::Preprocess result = [&] {
-    render::Watch watch("region");
-    return culler::preprocess(soup, config, arguments.samples, std::ref(watch), render::check_interrupt);
-  }();
+  const culler::Preprocess result = find_out(job, soup, arguments, config);
   const double seconds = stopwatch.seconds();
   render::check_interrupt();
   render::write_preprocess(file, soup, result);
@@ -94,13 +144,21 @@ void preprocess(Arguments& arguments) {
   arguments.samples.seed = whole_number("--seed", arguments.seed);
   arguments.samples.pattern =
       arguments.pattern == "random" ? culler::SampleConfig::Pattern::random : culler::SampleConfig::Pattern::even;
+  // Others than the first rank help to sample.
+  const bool is_first = render::is_first_rank();
+  if (!is_first && (arguments.out.empty() || arguments.samples.viewpoints == 0)) return;
   std::optional<render::OutputFile> file, box_file;
-  if (!arguments.out.empty()) file.emplace(arguments.out);
-  if (!arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
+  if (is_first && !arguments.out.empty()) file.emplace(arguments.out);
+  if (is_first && !arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
   const culler::PolygonSoup soup = render::read_model(arguments.model);
 
+  render::Job job = job_of(arguments, soup);
+  if (!is_first) {
+    find_out(job, soup, arguments, config);
+    return;
+  }
   Summary told{"", {{"polygons", soup.size()}}};
-  if (file) told = make_preprocess(*file, soup, arguments, config);
+  if (file) told = make_preprocess(*file, job, soup, arguments, config);
   if (box_file) {
     const Summary boxes = make_inner_boxes(*box_file, soup, arguments);
     told.line += boxes.line;
@@ -109,6 +167,7 @@ void preprocess(Arguments& arguments) {
   render::check_interrupt();
   if (file) file->commit();
   if (box_file) box_file->commit();
+  job.finish();
   if (file) told.json["bytes"] = std::filesystem::file_size(arguments.out);
   if (arguments.json) {
     render::print(told.json.dump(2) + "\n");
@@ -163,7 +222,12 @@ void add_preprocess(Command app, int&) {
       .in_range(std::size_t{3}, std::size_t{64})
       .needs(inner_boxes);
   command.add_flag("--json", a->json, "print the counts as JSON");
-  command.run([a] { preprocess(*a); });
+  a->parts.add_to(command, "preprocess");
+  command.run_on_all_ranks([a, command] {
+    a->given = command.given_but(
+        {"MODEL", "--out", "--inner-boxes", "--boxes", "--cells", "--json", "--quiet", "--parts", "--resume"});
+    preprocess(*a);
+  });
 }
 
 }  // namespace occlude::cli

@@ -56,25 +56,49 @@ void sample(const Culler& culler, const SampleConfig& samples, std::size_t regio
   }
 }
 
+/// Calls done() after each region, on any thread.
+template <class Done>
+std::vector<float> sample_each(const Culler& culler, const SampleConfig& samples, std::size_t first, std::size_t end,
+                               const Checkpoint& checkpoint, Done&& done) {
+  const OccluderLists& lists = culler.occluders().lists();
+  std::vector<std::size_t> begin{0};  // of each region's list
+  for (std::size_t region = first; region < end; ++region) {
+    begin.push_back(begin.back() + lists.list(region).occluders.size());
+  }
+  std::vector<float> hidden(begin.back());
+  const auto sample_region = [&](std::size_t i) {
+    const auto of_region = std::span(hidden).subspan(begin[i], begin[i + 1] - begin[i]);
+    if (!of_region.empty()) sample(culler, samples, first + i, of_region, checkpoint);
+    done();
+  };
+  parallel_for(end - first, sample_region, checkpoint);
+  return hidden;
+}
+
 }  // namespace
+
+Preprocess unsampled(const Culler& culler, const BuildConfig& config) {
+  return {config, culler.hierarchy().layout(), culler.occluders().lists().stored()};
+}
+
+std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samples, std::size_t first, std::size_t end,
+                                  const Checkpoint& checkpoint) {
+  return sample_each(culler, samples, first, end, checkpoint, [] {});
+}
 
 Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
                       const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
   const Culler culler(soup, config, checkpoint);
-  Preprocess result{config, culler.hierarchy().layout(), culler.occluders().lists().stored()};
+  Preprocess result = unsampled(culler, config);
   if (samples.viewpoints == 0) return result;
-  result.lists.hidden.assign(result.lists.occluders.size(), 0);
   std::mutex mutex;
   std::size_t done = 0;
   const std::size_t regions = culler.occluders().lists().partition().regions();
-  const auto sample_region = [&](std::size_t region) {
-    const std::size_t first = result.lists.first[region], count = result.lists.first[region + 1] - first;
-    if (count != 0) sample(culler, samples, region, std::span(result.lists.hidden).subspan(first, count), checkpoint);
+  result.lists.hidden = sample_each(culler, samples, 0, regions, checkpoint, [&] {
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, regions);
-  };
-  parallel_for(regions, sample_region, checkpoint);
+  });
   return result;
 }
 

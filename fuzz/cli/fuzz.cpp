@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -18,10 +17,15 @@
 #include "differential/minimise.h"
 #include "differential/overlap.h"
 #include "occlude/render/console.h"
+#include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/job.h"
 #include "occlude/render/output_file.h"
+#include "occlude/render/packing.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/ranks.h"
+#include "packed_reports.h"
 #include "results.h"
 
 namespace occlude::cli {
@@ -31,16 +35,23 @@ using Clock = std::chrono::steady_clock;
 
 /// The default takes some ten seconds. The most is below 2^53, so every reader of JSON counts exactly.
 constexpr std::uint64_t kDefaultCases = 1'000'000, kMostCases = std::uint64_t{1} << 50U;
-/// More machines than anyone has.
-constexpr std::uint64_t kMostShards = 1U << 20U;
+/// A part has at least so many groups, some tenths of a second, so that threads seldom wait for its end.
+constexpr std::uint64_t kGroupsOfPart = 2048;
+/// A run that is counted has at most so many parts, each a file where they are kept.
+constexpr std::uint64_t kMostParts = 1024;
 
 struct Arguments {
-  std::vector<std::string> families, files, merged;
+  std::vector<std::string> families, files;
   double seconds = 0;
-  std::string cases = std::to_string(kDefaultCases), seed = "1", shard = "0/1", out;
+  std::string cases = std::to_string(kDefaultCases), seed = "1", out;
   std::optional<std::string> findings;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   bool stop_at_first = false, json = false;
+  PartsArguments parts;
+  std::string given;  ///< the options on which results depend
+
+  /// Whether the number of cases decides when the run ends.
+  [[nodiscard]] bool is_counted() const { return seconds == 0 && !stop_at_first; }
 };
 
 std::vector<fuzz::Experiment> chosen(const std::vector<std::string>& families) {
@@ -51,21 +62,9 @@ std::vector<fuzz::Experiment> chosen(const std::vector<std::string>& families) {
   return result;
 }
 
-/// Reads "i/n" as shard i of n.
-void read_shard(const std::string& text, fuzz::Campaign& campaign) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) refuse("--shard", "expected i/n, not " + text);
-  campaign.shard = whole_number("--shard", text.substr(0, slash));
-  campaign.shards = whole_number("--shard", text.substr(slash + 1));
-  if (campaign.shard >= campaign.shards || campaign.shards > kMostShards) {
-    refuse("--shard", fmt::format("expected i/n with i from 0 to n - 1 and n up to {}", kMostShards));
-  }
-}
-
 fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
   fuzz::Campaign campaign;
   campaign.seed = whole_number("--seed", a.seed);
-  read_shard(a.shard, campaign);
   campaign.jobs = a.jobs;
   const std::uint64_t per_round = experiments * fuzz::kGroup;
   const std::uint64_t cases = whole_number("--cases", a.cases);
@@ -77,39 +76,25 @@ fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
 /// Says when to stop: when the time is over, when one finding is enough, or when the user interrupts.
 class Watch {
  public:
-  Watch(const Arguments& a, std::uint64_t groups)
-      : seconds_(a.seconds),
-        stop_at_first_(a.stop_at_first),
-        progress_(a.seconds > 0 ? "seconds" : "groups", a.seconds > 0 ? static_cast<std::size_t>(a.seconds) : groups) {}
+  explicit Watch(const Arguments& a) : seconds_(a.seconds), stop_at_first_(a.stop_at_first) {}
 
-  /// May be called from any thread. On the thread of the command it also shows the progress.
-  bool go_on(std::uint64_t groups, std::uint64_t findings) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (std::this_thread::get_id() == thread_) {
-      look_for_interrupt();
-      progress_.update(seconds_ > 0 ? static_cast<std::size_t>(seconds) : groups);
-    }
-    const bool is_over = seconds_ > 0 && seconds >= seconds_;
-    return !interrupted_ && !is_over && !(stop_at_first_ && findings > 0);
-  }
-
-  [[nodiscard]] bool interrupted() const { return interrupted_; }
-
- private:
-  void look_for_interrupt() {
+  /// May be called from any thread.
+  [[nodiscard]] bool go_on(std::uint64_t findings) const {
     try {
       render::check_interrupt();
     } catch (const render::Interrupted&) {
-      interrupted_ = true;
+      return false;
     }
+    const bool is_over = seconds_ > 0 && seconds() >= seconds_;
+    return !is_over && !(stop_at_first_ && findings > 0);
   }
 
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
   double seconds_;
   bool stop_at_first_;
-  render::Progress progress_;
   Clock::time_point start_ = Clock::now();
-  std::thread::id thread_ = std::this_thread::get_id();
-  std::atomic<bool> interrupted_ = false;
 };
 
 /// Makes the finding smaller while it keeps its kind.
@@ -136,18 +121,84 @@ void minimise_findings(FuzzResults& results) {
   }
 }
 
-FuzzResults fuzz_families(const Arguments& a) {
-  const std::vector<fuzz::Experiment> experiments = chosen(a.families);
-  const fuzz::Campaign campaign = campaign_of(a, experiments.size());
-  std::optional<Watch> watch(std::in_place, a, fuzz::rounds_of_shard(campaign) * experiments.size());
-  std::vector<fuzz::Report> reports = fuzz::run(
-      campaign, experiments, [&](std::uint64_t groups, std::uint64_t findings) { return watch->go_on(groups, findings); });
-  const bool is_counted = a.seconds == 0 && !a.stop_at_first;
-  FuzzResults results{
-      campaign.seed, is_counted ? campaign.rounds : 0, campaign.shards, {campaign.shard}, watch->interrupted(), {}};
-  watch.reset();
-  for (std::size_t i = 0; i < experiments.size(); ++i) results.rows.push_back({experiments[i].name, std::move(reports[i])});
-  return results;
+/// The rounds of a campaign in parts, and the sum of their reports.
+class Rounds {
+ public:
+  explicit Rounds(const Arguments& a)
+      : experiments_(chosen(a.families)),
+        campaign_(campaign_of(a, experiments_.size())),
+        watch_(a),
+        reports_(experiments_.size()),
+        is_timed_(a.seconds > 0),
+        progress_(is_timed_ ? "seconds" : "rounds", is_timed_ ? static_cast<std::size_t>(a.seconds) : campaign_.rounds) {
+    of_part_ = (kGroupsOfPart + experiments_.size() - 1) / experiments_.size();
+    if (a.is_counted()) of_part_ = std::max(of_part_, (campaign_.rounds + kMostParts - 1) / kMostParts);
+  }
+
+  [[nodiscard]] render::Stage stage() {
+    return {[this] { return next(); }, [this](const std::string& input) { return work(input); },
+            [this](const std::string& result) { take(result); }};
+  }
+
+  [[nodiscard]] const fuzz::Campaign& campaign() const { return campaign_; }
+  /// One for each experiment, with its name.
+  [[nodiscard]] std::vector<FuzzResults::Row> rows() && {
+    std::vector<FuzzResults::Row> rows;
+    for (std::size_t i = 0; i < experiments_.size(); ++i) rows.push_back({experiments_[i].name, std::move(reports_[i])});
+    return rows;
+  }
+
+ private:
+  std::optional<std::string> next() {
+    if (begun_ >= campaign_.rounds || !watch_.go_on(findings_)) return std::nullopt;
+    fuzz::Campaign part = campaign_;
+    part.seed += begun_;
+    part.rounds = std::min(of_part_, campaign_.rounds - begun_);
+    begun_ += part.rounds;
+    return render::Packer().put(part.seed).put(part.rounds).bytes();
+  }
+
+  [[nodiscard]] std::string work(const std::string& input) const {
+    render::Unpacker part(input);
+    fuzz::Campaign campaign = campaign_;
+    campaign.seed = part.get<std::uint64_t>();
+    campaign.rounds = part.get<std::uint64_t>();
+    const std::vector<fuzz::Report> reports =
+        fuzz::run(campaign, experiments_, [this](std::uint64_t findings) { return watch_.go_on(findings); });
+    render::check_interrupt();  // then the part is not whole
+    return pack(reports);
+  }
+
+  void take(const std::string& result) {
+    std::vector<fuzz::Report> part = unpack(result);
+    for (std::size_t i = 0; i < reports_.size(); ++i) {
+      findings_ += part[i].tally.disagreements;
+      fuzz::add(reports_[i], std::move(part[i]));
+    }
+    taken_ = std::min(taken_ + of_part_, campaign_.rounds);
+    progress_.update(is_timed_ ? static_cast<std::size_t>(watch_.seconds()) : taken_);
+  }
+
+  std::vector<fuzz::Experiment> experiments_;
+  fuzz::Campaign campaign_;
+  Watch watch_;
+  std::vector<fuzz::Report> reports_;
+  bool is_timed_;
+  render::Progress progress_;
+  std::uint64_t of_part_ = 0, begun_ = 0, taken_ = 0, findings_ = 0;
+};
+
+FuzzResults fuzz_families(const Arguments& a, render::Job& job) {
+  Rounds rounds(a);
+  bool interrupted = false;
+  try {
+    job.run(rounds.stage());
+  } catch (const render::Interrupted&) {
+    if (render::ranks() > 1) throw;  // mpirun leaves no time for a table
+    interrupted = true;
+  }
+  const fuzz::Campaign campaign = rounds.campaign();
+  return {campaign.seed, a.is_counted() ? campaign.rounds : 0, interrupted, std::move(rounds).rows()};
 }
 
 /// The kind of finding in which the user's file may be wrong and not the program.
@@ -169,7 +220,7 @@ fuzz::Report judge_line(const cases::CaseLine& line, const std::string& name, st
 
 /// Makes one row for each case file. Each line is asked as it is.
 FuzzResults fuzz_files(const std::vector<std::string>& files) {
-  FuzzResults results{std::nullopt, 0, 1, {0}, false, {}};
+  FuzzResults results{std::nullopt, 0, false, {}};
   try {
     for (const std::string& file : files) {
       FuzzResults::Row& row = results.rows.emplace_back();
@@ -182,11 +233,6 @@ FuzzResults fuzz_files(const std::vector<std::string>& files) {
     results.interrupted = true;
   }
   return results;
-}
-
-FuzzResults results_of(const Arguments& a) {
-  if (!a.merged.empty()) return merge(a.merged);
-  return a.files.empty() ? fuzz_families(a) : fuzz_files(a.files);
 }
 
 /// Writes the case lines of the findings to a file. If that fails, it prints them, so that they are not lost.
@@ -226,14 +272,25 @@ void minimise_and_report(FuzzResults& results, const std::string& file) {
 /// The lines of case files are in a file already, so by default they are not stored again.
 std::string findings_file(const Arguments& a) { return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : ""); }
 
+/// Parts of a run that time or a finding ends differ from run to run, so they are not kept.
+render::Job job_of(const Arguments& a) {
+  return {a.is_counted() && a.files.empty() ? a.parts.keeping() : render::Keeping{},
+          [&] { return render::Digest().add(a.given).value(); }};
+}
+
 void fuzz_command(const Arguments& a, int& exit_code) {
+  render::Job job = job_of(a);
+  if (!render::is_first_rank()) {
+    if (a.files.empty()) fuzz_families(a, job);
+    return;
+  }
   const std::string file = findings_file(a);
   // Files are opened before the work, so that one that cannot be written is reported at once.
   std::optional<render::OutputFile> findings, out;
   if (!file.empty()) findings.emplace(file);
   if (!a.out.empty()) out.emplace(a.out);
 
-  FuzzResults results = results_of(a);
+  FuzzResults results = a.files.empty() ? fuzz_families(a, job) : fuzz_files(a.files);
   findings.reset();
   exit_code = total(results).tally.disagreements == 0 ? kDone : kCheckFailed;
   const bool has_findings = !case_lines(results).empty();
@@ -256,6 +313,7 @@ void fuzz_command(const Arguments& a, int& exit_code) {
     out->write(to_json(results));
     out->commit();
   }
+  job.finish();
 }
 
 /// From the shortest time that shows anything to about four months.
@@ -284,7 +342,7 @@ void add_fuzz(Command app, int& exit_code) {
       limits_help() +
       "\n"
       "Example: occlude fuzz --seconds 30\n"
-      "Example: occlude fuzz --cases 100000000 --shard 3/16 --out part3.json     then: occlude fuzz --merge part*.json");
+      "Example: mpirun -n 16 occlude fuzz --cases 100000000 --out results.json     and, after a failure, with --resume");
   const auto a = std::make_shared<Arguments>();
   Option files = add_inputs(command, "FILE", a->files, "case files to be judged instead of families");
   Option cases =
@@ -294,19 +352,18 @@ void add_fuzz(Command app, int& exit_code) {
   Option family = command.add("--family", a->families, "only these families, one or more").check(check_family);
   Option seed = command.add("--seed", a->seed, "whole number").show_default();
   Option jobs = command.add("--jobs", a->jobs, "threads").show_default().in_range(std::size_t{1}, std::size_t{1024});
-  Option shard = command.add("--shard", a->shard, "i/n: part i of n, i from 0; the parts together are the whole run")
-                     .show_default()
-                     .excludes(seconds);
-  Option merged = add_inputs(command, "--merge", a->merged, "results of shards (--out), to be added up");
-  Option stop = command.add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding").excludes(shard);
+  Option stop = command.add_flag("--stop-at-first", a->stop_at_first, "stop at the first finding");
+  for (Option option : a->parts.add_to(command, "fuzz")) option.excludes(files).excludes(seconds).excludes(stop);
   command.add("--findings", a->findings,
               "file for the case lines of findings, written when there are any; default fuzz_findings.jsonl, and "
               "none for case files; an empty name: none");
   add_output(command, "--out", a->out, "file for the results as JSON");
   command.add_flag("--json", a->json, "print the results as JSON");
-  for (Option option : {cases, seconds, family, seed, jobs, shard, stop}) option.excludes(files).excludes(merged);
-  files.excludes(merged);
-  command.run([a, &exit_code] { fuzz_command(*a, exit_code); });
+  for (Option option : {cases, seconds, family, seed, jobs, stop}) option.excludes(files);
+  command.run_on_all_ranks([a, command, &exit_code] {
+    a->given = command.given_but({"--jobs", "--findings", "--out", "--json", "--quiet", "--parts", "--resume"});
+    fuzz_command(*a, exit_code);
+  });
 }
 
 }  // namespace occlude::cli

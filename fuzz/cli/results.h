@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results of a run of the fuzzer, as a table and as JSON, and the merged results of several shards.
+// The results of a run of the fuzzer, as a table and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,7 @@ struct FuzzResults {
   std::optional<std::uint64_t> seed;  ///< empty for the lines of case files
   /// Rounds of the whole run. 0 when the run was to end by time, at the first finding, or with the lines of files.
   std::uint64_t rounds = 0;
-  std::uint64_t shards = 1;
-  std::vector<std::uint64_t> parts;  ///< the shards that these results contain
-  bool interrupted = false;          ///< by the user, before the run was complete
+  bool interrupted = false;  ///< by the user, before the run was complete
   std::vector<Row> rows;
 };
 
@@ -34,9 +32,5 @@ struct FuzzResults {
 [[nodiscard]] std::string table(const FuzzResults& results);
 
 [[nodiscard]] std::string to_json(const FuzzResults& results);
-
-/// The sum of the shards of one run. Throws InputError, with the file and its fault, for a file that is not a result of this
-/// command, that is from another run, or whose shard was given before.
-[[nodiscard]] FuzzResults merge(const std::vector<std::string>& files);
 
 }  // namespace occlude::cli

@@ -79,9 +79,6 @@ std::string table(const FuzzResults& results) {
   const Tally& all = sum.tally;
   text += fmt::format("\n{}{} cases not legal, refused by us and by the oracle; {} judged by the second oracle as well\n",
                       results.seed ? fmt::format("seed {}; ", *results.seed) : "", all.refused, all.judged_twice);
-  if (results.parts.size() < results.shards) {
-    text += fmt::format("{} of {} shards only\n", results.parts.size(), results.shards);
-  }
   text += findings(results);
   return text + fmt::format("{} wrong in {} cases\n", all.disagreements, all.cases);
 }

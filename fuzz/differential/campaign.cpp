@@ -30,22 +30,16 @@ void run_one(const Experiment& experiment, std::uint64_t seed, Report& report) {
 
 }  // namespace
 
-std::uint64_t rounds_of_shard(const Campaign& campaign) {
-  return (campaign.rounds + campaign.shards - 1 - campaign.shard) / campaign.shards;
-}
-
 std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> experiments,
-                        const std::function<bool(std::uint64_t groups, std::uint64_t findings)>& go_on) {
-  const std::uint64_t rounds = rounds_of_shard(campaign);
+                        const std::function<bool(std::uint64_t findings)>& go_on) {
   std::atomic<std::uint64_t> next = 0, found = 0;
   std::vector<std::vector<Report>> reports(campaign.jobs, std::vector<Report>(experiments.size()));
   const auto work = [&](std::vector<Report>& own) {
-    for (std::uint64_t i = next++; i < rounds * experiments.size() && go_on(i, found); i = next++) {
-      const std::uint64_t round = campaign.shard + i / experiments.size() * campaign.shards;
+    for (std::uint64_t i = next++; i < campaign.rounds * experiments.size() && go_on(found); i = next++) {
       const std::size_t experiment = i % experiments.size();
       Report group;
       const double start = core_seconds();
-      run_one(experiments[experiment], campaign.seed + round, group);
+      run_one(experiments[experiment], campaign.seed + i / experiments.size(), group);
       group.core_seconds = core_seconds() - start;
       found += group.tally.disagreements;
       add(own[experiment], std::move(group));

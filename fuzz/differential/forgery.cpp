@@ -112,7 +112,7 @@ class Forger {
     outcome.line = (is_of_the_culler ? line_of(culled[random_.index(culled.size())]) : any_line()).dump();
     proof::Proof proof;
     try {
-      proof = *prover_.prove(outcome.line);
+      proof = prover_.prove(outcome.line);
     } catch (const cases::LineError&) {
       return outcome;
     }

@@ -12,10 +12,10 @@ import zlib
 
 FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.stl", "gltf": "a.gltf", "glb": "a.glb",
          "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "cases": "a.jsonl", "witnesses": "a.jsonl",
-         "preprocess": "a.pre", "merge": "a.json"}
+         "preprocess": "a.pre"}
 SOUND = "sound"  # what is done to a file to which nothing is done
 IMPORTED = ("stl", "gltf", "glb", "collada", "3mf")
-JSON = ("path", "cases", "witnesses", "merge")
+JSON = ("path", "cases", "witnesses")
 
 
 def command(name, seeds):
@@ -31,8 +31,6 @@ def command(name, seeds):
         return ["validate", model, "--path", path, "--exact-up-to", "1000", "--witness", file]
     if name == "preprocess":
         return ["walk", model, "--path", path, "--preprocess", file, *walk]
-    if name == "merge":
-        return ["fuzz", "--findings", "", "--merge", file]
     return ["walk", file, "--path", path, *walk]
 
 
@@ -174,7 +172,6 @@ def make_seeds(occlude, folder):
     ask("walk", "model.ply", "--path", "path.json", "--no-render", "--out", "seed", "--witness", "witness.jsonl",
         "--cases", "cases.jsonl")
     ask("preprocess", "model.ply", "--out", "model.pre", "--region-count", "8", "--samples", "1")
-    ask("fuzz", "--family", "lattice", "polytope_box", "obb_random", "--cases", "48", "--out", "part.json")
     cases = (folder / "cases.jsonl").read_bytes().splitlines(True)[:20]
     polytope = (b'{"id":"block","eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],'
                 b'[4,2,1],'
@@ -184,7 +181,7 @@ def make_seeds(occlude, folder):
             "stl": [stl_ascii(), stl_binary()], "gltf": [gltf()], "glb": [glb()], "collada": [collada()],
             "3mf": [pack_3mf(lambda model: model.write(model_3mf()))], "path": [json.dumps(PATH, indent=1).encode()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
-            "preprocess": [(folder / "model.pre").read_bytes()], "merge": [(folder / "part.json").read_bytes()]}
+            "preprocess": [(folder / "model.pre").read_bytes()]}
 
 
 # ---- Damage to a sound file ----
@@ -574,7 +571,7 @@ def preprocess_bombs(random):
 BOMBS = {"ply ascii": ply_bombs, "ply binary": ply_bombs, "obj": obj_bombs, "stl": stl_bombs, "gltf": gltf_bombs,
          "glb": glb_bombs,
          "collada": collada_bombs, "3mf": bombs_3mf, "path": path_bombs, "cases": case_bombs, "witnesses": json_bombs,
-         "preprocess": preprocess_bombs, "merge": json_bombs}
+         "preprocess": preprocess_bombs}
 
 
 def repacked(random, package):

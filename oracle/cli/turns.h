@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Assigns turns to the frames of a walk, the same for every shard.
+// Assigns turns to the frames of a walk.
 #pragma once
 
 #include <algorithm>

@@ -2,7 +2,9 @@
 // occlude validate: proves every cull of a walk in exact arithmetic and checks the culled sets against visibility.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -19,14 +21,20 @@
 #include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
+#include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_file.h"
 #include "occlude/render/input_limits.h"
+#include "occlude/render/job.h"
 #include "occlude/render/model_io.h"
+#include "occlude/render/packing.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/ranks.h"
 #include "occlude/render/view_along_path.h"
 #include "occlude/render/walk.h"
 #include "occlude/render/witness.h"
+#include "packed_visibility.h"
 #include "proof.h"
 #include "validation.h"
 #include "visibility_check.h"
@@ -36,106 +44,14 @@ namespace occlude::cli {
 namespace {
 
 struct Arguments {
-  std::string model, path, witness, shard = "1/1", out;
+  std::string model, path, witness, out;
   WalkArguments walk;
   /// Exact visibility then takes half a minute for the 300 frames of a path through random triangles. Lattices take longer.
   std::size_t exact_up_to = 2000;
   bool json = false;
+  PartsArguments parts;
+  std::string given;  ///< the options on which results depend
 };
-
-/// The frames whose index in the walk is `index` more than a multiple of `count`. Each of several machines takes one shard.
-struct Shard {
-  std::size_t index, count;
-  Turns turns;
-
-  /// A frame that the walk does not have belongs to the first shard.
-  [[nodiscard]] bool has(std::optional<std::size_t> frame) const {
-    return (frame ? turns.place(*frame) : 0) % count == index;
-  }
-};
-
-Shard parse_shard(const std::string& text, const Turns& turns) {
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) refuse("--shard", "expected I/N");
-  const std::size_t i = whole_number("--shard", text.substr(0, slash)), n = whole_number("--shard", text.substr(slash + 1));
-  if (i == 0 || i > n) refuse("--shard", "expected I/N with I from 1 to N");
-  return {i - 1, n, turns};
-}
-
-/// Proves witnesses and collects what they cull. The outcome does not depend on the number of threads.
-class Proving {
- public:
-  /// The first failure is reported at once and sets the exit code to 1.
-  Proving(const proof::Prover& prover, const Shard& shard, int& exit_code)
-      : prover_(prover), shard_(shard), exit_code_(exit_code) {}
-
-  /// Throws InputError for a line that is not a witness.
-  void prove(const std::vector<Place>& places) {
-    struct Verdict {
-      std::optional<proof::Proof> proof;  ///< empty for other shards
-      std::string unreadable;
-    };
-    std::vector<Verdict> verdicts(places.size());
-    const auto prove_one = [&](std::size_t i) {
-      try {
-        verdicts[i].proof = prover_.prove(places[i].line, [&](auto frame) { return shard_.has(frame); });
-      } catch (const cases::LineError& error) {
-        verdicts[i].unreadable = error.what();
-      }
-    };
-    culler::parallel_for(places.size(), prove_one, render::check_interrupt);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto& [proof, unreadable] = verdicts[i];
-      if (!unreadable.empty()) throw render::InputError(fmt::format("{}: {}", places[i].name, unreadable));
-      if (proof) add(*proof, places[i]);
-    }
-  }
-
-  /// Makes the frame count even if nothing is culled in it.
-  void visit(std::size_t frame) { culled_.try_emplace(frame); }
-
-  [[nodiscard]] const CulledSets& culled() const { return culled_; }
-  std::size_t proved = 0, failed = 0;
-
- private:
-  void add(const proof::Proof& proof, const Place& place) {
-    if (proof.count != 0) culled_[proof.frame].push_back({proof.first, proof.count, place.number});
-    if (proof.failure.empty()) {
-      ++proved;
-    } else if (failed++ == 0) {
-      exit_code_ = kCheckFailed;
-      render::say(render::printable(fmt::format("{}: {}", place.name, proof.failure)) + "\n");
-    }
-  }
-
-  const proof::Prover& prover_;
-  const Shard& shard_;
-  int& exit_code_;
-  CulledSets culled_;
-};
-
-/// A batch has enough lines to keep all threads busy, and few enough to keep memory small. It also ends when it has as many
-/// bytes as the longest legal line, because parsed JSON takes many times that.
-constexpr std::size_t kBatch = 16384;
-constexpr std::size_t kBatchBytes = render::kMostJson;
-
-void prove_file(Proving& proving, WitnessFile& file) {
-  render::Progress progress("proved MB", file.size() >> 20U);
-  std::vector<Place> places;
-  std::size_t bytes = 0;
-  const auto prove_batch = [&] {
-    proving.prove(places);
-    places.clear();
-    bytes = 0;
-    progress.update(file.read() >> 20U);
-  };
-  while (std::optional<Place> place = file.next()) {
-    bytes += place->line.size();
-    places.push_back(std::move(*place));
-    if (places.size() == kBatch || bytes >= kBatchBytes) prove_batch();
-  }
-  prove_batch();
-}
 
 /// The model, the path, and the options for culling its frames anew.
 struct Walked {
@@ -144,60 +60,235 @@ struct Walked {
   const render::WalkOptions& options;
 };
 
-/// Culls the frames of the walk in order, because each frame depends on the frames before it.
-template <class OnFrame>
-void cull_frames(const Walked& walked, const char* label, OnFrame&& on_frame) {
-  const std::vector<std::size_t> frames = render::frames_of(walked.path, walked.options);
-  render::Progress progress(label, frames.size());
-  render::ViewAlongPath along(walked.culler, walked.path, walked.options, walked.options.cull);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    render::check_interrupt();
-    const culler::Camera camera = walked.path.camera(frames[i], render::aspect(walked.options));
-    on_frame(frames[i], camera, walked.culler.cull(camera, walked.options.cull, along.before(frames[i])));
-    progress.update(i + 1);
+/// Culls frames of a walk, each as it is after those before it.
+class Culling {
+ public:
+  explicit Culling(const Walked& walked)
+      : walked_(walked), along_(walked.culler, walked.path, walked.options, walked.options.cull) {}
+
+  [[nodiscard]] culler::Camera camera(std::size_t frame) const {
+    return walked_.path.camera(frame, render::aspect(walked_.options));
   }
+  /// REQUIRES: a frame after that of the last call.
+  [[nodiscard]] const culler::CullResult& cull(std::size_t frame) {
+    render::check_interrupt();
+    return walked_.culler.cull(camera(frame), walked_.options.cull, along_.before(frame));
+  }
+  /// Adds the witnesses of a frame, which is then culled.
+  void append_witnesses(std::vector<std::string>& lines, std::size_t frame) {
+    const culler::CullResult& culled = cull(frame);
+    const auto covers = render::covers_of(walked_.culler, camera(frame), culled, walked_.options.cull);
+    render::append_witnesses(lines, frame, camera(frame), walked_.culler, culled, walked_.options.cull, covers);
+  }
+
+ private:
+  const Walked& walked_;
+  render::ViewAlongPath along_;
+};
+
+/// A batch has enough lines to keep all threads busy, and few enough to keep memory small. It also ends when it has as many
+/// bytes as the longest legal line, because parsed JSON takes many times that.
+constexpr std::size_t kBatch = 2048;
+constexpr std::size_t kBatchBytes = render::kMostJson;
+
+/// Where witnesses come from.
+class Witnesses {
+ public:
+  virtual ~Witnesses() = default;
+  [[nodiscard]] virtual std::optional<Place> next() = 0;
+  virtual void show_progress() = 0;
+};
+
+class WitnessesOfFile final : public Witnesses {
+ public:
+  explicit WitnessesOfFile(WitnessFile& file) : file_(file), progress_("proved MB", file.size() >> 20U) {}
+
+  std::optional<Place> next() override { return file_.next(); }
+  void show_progress() override { progress_.update(file_.read() >> 20U); }
+
+ private:
+  WitnessFile& file_;
+  render::Progress progress_;
+};
+
+/// Those of all frames of the walk, culled anew.
+class WitnessesAnew final : public Witnesses {
+ public:
+  /// Makes every frame count, even if nothing is culled in it.
+  WitnessesAnew(const Walked& walked, CulledSets& culled)
+      : culling_(walked),
+        culled_(culled),
+        frames_(render::frames_of(walked.path, walked.options)),
+        progress_("proved frame", frames_.size()) {}
+
+  std::optional<Place> next() override {
+    while (line_ == lines_.size()) {
+      if (begun_ == frames_.size()) return std::nullopt;
+      lines_.clear();
+      line_ = 0;
+      culled_.try_emplace(frames_[begun_]);
+      culling_.append_witnesses(lines_, frames_[begun_++]);
+    }
+    const std::size_t number = ++line_;
+    return Place{std::move(lines_[number - 1]), fmt::format("frame {}", frames_[begun_ - 1]), number};
+  }
+  void show_progress() override { progress_.update(begun_); }
+
+ private:
+  Culling culling_;
+  CulledSets& culled_;
+  std::vector<std::size_t> frames_;
+  render::Progress progress_;
+  std::vector<std::string> lines_;  ///< of the frame before the next one
+  std::size_t begun_ = 0, line_ = 0;
+};
+
+std::string pack(const std::vector<Place>& places) {
+  render::Packer packer;
+  for (const Place& place : places) packer.put(place.line).put(place.name).put(place.number);
+  return packer.bytes();
 }
 
-void append_witnesses(std::vector<std::string>& lines, const Walked& walked, std::size_t frame, const culler::Camera& camera,
-                      const culler::CullResult& culled) {
-  const auto covers = render::covers_of(walked.culler, camera, culled, walked.options.cull);
-  render::append_witnesses(lines, frame, camera, walked.culler, culled, walked.options.cull, covers);
-}
-
-void prove_anew(Proving& proving, const Walked& walked, const Shard& shard) {
-  std::vector<std::string> lines;
+std::vector<Place> unpack_places(const std::string& bytes) {
   std::vector<Place> places;
-  cull_frames(walked, "proved frame",
-              [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
-                if (!shard.has(frame)) return;
-                proving.visit(frame);
-                lines.clear();
-                append_witnesses(lines, walked, frame, camera, culled);
-                for (std::size_t i = 0; i < lines.size(); ++i) {
-                  places.push_back({std::move(lines[i]), fmt::format("frame {}", frame), i + 1});
-                }
-                if (places.size() < kBatch) return;
-                proving.prove(places);
-                places.clear();
-              });
-  proving.prove(places);
+  for (render::Unpacker unpacker(bytes); !unpacker.is_empty();) {
+    std::string line = unpacker.text(), name = unpacker.text();
+    places.push_back({std::move(line), std::move(name), unpacker.get<std::size_t>()});
+  }
+  return places;
+}
+
+/// Proves the witnesses of a part. The result has an entry for each line, up to the first that is not a witness.
+std::string prove(const proof::Prover& prover, const std::vector<Place>& places) {
+  struct Verdict {
+    proof::Proof proof;
+    std::string unreadable;
+  };
+  std::vector<Verdict> verdicts(places.size());
+  const auto prove_one = [&](std::size_t i) {
+    try {
+      verdicts[i].proof = prover.prove(places[i].line);
+    } catch (const cases::LineError& error) {
+      verdicts[i].unreadable = error.what();
+    }
+  };
+  culler::parallel_for(places.size(), prove_one, render::check_interrupt);
+  render::Packer packer;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto& [proof, unreadable] = verdicts[i];
+    const std::string& fault = unreadable.empty() ? proof.failure : unreadable;
+    packer.put(!unreadable.empty()).put(fault.empty() ? "" : fmt::format("{}: {}", places[i].name, fault));
+    if (!unreadable.empty()) break;
+    packer.put(proof.frame).put(CulledRun{proof.first, proof.count, places[i].number});
+  }
+  return packer.bytes();
+}
+
+/// The proofs of all witnesses, and what they cull.
+class Proving {
+ public:
+  /// The first failure is reported at once and sets the exit code to 1.
+  explicit Proving(int& exit_code) : exit_code_(exit_code) {}
+
+  /// Throws InputError for a line that is not a witness. The outcome does not depend on who does the parts.
+  void run(render::Job& job, const proof::Prover& prover, Witnesses& witnesses) {
+    job.run({[&] { return next(witnesses); }, [&](const std::string& part) { return prove(prover, unpack_places(part)); },
+             [&](const std::string& result) {
+               take(result);
+               witnesses.show_progress();
+             }});
+  }
+
+  CulledSets culled;
+  std::size_t proved = 0, failed = 0;
+
+ private:
+  [[nodiscard]] static std::optional<std::string> next(Witnesses& witnesses) {
+    std::vector<Place> places;
+    for (std::size_t bytes = 0; places.size() < kBatch && bytes < kBatchBytes; bytes += places.back().line.size()) {
+      std::optional<Place> place = witnesses.next();
+      if (!place) break;
+      places.push_back(std::move(*place));
+    }
+    return places.empty() ? std::nullopt : std::optional(pack(places));
+  }
+
+  void take(const std::string& result) {
+    for (render::Unpacker unpacker(result); !unpacker.is_empty();) {
+      const bool is_unreadable = unpacker.get<bool>();
+      const std::string fault = unpacker.text();
+      if (is_unreadable) throw render::InputError(fault);
+      const auto frame = unpacker.get<std::size_t>();
+      const auto run = unpacker.get<CulledRun>();
+      if (run.count != 0) culled[frame].push_back(run);
+      count(fault);
+    }
+  }
+
+  void count(const std::string& fault) {
+    if (fault.empty()) {
+      ++proved;
+    } else if (failed++ == 0) {
+      exit_code_ = kCheckFailed;
+      render::say(render::printable(fault) + "\n");
+    }
+  }
+
+  int& exit_code_;
+};
+
+/// Few frames, because each may take a second.
+constexpr std::size_t kFramesOfPart = 4;
+
+/// What shows in the frames of `culled`.
+Visibility check_visibility(render::Job& job, const CulledSets& culled,
+                            const std::function<Visibility(const CulledSets&)>& check) {
+  Visibility all;
+  render::Progress progress("visibility, frame", culled.size());
+  auto at = culled.begin();
+  const auto next = [&]() -> std::optional<std::string> {
+    if (at == culled.end()) return std::nullopt;
+    CulledSets part;
+    while (at != culled.end() && part.size() < kFramesOfPart) part.insert(*at++);
+    return pack(part);
+  };
+  const auto take = [&](const std::string& result) {
+    append(all, unpack_visibility(result));
+    progress.update(all.frames.size());
+  };
+  job.run({next, [&](const std::string& part) { return pack(check(unpack_culled(part))); }, take});
+  return all;
 }
 
 /// Counts on the reference frames of `visibility`.
-render::MissedCounts count_missed(const Walked& walked, const Visibility& visibility) {
-  std::map<std::size_t, const std::vector<bool>*> shows;
+render::MissedCounts count_missed(render::Job& job, const Walked& walked, const Visibility& visibility) {
+  std::vector<const FrameVisibility*> references;
   for (const FrameVisibility& frame : visibility.frames) {
-    if (!frame.shows.empty()) shows[frame.frame] = &frame.shows;
+    if (!frame.shows.empty()) references.push_back(&frame);
   }
   render::MissedCounts missed{.method = walked.options.cull.method, .counts = {}};
-  cull_frames(walked, "reasons, frame",
-              [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
-                const auto found = shows.find(frame);
-                if (found == shows.end()) return;
-                ++missed.frames;
-                const culler::MissedReasons reasons(walked.culler, camera, walked.options.cull, culled);
-                missed.counts += culler::MissedReasons::count(reasons.answers(*found->second, render::check_interrupt));
-              });
+  render::Progress progress("reasons, frame", references.size());
+  std::size_t begun = 0;
+  const auto next = [&]() -> std::optional<std::string> {
+    if (begun == references.size()) return std::nullopt;
+    const FrameVisibility& frame = *references[begun++];
+    return render::Packer().put(frame.frame).put(frame.shows).bytes();
+  };
+  Culling culling(walked);
+  const auto work = [&](const std::string& part) {
+    render::Unpacker unpacker(part);
+    const auto frame = unpacker.get<std::size_t>();
+    const culler::CullResult& culled = culling.cull(frame);
+    const culler::MissedReasons reasons(walked.culler, culling.camera(frame), walked.options.cull, culled);
+    return render::Packer()
+        .put(culler::MissedReasons::count(reasons.answers(unpacker.bits(), render::check_interrupt)))
+        .bytes();
+  };
+  const auto take = [&](const std::string& result) {
+    missed.counts += render::Unpacker(result).get<culler::MissedReasons::Counts>();
+    progress.update(++missed.frames);
+  };
+  job.run({next, work, take});
   return missed;
 }
 
@@ -205,14 +296,8 @@ render::MissedCounts count_missed(const Walked& walked, const Visibility& visibi
 WitnessText witnesses_anew(const Walked& walked, const Visibility& visibility) {
   std::map<std::size_t, std::vector<std::string>> lines;
   for (const FalseCull& failure : visibility.false_culls) lines[failure.frame];
-  if (!lines.empty()) {
-    cull_frames(walked, "witnesses, frame",
-                [&](std::size_t frame, const culler::Camera& camera, const culler::CullResult& culled) {
-                  const auto found = lines.find(frame);
-                  if (found == lines.end()) return;
-                  append_witnesses(found->second, walked, frame, camera, culled);
-                });
-  }
+  Culling culling(walked);
+  for (auto& [frame, of_frame] : lines) culling.append_witnesses(of_frame, frame);
   return [lines = std::move(lines)](std::size_t frame, std::size_t number) { return lines.at(frame).at(number - 1); };
 }
 
@@ -231,31 +316,48 @@ std::vector<std::size_t> all_frames(const render::CameraPath& path) {
 /// The files about false culls. They are opened before the work, so that a folder that cannot be written to is reported at
 /// once.
 std::optional<FailureFiles> failure_files(const std::string& folder) {
-  return folder.empty() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
+  return folder.empty() || !render::is_first_rank() ? std::nullopt : std::optional<FailureFiles>(std::in_place, folder);
+}
+
+/// Under mpirun every rank reads the tree's leaves from the file, which a pipe does not allow.
+void require_readable_by_all(const std::string& file) {
+  if (render::ranks() == 1 || file.empty() || std::filesystem::is_regular_file(file)) return;
+  throw render::InputError(file + ": not a file, which mpirun needs because every rank reads it");
+}
+
+/// Tells jobs apart by what is not in the inputs of the parts.
+std::uint64_t key_of(const Arguments& arguments, const render::WalkOptions& options, const culler::Hierarchy& hierarchy) {
+  render::Digest digest;
+  add(digest.add(arguments.given).add(render::read_input(arguments.path)), hierarchy.soup());
+  if (!options.preprocess.empty()) digest.add(render::read_input(options.preprocess));
+  return digest.value();
 }
 
 void validate(Arguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
+  require_readable_by_all(arguments.witness);
   std::optional<WitnessFile> witnesses;
   if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
-  const Shard shard = parse_shard(arguments.shard, turns);
   std::optional<FailureFiles> files = failure_files(arguments.out);
   const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
+  render::Job job(arguments.parts.keeping(), [&] { return key_of(arguments, options, hierarchy); });
 
   const proof::Prover prover(hierarchy,
                              {path.frames, [&](std::size_t frame) { return path.camera(frame, checked.aspect); }});
-  Proving proving(prover, shard, exit_code);
+  Proving proving(exit_code);
   if (is_anew) {
-    prove_anew(proving, walked, shard);
+    WitnessesAnew anew(walked, proving.culled);
+    proving.run(job, prover, anew);
   } else {
-    prove_file(proving, *witnesses);
+    WitnessesOfFile of_file(*witnesses);
+    proving.run(job, prover, of_file);
   }
 
   Validation result;
@@ -267,9 +369,11 @@ void validate(Arguments& arguments, int& exit_code) {
     return made ? *made : made.emplace(hierarchy.soup(), options.width, options.height);
   };
   if (!result.is_exact) result.sizes = buffers().sizes();
-  result.visibility =
-      result.is_exact ? check_exactly(checked, proving.culled()) : check_rendered(checked, proving.culled(), buffers());
-  if (is_anew) result.missed = count_missed(walked, result.visibility);
+  result.visibility = check_visibility(job, proving.culled, [&](const CulledSets& culled) {
+    return result.is_exact ? check_exactly(checked, culled) : check_rendered(checked, culled, buffers());
+  });
+  if (is_anew) result.missed = count_missed(job, walked, result.visibility);
+  if (!render::is_first_rank()) return;
 
   if (!passed(result)) exit_code = kCheckFailed;
   arguments.json ? render::print(to_json(result)) : render::tell(to_text(result));
@@ -278,6 +382,7 @@ void validate(Arguments& arguments, int& exit_code) {
     render::say(describe(result.visibility.false_culls.front(), hierarchy, witness) + "\n");
   }
   if (files) files->write(result.visibility, checked, witness, buffers);
+  job.finish();
 }
 
 }  // namespace
@@ -289,7 +394,8 @@ void add_validate(Command app, int& exit_code) {
       "Exit code 0; 1 when a witness is not proved or a culled triangle shows (it is printed); 2 for bad input.\n" +
       limits_help() +
       "\n"
-      "Example: occlude validate city.ply --path city.json --witness witness.jsonl");
+      "Example: occlude validate city.ply --path city.json --witness witness.jsonl\n"
+      "Example: mpirun -n 4 occlude validate city.ply --path city.json     and, after a failure, with --resume");
   const auto a = std::make_shared<Arguments>();
   add_input(command, "MODEL", a->model, "the model walked through").required();
   add_input(command, "--path", a->path, "camera path (JSON)").required();
@@ -300,16 +406,17 @@ void add_validate(Command app, int& exit_code) {
            "triangles of the largest model whose culled triangles are held against exact visibility; 0: none")
       .show_default()
       .in_range(std::size_t{0}, std::size_t{1000000});
-  command
-      .add("--shard", a->shard,
-           "I/N: of N runs, on one machine or several, the one that takes frames I - 1, I - 1 + N, ...; their counts add up")
-      .show_default();
   add_output(command, "--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
   a->walk.add_size_to(command);
   for (Option option : a->walk.add_culling_to(command)) option.excludes(witness);
   a->walk.add_preprocess_to(command).excludes(witness);
+  a->parts.add_to(command, "validate");
   command.add_flag("--json", a->json, "print the counts as JSON");
-  command.run([a, &exit_code] { validate(*a, exit_code); });
+  command.run_on_all_ranks([a, command, &exit_code] {
+    a->given = command.given_but(
+        {"MODEL", "--path", "--preprocess", "--witness", "--out", "--json", "--quiet", "--parts", "--resume"});
+    validate(*a, exit_code);
+  });
 }
 
 }  // namespace occlude::cli

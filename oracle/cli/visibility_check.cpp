@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <span>
 #include <utility>
 
@@ -69,15 +68,10 @@ Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled) {
   std::vector<std::pair<std::size_t, const std::vector<CulledRun>*>> frames;
   for (const auto& [frame, runs] : culled) frames.emplace_back(frame, &runs);
   std::vector<std::vector<std::uint32_t>> shows(frames.size());
-  render::Progress progress("exact visibility, frame", frames.size());
-  std::mutex mutex;
-  std::size_t done = 0;
   culler::parallel_for(frames.size(), [&](std::size_t i) {
     render::check_interrupt();
     const culler::Camera camera = walk.path.camera(frames[i].first, walk.aspect);
     shows[i] = polygons_with(hierarchy, proof::visible_triangles(hierarchy.soup(), camera));
-    const std::lock_guard lock(mutex);
-    progress.update(++done);
   });
   Visibility result;
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -90,7 +84,6 @@ Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled) {
 Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, ItemBuffers& buffers) {
   const culler::Hierarchy& hierarchy = walk.culler.hierarchy();
   Visibility result;
-  render::Progress progress("item buffer, frame", culled.size());
   for (const auto& [frame, runs] : culled) {
     render::check_interrupt();
     const std::size_t turn = walk.turns.turn(frame);
@@ -101,7 +94,6 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
       if (p != render::kNothing) ++pixels[p];
     }
     add(result, walk, frame, runs, drawn_polygons(hierarchy, runs), pixels, "in " + buffers.describe(turn));
-    progress.update(result.frames.size());
   }
   return result;
 }

@@ -140,13 +140,10 @@ Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_
   model_ = to_oracle(box_of_triangles(0, first_triangle_.back()));
 }
 
-std::optional<Proof> Prover::prove(std::string_view line,
-                                   const std::function<bool(std::optional<std::size_t>)>& is_wanted) const {
+Proof Prover::prove(std::string_view line) const {
   const Json object = parse_object(line);
   const Json& frame = member(object, "frame");
-  const bool exists = frame.is_number_unsigned() && frame.get<std::size_t>() < cameras_.frames;
-  if (is_wanted && !is_wanted(exists ? std::optional(frame.get<std::size_t>()) : std::nullopt)) return std::nullopt;
-  if (!exists) return Proof{.failure = "no such frame"};
+  if (!frame.is_number_unsigned() || frame.get<std::size_t>() >= cameras_.frames) return Proof{.failure = "no such frame"};
   if (leaf_size_in(object).value_or(hierarchy_.leaf_size()) != hierarchy_.leaf_size())
     throw LineError("\"leaf\": another tree than that of the first line");
   const auto [first, count] = run_of(member(object, "triangles"), "triangles");

@@ -57,11 +57,7 @@ class Prover {
   /// - By cover: each point of the box has a polygon of the list strictly between it and the frame's viewpoint. Only the
   ///   part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because nothing
   ///   hides the first polygon that a ray meets.
-  ///
-  /// Returns nothing when `is_wanted` rejects the frame. It is called without a frame when the path does not have that
-  /// frame.
-  [[nodiscard]] std::optional<Proof> prove(
-      std::string_view line, const std::function<bool(std::optional<std::size_t> frame)>& is_wanted = {}) const;
+  [[nodiscard]] Proof prove(std::string_view line) const;
 
  private:
   /// The fault of a witness about these triangles, which exist. Empty when the witness is proved.

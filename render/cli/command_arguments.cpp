@@ -15,6 +15,7 @@
 #include "occlude/render/paint.h"
 #include "occlude/render/path_fit.h"
 #include "occlude/render/printable.h"
+#include "occlude/render/ranks.h"
 
 namespace occlude::cli {
 namespace {
@@ -203,6 +204,19 @@ render::WalkOptions WalkArguments::options() const {
   return options;
 }
 
+std::vector<Option> PartsArguments::add_to(Command command, const std::string& name) {
+  name_ = name;
+  return {add_output(command, "--parts", folder_,
+                     "folder to keep finished parts in until all are done; under mpirun, and to --resume, occlude_" + name +
+                         "_parts if none is named"),
+          command.add_flag("--resume", resume_, "go on with the parts that a run with the same options has left there")};
+}
+
+render::Keeping PartsArguments::keeping() const {
+  const bool is_kept = resume_ || render::ranks() > 1;
+  return {folder_.empty() && is_kept ? "occlude_" + name_ + "_parts" : folder_, resume_};
+}
+
 std::uint64_t whole_number(const std::string& option, const std::string& text) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
@@ -224,7 +238,7 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
   return command.add(name, files, text).check(check_named).each(render::keep_input);
 }
 
-Option add_output(Command command, const char* name, std::string& path, const char* text) {
+Option add_output(Command command, const char* name, std::string& path, const std::string& text) {
   return command.add(name, path, text).check(check_named);
 }
 
@@ -234,6 +248,10 @@ void warn_of_misfit(const render::CameraPath& path, const std::string& path_file
   if (doubt.empty()) return;
   const render::Paint paint(STDERR_FILENO);
   render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(path_file + ": " + doubt) + "\n");
+}
+
+render::Digest& add(render::Digest& digest, const culler::PolygonSoup& soup) {
+  return digest.add(soup.vertices).add(soup.indices).add(soup.first);
 }
 
 std::string limits_help() {

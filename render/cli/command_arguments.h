@@ -8,6 +8,8 @@
 
 #include "command_line.h"
 #include "occlude/render/camera_path.h"
+#include "occlude/render/digest.h"
+#include "occlude/render/job.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::cli {
@@ -59,6 +61,20 @@ class WalkArguments {
   culler::CullOptions cull_;
 };
 
+/// The options of commands whose work is done in parts.
+class PartsArguments {
+ public:
+  /// Adds the options and returns them. `name` is that of the command.
+  std::vector<Option> add_to(Command command, const std::string& name);
+
+  /// Where parts are kept. Under mpirun that is a folder also if none is named.
+  [[nodiscard]] render::Keeping keeping() const;
+
+ private:
+  std::string folder_, name_;
+  bool resume_ = false;
+};
+
 /// Parses a whole number; calls refuse() for anything else.
 [[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);
 
@@ -67,11 +83,14 @@ Option add_input(Command command, const char* name, std::string& file, const cha
 Option add_inputs(Command command, const char* name, std::vector<std::string>& files, const char* text);
 
 /// Adds the same for an output file or folder.
-Option add_output(Command command, const char* name, std::string& path, const char* text);
+Option add_output(Command command, const char* name, std::string& path, const std::string& text);
 
 /// Warns on standard error if the path is probably meant for another model.
 void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
                     const culler::PolygonSoup& model);
+
+/// Adds all that the model consists of.
+render::Digest& add(render::Digest& digest, const culler::PolygonSoup& soup);
 
 /// The limits of inputs, for `--help`.
 [[nodiscard]] std::string limits_help();

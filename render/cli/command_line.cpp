@@ -10,6 +10,7 @@
 #include "nearest.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/ranks.h"
 
 namespace occlude::cli {
 namespace {
@@ -50,13 +51,19 @@ OptionText describe(const CLI::App& app, const CLI::Option& option) {
   return text;
 }
 
-/// The options of the command and of its groups of alternatives, arguments first.
+/// The options of the command and of its groups of alternatives.
+std::vector<const CLI::Option*> all_options_of(const CLI::App& app) {
+  std::vector<const CLI::Option*> options = app.get_options();
+  for (const CLI::App* group : app.get_subcommands([](const CLI::App* part) { return part->get_name().empty(); })) {
+    for (const CLI::Option* option : all_options_of(*group)) options.push_back(option);
+  }
+  return options;
+}
+
+/// The same in words, arguments first.
 std::vector<OptionText> options_of(const CLI::App& app) {
   std::vector<OptionText> options;
-  for (const CLI::Option* option : app.get_options()) options.push_back(describe(app, *option));
-  for (const CLI::App* group : app.get_subcommands([](const CLI::App* part) { return part->get_name().empty(); })) {
-    for (OptionText& option : options_of(*group)) options.push_back(std::move(option));
-  }
+  for (const CLI::Option* option : all_options_of(app)) options.push_back(describe(app, *option));
   std::stable_partition(options.begin(), options.end(), [](const OptionText& option) { return option.is_argument; });
   return options;
 }
@@ -163,6 +170,12 @@ void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::require_command() { app_->require_subcommand(1); }
 
 void Command::run(const std::function<void()>& work) {
+  run_on_all_ranks([work] {
+    if (render::is_first_rank()) work();
+  });
+}
+
+void Command::run_on_all_ranks(const std::function<void()>& work) {
   app_->add_flag_callback("--quiet", render::be_quiet, "print nothing but errors, warnings and what --json asks for");
   app_->callback(work);
 }
@@ -171,6 +184,18 @@ Command Command::command(const std::string& name) const {
   const std::vector<std::string> names = commands_of(*app_);
   if (std::ranges::find(names, name) == names.end()) throw render::InputError(unknown_command(*app_, name));
   return Command(*app_->get_subcommand(name));
+}
+
+std::string Command::given_but(const std::vector<std::string>& names) const {
+  std::string text;
+  for (const CLI::Option* option : all_options_of(*app_)) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::ranges::find(names, name) != names.end()) continue;
+    text += name;
+    for (const std::string& value : option->results()) text += "=" + value;
+    text += "\n";
+  }
+  return text;
 }
 
 std::string Command::help() const {

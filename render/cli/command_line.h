@@ -71,11 +71,16 @@ class Command {
   void footer(const std::string& text);
   /// Makes a subcommand mandatory.
   void require_command();
-  /// Sets the work of the command, which runs once its options are parsed. Adds --quiet.
+  /// Sets the work of the command, which runs once its options are parsed. Adds --quiet. Under mpirun the first rank does
+  /// it.
   void run(const std::function<void()>& work);
+  /// The same for work in which all ranks take part.
+  void run_on_all_ranks(const std::function<void()>& work);
 
   /// The subcommand of this name. Throws render::InputError if there is none.
   [[nodiscard]] Command command(const std::string& name) const;
+  /// The options and arguments that were given, with their values, a line each, but those of these names.
+  [[nodiscard]] std::string given_but(const std::vector<std::string>& names) const;
   /// The text of --help.
   [[nodiscard]] std::string help() const;
   /// What this and its subcommands say of themselves.

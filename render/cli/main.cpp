@@ -16,6 +16,7 @@
 #include "occlude/render/paint.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
+#include "occlude/render/ranks.h"
 #include "occlude/render/resource_limits.h"
 
 namespace {
@@ -73,14 +74,11 @@ void run(int argc, char** argv, int& exit_code) {
   occlude::render::finish_printing();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  occlude::render::hold_standard_streams();
-  occlude::render::catch_interrupts();
-  occlude::render::limit_memory();
+/// Returns the exit code.
+int run_and_report(int argc, char** argv) {
   int exit_code = occlude::cli::kDone;
   const auto failed = [&](int code, const std::string& what) {
+    if (code != kInterrupted) occlude::render::tell_first_rank(what);
     const occlude::render::Paint paint(STDERR_FILENO);
     occlude::render::say(fmt::format("{} {}\n", paint(occlude::render::Colour::red, "occlude:"), what));
     return exit_code == occlude::cli::kDone ? code : exit_code;  // a failed check stands
@@ -99,4 +97,17 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return failed(kBadInput, occlude::render::printable(error.what()));
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  occlude::render::hold_standard_streams();
+  occlude::render::catch_interrupts();
+  occlude::render::limit_memory();
+  if (!occlude::render::is_first_rank()) occlude::render::be_silent();
+  if (occlude::render::mpirun_has_terminal()) occlude::render::show_progress();
+  const int exit_code = run_and_report(argc, argv);
+  occlude::render::leave_ranks();
+  return exit_code;
 }

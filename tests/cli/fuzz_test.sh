@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude fuzz`: nothing is wrong, shards add up, and stored findings are found again.
+# `occlude fuzz`: nothing is wrong, and stored findings are found again.
 # Usage: fuzz_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
@@ -8,7 +8,7 @@ walk_of_squares
 
 three_cases
 
-# Nothing is wrong, and neither the number of jobs nor the division into shards changes the result.
+# Nothing is wrong, and the number of jobs does not change the result.
 "$occlude" fuzz --cases 20000 --seed 7 >table || fail "fuzz: $(tail -3 table)"
 grep -q '^all .*| *0 |' table || fail "fuzz: no total"
 grep -q '^0 wrong in [0-9]* cases' table || fail "fuzz: no verdict"
@@ -16,10 +16,6 @@ without_time() { grep -v core_seconds "$1"; }
 "$occlude" fuzz --cases 20000 --seed 7 --jobs 1 --json >one.json || fail "fuzz --jobs 1"
 "$occlude" fuzz --cases 20000 --seed 7 --jobs 3 --json >three.json || fail "fuzz --jobs 3"
 diff <(without_time one.json) <(without_time three.json) >/dev/null || fail "fuzz: the number of jobs changes the result"
-for i in 0 1 2; do "$occlude" fuzz --cases 20000 --seed 7 --shard $i/3 --out part$i.json >/dev/null || fail "fuzz --shard $i/3"; done
-"$occlude" fuzz --merge part2.json part0.json part1.json --json >merged.json || fail "fuzz --merge"
-counts() { sed -n '/"families"/,$p' "$1" | grep -v core_seconds; }
-diff <(counts one.json) <(counts merged.json) >/dev/null || fail "fuzz: shards do not add up"
 "$occlude" fuzz --family lattice --family spoiled --cases 1 | grep -c '^spoiled\|^lattice' | grep -qx 2 || fail "fuzz --family"
 "$occlude" fuzz cases.jsonl | grep -q '^cases.jsonl' || fail "fuzz FILE"
 "$occlude" fuzz --seconds 0.2 | grep -q '^0 wrong in ' || fail "fuzz --seconds"
@@ -28,42 +24,16 @@ sed 's/"expect":"[a-z]*"/"expect":"outside"/' cases.jsonl >untrue.jsonl
 grep -q '^WRONG .*: expect: outside, the oracle: inside' table || fail "fuzz: does not say what is wrong: $(cat table)"
 "$occlude" fuzz untrue_findings.jsonl >again 2>stderr && fail "fuzz: a stored finding is none any more"
 [ "$(grep -c '^WRONG' again)" -eq "$(grep -c '^WRONG' table)" ] || fail "fuzz: $(grep -c '^WRONG' again) of the stored findings again"
-"$occlude" fuzz --merge untrue.json --findings merged_findings.jsonl >/dev/null 2>stderr && fail "fuzz --merge loses a finding"
-cmp -s untrue_findings.jsonl merged_findings.jsonl || fail "fuzz --merge: other findings than those of the parts"
 "$occlude" walk good.ply --path path.json --out recorded --no-render --cases recorded.jsonl >/dev/null || fail "walk --cases"
 "$occlude" classify recorded.jsonl >stdout || fail "classify of what walk recorded"
 [ -s stdout ] && [ "$(wc -l <stdout)" -eq "$(wc -l <recorded.jsonl)" ] || fail "walk --cases recorded nothing"
-echo '{"seed":1}' >bad.json
-expect_error "bad.json: not a result of occlude fuzz --out: \"rounds\" is missing" "$occlude" fuzz --merge part0.json bad.json
-head -c 100 part0.json >bad.json
-expect_error "bad.json:$(($(wc -l <bad.json) + 1)): not JSON, near column " "$occlude" fuzz --merge bad.json
-for change in 's/"cases": [0-9]*/"cases": -5/' 's/"cases": [0-9]*/"cases": 1.5/' 's/"cases": [0-9]*/"cases": 1e30/' \
-  's/"inside": [0-9]*/"inside": 1000000000/' 's/"seed": 7/"seed": -1/' 's/"shards": 3/"shards": 0/' \
-  's/"core_seconds": [0-9.]*/"core_seconds": -1/' 's/"families": /"families": [], "x": /'; do
-  sed "$change" part0.json >bad.json
-  expect_error "bad.json: not a result of occlude fuzz --out: \"" "$occlude" fuzz --merge bad.json
-done
-tr -d ' \n' <part0.json | sed 's/"parts":\[0\]/"parts":[0,0]/' >bad.json
-expect_error "bad.json: shard 0 of 3 was given before" "$occlude" fuzz --merge bad.json
-expect_error "missing.json" "$occlude" fuzz --merge missing.json
-expect_error "part0.json: shard 0 of 3 was given before" "$occlude" fuzz --merge part0.json part0.json
-cp part0.json same.json
-expect_error "same.json: shard 0 of 3 was given before" "$occlude" fuzz --merge part0.json same.json
-expect_error "one.json: a result of another run" "$occlude" fuzz --merge part0.json one.json
-sed 's/"interrupted": false/"interrupted": true/' part1.json >half.json
-expect_error "half.json: a run that was interrupted" "$occlude" fuzz --merge part0.json half.json
 expect_error "nonsense: no such family" "$occlude" fuzz --family nonsense
-expect_error "--shard" "$occlude" fuzz --shard 3/3
-expect_error "--shard" "$occlude" fuzz --shard 1
-expect_error "--shard" "$occlude" fuzz --shard 0/1048577
 expect_error "--cases" "$occlude" fuzz --cases 0
 expect_error "--seconds" "$occlude" fuzz --seconds nan
 expect_error "none/f" "$occlude" fuzz --cases 1 --findings none/f
 expect_error "'many' is not a whole number" "$occlude" fuzz --cases many
 expect_error "--family" "$occlude" fuzz cases.jsonl --family lattice
 expect_error "--jobs" "$occlude" fuzz cases.jsonl --jobs 2
-expect_error "--stop-at-first" "$occlude" fuzz --merge part0.json --stop-at-first
-expect_error "--stop-at-first" "$occlude" fuzz --shard 0/2 --stop-at-first
 "$occlude" fuzz --cases 1 --family lattice --json --out late.json 2>stderr | true
 ls -A | grep -q 'tmp-' && fail "left behind: $(ls -A | grep tmp-)"
 cp untrue.jsonl $'odd\xff.jsonl'

@@ -91,7 +91,7 @@ done
 for command in "classify" "fuzz" "validate good.ply --path path.json --witness"; do
   expect_error "/dev/zero:1: the line is longer than 16 MiB" timeout 60 "$occlude" $command /dev/zero
 done
-for command in "fuzz --merge" "walk good.ply --out out --path" "walk good.ply --path path.json --out out --preprocess" \
+for command in "walk good.ply --out out --path" "walk good.ply --path path.json --out out --preprocess" \
   "walk --path path.json --out out"; do
   expect_error "/dev/zero: cannot read: it is not a regular file" timeout 60 "$occlude" $command /dev/zero
 done

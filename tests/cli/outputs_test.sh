@@ -73,7 +73,6 @@ keeps full/plates/frame_000000_view.png "$occlude" walk good.ply --path full/lin
 rm -r full
 keeps cases.jsonl "$occlude" fuzz cases.jsonl --findings cases.jsonl
 keeps cases.jsonl "$occlude" fuzz cases.jsonl --out cases.jsonl
-keeps part.json "$occlude" fuzz --merge part.json --out part.json
 cp path.json culler.json
 keeps culler.json "$occlude" bench culler good.ply --path culler.json --only sort --out .
 rm culler.json
@@ -160,12 +159,12 @@ for options in "walk good.ply --path path.json --out @" "walk good.ply --path @ 
   "walk good.ply --path path.json --out out --witness @" "walk good.ply --path path.json --out out --cases @" \
   "walk good.ply --path path.json --out out --preprocess @" "walk good.ply --path path.json --out out --frames @" \
   "validate good.ply --path path.json --witness @" "validate good.ply --path path.json --out @" "validate @ --path path.json" \
-  "validate good.ply --path @" "validate good.ply --path path.json --preprocess @" "validate good.ply --path path.json --shard @" \
+  "validate good.ply --path @" "validate good.ply --path path.json --preprocess @" "validate good.ply --path path.json --parts @" \
   "why good.ply --path path.json --frame 0 --polygon 0 --out @" "why good.ply --path path.json --frame @ --polygon 0" \
   "why good.ply --path @ --frame 0 --polygon 0" "why @ --path path.json --frame 0 --polygon 0" \
   "why good.ply --path path.json --frame 0 --pixel @" "why good.ply --path path.json --frame 0 --polygon @" \
   "preprocess @ --out out.pre" "preprocess good.ply --out @" "preprocess good.ply --inner-boxes @" "generate city --out @ --path path2.json" \
-  "generate city --out out.ply --path @" "classify @" "fuzz @" "fuzz --merge @" "fuzz --cases 1 --out @" "fuzz --cases @" \
+  "generate city --out out.ply --path @" "classify @" "fuzz @" "fuzz --parts @" "fuzz --cases 1 --out @" "fuzz --cases @" \
   "bench culler @ --path path.json" "bench culler good.ply --path @" "bench culler good.ply --path path.json --out @" \
   "bench kernel --seed @"; do
   read -ra words <<<"$options"
@@ -197,7 +196,7 @@ exit_code 1 validate --witness broken.jsonl
 # Every command reports that it cannot print. A message that cannot be written does not change the exit code.
 commands=("--help" "--version" "walk --help" "bench kernel --help" "walk good.ply --path path.json --size 64x36 --no-render --out out"
   "validate good.ply --path path.json --witness witness.jsonl" "classify cases.jsonl" "fuzz --cases 1 --family lattice --findings ="
-  "fuzz cases.jsonl" "fuzz --merge part.json --findings =" "preprocess good.ply --out out.pre --region-count 64 --json"
+  "fuzz cases.jsonl" "preprocess good.ply --out out.pre --region-count 64 --json"
   "generate city --polygons 20000 --out out.ply --path out.json"
   "why good.ply --path path.json --size 64x36 --frame 0 --polygon 0 --out why"
   "bench kernel --boxes 16 --repetitions 1" "bench culler good.ply --path path.json --only sort --repetitions 1 --frames 0:2 --no-render")

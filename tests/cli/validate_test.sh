@@ -111,20 +111,6 @@ lie "what is behind a block" 's/"triangles":\[[0-9]*,[0-9]*\]/"triangles":[0,128
 sed 's/\[1,2,6,5\]/[1,2,6,8]/' block.jsonl >line.jsonl
 expect_error "line.jsonl:1" "$occlude" validate block.ply --path path.json --witness line.jsonl
 
-# The shards together prove every witness.
-parts=0
-for i in 1 2 3; do
-  "$occlude" validate good.ply --path path.json --witness witness.jsonl --shard $i/3 >stdout || fail "shard $i"
-  parts=$((parts + $(sed -n 's/ of .* witnesses proved//p' stdout)))
-done
-[ "$parts" -eq "$total" ] || fail "shards proved $parts of $total"
-"$occlude" validate good.ply --path path.json --size 64x36 --shard 1/3 >again || fail "a shard, culled anew"
-"$occlude" validate good.ply --path path.json --witness witness.jsonl --shard 1/3 >stdout || fail "a shard"
-head -n 1 again | cmp -s - <(head -n 1 stdout) || fail "a shard culled anew differs: $(cat again)"
-expect_error "--shard" "$occlude" validate good.ply --path path.json --shard 4/3
-expect_error "--shard" "$occlude" validate good.ply --path path.json --shard 0/3
-expect_error "--shard" "$occlude" validate good.ply --path path.json --shard 3
-
 # Two walls at a right angle hide together what neither hides alone. In the second model one of them is bent, so that its
 # near plane is given in numbers.
 walls='4 -4 -4\n2 0 -4\n2 0 4\n4 -4 4\n2 0 -4\n4 4 -4\n4 4 4\n2 0 4\n'

@@ -9,7 +9,7 @@
 namespace occlude::fuzz {
 namespace {
 
-bool for_ever(std::uint64_t, std::uint64_t) { return true; }
+bool for_ever(std::uint64_t) { return true; }
 
 /// Every third group has a finding. What a group counts depends on its seed.
 const std::vector<Experiment> kExperiments{
@@ -49,19 +49,18 @@ TEST(Campaign, IsTheSameForAnyNumberOfJobs) {
   expect_same(alone, run({.seed = 7, .rounds = 200, .jobs = 4}, kExperiments, for_ever));
 }
 
-TEST(Campaign, IsTheSumOfItsShards) {
+TEST(Campaign, IsTheSumOfItsParts) {
   const auto whole = run({.seed = 7, .rounds = 101, .jobs = 1}, kExperiments, for_ever);
   std::vector<Report> sum(kExperiments.size());
-  for (const std::uint64_t shard : {2U, 0U, 3U, 1U}) {
-    auto part = run({.seed = 7, .rounds = 101, .shard = shard, .shards = 4, .jobs = 2}, kExperiments, for_ever);
-    EXPECT_LE(part[0].tally.cases, 26 * kGroup);
+  for (const Campaign& campaign : {Campaign{7, 40, 2}, Campaign{47, 1, 2}, Campaign{48, 60, 2}}) {
+    auto part = run(campaign, kExperiments, for_ever);
     for (std::size_t e = 0; e < sum.size(); ++e) add(sum[e], std::move(part[e]));
   }
   expect_same(whole, sum);
 }
 
 TEST(Campaign, StopsWhenTold) {
-  const auto until_found = [](std::uint64_t, std::uint64_t findings) { return findings == 0; };
+  const auto until_found = [](std::uint64_t findings) { return findings == 0; };
   const auto reports = run({.seed = 1, .rounds = 1'000'000, .jobs = 1}, kExperiments, until_found);
   EXPECT_EQ(reports[0].tally.disagreements, 1U);
   EXPECT_EQ(reports[0].findings[0].seed, 3U);

@@ -54,7 +54,7 @@ class ViewCull {
         .prove(fmt::format(
             R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[{},{},{}],"max":[{},{},{}]}},"triangles":[{},{}],"by":"view","plane":{}}})",
             box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z, first, count, plane))
-        ->failure;
+        .failure;
   }
 
  private:
@@ -182,7 +182,7 @@ class CoverCull : public testing::Test {
                            camera.projection == culler::Projection::perspective ? "eye" : "direction",
                            camera.projection == culler::Projection::perspective ? 0 : 1, box, hierarchy.first_triangle(p),
                            polygons, more))
-        ->failure;
+        .failure;
   }
 
   PolygonSoup soup_;

@@ -15,7 +15,7 @@
 namespace occlude::render {
 namespace {
 
-bool quiet = false;
+bool quiet = false, silent = false;
 
 [[noreturn]] void fail() {
   const int error = errno;
@@ -37,11 +37,14 @@ void be_quiet() { quiet = true; }
 
 bool is_quiet() { return quiet; }
 
+void be_silent() { quiet = silent = true; }
+
 void tell(std::string_view text) {
   if (!quiet) print(text);
 }
 
 void print(std::string_view text) {
+  if (silent) return;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
 }
 
@@ -50,6 +53,7 @@ void finish_printing() {
 }
 
 void say(std::string_view text) {
+  if (silent) return;
   // stderr is unbuffered, so a message is one write and does not mix with those of other processes.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }

@@ -13,6 +13,8 @@
 namespace occlude::render {
 namespace {
 
+bool reaches_terminal = false;
+
 std::atomic<bool> interrupted = false;  // read by all threads
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may interrupt a read");
 
@@ -31,7 +33,7 @@ Progress::Progress(std::string label, std::size_t total)
       total_(total),
       start_(Clock::now()),
       last_(start_),
-      has_line_(isatty(STDERR_FILENO) != 0 && !is_quiet()) {}
+      has_line_((reaches_terminal || isatty(STDERR_FILENO) != 0) && !is_quiet()) {}
 
 Progress::~Progress() {
   if (shown_) say("\r\033[K");
@@ -51,6 +53,8 @@ void Progress::update(std::size_t done) {
   const double left = done == 0 ? 0 : elapsed / static_cast<double>(done) * static_cast<double>(total_ - done);
   say(fmt::format("\r\033[K{} {}/{}  {:.0f} s left", label_, done, total_, left));
 }
+
+void show_progress() { reaches_terminal = true; }
 
 void Watch::operator()(std::size_t done, std::size_t total) {
   check_interrupt();

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
@@ -34,12 +35,22 @@ struct SampleConfig {
   std::uint64_t seed = 1;
 };
 
+class Culler;
+
 /// The result of preprocess(): what a Culler of the same soup takes.
 struct Preprocess {
   BuildConfig config;
   Hierarchy::Layout layout;
   OccluderLists::Stored lists;
 };
+
+/// The result without samples: what this culler, which was built with `config`, has found out about its model.
+[[nodiscard]] Preprocess unsampled(const Culler& culler, const BuildConfig& config);
+
+/// What the occluders that regions [first, end) list hide, in the order of their lists: that part of `hidden` of
+/// OccluderLists::Stored. On all processors.
+[[nodiscard]] std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samples, std::size_t first,
+                                                std::size_t end, const Checkpoint& checkpoint = {});
 
 /// Prepares the model and samples what its occluders hide. Runs on all processors; the result does not depend on their
 /// number. While sampling, calls progress(done, all), if given, after each of all regions: on any thread, one call at a

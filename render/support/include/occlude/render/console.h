@@ -14,6 +14,9 @@ void hold_standard_streams();
 void be_quiet();
 [[nodiscard]] bool is_quiet();
 
+/// From now on nothing is printed, errors neither: of several processes that do the same, one speaks.
+void be_silent();
+
 /// Prints a result for people, unless they asked for quiet. Throws as print().
 void tell(std::string_view text);
 

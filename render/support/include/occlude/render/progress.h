@@ -10,7 +10,8 @@
 
 namespace occlude::render {
 
-/// Shows "LABEL done/total  time left" after the first second, if stderr is a terminal and --quiet is not given. The
+/// Shows "LABEL done/total  time left" after the first second, if stderr is a terminal, or show_progress() was called, and
+/// --quiet is not given. The
 /// destructor clears the line. A total of 0 means unknown: "LABEL done".
 class Progress {
  public:
@@ -28,6 +29,9 @@ class Progress {
   Clock::time_point start_, last_;
   bool has_line_, shown_ = false;
 };
+
+/// From now on progress is shown although stderr is no terminal, because what reads it writes to one.
+void show_progress();
 
 /// A progress callback, called with (done, total), for work that knows the total only once it begins. Throws Interrupted
 /// on Ctrl-C.

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "kept_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "occlude/render/digest.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/input_file.h"
+#include "occlude/render/output_file.h"
+
+namespace occlude::render {
+namespace fs = std::filesystem;
+namespace {
+
+std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
+
+std::string digest_of(std::string_view bytes) { return hex(Digest().add(bytes).value()); }
+
+/// The first line of the file "job".
+std::string job_line(std::uint64_t key) { return "occlude parts " + hex(key) + "\n"; }
+
+/// Also what a killed process left of a file that it was writing.
+bool is_ours(const std::string& name) {
+  return name == "job" || name.starts_with("part-") || name.starts_with(".occlude.tmp-");
+}
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (is_ours(entry.path().filename().native())) files.push_back(entry.path());
+  }
+  return files;
+}
+
+void write(const fs::path& file, std::string_view head, std::string_view rest = {}) {
+  OutputFile out(file);
+  out.write(head);
+  out.write(rest);
+  out.commit();
+}
+
+}  // namespace
+
+KeptParts::KeptParts(fs::path folder, std::uint64_t key, bool resume) : folder_(std::move(folder)) {
+  const fs::path job = folder_ / "job";
+  const std::string name = folder_.string();
+  const bool has_job = fs::exists(job);
+  if (has_job && !resume) {
+    throw InputError(name + ": has finished parts of an earlier run; go on with --resume, or remove the folder");
+  }
+  if (!has_job && resume) throw InputError(name + ": has no parts of an earlier run, so --resume cannot go on");
+  if (has_job) {
+    if (read_input(job) != job_line(key)) {
+      throw InputError(name + ": has parts of another run: other options, input or program");
+    }
+    return;
+  }
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw InputError(fmt::format("{}: cannot create the folder: {}", name, error.message()));
+  write(job, job_line(key));
+}
+
+KeptParts::~KeptParts() {
+  const auto is_part = [](const fs::path& file) { return file.filename().native().starts_with("part-"); };
+  if (std::ranges::none_of(files_of(folder_), is_part)) remove();
+}
+
+std::optional<std::string> KeptParts::find(PartNumber number, const std::string& input) {
+  const fs::path file = file_of(number);
+  if (!fs::exists(file)) return std::nullopt;
+  const std::string bytes = read_input(file);
+  const std::string wanted = digest_of(input) + " ";
+  if (!bytes.starts_with(wanted)) return std::nullopt;
+  const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1);
+  std::string result = bytes.substr(end + 1);
+  if (bytes.substr(wanted.size(), end - wanted.size()) != digest_of(result)) {
+    throw InputError(file.string() + ": damaged; remove it, and --resume makes it again");
+  }
+  ++count_;
+  return result;
+}
+
+void KeptParts::keep(PartNumber number, const std::string& input, const std::string& result) {
+  write(file_of(number), digest_of(input) + " " + digest_of(result) + "\n", result);
+  ++count_;
+}
+
+void KeptParts::remove() {
+  std::error_code error;  // what cannot be removed stays
+  for (const fs::path& file : files_of(folder_)) fs::remove(file, error);
+  fs::remove(folder_, error);
+}
+
+fs::path KeptParts::file_of(PartNumber number) const {
+  return folder_ / fmt::format("part-{}-{:06}", number.stage, number.part);
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Parts are dealt to whoever asks, results come in order, and what was kept is used again, or refused.
+#include "occlude/render/job.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "dealer.h"
+#include "kept_parts.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/packing.h"
+
+namespace occlude::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Doubles the numbers from 0 to 99.
+struct Doubling {
+  int begun = 0, worked = 0;
+  std::vector<int> results;
+  int last = 99;
+
+  [[nodiscard]] Stage stage() {
+    return {[this] { return begun > last ? std::nullopt : std::optional(std::to_string(begun++)); },
+            [this](const std::string& input) {
+              ++worked;
+              return std::to_string(2 * std::stoi(input));
+            },
+            [this](const std::string& result) { results.push_back(std::stoi(result)); }};
+  }
+  void expect_all() const {
+    ASSERT_EQ(results.size(), 100U);
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(results[static_cast<std::size_t>(i)], 2 * i);
+  }
+};
+
+class KeptJob : public testing::Test {
+ protected:
+  KeptJob() { fs::create_directory(folder_); }
+  ~KeptJob() override { fs::remove_all(folder_); }
+
+  /// Works until `parts` are done, and dies.
+  void die_after(int parts) {
+    Doubling doubling;
+    Stage stage = doubling.stage();
+    stage.work = [&, work = stage.work](const std::string& input) {
+      if (doubling.worked == parts) throw std::runtime_error("died");
+      return work(input);
+    };
+    Job job({.folder = parts_, .resume = false}, [] { return 1; });
+    EXPECT_THROW(job.run(stage), std::runtime_error);
+  }
+  [[nodiscard]] std::string refusal(std::uint64_t key, bool resume) const {
+    try {
+      const Job job({.folder = parts_, .resume = resume}, [&] { return key; });
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  const std::string folder_ = testing::TempDir() + "/occlude_job_" + std::to_string(getpid());
+  const std::string parts_ = folder_ + "/parts";
+};
+
+TEST(Job, TakesResultsInTheOrderOfTheParts) {
+  Doubling doubling;
+  Job job({}, [] { return 0; });
+  job.run(doubling.stage());
+  doubling.expect_all();
+  EXPECT_EQ(doubling.worked, 100);
+}
+
+TEST(Job, ThrowsWhatAPartThrows) {
+  Doubling doubling;
+  Stage stage = doubling.stage();
+  stage.work = [](const std::string& input) { return input == "3" ? throw std::runtime_error("three") : std::string("0"); };
+  Job job({}, [] { return 0; });
+  EXPECT_THROW(job.run(stage), std::runtime_error);
+  EXPECT_EQ(doubling.results.size(), 3U);
+}
+
+TEST(Dealer, PutsResultsInOrderThatComeInAnother) {
+  Doubling doubling;
+  const Stage stage = doubling.stage();
+  Dealer dealer(stage, 0, nullptr);
+  const auto first = dealer.next(), second = dealer.next();
+  dealer.accept(second->number, "2");
+  EXPECT_TRUE(doubling.results.empty());
+  dealer.accept(first->number, "0");
+  EXPECT_EQ(doubling.results, (std::vector{0, 2}));
+}
+
+TEST(Dealer, ServesManyThreads) {
+  Doubling doubling;
+  const Stage stage = doubling.stage();
+  Dealer dealer(stage, 0, nullptr);
+  const auto work = [&] {
+    while (const auto part = dealer.next()) dealer.accept(part->number, std::to_string(2 * std::stoi(part->input)));
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 4; ++t) threads.emplace_back(work);
+  }
+  dealer.finish();
+  doubling.expect_all();
+}
+
+TEST(Dealer, DealsNothingAfterAFailure) {
+  Doubling doubling;
+  const Stage stage = doubling.stage();
+  Dealer dealer(stage, 0, nullptr);
+  ASSERT_TRUE(dealer.next());
+  dealer.fail(std::make_exception_ptr(std::runtime_error("first")));
+  EXPECT_FALSE(dealer.next());
+  EXPECT_THROW(dealer.finish(), std::runtime_error);
+}
+
+TEST_F(KeptJob, GoesOnWithWhatIsFinished) {
+  die_after(40);
+  Doubling doubling;
+  {
+    Job job({.folder = parts_, .resume = true}, [] { return 1; });
+    job.run(doubling.stage());
+    EXPECT_EQ(doubling.worked, 60);
+    job.finish();
+  }
+  doubling.expect_all();
+  EXPECT_FALSE(fs::exists(parts_));
+}
+
+TEST_F(KeptJob, RefusesPartsOfAnotherJob) {
+  die_after(1);
+  EXPECT_EQ(refusal(2, true), parts_ + ": has parts of another run: other options, input or program");
+  EXPECT_EQ(refusal(1, false), parts_ + ": has finished parts of an earlier run; go on with --resume, or remove the folder");
+}
+
+TEST_F(KeptJob, RefusesToGoOnWithNothing) {
+  EXPECT_EQ(refusal(1, true), parts_ + ": has no parts of an earlier run, so --resume cannot go on");
+}
+
+TEST_F(KeptJob, LeavesNoFolderWithoutParts) {
+  die_after(0);
+  EXPECT_FALSE(fs::exists(parts_));
+}
+
+TEST_F(KeptJob, FindsPartsOfTheSameInputUnlessTheyAreDamaged) {
+  KeptParts kept(parts_, 1, false);
+  kept.keep({0, 0}, "input", "result");
+  EXPECT_EQ(kept.find({0, 0}, "input"), "result");
+  EXPECT_FALSE(kept.find({0, 1}, "input"));
+  EXPECT_FALSE(kept.find({1, 0}, "input"));
+  EXPECT_FALSE(kept.find({0, 0}, "other"));
+  std::ofstream(parts_ + "/part-0-000000", std::ios::app) << "x";
+  EXPECT_THROW((void)kept.find({0, 0}, "input"), InputError);
+  std::ofstream(parts_ + "/part-0-000000") << "";
+  EXPECT_FALSE(kept.find({0, 0}, "input"));
+}
+
+TEST(Packing, ReadsBackWhatItWrote) {
+  const std::vector<bool> bits{true, false, true, true, false, false, false, true, true};
+  const std::string bytes =
+      Packer().put(7).put(std::string("a\0b", 3)).put(std::vector{1.5, -2.0}).put(bits).put(std::vector<bool>{}).bytes();
+  Unpacker unpacker(bytes);
+  EXPECT_EQ(unpacker.get<int>(), 7);
+  EXPECT_EQ(unpacker.text(), std::string("a\0b", 3));
+  EXPECT_EQ(unpacker.list<double>(), (std::vector{1.5, -2.0}));
+  EXPECT_EQ(unpacker.bits(), bits);
+  EXPECT_TRUE(unpacker.bits().empty());
+  EXPECT_TRUE(unpacker.is_empty());
+  EXPECT_THROW((void)unpacker.get<char>(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace occlude::render
