@@ -11,8 +11,7 @@
 namespace occlude::render {
 
 /// Shows "LABEL done/total  time left" after the first second, if stderr is a terminal, or show_progress() was called, and
-/// --quiet is not given. The
-/// destructor clears the line. A total of 0 means unknown: "LABEL done".
+/// --quiet is not given. The destructor clears the line. A total of 0 means unknown: "LABEL done".
 class Progress {
  public:
   Progress(std::string label, std::size_t total);
