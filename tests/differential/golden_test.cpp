@@ -25,7 +25,7 @@ std::uint64_t hash_of(const Tally& t) {
 
 TEST(Golden, ExperimentsCountWhatTheyDid) {
   Tally all;
-  for (const Report& report : run({.seed = 1, .rounds = 20, .jobs = 2}, experiments(), [](auto, auto) { return true; })) {
+  for (const Report& report : run({.seed = 1, .rounds = 20, .jobs = 2}, experiments(), [](auto) { return true; })) {
     EXPECT_EQ(report.tally.disagreements, 0U);
     all += report.tally;
   }
