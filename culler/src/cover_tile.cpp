@@ -102,7 +102,7 @@ class Boxes {
   [[nodiscard]] Mask open_in_upper_corner(Mask asked) const { return open_in_row(asked, previous(y1_)); }
   [[nodiscard]] Mask open_in_lower_corner(Mask asked) const { return open_in_row(asked, y0_); }
 
-  /// Those of the asked boxes that have no pixels but their corners. In a town these are half of all that are hidden.
+  /// Those of the asked boxes that have no pixels but their corners. The corners decide them exactly.
   [[nodiscard]] Mask of_corners_alone(Mask asked) const {
     const Integers two = hn::Set(kIntegers, 2);
     const auto is_larger = hn::Or(hn::Gt(hn::Sub(x1_, x0_), two), hn::Gt(hn::Sub(y1_, y0_), two));
