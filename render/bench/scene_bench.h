@@ -10,6 +10,7 @@
 
 #include "occlude/culler/scene.h"
 #include "scene_world.h"
+#include "spread.h"
 
 namespace occlude::experiments {
 
@@ -21,11 +22,6 @@ struct SceneBenchOptions {
   std::size_t proofs = 20;        ///< culls that are proved, for each view of a frame that is checked
   std::uint64_t seed = 1;
   culler::CoverOptions cover = {};
-};
-
-/// Median, 99th percentile and maximum; milliseconds or numbers.
-struct Spread {
-  double median = 0, most_of_99 = 0, most = 0;
 };
 
 struct SceneBenchResult {

@@ -8,20 +8,8 @@
 #include "tables.h"
 
 namespace occlude::experiments {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::vector<std::string> row_of(const std::string& name, const Spread& spread, int digits) {
-  const auto number = [&](double x) { return fmt::format("{:.{}f}", x, digits); };
-  return {name, number(spread.median), number(spread.most_of_99), number(spread.most)};
-}
-
-Json json_of(const Spread& spread) {
-  return {{"median", spread.median}, {"percentile_99", spread.most_of_99}, {"maximum", spread.most}};
-}
-
-}  // namespace
 
 std::string text_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
   Table table{.title = "A scene that streams",

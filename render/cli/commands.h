@@ -29,5 +29,6 @@ void add_fuzz(Command app, int& exit_code);
 void add_bench_kernel(Command bench, int& exit_code);
 void add_bench_culler(Command bench, int& exit_code);
 void add_bench_scene(Command bench, int& exit_code);
+void add_bench_town(Command bench);
 
 }  // namespace occlude::cli

@@ -45,6 +45,7 @@ void add_bench(occlude::cli::Command app, int& exit_code) {
   occlude::cli::add_bench_kernel(bench, exit_code);
   occlude::cli::add_bench_culler(bench, exit_code);
   occlude::cli::add_bench_scene(bench, exit_code);
+  occlude::cli::add_bench_town(bench);
 }
 
 void run(int argc, char** argv, int& exit_code) {

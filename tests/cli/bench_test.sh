@@ -66,4 +66,17 @@ expect_error "--streamed" "$occlude" bench scene --objects 1000 --streamed 1001 
 expect_error "--moving-occluders" "$occlude" bench scene --moving 5 --moving-occluders 6
 expect_error "--frames" "$occlude" bench scene --frames 0
 
+# bench town: everything is there, and walls hide.
+small=(--houses 2000 --walls 1800 --cars 50 --repetitions 2 --frames 10)
+"$occlude" bench town "${small[@]}" --json >town.json || fail "bench town"
+for member in houses cars walls prepared_ms held_bytes update_ms cull_ms drawn hidden out_of_view median maximum machine; do
+  grep -q "^ *\"$member\": " town.json || fail "bench town: no $member"
+done
+"$occlude" bench town "${small[@]}" --walls 0 --json >open.json || fail "bench town without walls"
+drawn() { grep -A1 '"drawn"' "$1" | sed -n 's/^ *"median": \([0-9]*\).*/\1/p'; }
+[ "$(drawn town.json)" -gt 0 ] && [ $((4 * $(drawn town.json))) -lt "$(drawn open.json)" ] ||
+  fail "bench town: $(drawn town.json) objects are drawn behind walls, $(drawn open.json) without"
+"$occlude" bench town "${small[@]}" | grep -q 'objects hidden' || fail "bench town without --json"
+expect_error "--walls" "$occlude" bench town --houses 5 --walls 6
+
 finish

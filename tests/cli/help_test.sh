@@ -9,7 +9,7 @@ walk_of_squares
 expect_error "frobnicate" "$occlude" frobnicate
 
 commands=("" generate "generate city" preprocess walk render inspect compare why classify validate fuzz bench "bench kernel" "bench culler"
-  "bench scene" help)
+  "bench scene" "bench town" help)
 for command in "${commands[@]}"; do
   "$occlude" $command --help >stdout || fail "no help for '$command'"
   grep -q . stdout || fail "an empty help for '$command'"
@@ -40,7 +40,8 @@ for command in "generate city --polygons 20000 --out city.ply --path city.json" 
   "why good.ply --path path.json --size 64x36 --frame 0 --polygon 0" "fuzz --cases 1 --family lattice --findings =" \
   "validate good.ply --path path.json --witness witness.jsonl" "bench kernel --boxes 16 --repetitions 1" \
   "bench culler good.ply --path path.json --only sort --repetitions 1 --frames 0:2 --no-render" \
-  "bench scene --objects 1000 --streamed 0 --moving 0 --moving-occluders 0 --frames 1 --settling 0"; do
+  "bench scene --objects 1000 --streamed 0 --moving 0 --moving-occluders 0 --frames 1 --settling 0" \
+  "bench town --houses 10 --walls 5 --cars 2 --repetitions 1 --frames 2"; do
   read -ra words <<<"$command"
   "$occlude" "${words[@]/#=/}" --quiet >stdout 2>stderr || fail "$command --quiet: $(cat stderr)"
   [ ! -s stdout ] && [ ! -s stderr ] || fail "$command --quiet said: $(cat stdout stderr)"

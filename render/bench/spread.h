@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// How measurements of many frames are told.
+#pragma once
+
+#include <chrono>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace occlude::experiments {
+
+/// Median, 99th percentile and maximum; milliseconds or numbers.
+struct Spread {
+  double median = 0, most_of_99 = 0, most = 0;
+};
+
+/// All 0 if there are no values.
+[[nodiscard]] Spread spread_of(std::vector<double> values);
+
+/// A row of a table: the name, and the three numbers with so many digits after the point.
+[[nodiscard]] std::vector<std::string> row_of(const std::string& name, const Spread& spread, int digits);
+[[nodiscard]] nlohmann::ordered_json json_of(const Spread& spread);
+
+/// Milliseconds that work() takes.
+template <class Work>
+[[nodiscard]] double milliseconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace occlude::experiments
