@@ -19,14 +19,23 @@ std::size_t capacity_of(const std::vector<T>& v) {
 
 }  // namespace
 
-void ObjectGroup::assign(std::span<const SceneObject> objects, GroupBuilder& builder) {
+std::span<const std::uint32_t> GroupBuilder::sort(bool is_lasting) {
+  if (is_lasting) {
+    split.sort(boxes);
+    return split.order();
+  }
+  curve.sort(boxes);
+  return curve.order();
+}
+
+void ObjectGroup::assign(std::span<const SceneObject> objects, bool is_lasting, GroupBuilder& builder) {
   clear();
   builder.boxes.clear();
   for (const SceneObject& object : objects) builder.boxes.push_back(outer_box(object.box));
-  builder.curve.sort(builder.boxes);
-  tree_.build(builder.boxes, builder.curve.order());
+  const std::span<const std::uint32_t> order = builder.sort(is_lasting);
+  tree_.build(builder.boxes, order);
   places_.reserve(objects.size());
-  for (const std::uint32_t from : builder.curve.order()) {
+  for (const std::uint32_t from : order) {
     const SceneObject& object = objects[from];
     const auto* const oriented = std::get_if<kernel::Obb>(&object.box);
     const std::uint32_t k = oriented == nullptr ? kNone : static_cast<std::uint32_t>(oriented_.size());

@@ -17,6 +17,7 @@
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
 #include "packed_tree.h"
+#include "split_order.h"
 
 namespace occlude::culler {
 
@@ -30,13 +31,18 @@ struct SceneObject {
 /// Memory for building, shared by all groups.
 struct GroupBuilder {
   CurveOrder curve;
+  SplitOrder split;
   std::vector<kernel::Aabb> boxes;
+
+  /// The indices of `boxes` in an order for a tree.
+  std::span<const std::uint32_t> sort(bool is_lasting);
 };
 
 /// Several threads may read at once.
 class ObjectGroup {
  public:
-  void assign(std::span<const SceneObject> objects, GroupBuilder& builder);
+  /// `is_lasting` says that the tree is for many frames, and so worth a better order.
+  void assign(std::span<const SceneObject> objects, bool is_lasting, GroupBuilder& builder);
   void clear();
   /// Removes object i. Its place stays empty, and in no layer. The tree stays, so its boxes may be larger than they need be.
   void remove(std::uint32_t i);

@@ -175,7 +175,7 @@ void SceneObjects::place_moving() {
     }
   }
   ObjectGroup& group = groups_[kMoving];
-  group.assign(batch_, builder_);
+  group.assign(batch_, false, builder_);
   for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot] = {group.id(i).generation, kMoving, i};
 }
 
@@ -223,7 +223,7 @@ void SceneObjects::place_large_batch(const Executor& executor) {
     for (std::size_t i = part * length; i < std::min((part + 1) * length, work.size()); ++i) {
       objects.clear();
       for (const std::uint32_t k : work[i].objects) objects.push_back(batch_[k]);
-      groups_[work[i].group].assign(objects, builder);
+      groups_[work[i].group].assign(objects, true, builder);
     }
   };
   parallel_for(parts, build_part, Checkpoint(executor));
@@ -233,7 +233,7 @@ void SceneObjects::place_large_batch(const Executor& executor) {
 void SceneObjects::place_group(std::span<const SceneObject> objects) {
   if (objects.empty()) return;
   const std::uint32_t number = free_group(objects.size());
-  groups_[number].assign(objects, builder_);
+  groups_[number].assign(objects, true, builder_);
   note_places(number);
 }
 
@@ -351,8 +351,8 @@ std::size_t SceneObjects::bytes() const {
                       bytes_of(remasked_) + bytes_of(places_) + bytes_of(groups_) + bytes_of(unplaced_) +
                       bytes_of(moving_unplaced_) + bytes_of(top_groups_) + bytes_of(used_groups_) + top_.bytes() +
                       bytes_of(before_) + bytes_of(layered_) + bytes_of(free_groups_) + bytes_of(small_groups_) +
-                      bytes_of(loose_groups_) + bytes_of(batch_) + builder_.curve.bytes() + bytes_of(builder_.boxes) +
-                      bytes_of(boxes_);
+                      bytes_of(loose_groups_) + bytes_of(batch_) + builder_.curve.bytes() + builder_.split.bytes() +
+                      bytes_of(builder_.boxes) + bytes_of(boxes_);
   for (const ObjectGroup& group : groups_) bytes += group.bytes();
   return bytes;
 }
