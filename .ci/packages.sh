@@ -12,7 +12,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
   libopenmpi-dev openmpi-bin                  # several processes (mpirun)
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
-  libgtest-dev patch python3                  # tests
+  libgtest-dev patch python3 valgrind         # tests
   python3-dev python3-numpy pybind11-dev      # python
   "$@"
 )
