@@ -184,7 +184,8 @@ void add_preprocess(Command app, int&) {
   command.footer(
       "The store holds the model and all that culling it needs: the tree, what can hide, the occluders that each region of\n"
       "space lists, and what they hide as sampled there. Commands take it in place of the model, and cull its first frame\n"
-      "without reading or preparing anything else. It is checked when it is opened: no store leads to a wrong cull, but one\n"
+      "without reading or preparing anything else. It is checked when it is opened: no store leads to a wrong cull, but "
+      "one\n"
       "with oriented boxes (--bounds obb), which is as good as who made it.\n"
       "\n"
       "Inner boxes are occluders for engines: they lie exactly inside of the closed parts of the model, and hide nothing\n"

@@ -13,9 +13,8 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kVertices = "region corners", kFirstVertex = "region first corner",
-                           kPolygons = "region polygons", kFirstPolygon = "region first polygon", kWhole = "whole",
-                           kRuns = "pieces";
+constexpr std::string_view kVertices = "region corners", kFirstVertex = "region first corner", kPolygons = "region polygons",
+                           kFirstPolygon = "region first polygon", kWhole = "whole", kRuns = "pieces";
 
 /// How much more often the sides of some loops run from one corner of a region to another than back.
 class Traversals {
@@ -112,8 +111,8 @@ ConvexRegions ConvexRegions::from_parts(const PartReader& parts, const PolygonSo
   result.runs_ = parts.get<FanRun>(kRuns);
   if (!are_starts(result.first_vertex_, result.vertices_.size(), checkpoint) ||
       !are_starts(result.first_polygon_, result.polygons_.size(), checkpoint) ||
-      result.first_vertex_.size() != result.first_polygon_.size() ||
-      result.size() < soup.size() + result.runs_.size() || result.whole_.size() != soup.size()) {
+      result.first_vertex_.size() != result.first_polygon_.size() || result.size() < soup.size() + result.runs_.size() ||
+      result.whole_.size() != soup.size()) {
     refuse_part(kFirstVertex, "the regions are not of these polygons");
   }
   result.first_piece_ = result.size() - result.runs_.size();

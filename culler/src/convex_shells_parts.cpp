@@ -48,8 +48,8 @@ ConvexShells ConvexShells::from_parts(const PartReader& parts, std::shared_ptr<c
 
   const std::size_t size = result.size();
   const auto is_shell = [&](std::size_t s) { return result.is_sound(static_cast<std::uint32_t>(s), *soup); };
-  const bool are_ranges = result.first_part_.empty() ? result.parts_.empty()
-                                                     : are_starts(result.first_part_, result.parts_.size(), checkpoint);
+  const bool are_ranges =
+      result.first_part_.empty() ? result.parts_.empty() : are_starts(result.first_part_, result.parts_.size(), checkpoint);
   if (!are_ranges || result.shell_of_.size() != (size == 0 ? 0 : soup->size()) || !are_all(size, is_shell, checkpoint)) {
     refuse_part(kParts, "the shells are not of these polygons");
   }

@@ -58,9 +58,7 @@ inline void require_legal(const PolygonSoup& soup) {
   const auto has_corners = [&](std::size_t p) {
     return std::uint64_t{soup.first[p]} + 3 <= soup.first[p + 1] && soup.first[p + 1] <= soup.indices.size();
   };
-  const auto is_point = [&](std::size_t v) {
-    return kernel::check(to_kernel(soup.vertices[v])) == kernel::Refusal::none;
-  };
+  const auto is_point = [&](std::size_t v) { return kernel::check(to_kernel(soup.vertices[v])) == kernel::Refusal::none; };
   return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
          are_all(soup.size(), has_corners, checkpoint) && are_all(soup.indices.size(), is_vertex, checkpoint) &&
          are_all(soup.vertices.size(), is_point, checkpoint);

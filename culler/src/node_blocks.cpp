@@ -112,7 +112,9 @@ bool is_made(const NodeBlock& block, const Hierarchy& hierarchy) {
   if (block.used != (1U << size) - 1 || !std::ranges::is_sorted(taken, std::ranges::less_equal())) return false;
   if (size == 0 || taken.back() >= nodes.size()) return false;
   const Filling filling(nodes, taken);
-  const auto is_divided = [&](std::uint32_t i) { return !nodes[i].is_leaf() && filling.has(i + 1) != filling.has(nodes[i].right); };
+  const auto is_divided = [&](std::uint32_t i) {
+    return !nodes[i].is_leaf() && filling.has(i + 1) != filling.has(nodes[i].right);
+  };
   if (std::ranges::any_of(taken, is_divided)) return false;
   NodeBlock expected = made(hierarchy, filling);
   expected.below = block.below;

@@ -38,7 +38,8 @@ template <class IsSound>
 template <class Starts>
 [[nodiscard]] bool are_starts(const Starts& starts, std::size_t size, const Checkpoint& checkpoint) {
   return !starts.empty() && starts.front() == 0 && starts.back() == size &&
-         are_all(starts.size() - 1, [&](std::size_t i) { return starts[i] <= starts[i + 1]; }, checkpoint);
+         are_all(
+             starts.size() - 1, [&](std::size_t i) { return starts[i] <= starts[i + 1]; }, checkpoint);
 }
 
 }  // namespace occlude::culler

@@ -53,7 +53,8 @@ class PartReader {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= kPartAlignment);
     const Part* part = find(name);
     if (!part) refuse_part(name, "it is missing");
-    if (part->element != sizeof(T) || part->bytes.size() % sizeof(T) != 0) refuse_part(name, "its elements have another size");
+    if (part->element != sizeof(T) || part->bytes.size() % sizeof(T) != 0)
+      refuse_part(name, "its elements have another size");
     if (std::bit_cast<std::uintptr_t>(part->bytes.data()) % alignof(T) != 0) refuse_part(name, "it is not aligned");
     return {{reinterpret_cast<const T*>(part->bytes.data()), part->bytes.size() / sizeof(T)}, parts_.keep};
   }

@@ -51,7 +51,9 @@ void Partition::append_parts(PartWriter& parts) const {
 
 Partition Partition::from_parts(const PartReader& parts) {
   const auto box = parts.get<kernel::Aabb>(kBox);
-  const auto is_finite = [](const kernel::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+  const auto is_finite = [](const kernel::Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
   if (box.size() != 1 || !is_finite(box[0].min) || !is_finite(box[0].max)) refuse_part(kBox, "it is not a box");
   Partition result(box[0], {});
   result.cells_ = parts.get<Cell>(kCells);

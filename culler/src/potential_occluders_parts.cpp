@@ -41,7 +41,8 @@ PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, std::
   result.soup_ = std::move(soup);
   result.known_ = parts.get<PotentialOccluder>(kKnown);
   if (result.known_.size() != result.regions_.size() + result.shells_.size() ||
-      !are_all(result.known_.size(), [&](std::size_t i) { return is_finite(result.known_[i]); }, checkpoint)) {
+      !are_all(
+          result.known_.size(), [&](std::size_t i) { return is_finite(result.known_[i]); }, checkpoint)) {
     refuse_part(kKnown, "it is not about these occluders");
   }
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Opens a store, the file of `occlude preprocess`. It must be refused with a message, or give a culler that breaks no promise.
+// Opens a store, the file of `occlude preprocess`. It must be refused with a message, or give a culler that breaks no
+// promise.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -15,9 +15,9 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
-#include "occlude/render/stopwatch.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
+#include "occlude/render/stopwatch.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_files.h"
 

@@ -182,7 +182,8 @@ TEST_F(ForgedPart, OfAnotherSize) {
 
 TEST_F(ForgedPart, OfTheSoup) {
   EXPECT_EQ(with("first", 0, U32{1}), "the soup's `first` does not begin with 0");
-  EXPECT_TRUE(with("indices", 7, vertices_).ends_with("is vertex " + std::to_string(vertices_) + " of " + std::to_string(vertices_)));
+  EXPECT_TRUE(with("indices", 7, vertices_)
+                  .ends_with("is vertex " + std::to_string(vertices_) + " of " + std::to_string(vertices_)));
   EXPECT_NE(with("first", 5, sound_.get<U32>("first")[4] + 2), "");
   const double nan = std::nan("");
   EXPECT_EQ((refusal<double>("vertices", [&](std::vector<double>& v) { v[3] = nan; })), "vertex 1: number is not finite");
@@ -285,14 +286,18 @@ TEST_F(ForgedPart, OfTheRegions) {
     EXPECT_EQ(with("region polygons", first_part[r], polygons_), region) << r;
     EXPECT_NE(with("region first corner", r + 1, first[r]), "") << r << ": no corners";
   }
-  EXPECT_EQ(with("region first corner", 1, U32{1} << 31U), "part \"region first corner\": the regions are not of these polygons");
-  EXPECT_EQ(with("region first polygon", 1, U32{1} << 31U), "part \"region first corner\": the regions are not of these polygons");
+  EXPECT_EQ(with("region first corner", 1, U32{1} << 31U),
+            "part \"region first corner\": the regions are not of these polygons");
+  EXPECT_EQ(with("region first polygon", 1, U32{1} << 31U),
+            "part \"region first corner\": the regions are not of these polygons");
   EXPECT_EQ(with("region polygons", first_part[polygons_], parts[first_part[polygons_] + 1]), region) << "a part twice";
   // A joined region that is larger than its polygons.
   const U32 elsewhere = corners[0];
   EXPECT_EQ(with("region corners", first[polygons_], elsewhere), region);
   // The corners of a joined region in another order, which goes over its edge.
-  EXPECT_EQ((refusal<U32>("region corners", [&](auto& all) { std::swap(all[first[polygons_]], all[first[polygons_] + 1]); })), region);
+  EXPECT_EQ(
+      (refusal<U32>("region corners", [&](auto& all) { std::swap(all[first[polygons_]], all[first[polygons_] + 1]); })),
+      region);
   for (const FanRun wrong : {FanRun{runs[0].first, runs[0].count + 1}, FanRun{runs[0].first, 0}, FanRun{0xFFFFFFFFU, 1},
                              FanRun{runs[0].first + 1, runs[0].count}}) {
     EXPECT_EQ(with("pieces", 0, wrong), region);
@@ -347,13 +352,15 @@ TEST_F(ForgedPart, ThatIsNoShell) {
   const auto eye = kernel::Viewpoint::eye({-90, -90, 5});
   EXPECT_TRUE(culler.occluders().polytope(regions).faces().empty());
   EXPECT_FALSE(culler.occluders().shadow(regions, eye, kernel::Near::surface).frustum.has_value());
-  EXPECT_EQ(culler.occluders().polytope(regions + 1).faces().size(), culler_.occluders().polytope(regions + 1).faces().size());
+  EXPECT_EQ(culler.occluders().polytope(regions + 1).faces().size(),
+            culler_.occluders().polytope(regions + 1).faces().size());
   EXPECT_TRUE(culler.occluders().shadow(regions + 1, eye, kernel::Near::surface).frustum.has_value());
 }
 
 TEST_F(ForgedPart, OfTheLists) {
   const std::string lists = "part \"listed\": the lists are not of these regions and occluders",
-                    cells = "part \"cells\": it is not a tree of cells", hidden = "part \"hidden\": it is not of these lists";
+                    cells = "part \"cells\": it is not a tree of cells",
+                    hidden = "part \"hidden\": it is not of these lists";
   const auto many = static_cast<U32>(culler_.occluders().size());
   const auto first = sound_.get<U64>("list first");
   const std::size_t entries = sound_.get<U32>("listed").size();
@@ -380,7 +387,13 @@ TEST_F(ForgedPart, OfTheLists) {
   EXPECT_EQ(change(0, {all[0].plane, all[0].axis, static_cast<U32>(all.size())}), cells);
   EXPECT_EQ(change(0, {all[0].plane, all[0].axis, 0}), cells);
   EXPECT_EQ(change(all.size() - 1, {0, 0, static_cast<U32>(all.size() - 2)}), cells);
-  EXPECT_EQ((refusal<Cell>("cells", [](auto& few) { few.resize(1); few[0] = {}; })), lists) << "of another partition";
+  EXPECT_EQ((refusal<Cell>("cells",
+                           [](auto& few) {
+                             few.resize(1);
+                             few[0] = {};
+                           })),
+            lists)
+      << "of another partition";
   EXPECT_EQ((refusal<double>("space", [](auto& box) { box[1] = std::nan(""); })), "part \"space\": it is not a box");
 }
 
@@ -438,9 +451,9 @@ TEST_F(ForgedPart, OfTheCover) {
     EXPECT_EQ(with("cover next", s, next[s] ^ kOfTwo), rings);
     EXPECT_EQ(with("cover next", s, ((next[s] & ~kOfTwo) + 1) % sides | kOfTwo), rings) << "another edge";
   }
-  const auto paired = static_cast<U32>(std::ranges::find_if(next, [&](const U32& n) {
-    return (n & ~kOfTwo) != static_cast<U32>(&n - next.data());
-  }) - next.begin());
+  const auto paired = static_cast<U32>(
+      std::ranges::find_if(next, [&](const U32& n) { return (n & ~kOfTwo) != static_cast<U32>(&n - next.data()); }) -
+      next.begin());
   ASSERT_LT(paired, sides);
   EXPECT_EQ(with("cover next", paired, paired | kOfTwo), rings) << "a ring that is not entered again";
 
@@ -451,8 +464,10 @@ TEST_F(ForgedPart, OfTheCover) {
   EXPECT_EQ(with("cover around", 0, polygons_), around);
   EXPECT_EQ(with("cover around", 0, culler_.hierarchy().nodes()[n].first), around) << "its own";
   EXPECT_EQ(with("cover around", first[n + 1] - 1, list[0]), first[n + 1] == 1 ? "" : around) << "twice";
-  EXPECT_EQ(with("cover first around", 1, U64{list.size()} + 1), "part \"cover first around\": it has not a range for each node");
-  EXPECT_EQ((refusal<U64>("cover first around", [&](auto& all) { std::fill(all.begin() + 1, all.end(), list.size()); })), around)
+  EXPECT_EQ(with("cover first around", 1, U64{list.size()} + 1),
+            "part \"cover first around\": it has not a range for each node");
+  EXPECT_EQ((refusal<U64>("cover first around", [&](auto& all) { std::fill(all.begin() + 1, all.end(), list.size()); })),
+            around)
       << "too many";
 }
 

@@ -17,7 +17,7 @@
 
 namespace occlude::culler {
 
-struct SidePair;  // src/adjacency.h
+struct SidePair;   // src/adjacency.h
 class PartReader;  // src/part_list.h
 class PartWriter;
 
@@ -85,7 +85,7 @@ class ConvexRegions {
   /// The same for whole(polygon).
   [[nodiscard]] bool is_whole_sound(std::uint32_t polygon, std::size_t polygons) const;
 
-  Array<std::uint32_t> vertices_, first_vertex_;  ///< region r has the corners [first_vertex_[r], first_vertex_[r + 1])
+  Array<std::uint32_t> vertices_, first_vertex_;   ///< region r has the corners [first_vertex_[r], first_vertex_[r + 1])
   Array<std::uint32_t> polygons_, first_polygon_;  ///< the same of its parts
   Array<std::uint32_t> whole_;
   std::size_t first_piece_ = 0;

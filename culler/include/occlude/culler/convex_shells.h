@@ -17,7 +17,7 @@
 
 namespace occlude::culler {
 
-struct SidePair;  // src/adjacency.h
+struct SidePair;   // src/adjacency.h
 class PartReader;  // src/part_list.h
 class PartWriter;
 class ShellPolytopes;  // src/shell_polytopes.h

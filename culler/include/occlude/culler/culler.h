@@ -36,10 +36,10 @@ class Culler {
   /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
   /// 3. what `checkpoint` throws.
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
-  /// The same culler from its parts, which are kept and not copied, but for the soup. What only frames by one method need may
-  /// be left out (method_of()), and is then made when it is first needed. Takes a twentieth of the time. Everything that a
-  /// wrong cull could come of is checked on all processors, and std::invalid_argument thrown, with the part and the reason,
-  /// if it cannot be of these polygons. Parts may come from anywhere:
+  /// The same culler from its parts, which are kept and not copied, but for the soup. What only frames by one method need
+  /// may be left out (method_of()), and is then made when it is first needed. Takes a twentieth of the time. Everything that
+  /// a wrong cull could come of is checked on all processors, and std::invalid_argument thrown, with the part and the
+  /// reason, if it cannot be of these polygons. Parts may come from anywhere:
   /// 1. No parts lead out of bounds, or to more memory than several times their size.
   /// 2. Nothing visible is culled, whatever they are, as long as oriented boxes hold their polygons. This alone is not
   ///    checked, and concerns Bounds::obb alone.

@@ -60,7 +60,8 @@ class Hierarchy {
   /// boxes: the soup is legal, each polygon is in one leaf, and each axis-aligned box is the smallest that holds its
   /// polygons. Throws std::invalid_argument otherwise. REQUIRES, not checked: an oriented box holds the polygons of its
   /// node.
-  [[nodiscard]] static Hierarchy from_parts(const PartReader& parts, const Config& config, const Checkpoint& checkpoint = {});
+  [[nodiscard]] static Hierarchy from_parts(const PartReader& parts, const Config& config,
+                                            const Checkpoint& checkpoint = {});
 
   /// The polygons in the order of the leaves.
   [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }

@@ -41,9 +41,10 @@ class Culler;
 [[nodiscard]] std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samples, std::size_t first,
                                                 std::size_t end, const Checkpoint& checkpoint = {});
 
-/// Prepares the model and samples what its occluders hide: the culler of this soup with OccluderLists::Stored::hidden. Runs on
-/// all processors; the result does not depend on their number. While sampling, calls progress(done, all), if given, after each of all regions: on any thread, one call at a
-/// time. What it or `checkpoint` throws stops the work and is thrown on. Throws also as the constructor of Culler.
+/// Prepares the model and samples what its occluders hide: the culler of this soup with OccluderLists::Stored::hidden. Runs
+/// on all processors; the result does not depend on their number. While sampling, calls progress(done, all), if given, after
+/// each of all regions: on any thread, one call at a time. What it or `checkpoint` throws stops the work and is thrown on.
+/// Throws also as the constructor of Culler.
 [[nodiscard]] Culler preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
                                 const std::function<void(std::size_t done, std::size_t all)>& progress = {},
                                 const Checkpoint& checkpoint = {});

@@ -41,9 +41,9 @@ struct WalkOptions {
               step = 1;  ///< frames drawn, compared and counted: begin, begin + step, ... below end
   culler::CullOptions cull;
   culler::BuildConfig build;
-  std::filesystem::path preprocess;              ///< store of the model, used instead of `build`; or empty
-  bool render = true;                            ///< draw and compare; if false, only culling is measured
-  std::optional<std::filesystem::path> witness;  ///< file for the proofs of all culls (JSON Lines)
+  std::filesystem::path preprocess;                       ///< store of the model, used instead of `build`; or empty
+  bool render = true;                                     ///< draw and compare; if false, only culling is measured
+  std::optional<std::filesystem::path> witness;           ///< file for the proofs of all culls (JSON Lines)
   std::function<void(const ShadowTest&)> on_shadow_test;  ///< called for each test on about 48 frames
 };
 
