@@ -140,16 +140,4 @@ BoxTree BoxTree::build(std::span<const Aabb> boxes, std::uint32_t leaf_size, con
   return tree;
 }
 
-void BoxTree::refit(std::span<const Aabb> boxes) {
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    HierarchyNode& node = nodes[i];
-    if (node.is_leaf()) {
-      node.box = bounds(boxes, std::span(order).subspan(node.first, node.count));
-    } else {
-      node.box = nodes[i + 1].box;
-      grow(node.box, nodes[node.right].box);
-    }
-  }
-}
-
 }  // namespace occlude::culler

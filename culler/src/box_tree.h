@@ -21,9 +21,6 @@ struct BoxTree {
   /// heuristic (Goldsmith and Salmon 1987) estimates the least cost. REQUIRES: there is a box, leaf_size > 0.
   [[nodiscard]] static BoxTree build(std::span<const kernel::Aabb> boxes, std::uint32_t leaf_size,
                                      const Checkpoint& checkpoint = {});
-
-  /// Refits the boxes of the nodes to those of their items, bottom-up. The shape of the tree stays.
-  void refit(std::span<const kernel::Aabb> boxes);
 };
 
 }  // namespace occlude::culler

@@ -18,7 +18,7 @@
 namespace occlude::culler {
 namespace {
 
-const PolygonSoup& checked(const PolygonSoup& soup) {
+PolygonSoup checked(PolygonSoup soup) {
   require_legal(soup);
   if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
   return soup;
@@ -32,9 +32,9 @@ auto volumes_of(const Hierarchy& hierarchy) {
 
 }  // namespace
 
-Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpoint& checkpoint)
+Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& checkpoint)
     : config_(config),
-      hierarchy_(Hierarchy::build(checked(soup), config.hierarchy, checkpoint)),
+      hierarchy_(Hierarchy::build(checked(std::move(soup)), config.hierarchy, checkpoint)),
       occluders_(
           OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config.occluders, config.lists, checkpoint)),
       blocks_(std::make_shared<Lazy<NodeBlocks>>()),

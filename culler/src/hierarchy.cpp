@@ -23,9 +23,9 @@ std::vector<Aabb> polygon_boxes(const PolygonSoup& soup, const Checkpoint& check
   return boxes;
 }
 
-PolygonSoup reordered(const PolygonSoup& soup, const std::vector<std::uint32_t>& order, const Checkpoint& checkpoint) {
+PolygonSoup reordered(PolygonSoup soup, const std::vector<std::uint32_t>& order, const Checkpoint& checkpoint) {
   PolygonSoup result;
-  result.vertices = soup.vertices;
+  result.vertices = std::move(soup.vertices);
   result.indices.reserve(soup.indices.size());
   result.first.reserve(soup.first.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -37,17 +37,17 @@ PolygonSoup reordered(const PolygonSoup& soup, const std::vector<std::uint32_t>&
 
 }  // namespace
 
-Hierarchy::Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
-    : soup_(std::make_shared<const PolygonSoup>(reordered(soup, tree.order, checkpoint))),
+Hierarchy::Hierarchy(PolygonSoup soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
+    : soup_(std::make_shared<const PolygonSoup>(reordered(std::move(soup), tree.order, checkpoint))),
       leaf_size_(config.leaf_size),
       order_(std::move(tree.order)),
       nodes_(std::move(tree.nodes)) {
   if (config.bounds == Bounds::obb) fit_oriented_boxes(checkpoint);
 }
 
-Hierarchy Hierarchy::build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint) {
+Hierarchy Hierarchy::build(PolygonSoup soup, const Config& config, const Checkpoint& checkpoint) {
   BoxTree tree = BoxTree::build(polygon_boxes(soup, checkpoint), std::max(1U, config.leaf_size), checkpoint);
-  return Hierarchy(soup, config, std::move(tree), checkpoint);
+  return Hierarchy(std::move(soup), config, std::move(tree), checkpoint);
 }
 
 /// An oriented box costs about twice as many operations as an axis-aligned one. If its surface is less than this share of

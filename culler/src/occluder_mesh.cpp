@@ -24,7 +24,7 @@ std::unique_ptr<const OccluderMesh::Prepared> prepared(PolygonSoup&& soup, const
   require_legal(soup);
   auto result = std::make_unique<OccluderMesh::Prepared>();
   if (soup.empty()) return result;
-  result->tree = Hierarchy::build(soup, {.leaf_size = leaf_size_for(Method::cover)}, checkpoint);
+  result->tree = Hierarchy::build(std::move(soup), {.leaf_size = leaf_size_for(Method::cover)}, checkpoint);
   result->triangles = CoverTriangles::find(result->tree->soup(), result->tree->nodes(), checkpoint);
   return result;
 }

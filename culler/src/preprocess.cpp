@@ -82,9 +82,9 @@ std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samp
   return sample_each(culler, samples, first, end, checkpoint, [] {});
 }
 
-Culler preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
+Culler preprocess(PolygonSoup soup, const BuildConfig& config, const SampleConfig& samples,
                   const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
-  Culler culler(soup, config, checkpoint);
+  Culler culler(std::move(soup), config, checkpoint);
   if (samples.viewpoints == 0) return culler;
   std::mutex mutex;
   std::size_t done = 0;

@@ -2,6 +2,7 @@
 #include "growth.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bench.h"
 #include "occlude/culler/culler.h"
@@ -40,12 +41,12 @@ void note(std::vector<double>& values, std::optional<std::size_t> bytes, std::si
 }
 
 void run(CityTrial& trial, const Options& options) {
-  const render::City city = render::generate_city(trial.size, options.seed);
+  render::City city = render::generate_city(trial.size, options.seed);
   render::check_interrupt();
   const std::size_t polygons = city.soup.size();
   const PeakMemory memory;
   const render::Stopwatch stopwatch;
-  const culler::Culler culler(city.soup, options.walk.build, render::check_interrupt);
+  const culler::Culler culler(std::move(city.soup), options.walk.build, render::check_interrupt);
   culler.prepare(options.walk.cull.method, render::check_interrupt);
   trial.build_s.push_back(stopwatch.seconds());
   note(trial.peak_bytes, memory.peak_bytes(), polygons);

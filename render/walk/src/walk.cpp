@@ -75,9 +75,9 @@ void prepare(const culler::Culler& culler, const WalkOptions& options) {
 
 }  // namespace
 
-culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options) {
+culler::Culler make_culler(culler::PolygonSoup soup, const WalkOptions& options) {
   culler::Culler culler = [&] {
-    if (options.preprocess.empty()) return culler::Culler(soup, options.build, check_interrupt);
+    if (options.preprocess.empty()) return culler::Culler(std::move(soup), options.build, check_interrupt);
     culler::Culler stored = read_store(options.preprocess, options.cull.method);
     if (is_model_of(soup, stored)) return stored;
     throw InputError(options.preprocess.string() + ": made from another model: preprocess this one");
@@ -93,11 +93,13 @@ culler::Culler make_culler(const std::filesystem::path& model, const WalkOptions
   return culler;
 }
 
+void require_walkable(std::size_t polygons, const std::string& model_name) {
+  if (polygons < 2) throw InputError(fmt::format("{}: only one polygon; a walk needs at least two", model_name));
+}
+
 WalkResult walk(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                 const std::string& model_name, WalkOutput& output) {
-  if (culler.hierarchy().soup().size() < 2) {
-    throw InputError(fmt::format("{}: only one polygon; a walk needs at least two", model_name));
-  }
+  require_walkable(culler.hierarchy().soup().size(), model_name);
   output.add_model(culler);
   Stage stage(culler, options);
   kernel::Operations operations;

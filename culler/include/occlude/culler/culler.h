@@ -29,13 +29,13 @@ class Lazy;
 /// Const calls may run on several threads at once, each with a View of its own. A copy counts as the same culler for a View.
 class Culler {
  public:
-  /// Copies the soup. Takes seconds for millions of polygons, on all processors. Throws
+  /// Takes the soup: one that is moved here is not copied. Takes seconds for millions of polygons, on all processors. Throws
   /// 1. std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
   ///    (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a config.lists
   ///    out of range;
   /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
   /// 3. what `checkpoint` throws.
-  explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
+  explicit Culler(PolygonSoup soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
   /// The same culler from its parts, which are kept and not copied, but for the soup. What only frames by one method need
   /// may be left out (method_of()), and is then made when it is first needed. Takes a twentieth of the time. Everything that
   /// a wrong cull could come of is checked on all processors, and std::invalid_argument thrown, with the part and the

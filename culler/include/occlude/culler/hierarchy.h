@@ -50,9 +50,9 @@ class Hierarchy {
   using Node = HierarchyNode;
 
   /// Builds top-down, splitting where the surface area heuristic (Goldsmith and Salmon 1987) estimates the least cost.
-  /// Copies the soup. What `checkpoint` throws is thrown on.
+  /// Takes the soup, whose vertices stay where they are. What `checkpoint` throws is thrown on.
   /// REQUIRES: soup is well formed and not empty, and its coordinates are in the kernel's legal range.
-  [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint = {});
+  [[nodiscard]] static Hierarchy build(PolygonSoup soup, const Config& config, const Checkpoint& checkpoint = {});
 
   /// The parts of a tree, for Culler::parts().
   void append_parts(PartWriter& parts) const;
@@ -93,7 +93,7 @@ class Hierarchy {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   Hierarchy() = default;
-  Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint);
+  Hierarchy(PolygonSoup soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint);
 
   void fit_oriented_boxes(const Checkpoint& checkpoint);
 

@@ -45,7 +45,7 @@ class Culler;
 /// on all processors; the result does not depend on their number. While sampling, calls progress(done, all), if given, after
 /// each of all regions: on any thread, one call at a time. What it or `checkpoint` throws stops the work and is thrown on.
 /// Throws also as the constructor of Culler.
-[[nodiscard]] Culler preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
+[[nodiscard]] Culler preprocess(PolygonSoup soup, const BuildConfig& config, const SampleConfig& samples,
                                 const std::function<void(std::size_t done, std::size_t all)>& progress = {},
                                 const Checkpoint& checkpoint = {});
 

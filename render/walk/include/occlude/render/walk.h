@@ -54,9 +54,13 @@ struct WalkOptions {
 
 /// The culler of a walk, prepared for its method: from the store if one is named, else built now. Throws InputError as
 /// read_store() does, also for a store of another model, and Interrupted on Ctrl-C.
-[[nodiscard]] culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options);
+[[nodiscard]] culler::Culler make_culler(culler::PolygonSoup soup, const WalkOptions& options);
 /// The same of a model's file. If that is a store, it is the culler in it, and the model is not read.
 [[nodiscard]] culler::Culler make_culler(const std::filesystem::path& model, const WalkOptions& options);
+
+/// Throws InputError for a model with so few polygons that there is nothing to cull. walk() does so, but only after the
+/// model was prepared.
+void require_walkable(std::size_t polygons, const std::string& model_name);
 
 /// The frames of the path that a walk counts. Those between are only culled, because later frames depend on them. Throws
 /// InputError if there are none.
