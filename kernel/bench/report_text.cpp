@@ -33,8 +33,8 @@ Table times_table(const Result& result) {
     table.rows.push_back({subject});
     for (const WorkloadSummary& workload : result.workloads) {
       const Measurement* m = find(result, subject, workload.name);
-      table.rows.back().push_back(m ? fmt::format("{:.1f}{:>8.2f} %", median(m->ns), percent(m->wrong, result.options.boxes))
-                                    : "-");
+      table.rows.back().push_back(
+          m ? fmt::format("{:.1f} ({:.2f} %)", median(m->ns), percent(m->wrong, result.options.boxes)) : "-");
     }
   }
   for (const PeerSummary& peer : result.peers) table.notes.push_back(fmt::format("{}: {}", peer.name, peer.shown_version()));

@@ -3,7 +3,7 @@
 
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
-#include "thread_time.h"
+#include "processor_time.h"
 
 namespace occlude::experiments {
 
@@ -16,7 +16,7 @@ Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, co
     render::check_interrupt();
     const culler::Camera camera = path.camera(frame, aspect(walk));
     culler::View& view = along.before(frame);
-    const ThreadTime time;
+    const ProcessorTime time(ProcessorTime::Of::thread);
     const culler::CullResult& culled = culler.cull(camera, cull, view);
     sum.cull_ms += time.milliseconds();
     sum.drawn += static_cast<double>(culled.stats.drawn_polygons);

@@ -8,9 +8,8 @@
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
-#include "occlude/render/stopwatch.h"
 #include "own_ways.h"
-#include "thread_time.h"
+#include "processor_time.h"
 
 namespace occlude::experiments {
 namespace {
@@ -77,9 +76,9 @@ std::vector<Trial> prepare(const std::vector<UnpreparedWay>& ways, std::size_t f
   for (const UnpreparedWay& way : ways) {
     render::check_interrupt();
     Trial trial;
-    const render::Stopwatch stopwatch;
+    const ProcessorTime time(ProcessorTime::Of::process);
     trial.way = way.prepare();
-    trial.result.prepare_ms = stopwatch.milliseconds();
+    trial.result.prepare_ms = time.milliseconds();
     trial.result.project = way.project;
     trial.result.name = way.name;
     trial.cull_ms.resize(frames);
@@ -97,7 +96,7 @@ void cull_frame(std::vector<Trial>& trials, std::size_t i, std::size_t frame, co
     render::check_interrupt();
     Trial& trial = trials[(k + i + round) % trials.size()];
     trial.way->move_to(frame);
-    const ThreadTime time;
+    const ProcessorTime time(ProcessorTime::Of::thread);
     trial.way->cull(camera);
     trial.cull_ms[i].push_back(time.milliseconds());
   }
@@ -143,9 +142,9 @@ VisibilityResult measure_visibility(const Subject& subject, const VisibilityOpti
   result.model = subject.name;
   result.polygons = subject.soup.size();
   result.frames = frames.size();
-  const render::Stopwatch stopwatch;
+  const ProcessorTime time(ProcessorTime::Of::process);
   const auto tree = culler::Hierarchy::build(subject.soup, options.walk.build.hierarchy, render::check_interrupt);
-  result.tree_ms = stopwatch.milliseconds();
+  result.tree_ms = time.milliseconds();
   result.leaves = static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), &culler::HierarchyNode::is_leaf));
   std::vector<UnpreparedWay> ways = own_ways(subject, options.walk);
   for (const Rival& rival : rivals(tree, options.pictures)) {

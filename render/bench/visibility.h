@@ -23,7 +23,7 @@ struct VisibilityOptions {
 
 struct WayResult {
   std::string project, name;
-  double prepare_ms = 0;                  ///< on all threads; of ours with the tree, of others with what they add to it
+  double prepare_ms = 0;                  ///< processor time of all threads; ours has the tree in it
   double drawn = 0;                       ///< polygons a frame
   double hidden_culled = 0;               ///< share of the hidden polygons
   std::size_t false_culls = 0;            ///< polygons with a pixel in the item buffer that were culled, over all frames
@@ -34,7 +34,7 @@ struct WayResult {
 struct VisibilityResult {
   std::string model;
   std::size_t polygons = 0, leaves = 0, frames = 0;
-  double tree_ms = 0;                      ///< to build the tree that the others are given
+  double tree_ms = 0;                      ///< processor time to build the tree that the others are given
   double in_view = 0, hidden = 0;          ///< polygons a frame: passed by the view frustum; of them without a pixel
   std::vector<WayResult> ways;             ///< ours first
   std::vector<bench::PeerSummary> rivals;  ///< all known ones

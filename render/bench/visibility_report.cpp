@@ -48,8 +48,8 @@ bench::Table table_of(const VisibilityResult& result, const VisibilityOptions& o
       "False culls: polygons with a pixel in the item buffer of the whole model that were left out, over all frames; wrong "
       "pixels show something else then.",
       fmt::format(
-          "Culls in processor time of one thread, each frame the median of {} rounds; prepared on all threads, by the "
-          "clock.",
+          "Times are of the processor: a cull on one thread, each frame the median of {} rounds; what is prepared, on "
+          "all threads.",
           options.repetitions)};
   for (const bench::PeerSummary& rival : result.rivals) {
     table.notes.push_back(fmt::format("{}: {}", rival.name, rival.shown_version()));

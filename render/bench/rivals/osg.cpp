@@ -28,8 +28,8 @@ using culler::PotentialOccluders;
 constexpr std::size_t kNodes = 1024;
 /// The planes of an occluder are bits of a word of 32, one of which is for the plane of the polygon.
 constexpr std::size_t kMostSides = 31;
-/// Occluders that a frame uses: the default, and many.
-constexpr unsigned int kActive[] = {10, 64};
+/// Occluders that a frame uses at most: none, the default, and many.
+constexpr unsigned int kActive[] = {0, 10, 64};
 
 class Leaf : public osg::Drawable {
  public:
@@ -56,6 +56,7 @@ class OccluderNodes : public VisibilityWay {
  public:
   OccluderNodes(const Hierarchy& tree, unsigned int active)
       : tree_(tree),
+        has_occluders_(active > 0),
         centre_(middle(tree.nodes()[0].box)),
         radius_(osg::BoundingSphere(box_of(0)).radius()),
         root_(new osg::Group),
@@ -64,7 +65,7 @@ class OccluderNodes : public VisibilityWay {
         graph_(new osgUtil::StateGraph),
         stage_(new osgUtil::RenderStage),
         viewport_(new osg::Viewport(0, 0, 1, 1)) {
-    add_occluders();
+    if (has_occluders_) add_occluders();
     root_->addChild(subgraph(0));
     root_->getBound();  // computes all
     collect_->setMaximumNumberOfActiveOccluders(active);
@@ -79,16 +80,12 @@ class OccluderNodes : public VisibilityWay {
   void cull(const Camera& camera) override {
     const osg::ref_ptr<osg::RefMatrix> view = new osg::RefMatrix(view_of(camera));
     const osg::ref_ptr<osg::RefMatrix> projection = new osg::RefMatrix(projection_of(camera));
-    collect_->reset();
-    traverse(*collect_, view, projection);
-    collect_->removeOccludedOccluders();
     cull_->reset();
     cull_->setStateGraph(graph_);
     cull_->setRenderStage(stage_);
     stage_->reset();
     graph_->clean();
-    const auto& chosen = collect_->getCollectedOccluderSet();
-    cull_->getOccluderList().assign(chosen.begin(), chosen.end());
+    if (has_occluders_) choose_occluders(view, projection);
     traverse(*cull_, view, projection);
     stage_->sort();
   }
@@ -172,6 +169,14 @@ class OccluderNodes : public VisibilityWay {
     return osg::Matrixd::ortho(-right, right, -up, up, camera.near, far);
   }
 
+  void choose_occluders(osg::RefMatrix* view, osg::RefMatrix* projection) {
+    collect_->reset();
+    traverse(*collect_, view, projection);
+    collect_->removeOccludedOccluders();
+    const auto& chosen = collect_->getCollectedOccluderSet();
+    cull_->getOccluderList().assign(chosen.begin(), chosen.end());
+  }
+
   template <class Visitor>
   void traverse(Visitor& visitor, osg::RefMatrix* view, osg::RefMatrix* projection) {
     visitor.pushViewport(viewport_);
@@ -184,6 +189,7 @@ class OccluderNodes : public VisibilityWay {
   }
 
   const Hierarchy& tree_;
+  bool has_occluders_;
   osg::Vec3d centre_;
   double radius_;
   osg::ref_ptr<osg::Group> root_;
@@ -199,7 +205,8 @@ class OccluderNodes : public VisibilityWay {
 std::vector<UnpreparedWay> osg_ways(const Hierarchy& tree) {
   std::vector<UnpreparedWay> ways;
   for (const unsigned int active : kActive) {
-    ways.push_back({"OpenSceneGraph", fmt::format("OpenSceneGraph, the {} best occluders", active),
+    const std::string what = active == 0 ? "view frustum alone" : fmt::format("the {} best occluders", active);
+    ways.push_back({"OpenSceneGraph", "OpenSceneGraph, " + what,
                     [&tree, active] { return std::make_unique<OccluderNodes>(tree, active); }});
   }
   return ways;
