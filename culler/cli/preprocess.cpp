@@ -24,10 +24,10 @@
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/packing.h"
-#include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/ranks.h"
 #include "occlude/render/stopwatch.h"
+#include "occlude/render/store.h"
 
 namespace occlude::cli {
 namespace {
@@ -86,29 +86,30 @@ render::Job job_of(const Arguments& arguments, const culler::PolygonSoup& soup) 
           }};
 }
 
-culler::Preprocess find_out(render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
-                            const culler::BuildConfig& config) {
-  const culler::Culler culler(soup, config, render::check_interrupt);
-  culler::Preprocess result = culler::unsampled(culler, config);
-  if (arguments.samples.viewpoints > 0) result.lists.hidden = sample(job, culler, arguments.samples);
-  return result;
+culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
+                        const culler::BuildConfig& config) {
+  culler::Culler culler(soup, config, render::check_interrupt);
+  if (arguments.samples.viewpoints == 0) return culler;
+  return culler.with_hidden(sample(job, culler, arguments.samples));
 }
 
-Summary make_preprocess(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup,
-                        const Arguments& arguments, const culler::BuildConfig& config) {
+Summary make_store(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
+                   const culler::BuildConfig& config) {
   const render::Stopwatch stopwatch;
-  const culler::Preprocess result = find_out(job, soup, arguments, config);
+  const culler::Culler culler = find_out(job, soup, arguments, config);
+  for (const auto method : {culler::Method::frusta, culler::Method::cover}) culler.prepare(method, render::check_interrupt);
   const double seconds = stopwatch.seconds();
   render::check_interrupt();
-  render::write_preprocess(file, soup, result);
+  render::write_store(file, culler);
   file.close();
-  const culler::OccluderLists::Stored& lists = result.lists;
+  const std::size_t nodes = culler.hierarchy().nodes().size();
+  const culler::OccluderLists::Stored& lists = culler.occluders().lists().stored();
   const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
   const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
   return {fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out, soup.size(),
-                      result.layout.left.size(), lists.first.size() - 1, lists.occluders.size(), sampled, seconds),
+                      nodes, lists.first.size() - 1, lists.occluders.size(), sampled, seconds),
           {{"polygons", soup.size()},
-           {"nodes", result.layout.left.size()},
+           {"nodes", nodes},
            {"regions", lists.first.size() - 1},
            {"listed", lists.occluders.size()},
            {"found_to_hide", lists.hidden.empty() ? ordered_json() : ordered_json(hide)},
@@ -154,11 +155,11 @@ void preprocess(Arguments& arguments) {
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {
-    find_out(job, soup, arguments, config);
+    static_cast<void>(find_out(job, soup, arguments, config));
     return;
   }
   Summary told{"", {{"polygons", soup.size()}}};
-  if (file) told = make_preprocess(*file, job, soup, arguments, config);
+  if (file) told = make_store(*file, job, soup, arguments, config);
   if (box_file) {
     const Summary boxes = make_inner_boxes(*box_file, soup, arguments);
     told.line += boxes.line;
@@ -179,11 +180,13 @@ void preprocess(Arguments& arguments) {
 }  // namespace
 
 void add_preprocess(Command app, int&) {
-  Command command = app.add_command("preprocess", "Find out once about a model what every walk can use");
+  Command command = app.add_command("preprocess", "Prepare a model once: write a store that commands open at once");
   command.footer(
-      "Stores the order of the tree, the occluders that each region of space lists, and what they hide as sampled there, "
-      "for\n"
-      "walk and validate with --preprocess. Nothing in it can make a cull wrong.\n"
+      "The store holds the model and all that culling it needs: the tree, what can hide, the occluders that each region of\n"
+      "space lists, and what they hide as sampled there. Commands take it in place of the model, and cull its first frame\n"
+      "without reading or preparing anything else. It is checked when it is opened: no store leads to a wrong cull, but "
+      "one\n"
+      "with oriented boxes (--bounds obb), which is as good as who made it.\n"
       "\n"
       "Inner boxes are occluders for engines: they lie exactly inside of the closed parts of the model, and hide nothing\n"
       "wrongly from eyes outside of these parts.\n" +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <utility>
 
 #include "adjacency.h"
 #include "bounds.h"
@@ -18,9 +19,6 @@ constexpr double kFlat = 1 - 0x1p-21;
 /// The least sine of the turn at the ends of a shared edge, unless the path goes straight on there. A corner that rounding
 /// may turn the other way would make the region useless from half of all viewpoints.
 constexpr double kTurn = 0x1p-20;
-/// Every side is a plane of the shadow and costs time at every test. Few walls have more sides.
-constexpr std::uint32_t kMostJoined = 32;
-
 /// The loops of the polygons, with linked sides.
 class Sides {
  public:
@@ -125,7 +123,7 @@ class Merging {
 
   void try_to_join(std::uint32_t side, std::uint32_t twin) {
     const std::uint32_t a = joined_.find(polygon_of_[side]), b = joined_.find(polygon_of_[twin]);
-    if (a == b || sets_[a].sides + sets_[b].sides > kMostJoined + 2) return;
+    if (a == b || sets_[a].sides + sets_[b].sides > ConvexRegions::kMostJoined + 2) return;
     const glm::dvec3 &area = sets_[a].area, &other = sets_[b].area, sum = area + other;
     if (!(glm::dot(area, other) > kFlat * glm::length(area) * glm::length(other))) return;
     if (!turns(sides_.previous(side), sides_.next(twin), sum)) return;
@@ -170,48 +168,53 @@ std::vector<std::uint32_t> piece_of(std::span<const std::uint32_t> loop, const F
   return piece;
 }
 
-void ConvexRegions::end_region() {
-  first_vertex_.push_back(static_cast<std::uint32_t>(vertices_.size()));
-  first_polygon_.push_back(static_cast<std::uint32_t>(polygons_.size()));
-}
-
 ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
                                   const Checkpoint& checkpoint) {
   const auto count = static_cast<std::uint32_t>(soup.size());
-  ConvexRegions result;
-  result.vertices_ = soup.indices;
-  result.first_vertex_ = soup.first;
-  result.polygons_.resize(count);
-  result.first_polygon_.resize(count + 1);
-  std::iota(result.polygons_.begin(), result.polygons_.end(), 0U);
-  std::iota(result.first_polygon_.begin(), result.first_polygon_.end(), 0U);
-  result.whole_ = result.polygons_;
+  std::vector<std::uint32_t> vertices = soup.indices, first_vertex = soup.first;
+  std::vector<std::uint32_t> polygons(count), first_polygon(count + std::size_t{1});
+  std::iota(polygons.begin(), polygons.end(), 0U);
+  std::iota(first_polygon.begin(), first_polygon.end(), 0U);
+  std::vector<std::uint32_t> whole = polygons;
+  std::vector<FanRun> runs;
+  const auto regions = [&] { return first_vertex.size() - 1; };
+  const auto end_region = [&] {
+    first_vertex.push_back(static_cast<std::uint32_t>(vertices.size()));
+    first_polygon.push_back(static_cast<std::uint32_t>(polygons.size()));
+  };
 
   Merging merging(soup, adjacency, checkpoint);
-  merging.for_each_set([&](std::span<const std::uint32_t> polygons) {
-    if (polygons.size() == 1) return;
+  merging.for_each_set([&](std::span<const std::uint32_t> set) {
+    if (set.size() == 1) return;
     checkpoint();
-    for (const std::uint32_t p : polygons) {
-      result.whole_[p] = static_cast<std::uint32_t>(result.size());
-      result.polygons_.push_back(p);
+    for (const std::uint32_t p : set) {
+      whole[p] = static_cast<std::uint32_t>(regions());
+      polygons.push_back(p);
     }
-    merging.append_loop(polygons.front(), result.vertices_);
-    result.end_region();
+    merging.append_loop(set.front(), vertices);
+    end_region();
   });
 
-  result.first_piece_ = static_cast<std::uint32_t>(result.size());
+  ConvexRegions result;
+  result.first_piece_ = regions();
   for (std::uint32_t p = 0; p < count; ++p) {
     checkpoint.at(p);
     const std::size_t sides = soup.loop(p).size();
     if (sides == 3 || (merging.is_convex(p) && sides <= kMostSides)) continue;
     for (const FanRun& run : convex_runs(soup, soup.loop(p), merging.is_convex(p) ? kMostSides : kMostJoined)) {
       const auto piece = piece_of(soup.loop(p), run);
-      result.vertices_.insert(result.vertices_.end(), piece.begin(), piece.end());
-      result.polygons_.push_back(p);
-      result.runs_.push_back(run);
-      result.end_region();
+      vertices.insert(vertices.end(), piece.begin(), piece.end());
+      polygons.push_back(p);
+      runs.push_back(run);
+      end_region();
     }
   }
+  result.vertices_ = std::move(vertices);
+  result.first_vertex_ = std::move(first_vertex);
+  result.polygons_ = std::move(polygons);
+  result.first_polygon_ = std::move(first_polygon);
+  result.whole_ = std::move(whole);
+  result.runs_ = std::move(runs);
   return result;
 }
 

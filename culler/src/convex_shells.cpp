@@ -7,17 +7,11 @@
 #include "adjacency.h"
 #include "bounds.h"
 #include "disjoint_sets.h"
+#include "shell_limits.h"
+#include "shell_polytopes.h"
 
 namespace occlude::culler {
 namespace {
-
-/// Every face turned to the eye is a plane of the shadow and costs time at every test. The check that a solid is convex
-/// takes time in proportion to faces times vertices and to sides times vertices.
-constexpr std::size_t kMostFaces = 64;
-/// A prism with that many faces has almost six times as many sides. This is twice that.
-constexpr std::size_t kMostSides = 768;
-/// The faces of a tetrahedron.
-constexpr std::size_t kLeastFaces = 4;
 
 /// Groups of polygons that are connected edge to edge.
 class Parts {
@@ -68,24 +62,36 @@ kernel::Polytope polytope_of(const PolygonSoup& soup, std::span<const std::uint3
 
 ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint) {
   ConvexShells result;
+  std::vector<std::uint32_t> of_shells, first_part{0}, shell_of;
+  std::vector<kernel::ConvexPolytope> polytopes;
   Parts parts(soup, adjacency, checkpoint);
   parts.for_each([&](std::span<const std::uint32_t> polygons) {
     if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return;
     checkpoint();
-    std::size_t sides = 0;
-    for (const std::uint32_t p : polygons) sides += soup.loop(p).size();
-    if (sides > kMostSides) return;
+    if (sides_of(soup, polygons) > kMostSides) return;
     const auto is_closed = [&](std::uint32_t p) { return parts.paired(p) == soup.loop(p).size(); };
     if (!std::ranges::all_of(polygons, is_closed)) return;
     auto [polytope, refusal] = kernel::ConvexPolytope::make(polytope_of(soup, polygons));
     if (!polytope) return;
-    if (result.shell_of_.empty()) result.shell_of_.assign(soup.size(), kNone);
-    for (const std::uint32_t p : polygons) result.shell_of_[p] = static_cast<std::uint32_t>(result.shells_.size());
-    result.most_faces_ = std::max(result.most_faces_, polytope->faces().size());
-    result.most_edges_ = std::max(result.most_edges_, polytope->edges().size());
-    result.shells_.push_back({{polygons.begin(), polygons.end()}, std::move(*polytope)});
+    if (shell_of.empty()) shell_of.assign(soup.size(), kNone);
+    for (const std::uint32_t p : polygons) shell_of[p] = static_cast<std::uint32_t>(polytopes.size());
+    result.most_.faces = std::max(result.most_.faces, static_cast<std::uint32_t>(polytope->faces().size()));
+    result.most_.edges = std::max(result.most_.edges, static_cast<std::uint32_t>(polytope->edges().size()));
+    of_shells.insert(of_shells.end(), polygons.begin(), polygons.end());
+    first_part.push_back(static_cast<std::uint32_t>(of_shells.size()));
+    polytopes.push_back(std::move(*polytope));
   });
+  result.parts_ = std::move(of_shells);
+  result.first_part_ = std::move(first_part);
+  result.shell_of_ = std::move(shell_of);
+  result.polytopes_ = std::make_shared<ShellPolytopes>(std::move(polytopes));
   return result;
+}
+
+const kernel::ConvexPolytope& ConvexShells::polytope(std::size_t s) const {
+  return polytopes_->get(s, [&] {
+    return kernel::ConvexPolytope::make(polytope_of(*soup_, parts(s))).polytope.value_or(kernel::ConvexPolytope());
+  });
 }
 
 }  // namespace occlude::culler

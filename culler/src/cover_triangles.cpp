@@ -3,17 +3,14 @@
 
 #include <algorithm>
 #include <compare>
+#include <utility>
 
 #include "adjacency.h"
+#include "cover_limits.h"
 #include "parallel_sort.h"
 
 namespace occlude::culler {
 namespace {
-
-/// Limits of the polygons around a leaf. Polygons with more than kMostSidesAround sides are left out, and so are those at a
-/// corner where more than kMostAtCorner meet. All of them together have at most kMostAround triangles for each of the leaf's
-/// own.
-constexpr std::size_t kMostSidesAround = 64, kMostAtCorner = 64, kMostAround = 8;
 
 /// A side of a triangle, ordered by the edge that it runs along.
 struct TriangleSide {
@@ -107,33 +104,42 @@ class Around {
 CoverTriangles CoverTriangles::find(const PolygonSoup& soup, std::span<const HierarchyNode> nodes,
                                     const Checkpoint& checkpoint) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
-  CoverTriangles result;
   constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-  std::vector<std::uint32_t> numbers(soup.vertices.size(), kNone);
+  std::vector<std::uint32_t> first, numbers(soup.vertices.size(), kNone);
+  std::vector<glm::dvec3> vertices;
+  std::vector<CoverMesh::Triangle> corners;
   const auto number = [&](std::uint32_t v) {
     std::uint32_t& n = numbers[weld[v]];
     if (n == kNone) {
-      n = static_cast<std::uint32_t>(result.vertices_.size());
-      result.vertices_.push_back(soup.vertices[v]);
+      n = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(soup.vertices[v]);
     }
     return n;
   };
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
-    result.first_.push_back(static_cast<std::uint32_t>(result.corners_.size()));
+    first.push_back(static_cast<std::uint32_t>(corners.size()));
     const auto loop = soup.loop(p);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-      result.corners_.push_back({number(loop[0]), number(loop[i]), number(loop[i + 1])});
+      corners.push_back({number(loop[0]), number(loop[i]), number(loop[i + 1])});
     }
   }
-  result.first_.push_back(static_cast<std::uint32_t>(result.corners_.size()));
-  result.next_ = find_next(result.corners_, checkpoint);
+  first.push_back(static_cast<std::uint32_t>(corners.size()));
+  CoverTriangles result;
+  result.next_ = find_next(corners, checkpoint);
+  result.first_ = std::move(first);
+  result.vertices_ = std::move(vertices);
+  result.corners_ = std::move(corners);
+  std::vector<std::uint64_t> first_around;
+  std::vector<std::uint32_t> all_around;
   Around around(soup, weld);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     checkpoint.at(n);
-    result.first_around_.push_back(result.around_.size());
-    if (nodes[n].is_leaf()) around.append(nodes[n], result.around_);
+    first_around.push_back(all_around.size());
+    if (nodes[n].is_leaf()) around.append(nodes[n], all_around);
   }
-  result.first_around_.push_back(result.around_.size());
+  first_around.push_back(all_around.size());
+  result.first_around_ = std::move(first_around);
+  result.around_ = std::move(all_around);
   return result;
 }
 

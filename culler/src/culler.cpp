@@ -40,13 +40,14 @@ Culler::Culler(const PolygonSoup& soup, const BuildConfig& config, const Checkpo
       blocks_(std::make_shared<Lazy<NodeBlocks>>()),
       triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
 
-Culler::Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint)
-    : config_(preprocess.config),
-      hierarchy_(Hierarchy::restore(checked(soup), preprocess.config.hierarchy, preprocess.layout, checkpoint)),
-      occluders_(OccluderSet::restore(hierarchy_.shared_soup(), space_of(hierarchy_), preprocess.config.occluders,
-                                      preprocess.config.lists, std::move(preprocess.lists), checkpoint)),
-      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
-      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
+Culler::Culler(const Culler& other, OccluderSet occluders)
+    : config_(other.config_),
+      hierarchy_(other.hierarchy_),
+      occluders_(std::move(occluders)),
+      blocks_(other.blocks_),
+      triangles_(other.triangles_) {}
+
+Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occluders_.with_hidden(std::move(hidden))}; }
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
   return triangles_->get([&] { return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });

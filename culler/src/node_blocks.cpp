@@ -2,12 +2,22 @@
 #include "node_blocks.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "bounds.h"
+#include "part_checks.h"
+#include "part_list.h"
 
 namespace occlude::culler {
 namespace {
+
+static_assert(sizeof(NodeBlock) == offsetof(NodeBlock, unused) + sizeof(NodeBlock::unused));
 
 using Bits = NodeBlock::Bits;
 
@@ -23,6 +33,10 @@ class Filling {
       take(above + 1);
       take(nodes[above].right);
     }
+  }
+  /// Those of a block that is full. REQUIRES: they ascend.
+  Filling(std::span<const HierarchyNode> nodes, std::span<const std::uint32_t> taken) : nodes_(nodes), size_(taken.size()) {
+    std::ranges::copy(taken, node_.begin());
   }
 
   /// Takes the children of the largest nodes too, which are entered most often.
@@ -90,30 +104,85 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
   return block;
 }
 
+/// Whether the block is made() of nodes of this tree. A node has both of its children in the block, or neither.
+bool is_made(const NodeBlock& block, const Hierarchy& hierarchy) {
+  const auto nodes = hierarchy.nodes();
+  const auto size = static_cast<std::size_t>(std::popcount(block.used));
+  const auto taken = std::span(block.node).first(size);
+  if (block.used != (1U << size) - 1 || !std::ranges::is_sorted(taken, std::ranges::less_equal())) return false;
+  if (size == 0 || taken.back() >= nodes.size()) return false;
+  const Filling filling(nodes, taken);
+  const auto is_divided = [&](std::uint32_t i) {
+    return !nodes[i].is_leaf() && filling.has(i + 1) != filling.has(nodes[i].right);
+  };
+  if (std::ranges::any_of(taken, is_divided)) return false;
+  NodeBlock expected = made(hierarchy, filling);
+  expected.below = block.below;
+  return std::memcmp(&expected, &block, sizeof block) == 0;
+}
+
+/// Whether what is below each node of the block, in another block, are the children of the node. REQUIRES: is_made() of all.
+bool are_linked(const NodeBlock& block, std::span<const NodeBlock> blocks, std::span<const HierarchyNode> nodes) {
+  for (std::size_t i = 0; i < NodeBlock::kNodes; ++i) {
+    const std::uint32_t below = block.below[i];
+    if ((block.exits >> i & 1U) == 0) {
+      if (below != NodeBlock::kNone) return false;
+      continue;
+    }
+    if (below >= blocks.size() || std::popcount(blocks[below].roots) != 2) return false;
+    const std::array<std::uint32_t, 2> children{block.node[i] + 1, nodes[block.node[i]].right};
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < NodeBlock::kNodes; ++k) {
+      const bool is_root = (blocks[below].roots >> k & 1U) != 0;
+      if (is_root && blocks[below].node[k] == children[found]) ++found;
+      if (found == children.size()) break;
+    }
+    if (found != children.size()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 NodeBlocks::NodeBlocks(const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
   const auto nodes = hierarchy.nodes();
+  std::vector<NodeBlock> blocks;
   // Depth-first, as the traversal reads them. A block that is still to be made is below node i of a block.
   struct Pending {
     std::uint32_t above, block, i;
   };
   std::vector<Pending> pending{{NodeBlock::kNone, 0, 0}};
   while (!pending.empty()) {
-    checkpoint.at(blocks_.size());
+    checkpoint.at(blocks.size());
     const Pending at = pending.back();
     pending.pop_back();
     Filling filling(nodes, at.above);
     filling.fill();
-    const auto index = static_cast<std::uint32_t>(blocks_.size());
-    if (at.above != NodeBlock::kNone) blocks_[at.block].below[at.i] = index;
-    blocks_.push_back(made(hierarchy, filling));
+    const auto index = static_cast<std::uint32_t>(blocks.size());
+    if (at.above != NodeBlock::kNone) blocks[at.block].below[at.i] = index;
+    blocks.push_back(made(hierarchy, filling));
     const auto taken = filling.taken();
     for (auto i = static_cast<std::uint32_t>(taken.size()); i-- > 0;) {
-      if ((blocks_[index].exits >> i & 1U) != 0) pending.push_back({taken[i], index, i});
+      if ((blocks[index].exits >> i & 1U) != 0) pending.push_back({taken[i], index, i});
     }
   }
-  blocks_.shrink_to_fit();
+  blocks.shrink_to_fit();
+  blocks_ = std::move(blocks);
+}
+
+void NodeBlocks::append_parts(PartWriter& parts) const { parts.put(kPart, blocks_); }
+
+NodeBlocks NodeBlocks::from_parts(const PartReader& parts, const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
+  NodeBlocks result;
+  result.blocks_ = parts.get<NodeBlock>(kPart);
+  const std::span blocks(result.blocks_.data(), result.blocks_.size());
+  const auto is_block = [&](std::size_t i) { return is_made(blocks[i], hierarchy); };
+  const auto is_linked = [&](std::size_t i) { return are_linked(blocks[i], blocks, hierarchy.nodes()); };
+  if (blocks.empty() || !are_all(blocks.size(), is_block, checkpoint) || !are_all(blocks.size(), is_linked, checkpoint) ||
+      blocks[0].node[0] != 0 || blocks[0].roots != 1) {
+    refuse_part(kPart, "the blocks are not of this tree");
+  }
+  return result;
 }
 
 }  // namespace occlude::culler

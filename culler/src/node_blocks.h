@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "occlude/culler/array.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/box_block.h"
@@ -45,6 +47,7 @@ struct alignas(64) NodeBlock {
   Bits exits = 0;                                              ///< those with children in another block
   Bits probed = 0;                                             ///< those with more than kProbed items
   Bits oriented = 0;                                           ///< those whose volume is not the box
+  std::array<std::byte, 45> unused{};                          ///< so that every byte of a block has a value
 
   /// The nodes of the block whose parent is one of these, for each of eight questions.
   [[nodiscard]] kernel::BoxBytes children_of(kernel::BoxBytes nodes) const {
@@ -60,12 +63,23 @@ struct alignas(64) NodeBlock {
   }
 };
 
+class PartReader;
+class PartWriter;
+
 /// The blocks of a tree, in the order in which a descent enters them.
 class NodeBlocks {
  public:
+  static constexpr std::string_view kPart = "node blocks";
+
   NodeBlocks() = default;
   /// What `checkpoint` throws is thrown on.
   explicit NodeBlocks(const Hierarchy& hierarchy, const Checkpoint& checkpoint = {});
+  /// For Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// The blocks with these parts. Throws std::invalid_argument unless a descent from the first of them visits the nodes of
+  /// this tree, each once, with their boxes.
+  [[nodiscard]] static NodeBlocks from_parts(const PartReader& parts, const Hierarchy& hierarchy,
+                                             const Checkpoint& checkpoint = {});
 
   [[nodiscard]] const NodeBlock& operator[](std::uint32_t i) const { return blocks_[i]; }
   /// A hint that block i comes.
@@ -76,7 +90,7 @@ class NodeBlocks {
   }
 
  private:
-  std::vector<NodeBlock> blocks_;
+  Array<NodeBlock> blocks_;
 };
 
 }  // namespace occlude::culler

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "part_checks.h"
+#include "part_list.h"
 #include "region_lists.h"
 
 namespace occlude::culler {
@@ -17,21 +21,24 @@ Partition partition_of(const Space& space, const OccluderLists::Config& config, 
   return Partition::make(config.kind, space, config.regions, checkpoint);
 }
 
+constexpr std::string_view kFirst = "list first", kListed = "listed", kHidden = "hidden";
+
 /// Whether they can be the lists of so many regions, of so many occluders.
-bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::size_t occluders) {
-  const std::vector<std::uint64_t>& first = stored.first;
-  const std::vector<std::uint32_t>& listed = stored.occluders;
-  const std::vector<float>& hidden = stored.hidden;
-  const auto ascend = [&] {
-    for (std::size_t region = 0; region < regions; ++region) {
-      const auto list = std::span(listed).subspan(first[region], first[region + 1] - first[region]);
-      if (std::ranges::adjacent_find(list, std::ranges::greater_equal()) != list.end()) return false;
-    }
-    return true;
+bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::size_t occluders,
+               const Checkpoint& checkpoint) {
+  const auto& [first, listed, hidden] = stored;
+  const auto is_sound = [&](std::size_t region) {
+    const std::span list(listed.begin() + first[region], listed.begin() + first[region + 1]);
+    const auto is_occluder = [&](std::uint32_t i) { return i < occluders; };
+    return std::ranges::all_of(list, is_occluder) &&
+           std::ranges::adjacent_find(list, std::ranges::greater_equal()) == list.end();
   };
-  return first.size() == regions + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
-         first.back() == listed.size() && (hidden.empty() || hidden.size() == listed.size()) &&
-         std::ranges::all_of(listed, [&](std::uint32_t i) { return i < occluders; }) && ascend() &&
+  return first.size() == regions + 1 && are_starts(first, listed.size(), checkpoint) &&
+         are_all(regions, is_sound, checkpoint);
+}
+
+bool is_of(std::span<const float> hidden, const OccluderLists::Stored& stored) {
+  return hidden.size() == stored.occluders.size() &&
          std::ranges::all_of(hidden, [](float h) { return h >= 0 && std::isfinite(h); });
 }
 
@@ -51,19 +58,34 @@ OccluderLists OccluderLists::build(const PotentialOccluders& occluders, const Sp
   return {std::move(partition), std::move(stored)};
 }
 
-OccluderLists OccluderLists::restore(const PotentialOccluders& occluders, const Space& space, const Config& config,
-                                     Stored stored, const Checkpoint& checkpoint) {
-  Partition partition = partition_of(space, config, checkpoint);
-  if (!are_sound(stored, partition.regions(), occluders.size())) {
-    throw std::invalid_argument("the lists of occluders are not of this model");
+void OccluderLists::append_parts(PartWriter& parts) const {
+  partition_.append_parts(parts);
+  parts.put(kFirst, stored_.first);
+  parts.put(kListed, stored_.occluders);
+  parts.put(kHidden, stored_.hidden);
+}
+
+OccluderLists OccluderLists::from_parts(const PartReader& parts, std::size_t occluders, const Checkpoint& checkpoint) {
+  Partition partition = Partition::from_parts(parts);
+  Stored stored{parts.get<std::uint64_t>(kFirst), parts.get<std::uint32_t>(kListed), parts.get<float>(kHidden)};
+  if (!are_sound(stored, partition.regions(), occluders, checkpoint)) {
+    refuse_part(kListed, "the lists are not of these regions and occluders");
+  }
+  if (!stored.hidden.empty() && !is_of({stored.hidden.begin(), stored.hidden.end()}, stored)) {
+    refuse_part(kHidden, "it is not of these lists");
   }
   return {std::move(partition), std::move(stored)};
 }
 
+OccluderLists OccluderLists::with_hidden(std::vector<float> hidden) const {
+  if (!is_of(hidden, stored_)) throw std::invalid_argument("what occluders hide is not of these lists");
+  return {partition_, {stored_.first, stored_.occluders, std::move(hidden)}};
+}
+
 OccluderLists::List OccluderLists::list(std::size_t region) const {
   const std::size_t first = stored_.first[region], count = stored_.first[region + 1] - first;
-  List list{std::span(stored_.occluders).subspan(first, count), {}};
-  if (!stored_.hidden.empty()) list.hidden = std::span(stored_.hidden).subspan(first, count);
+  List list{{stored_.occluders.data() + first, count}, {}};
+  if (!stored_.hidden.empty()) list.hidden = {stored_.hidden.data() + first, count};
   return list;
 }
 

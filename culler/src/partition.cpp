@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/partition.h"
 
+#include <cmath>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "part_list.h"
 #include "partition_cells.h"
 
 namespace occlude::culler {
@@ -11,6 +15,24 @@ namespace {
 
 /// Beyond this counting them would take all memory.
 constexpr double kMostRegions = 0x1p30;
+
+constexpr std::string_view kBox = "space", kCells = "cells";
+
+/// Whether they are cells in depth-first order, each a region or divided by a plane.
+bool are_tree(std::span<const Partition::Cell> cells) {
+  std::vector<std::size_t> upper;  // cells that are still to come
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& [plane, axis, next] = cells[i];
+    if (axis > 2 || !std::isfinite(plane)) return false;
+    if (!cells[i].is_region()) {
+      upper.push_back(next);
+    } else if (i + 1 < cells.size()) {
+      if (upper.empty() || upper.back() != i + 1) return false;
+      upper.pop_back();
+    }
+  }
+  return !cells.empty() && upper.empty() && cells.back().is_region();
+}
 
 }  // namespace
 
@@ -20,6 +42,23 @@ Partition Partition::make(Kind kind, const Space& space, double regions, const C
   }
   PartitionCells made = kind == Kind::grid ? cells_of_grid(space.box, regions) : cells_of_tree(space, regions, checkpoint);
   return {made.box, std::move(made.cells)};
+}
+
+void Partition::append_parts(PartWriter& parts) const {
+  parts.put(kBox, std::span(&box_, 1));
+  parts.put(kCells, cells_);
+}
+
+Partition Partition::from_parts(const PartReader& parts) {
+  const auto box = parts.get<kernel::Aabb>(kBox);
+  const auto is_finite = [](const kernel::Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  if (box.size() != 1 || !is_finite(box[0].min) || !is_finite(box[0].max)) refuse_part(kBox, "it is not a box");
+  Partition result(box[0], {});
+  result.cells_ = parts.get<Cell>(kCells);
+  if (!are_tree(result.cells())) refuse_part(kCells, "it is not a tree of cells");
+  return result;
 }
 
 std::size_t Partition::region_at(const glm::dvec3& point) const {

@@ -69,14 +69,15 @@ PotentialOccluders PotentialOccluders::find(std::shared_ptr<const PolygonSoup> s
     // A repeated polygon that is a part of something larger stays, because it stands for that in a list.
     return i < soup.size() && is_repeated[i] && result.container(i) == i;
   };
-  result.known_.resize(regions.size() + result.shells_.size());
+  std::vector<PotentialOccluder> known(regions.size() + result.shells_.size());
   for (std::uint32_t i = 0; i < regions.size(); ++i) {
     checkpoint.at(i);
-    if (!is_left_out(i)) result.known_[i] = region(soup, regions.loop(i));
+    if (!is_left_out(i)) known[i] = region(soup, regions.loop(i));
   }
   for (std::size_t i = 0; i < result.shells_.size(); ++i) {
-    result.known_[regions.size() + i] = shell(soup, result.shells_.parts(i));
+    known[regions.size() + i] = shell(soup, result.shells_.parts(i));
   }
+  result.known_ = std::move(known);
   return result;
 }
 

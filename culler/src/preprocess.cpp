@@ -77,29 +77,23 @@ std::vector<float> sample_each(const Culler& culler, const SampleConfig& samples
 
 }  // namespace
 
-Preprocess unsampled(const Culler& culler, const BuildConfig& config) {
-  return {config, culler.hierarchy().layout(), culler.occluders().lists().stored()};
-}
-
 std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samples, std::size_t first, std::size_t end,
                                   const Checkpoint& checkpoint) {
   return sample_each(culler, samples, first, end, checkpoint, [] {});
 }
 
-Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
-                      const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
-  const Culler culler(soup, config, checkpoint);
-  Preprocess result = unsampled(culler, config);
-  if (samples.viewpoints == 0) return result;
+Culler preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
+                  const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
+  Culler culler(soup, config, checkpoint);
+  if (samples.viewpoints == 0) return culler;
   std::mutex mutex;
   std::size_t done = 0;
   const std::size_t regions = culler.occluders().lists().partition().regions();
-  result.lists.hidden = sample_each(culler, samples, 0, regions, checkpoint, [&] {
+  return culler.with_hidden(sample_each(culler, samples, 0, regions, checkpoint, [&] {
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(++done, regions);
-  });
-  return result;
+  }));
 }
 
 }  // namespace occlude::culler

@@ -243,13 +243,15 @@ OccluderLists::Stored list_occluders(const Partition& partition, const Potential
                                      const OccluderLists::Config& config, const Checkpoint& checkpoint) {
   CellLists regions = RegionDescent(partition, occluders, config, checkpoint).regions();
   OccluderLists::Stored stored;
-  stored.first.reserve(partition.regions() + 1);
+  std::vector<std::uint64_t> first{0};
+  first.reserve(partition.regions() + 1);
   auto next = regions.cells.begin();
   for (std::uint32_t cell = 0; cell < partition.cells().size(); ++cell) {
     if (!partition.cells()[cell].is_region()) continue;
     const bool has_list = next != regions.cells.end() && next->cell == cell;
-    stored.first.push_back(has_list ? (next++)->end : stored.first.back());
+    first.push_back(has_list ? (next++)->end : first.back());
   }
+  stored.first = std::move(first);
   stored.occluders = std::move(regions.occluders);
   return stored;
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Reads a preprocess file. It must be refused with a message, or give a culler that breaks no promise.
-#include <zlib.h>
-
+// Opens a store, the file of `occlude preprocess`. It must be refused with a message, or give a culler that breaks no
+// promise.
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -15,8 +13,9 @@
 #include "differential/cull_judge.h"
 #include "finding.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/preprocess_file.h"
+#include "occlude/render/store.h"
 #include "occlude/render/walk.h"
+#include "rehashed.h"
 #include "scratch_file.h"
 
 namespace occlude::harness {
@@ -38,17 +37,17 @@ culler::PolygonSoup some_soup() {
 }
 
 std::vector<std::uint8_t> sound_file(const culler::PolygonSoup& soup) {
-  const ScratchFile file({}, ".pre");
+  const ScratchFile file({}, ".store");
   {
     render::OutputFile output(file.path());
-    write_preprocess(output, soup, culler::preprocess(soup, {.lists = {.threshold = 0.1, .regions = 8}}, {}));
+    write_store(output, culler::Culler(soup, {.hierarchy = {.leaf_size = 2}, .lists = {.threshold = 0.1, .regions = 8}}));
     output.commit();
   }
   std::ifstream in(file.path(), std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The sound file with changes. The lowest bit of the first input byte says whether the checksum is left wrong, the other
+/// The sound file with changes. The lowest bit of the first input byte says whether the hashes are left wrong, the other
 /// bits say how many bytes the end loses. Then follow changes, each an offset of two bytes and a value. Bytes that are not
 /// made from a sound file would hardly ever get past the first checks of the reader.
 std::vector<std::uint8_t> edited(std::vector<std::uint8_t> bytes, std::span<const std::uint8_t> input) {
@@ -58,10 +57,7 @@ std::vector<std::uint8_t> edited(std::vector<std::uint8_t> bytes, std::span<cons
     bytes[(input[0] + 256U * input[1]) % bytes.size()] = input[2];
   }
   bytes.resize(bytes.size() - flags / 2);
-  if (flags % 2 == 0) {
-    const auto crc = static_cast<std::uint32_t>(crc32_z(0, bytes.data(), bytes.size() - sizeof(std::uint32_t)));
-    std::memcpy(bytes.data() + bytes.size() - sizeof crc, &crc, sizeof crc);
-  }
+  if (flags % 2 == 0) rehash(std::as_writable_bytes(std::span(bytes)));
   return bytes;
 }
 
@@ -69,10 +65,14 @@ void judge(const culler::Culler& culler) {
   culler::Camera camera;
   camera.eye = {0, 0.25, 0.5};
   camera.target = {8, 0, 0};
-  culler::View view;
-  for (int frame = 0; frame < 3; ++frame) {
-    const culler::CullResult& result = culler.cull(camera, {}, view);
-    if (const std::string fault = fuzz::fault_of(culler, camera, {}, result); !fault.empty()) finding(fault);
+  for (const auto method : {culler::Method::frusta, culler::Method::cover}) {
+    culler::CullOptions options;
+    options.method = method;
+    culler::View view;
+    for (int frame = 0; frame < 3; ++frame) {
+      const culler::CullResult& result = culler.cull(camera, options, view);
+      if (const std::string fault = fuzz::fault_of(culler, camera, options, result); !fault.empty()) finding(fault);
+    }
   }
 }
 
@@ -83,11 +83,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace occlude;
   static const culler::PolygonSoup soup = harness::some_soup();
   static const std::vector<std::uint8_t> sound = harness::sound_file(soup);
-  const harness::ScratchFile file(harness::edited(sound, {data, size}), ".pre");
-  render::WalkOptions options;
-  options.preprocess = file.path();
+  const harness::ScratchFile file(harness::edited(sound, {data, size}), ".store");
   try {
-    harness::judge(render::make_culler(soup, options));
+    for (const auto method : {culler::Method::frusta, culler::Method::cover}) {
+      render::WalkOptions options;
+      options.cull.method = method;
+      harness::judge(render::make_culler(file.path(), options));
+    }
   } catch (const render::InputError&) {
     // This is the only way to refuse a file.
   }

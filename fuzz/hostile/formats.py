@@ -8,11 +8,10 @@ import re
 import struct
 import subprocess
 import zipfile
-import zlib
 
 FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.stl", "gltf": "a.gltf", "glb": "a.glb",
          "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "cases": "a.jsonl", "witnesses": "a.jsonl",
-         "preprocess": "a.pre"}
+         "preprocess": "a.store"}
 SOUND = "sound"  # what is done to a file to which nothing is done
 IMPORTED = ("stl", "gltf", "glb", "collada", "3mf")
 JSON = ("path", "cases", "witnesses")
@@ -29,8 +28,6 @@ def command(name, seeds):
         return ["classify", file]
     if name == "witnesses":
         return ["validate", model, "--path", path, "--exact-up-to", "1000", "--witness", file]
-    if name == "preprocess":
-        return ["walk", model, "--path", path, "--preprocess", file, *walk]
     return ["walk", file, "--path", path, *walk]
 
 
@@ -171,7 +168,7 @@ def make_seeds(occlude, folder):
     (folder / "path.json").write_text(json.dumps(PATH))
     ask("walk", "model.ply", "--path", "path.json", "--no-render", "--out", "seed", "--witness", "witness.jsonl",
         "--cases", "cases.jsonl")
-    ask("preprocess", "model.ply", "--out", "model.pre", "--region-count", "8", "--samples", "1")
+    ask("preprocess", "model.ply", "--out", "model.store", "--region-count", "8", "--samples", "1")
     cases = (folder / "cases.jsonl").read_bytes().splitlines(True)[:20]
     polytope = (b'{"id":"block","eye":[0,0,0],"occluder":{"vertices":[[2,0,-1],[4,0,-1],[4,2,-1],[2,2,-1],[2,0,1],[4,0,1],'
                 b'[4,2,1],'
@@ -181,7 +178,7 @@ def make_seeds(occlude, folder):
             "stl": [stl_ascii(), stl_binary()], "gltf": [gltf()], "glb": [glb()], "collada": [collada()],
             "3mf": [pack_3mf(lambda model: model.write(model_3mf()))], "path": [json.dumps(PATH, indent=1).encode()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
-            "preprocess": [(folder / "model.pre").read_bytes()]}
+            "preprocess": [(folder / "model.store").read_bytes()]}
 
 
 # ---- Damage to a sound file ----
@@ -563,7 +560,7 @@ def case_bombs(random):
 
 
 def preprocess_bombs(random):
-    head = b"occlude preprocess\n" + struct.pack("<I", 1)
+    head = b"occlude preprocess\n" + struct.pack("<I", 3)
     return random.choice([lambda: ("zeros", head + b"\0" * (8 * MIB)), lambda: ("ones", head + b"\xff" * MIB),
                           lambda: ("head", b"occlude preprocess\n" * 100_000)])()
 
@@ -585,11 +582,6 @@ def repacked(random, package):
         for name, data in parts.items():
             packed.writestr(name, data)
     return file.getvalue()
-
-
-def with_checksum(data):
-    """A preprocess file is refused by its checksum: what lies behind it is reached with a right one only."""
-    return data[:-4] + struct.pack("<I", zlib.crc32(data[:-4]))
 
 
 class Maker:
@@ -618,6 +610,4 @@ class Maker:
             damage = random.choice(self.damages)
             kinds.append(damage.__name__.replace("_", " "))
             data = damage(random, data)[:16 * MIB]
-        if self.name == "preprocess" and random.random() < 0.7:
-            data = with_checksum(data)
         return kinds[-1], data

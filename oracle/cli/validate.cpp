@@ -26,11 +26,11 @@
 #include "occlude/render/input_file.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/job.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/packing.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/ranks.h"
+#include "occlude/render/store.h"
 #include "occlude/render/view_along_path.h"
 #include "occlude/render/walk.h"
 #include "occlude/render/witness.h"
@@ -325,16 +325,25 @@ void require_readable_by_all(const std::string& file) {
   throw render::InputError(file + ": not a file, which mpirun needs because every rank reads it");
 }
 
+/// Throws InputError if witnesses are of another tree than that of a store.
+void require_leaves(const WitnessFile& witnesses, const culler::Hierarchy& hierarchy, const Arguments& arguments) {
+  if (witnesses.leaf_size() == hierarchy.leaf_size()) return;
+  throw render::InputError(fmt::format("{}: its leaves have {} polygons, those of {} have {}: give the model itself",
+                                       arguments.model, hierarchy.leaf_size(), arguments.witness, witnesses.leaf_size()));
+}
+
 /// Tells jobs apart by what is not in the inputs of the parts.
 std::uint64_t key_of(const Arguments& arguments, const render::WalkOptions& options, const culler::Hierarchy& hierarchy) {
   render::Digest digest;
   add(digest.add(arguments.given).add(render::read_input(arguments.path)), hierarchy.soup());
-  if (!options.preprocess.empty()) digest.add(render::read_input(options.preprocess));
+  const std::string store = options.preprocess.empty() ? arguments.model : options.preprocess.string();
+  if (render::is_store(store)) digest.add(std::to_string(render::hash_of_store(store)));
   return digest.value();
 }
 
 void validate(Arguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
+  arguments.walk.require_settled(arguments.model);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
   require_readable_by_all(arguments.witness);
@@ -342,8 +351,9 @@ void validate(Arguments& arguments, int& exit_code) {
   if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   std::optional<FailureFiles> files = failure_files(arguments.out);
-  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
+  const culler::Culler culler = render::make_culler(arguments.model, options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
+  if (witnesses) require_leaves(*witnesses, hierarchy, arguments);
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};

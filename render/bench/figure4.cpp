@@ -51,7 +51,7 @@ std::vector<Mix> mixes(bool are_sampled) {
 culler::Culler sampled(const Subject& subject, const Options& options, const culler::BuildConfig& config) {
   const culler::SampleConfig samples{.viewpoints = options.samples};
   render::Watch watch("figure 4: sampled regions");
-  return {subject.soup, culler::preprocess(subject.soup, config, samples, std::ref(watch), render::check_interrupt)};
+  return culler::preprocess(subject.soup, config, samples, std::ref(watch), render::check_interrupt);
 }
 
 }  // namespace

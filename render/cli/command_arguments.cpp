@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -16,6 +17,7 @@
 #include "occlude/render/path_fit.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/ranks.h"
+#include "occlude/render/store.h"
 
 namespace occlude::cli {
 namespace {
@@ -175,10 +177,17 @@ std::vector<Option> WalkArguments::add_debugging_to(Command command) {
 Option WalkArguments::add_preprocess_to(Command command) {
   std::vector<Option> added;
   command.under(kTuning, [&] {
-    added.push_back(add_input(command, "--preprocess", preprocess_, "file of `occlude preprocess` for this model"));
+    added.push_back(add_input(command, "--preprocess", preprocess_, "store of this model, by `occlude preprocess`"));
   });
   for (Option option : build_options_) added.front().excludes(option);
+  build_options_.push_back(added.front());
   return added.front();
+}
+
+void WalkArguments::require_settled(const std::string& model) const {
+  const auto given = std::ranges::find_if(build_options_, &Option::is_given);
+  if (given == build_options_.end() || !render::is_store(model)) return;
+  refuse(given->name(), model + " is a store, in which this is settled: give it to `occlude preprocess`");
 }
 
 render::WalkOptions WalkArguments::options() const {

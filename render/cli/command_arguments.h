@@ -45,6 +45,8 @@ class WalkArguments {
   /// Adds --preprocess, which excludes the options for preparing a model. Call after add_culling_to().
   Option add_preprocess_to(Command command);
 
+  /// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
+  void require_settled(const std::string& model) const;
   /// The parsed options. Calls refuse() for text that cannot be parsed.
   [[nodiscard]] render::WalkOptions options() const;
 
@@ -57,7 +59,7 @@ class WalkArguments {
   std::string near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
               test_ = "conservative", angle_ = "area", preprocess_;
   BuildArguments build_;
-  std::vector<Option> build_options_;
+  std::vector<Option> build_options_;  ///< and --preprocess, once it is added
   double pixel_margin_ = render::kPixelMargin;
   culler::CullOptions cull_;
 };

@@ -125,6 +125,8 @@ Option Option::one_of(const std::vector<std::string>& words) { return Option(*op
 Option Option::check(const std::function<std::string(const std::string&)>& fault) { return Option(*option_->check(fault)); }
 Option Option::each(const std::function<void(std::string)>& take) { return Option(*option_->each(take)); }
 Option Option::split_at(char delimiter) { return Option(*option_->delimiter(delimiter)); }
+bool Option::is_given() const { return option_->count() > 0; }
+std::string Option::name() const { return option_->get_name(); }
 Option Option::needs(Option other) { return Option(*option_->needs(other.option_)); }
 Option Option::excludes(Option other) { return Option(*option_->excludes(other.option_)); }
 

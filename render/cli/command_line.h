@@ -42,6 +42,9 @@ class Option {
   Option each(const std::function<void(std::string)>& take);
   /// One word may hold several values, separated by `delimiter`.
   Option split_at(char delimiter);
+  /// Whether it is on the command line, once that is parsed.
+  [[nodiscard]] bool is_given() const;
+  [[nodiscard]] std::string name() const;
   Option needs(Option other);
   Option excludes(Option other);
 

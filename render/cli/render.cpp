@@ -14,7 +14,6 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/frame_painter.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
@@ -58,11 +57,12 @@ const std::array<Layer, 8> kLayers{{
 
 void render_frames(const Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
+  arguments.walk.require_settled(arguments.model);
   std::optional<std::size_t> frame;
   if (arguments.frame) frame = whole_number("--frame", *arguments.frame);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   render::OutputFile file(arguments.out);
-  const culler::Culler culler = render::make_culler(render::read_model(arguments.model), options);
+  const culler::Culler culler = render::make_culler(arguments.model, options);
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   const Draw draw = std::ranges::find(kLayers, arguments.layer, &Layer::name)->draw;
   const auto context = render::make_offscreen_context();

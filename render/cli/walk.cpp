@@ -15,9 +15,9 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
+#include "occlude/render/stopwatch.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_files.h"
 
@@ -40,6 +40,7 @@ void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file)
 
 void walk(const Arguments& arguments, int& exit_code, const std::string& command_line) {
   render::WalkOptions options = arguments.walk.options();
+  arguments.walk.require_settled(arguments.model);
   options.render = !arguments.no_render;
   if (!arguments.witness.empty()) options.witness = arguments.witness;
   const render::CameraPath path = render::read_camera_path(arguments.path);
@@ -48,9 +49,13 @@ void walk(const Arguments& arguments, int& exit_code, const std::string& command
   const std::filesystem::path out = arguments.out;
   render::WalkFiles files(out, options, command_line);
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
-  const culler::PolygonSoup model = render::read_model(arguments.model);
-  warn_of_misfit(path, arguments.path, arguments.model, model);
-  const render::WalkResult result = render::walk(model, path, options, name, files);
+  static_cast<void>(render::frames_of(path, options));  // throws before the work
+  const render::Stopwatch stopwatch;
+  const culler::Culler culler = render::make_culler(arguments.model, options);
+  const double preprocess_s = stopwatch.seconds();
+  warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
+  render::WalkResult result = render::walk(culler, path, options, name, files);
+  result.preprocess_s = preprocess_s;
   exit_code = render::passed(result) ? kDone : kCheckFailed;
   if (cases) cases->close();
   const render::Summary summary = summarise(result, options, name);

@@ -11,7 +11,6 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
@@ -27,14 +26,12 @@ struct Arguments {
   bool json = false;
 };
 
-/// The model. Throws InputError if it lacks the requested polygon.
-culler::PolygonSoup read_model(const Arguments& arguments) {
-  culler::PolygonSoup soup = render::read_model(arguments.model);
+/// Throws InputError if the model lacks the requested polygon.
+void require_polygon(const Arguments& arguments, const culler::PolygonSoup& soup) {
   if (arguments.polygon && *arguments.polygon >= soup.size()) {
     throw render::InputError(
         fmt::format("{}: no polygon {}: the model has {}", arguments.model, *arguments.polygon, soup.size()));
   }
-  return soup;
 }
 
 /// The index in the tree of polygon `original` of the model.
@@ -61,14 +58,16 @@ Pixel parse_pixel(const std::string& text, const render::WalkOptions& options) {
 
 int why(const Arguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
+  arguments.walk.require_settled(arguments.model);
   std::optional<Pixel> pixel;
   if (!arguments.polygon) pixel = parse_pixel(arguments.pixel, options);
   const std::size_t number = whole_number("--frame", arguments.frame);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  const culler::Culler culler = render::make_culler(read_model(arguments), options);
+  const culler::Culler culler = render::make_culler(arguments.model, options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
+  require_polygon(arguments, hierarchy.soup());
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);

@@ -49,13 +49,34 @@ expect_error "slanting.pre: made from another model" "$occlude" walk good.ply --
 head -c 300 slanting.pre >short.pre
 expect_error "short.pre: the file ends" "$occlude" walk slanting.ply --path path.json --out out --preprocess short.pre
 printf '\001' | dd of=one.pre bs=1 seek=19 conv=notrunc status=none
-expect_error "one.pre: format version 1, but this program reads version 2: preprocess the model again" \
+expect_error "one.pre: format version 1, but this program reads version 3: preprocess the model again" \
   "$occlude" walk slanting.ply --path path.json --out out --preprocess one.pre
+printf '\001' | dd of=again.pre bs=1 seek=5000 conv=notrunc status=none
+expect_error "is damaged: preprocess the model again" "$occlude" walk slanting.ply --path path.json --out out --preprocess again.pre
 expect_error "good.ply: not a file of occlude preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess good.ply
 expect_error "missing.pre" "$occlude" walk slanting.ply --path path.json --out out --preprocess missing.pre
 expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --bounds aabb
 expect_error "--preprocess" "$occlude" walk slanting.ply --path path.json --out out --preprocess slanting.pre --regions grid
 expect_error "named twice" "$occlude" preprocess good.ply --out good.ply
+
+# A store stands for its model, whatever it is called, and settles how it is prepared.
+mkdir alone && cp slanting.pre alone/slanting.ply && cp path.json alone || fail "copy"
+"$occlude" walk alone/slanting.ply --path path.json --out stored --no-render --witness stored.jsonl >/dev/null || fail "walk STORE"
+cmp -s stored.jsonl prepared.jsonl || fail "walk STORE: other witnesses than beside the model"
+grep -q '"preprocess": null' stored/summary.json || fail "walk STORE: $(cat stored/summary.json)"
+"$occlude" walk slanting.pre --path path.json --out stored --method cover --no-render >/dev/null || fail "walk STORE --method cover"
+"$occlude" validate slanting.pre --path path.json --witness stored.jsonl >stdout 2>&1 || fail "validate STORE: $(cat stdout)"
+"$occlude" validate slanting.pre --path path.json >stdout 2>&1 || fail "validate STORE: $(cat stdout)"
+"$occlude" why slanting.pre --path path.json --frame 0 --polygon 0 >stdout 2>&1 || fail "why STORE: $(cat stdout)"
+"$occlude" preprocess slanting.pre --out again.pre --bounds obb --region-count 64 --threshold 0.01 --samples 2 >/dev/null ||
+  fail "preprocess STORE"
+cmp -s slanting.pre again.pre || fail "preprocess STORE: another store than of the model"
+for option in "--leaf 4" "--bounds obb" "--shapes polygon" "--regions tree" "--preprocess slanting.pre"; do
+  expect_error "${option%% *}: slanting.pre is a store" "$occlude" walk slanting.pre --path path.json --out out $option
+done
+"$occlude" preprocess slanting.ply --out other.pre --leaf 1 >/dev/null || fail "--leaf 1"
+expect_error "other.pre: its leaves have 1 polygons, those of stored.jsonl have 16: give the model itself" \
+  "$occlude" validate other.pre --path path.json --witness stored.jsonl
 
 # Inner boxes: two solids and a wall; the boxes are a model themselves, closed.
 ply solids.ply 14 9 '0 0 0\n2 0 0\n0 3 0\n2 3 0\n0 0 4\n2 0 4\n0 3 4\n2 3 4\n9 0 0\n9 1 0\n9 0 1\n8 0 0\n20 0 0\n20 1 0\n4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n4 4 5 7 6\n3 8 9 10\n3 8 9 11\n3 11 12 13\n'

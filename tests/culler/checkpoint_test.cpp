@@ -54,9 +54,11 @@ TEST(Checkpoint, StopsACuller) {
     expect_stops_anywhere([&](const Checkpoint& checkpoint) {
       static_cast<void>(preprocess(soup, config, {.viewpoints = 1}, {}, checkpoint));
     });
-    const Preprocess known = preprocess(soup, config, {});
-    Stop stop{1};
-    EXPECT_THROW(Culler(soup, known, stop.checkpoint()), std::runtime_error);
+    const Parts parts = Culler(soup, config).parts();
+    for (std::size_t last = 1; last <= 20; ++last) {
+      Stop stop{last};
+      EXPECT_THROW(Culler(parts, stop.checkpoint()), std::runtime_error) << last;
+    }
   }
 }
 

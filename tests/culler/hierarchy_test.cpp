@@ -97,8 +97,7 @@ PolygonSoup street() {
   return soup;
 }
 
-/// A tree is restored from its layout as it was built, for a large model too.
-TEST(Hierarchy, LargeTreesHoldTheirPolygonsAndAreRestoredAsTheyWere) {
+TEST(Hierarchy, LargeTreesHoldTheirPolygons) {
   const PolygonSoup soup = street();
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
     const Hierarchy::Config config{.leaf_size = 4, .bounds = bounds};
@@ -110,12 +109,6 @@ TEST(Hierarchy, LargeTreesHoldTheirPolygonsAndAreRestoredAsTheyWere) {
       large += is_oriented && built.nodes()[n].count > 1000 ? 1 : 0;
     }
     EXPECT_EQ(large > 10, bounds == Bounds::obb) << large;
-
-    const Hierarchy restored = Hierarchy::restore(soup, config, built.layout());
-    check(soup, restored, 4);
-    ASSERT_EQ(restored.nodes().size(), built.nodes().size());
-    for (std::uint32_t n = 0; n < built.nodes().size(); ++n) ASSERT_EQ(restored.volume(n), built.volume(n)) << "node " << n;
-    for (std::size_t p = 0; p < soup.size(); ++p) ASSERT_EQ(restored.original(p), built.original(p)) << "polygon " << p;
   }
 }
 

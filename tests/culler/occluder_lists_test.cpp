@@ -118,7 +118,7 @@ TEST_P(Lists, OfABudgetThatIsNotSpentNothingIsCut) {
   const auto within = [&](std::size_t budget) {
     return model.lists({.kind = GetParam(), .threshold = kThreshold, .entries = budget}).stored().occluders;
   };
-  const std::vector<std::uint32_t> all = within(OccluderLists::Config{}.entries);
+  const auto all = within(OccluderLists::Config{}.entries);
   ASSERT_LT(all.size(), OccluderLists::Config::kEntriesOfFew);
   EXPECT_EQ(within(all.size()), all);
   EXPECT_LT(within(all.size() - 1).size(), all.size());
@@ -145,22 +145,6 @@ TEST_P(Lists, AreTheSameInEveryRun) {
     ASSERT_EQ(other.stored().first, first.stored().first);
     ASSERT_EQ(other.stored().occluders, first.stored().occluders);
   }
-}
-
-TEST_P(Lists, RestoredAreWhatWasBuilt) {
-  const Model model(random_town_of_houses(4, 1500));
-  const OccluderLists::Config config{.kind = GetParam(), .regions = 1000};
-  const OccluderLists built = model.lists(config);
-  const OccluderLists restored = OccluderLists::restore(model.occluders, model.space(), config, built.stored());
-  EXPECT_EQ(restored.longest(), built.longest());
-  std::mt19937 random(8);
-  for (int i = 0; i < 300; ++i) {
-    const glm::dvec3 eye{uniform(random, -60, 60), uniform(random, -60, 60), uniform(random, -5, 20)};
-    ASSERT_TRUE(std::ranges::equal(restored.list(eye).occluders, built.list(eye).occluders));
-  }
-  const OccluderLists::Config other{.kind = GetParam() == Kind::grid ? Kind::tree : Kind::grid, .regions = 1000};
-  EXPECT_THROW(static_cast<void>(OccluderLists::restore(model.occluders, model.space(), other, built.stored())),
-               std::invalid_argument);
 }
 
 TEST(OccluderLists, RepeatedPolygonsShare) {

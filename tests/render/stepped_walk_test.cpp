@@ -51,8 +51,8 @@ class SteppedWalk : public testing::Test {
 TEST_F(SteppedWalk, WhyTellsOfTheCullsOfTheWalk) {
   const WalkOptions stepped = options(kStep);
   Record every, some;
-  static_cast<void>(walk(city_.soup, city_.path, options(1), "city", every));
-  static_cast<void>(walk(city_.soup, city_.path, stepped, "city", some));
+  static_cast<void>(walk(make_culler(city_.soup, options(1)), city_.path, options(1), "city", every));
+  static_cast<void>(walk(make_culler(city_.soup, stepped), city_.path, stepped, "city", some));
   ASSERT_EQ(some.witnesses.size(), 3U);
   const culler::Culler culler = make_culler(city_.soup, stepped);
   for (const std::size_t frame : {3U, 5U, 12U, 20U, 21U, 27U}) {
@@ -71,7 +71,7 @@ TEST_F(SteppedWalk, TheMethodsTakeTurnsInGoingFirst) {
     WalkOptions stepped = options(step);
     stepped.witness.reset();
     Record output;
-    const WalkResult result = walk(city_.soup, city_.path, stepped, "city", output);
+    const WalkResult result = walk(make_culler(city_.soup, stepped), city_.path, stepped, "city", output);
     for (std::size_t i = 1; i < result.frames.size(); ++i) {
       EXPECT_NE(result.frames[i].is_occlusion_first, result.frames[i - 1].is_occlusion_first) << step;
     }
@@ -83,7 +83,7 @@ TEST_F(SteppedWalk, PlatesShowTheCullsOfTheWalk) {
   stepped.witness.reset();
   stepped.render = true;
   Record output;
-  const WalkResult result = walk(city_.soup, city_.path, stepped, "city", output);
+  const WalkResult result = walk(make_culler(city_.soup, stepped), city_.path, stepped, "city", output);
   ASSERT_EQ(result.frames.size(), 3U);
   ASSERT_GE(output.plates.size(), 4U);
   for (std::size_t i = 1; i < output.plates.size(); i += 2) {

@@ -6,6 +6,7 @@
 
 #include "model_readers.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/store.h"
 
 namespace occlude::render {
 namespace {
@@ -19,6 +20,7 @@ std::string lower_case(std::string text) {
 }  // namespace
 
 culler::PolygonSoup read_model(const std::filesystem::path& file) try {
+  if (is_store(file)) return model_of(read_store(file, culler::Method::frusta));
   const std::string extension = lower_case(file.extension().string());
   if (extension == ".ply") return read_ply(file);
   if (extension == ".obj") return read_obj(file);

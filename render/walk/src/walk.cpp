@@ -7,10 +7,10 @@
 
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/model_io.h"
 #include "occlude/render/plates.h"
-#include "occlude/render/preprocess_file.h"
 #include "occlude/render/progress.h"
-#include "occlude/render/stopwatch.h"
+#include "occlude/render/store.h"
 #include "occlude/render/walk_frames.h"
 #include "occlude/render/witness.h"
 
@@ -66,32 +66,38 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
   return frames;
 }
 
+namespace {
+
+void prepare(const culler::Culler& culler, const WalkOptions& options) {
+  culler.prepare(culler::Method::frusta, check_interrupt);  // also for frames by the view frustum alone
+  culler.prepare(options.cull.method, check_interrupt);
+}
+
+}  // namespace
+
 culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options) {
   culler::Culler culler = [&] {
     if (options.preprocess.empty()) return culler::Culler(soup, options.build, check_interrupt);
-    culler::Preprocess preprocess = read_preprocess(options.preprocess, soup);
-    try {
-      return culler::Culler(soup, std::move(preprocess), check_interrupt);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(options.preprocess.string() + ": " + error.what());
-    }
+    culler::Culler stored = read_store(options.preprocess, options.cull.method);
+    if (is_model_of(soup, stored)) return stored;
+    throw InputError(options.preprocess.string() + ": made from another model: preprocess this one");
   }();
-  culler.prepare(culler::Method::frusta, check_interrupt);  // also for frames by the view frustum alone
-  culler.prepare(options.cull.method, check_interrupt);
+  prepare(culler, options);
   return culler;
 }
 
-WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
+culler::Culler make_culler(const std::filesystem::path& model, const WalkOptions& options) {
+  if (!is_store(model)) return make_culler(read_model(model), options);
+  culler::Culler culler = read_store(model, options.cull.method);
+  prepare(culler, options);
+  return culler;
+}
+
+WalkResult walk(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                 const std::string& model_name, WalkOutput& output) {
-  if (soup.size() < 2) {
+  if (culler.hierarchy().soup().size() < 2) {
     throw InputError(fmt::format("{}: only one polygon; a walk needs at least two", model_name));
   }
-  static_cast<void>(frames_of(path, options));  // throws before the work
-
-  const Stopwatch stopwatch;
-  const culler::Culler culler = make_culler(soup, options);
-  const double preprocess_s = stopwatch.seconds();
-
   output.add_model(culler);
   Stage stage(culler, options);
   kernel::Operations operations;
@@ -113,7 +119,6 @@ WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const W
     witnesses += lines.size();
   };
   WalkResult result = walk_frames(culler, path, options, stage, on_frame);
-  result.preprocess_s = preprocess_s;
   result.operations = operations;
   result.missed = std::move(missed);
   result.witnesses = witnesses;

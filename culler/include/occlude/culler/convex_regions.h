@@ -11,12 +11,15 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/array.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {
 
-struct SidePair;  // src/adjacency.h
+struct SidePair;   // src/adjacency.h
+class PartReader;  // src/part_list.h
+class PartWriter;
 
 /// Triangles [first, first + count) of the fan that a polygon is drawn as.
 struct FanRun {
@@ -45,22 +48,30 @@ class ConvexRegions {
   /// The most sides of a joined region or a piece; a polygon of the soup may have more. Each side is a plane of the shadow,
   /// and each test of a box may ask every plane. With this limit, some thousands of tests take milliseconds per occluder.
   static constexpr std::uint32_t kMostSides = 256;
+  /// The most sides of a joined region. Few walls have more.
+  static constexpr std::uint32_t kMostJoined = 32;
 
   /// Called by PotentialOccluders::find(). REQUIRES: the soup is well formed, its coordinates are finite, and `adjacency` is
   /// what find_adjacency() (src/adjacency.h) finds in it. What `checkpoint` throws is thrown on.
   [[nodiscard]] static ConvexRegions find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
                                           const Checkpoint& checkpoint = {});
+  /// For Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// The regions with these parts. Throws std::invalid_argument unless they are numbered as above, with both properties.
+  /// REQUIRES: the soup is well formed.
+  [[nodiscard]] static ConvexRegions from_parts(const PartReader& parts, const PolygonSoup& soup,
+                                                const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return first_vertex_.size() - 1; }
   /// The joined region that the polygon is a part of; `polygon` itself if there is none.
   [[nodiscard]] std::uint32_t whole(std::uint32_t polygon) const { return whole_[polygon]; }
   /// The corners of region r in loop order, as indices of soup vertices.
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t r) const {
-    return std::span(vertices_).subspan(first_vertex_[r], first_vertex_[r + 1] - first_vertex_[r]);
+    return {vertices_.data() + first_vertex_[r], vertices_.data() + first_vertex_[r + 1]};
   }
   /// The polygons that region r is drawn as, ascending. For a piece: the polygon that it is a piece of.
   [[nodiscard]] std::span<const std::uint32_t> parts(std::size_t r) const {
-    return std::span(polygons_).subspan(first_polygon_[r], first_polygon_[r + 1] - first_polygon_[r]);
+    return {polygons_.data() + first_polygon_[r], polygons_.data() + first_polygon_[r + 1]};
   }
 
   /// For a piece: its run of triangles in the fan of its polygon. For other regions: none.
@@ -69,13 +80,16 @@ class ConvexRegions {
   }
 
  private:
-  void end_region();
+  /// Whether region r, with its corners and parts in their arrays, is what it must be by its number.
+  [[nodiscard]] bool is_sound(std::size_t r, const PolygonSoup& soup) const;
+  /// The same for whole(polygon).
+  [[nodiscard]] bool is_whole_sound(std::uint32_t polygon, std::size_t polygons) const;
 
-  std::vector<std::uint32_t> vertices_, first_vertex_ = {0};
-  std::vector<std::uint32_t> polygons_, first_polygon_ = {0};
-  std::vector<std::uint32_t> whole_;
-  std::uint32_t first_piece_ = 0;
-  std::vector<FanRun> runs_;
+  Array<std::uint32_t> vertices_, first_vertex_;   ///< region r has the corners [first_vertex_[r], first_vertex_[r + 1])
+  Array<std::uint32_t> polygons_, first_polygon_;  ///< the same of its parts
+  Array<std::uint32_t> whole_;
+  std::size_t first_piece_ = 0;
+  Array<FanRun> runs_;
 };
 
 /// The border of a run of triangles in the fan of `loop`: v0, then the corners of the run in order.

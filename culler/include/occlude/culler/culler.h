@@ -4,12 +4,16 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_set.h"
+#include "occlude/culler/parts.h"
 #include "occlude/culler/preprocess.h"
 #include "occlude/culler/view.h"
 
@@ -18,6 +22,7 @@ namespace occlude::culler {
 class CoverBuffer;
 class CoverTriangles;
 class NodeBlocks;
+class PartReader;
 template <class T>
 class Lazy;
 
@@ -31,9 +36,27 @@ class Culler {
   /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
   /// 3. what `checkpoint` throws.
   explicit Culler(const PolygonSoup& soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
-  /// The same from what preprocess() found out about this soup. Throws std::invalid_argument also when `preprocess` cannot
-  /// be about this soup. Not all others are noticed; they make culling less effective, never wrong.
-  Culler(const PolygonSoup& soup, Preprocess preprocess, const Checkpoint& checkpoint = {});
+  /// The same culler from its parts, which are kept and not copied, but for the soup. What only frames by one method need
+  /// may be left out (method_of()), and is then made when it is first needed. Takes a twentieth of the time. Everything that
+  /// a wrong cull could come of is checked on all processors, and std::invalid_argument thrown, with the part and the
+  /// reason, if it cannot be of these polygons. Parts may come from anywhere:
+  /// 1. No parts lead out of bounds, or to more memory than several times their size.
+  /// 2. Nothing visible is culled, whatever they are, as long as oriented boxes hold their polygons. This alone is not
+  ///    checked, and concerns Bounds::obb alone.
+  /// 3. What is heuristics may be anything: the lists, and what is known of occluders.
+  /// Convex shells are made when they are first chosen: until then frames allocate, against (3) of View.
+  /// Throws also as (2) and (3) above.
+  explicit Culler(const Parts& parts, const Checkpoint& checkpoint = {});
+
+  /// All parts of the culler, which they keep. Makes what frames need as prepare() does. The same culler always gives the
+  /// same bytes.
+  [[nodiscard]] Parts parts(const Checkpoint& checkpoint = {}) const;
+  /// The method whose frames alone need the part of this name; none if it must always be there.
+  [[nodiscard]] static std::optional<Method> method_of(std::string_view part);
+
+  /// The same culler with what listed occluders hide, in the order of the lists (OccluderLists::Stored). Throws
+  /// std::invalid_argument unless there is a finite number, not below 0, for each entry.
+  [[nodiscard]] Culler with_hidden(std::vector<float> hidden) const;
 
   /// Makes what frames by a method need. Otherwise the first such frame makes it: half a second for a million polygons by
   /// cover, a thirtieth by frusta. It is made once. What `checkpoint` throws is thrown on, and the next call tries again.
@@ -92,6 +115,9 @@ class Culler {
   const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
   const NodeBlocks& blocks(const Checkpoint& checkpoint = {}) const;
+
+  Culler(const PartReader& parts, const Checkpoint& checkpoint);
+  Culler(const Culler& other, OccluderSet occluders);
 
   Identity identity_;
   BuildConfig config_;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "occlude/culler/array.h"
 #include "occlude/culler/box.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/polygon_soup.h"
@@ -27,11 +28,14 @@ enum class Bounds { aabb, obb };
 struct alignas(64) HierarchyNode {
   kernel::Aabb box;
   std::uint32_t first = 0, count = 0, right = 0;
+  std::uint32_t unused = 0;  ///< fills the line, so that every byte of a node has a value
 
   [[nodiscard]] bool is_leaf() const { return right == 0; }
 };
 
 struct BoxTree;
+class PartReader;  // src/part_list.h
+class PartWriter;
 
 /// Const calls may run on several threads at once. Indices are not checked.
 class Hierarchy {
@@ -45,23 +49,19 @@ class Hierarchy {
 
   using Node = HierarchyNode;
 
-  /// The result of build() that takes time to find: the order of the polygons and the shape of the tree. The boxes follow
-  /// from these two.
-  struct Layout {
-    std::vector<std::uint32_t> order;  ///< of the input's polygons, in the order of the leaves
-    std::vector<std::uint32_t> left;   ///< of each node, depth-first, how many polygons its left child has; a leaf has 0
-  };
-
   /// Builds top-down, splitting where the surface area heuristic (Goldsmith and Salmon 1987) estimates the least cost.
   /// Copies the soup. What `checkpoint` throws is thrown on.
   /// REQUIRES: soup is well formed and not empty, and its coordinates are in the kernel's legal range.
   [[nodiscard]] static Hierarchy build(const PolygonSoup& soup, const Config& config, const Checkpoint& checkpoint = {});
 
-  /// The same tree from its layout; of config.leaf_size only leaf_size() depends. Throws std::invalid_argument when it
-  /// cannot be the layout of a tree of so many polygons. REQUIRES as build().
-  [[nodiscard]] static Hierarchy restore(const PolygonSoup& soup, const Config& config, const Layout& layout,
-                                         const Checkpoint& checkpoint = {});
-  [[nodiscard]] Layout layout() const;
+  /// The parts of a tree, for Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// The tree with these parts, which must be one of build() in every respect but the shape of the tree and the oriented
+  /// boxes: the soup is legal, each polygon is in one leaf, and each axis-aligned box is the smallest that holds its
+  /// polygons. Throws std::invalid_argument otherwise. REQUIRES, not checked: an oriented box holds the polygons of its
+  /// node.
+  [[nodiscard]] static Hierarchy from_parts(const PartReader& parts, const Config& config,
+                                            const Checkpoint& checkpoint = {});
 
   /// The polygons in the order of the leaves.
   [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }
@@ -73,7 +73,7 @@ class Hierarchy {
   /// Number of fan triangles in polygons [0, p) of soup(); p may be soup().size().
   [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_->first[p] - 2 * p; }
   /// The root first.
-  [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+  [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
   /// The leaf (index in nodes()) that holds polygon p of soup().
   [[nodiscard]] std::uint32_t leaf_of(std::uint32_t p) const;
   /// Returns question(box), where `box` is the bounding volume of the node: a kernel::Aabb or a kernel::Obb that holds
@@ -92,16 +92,17 @@ class Hierarchy {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  Hierarchy() = default;
   Hierarchy(const PolygonSoup& soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint);
 
   void fit_oriented_boxes(const Checkpoint& checkpoint);
 
   std::shared_ptr<const PolygonSoup> soup_;
-  std::uint32_t leaf_size_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
-  std::vector<kernel::Obb> oriented_boxes_;
-  std::vector<std::uint32_t> oriented_;  ///< of each node, the index in oriented_boxes_ or kNone; empty with Bounds::aabb
+  std::uint32_t leaf_size_ = 0;
+  Array<std::uint32_t> order_;
+  Array<Node> nodes_;
+  Array<kernel::Obb> oriented_boxes_;
+  Array<std::uint32_t> oriented_;  ///< of each node, the index in oriented_boxes_ or kNone; empty with Bounds::aabb
 };
 
 }  // namespace occlude::culler

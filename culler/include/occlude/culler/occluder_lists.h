@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/culler/array.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/partition.h"
 #include "occlude/culler/potential_occluders.h"
@@ -37,12 +38,12 @@ class OccluderLists {
     static constexpr std::size_t kEntriesOfEach = 1024, kEntriesOfFew = std::size_t{1} << 22U;
   };
 
-  /// The lists of all regions, one after another, each ascending: what a preprocess stores.
+  /// The lists of all regions, one after another, each ascending.
   struct Stored {
-    std::vector<std::uint64_t> first = {0};  ///< region r has the entries [first[r], first[r + 1])
-    std::vector<std::uint32_t> occluders;
+    Array<std::uint64_t> first;  ///< region r has the entries [first[r], first[r + 1])
+    Array<std::uint32_t> occluders;
     /// For each entry, the mean number of polygons that the occluder hides as seen from the region. Empty if not sampled.
-    std::vector<float> hidden;
+    Array<float> hidden;
   };
 
   /// The list of one region.
@@ -59,10 +60,14 @@ class OccluderLists {
   [[nodiscard]] static OccluderLists build(const PotentialOccluders& occluders, const Space& space, const Config& config,
                                            const Checkpoint& checkpoint = {});
 
-  /// The same with lists that were stored. Throws std::invalid_argument for a config out of range, and for lists that cannot
-  /// be of these occluders and regions. REQUIRES as build().
-  [[nodiscard]] static OccluderLists restore(const PotentialOccluders& occluders, const Space& space, const Config& config,
-                                             Stored stored, const Checkpoint& checkpoint = {});
+  /// For Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// The lists with these parts. Throws std::invalid_argument if they cannot be of so many occluders.
+  [[nodiscard]] static OccluderLists from_parts(const PartReader& parts, std::size_t occluders,
+                                                const Checkpoint& checkpoint = {});
+  /// The same lists with what occluders hide. Throws std::invalid_argument unless there is a finite number, not below 0, for
+  /// each entry.
+  [[nodiscard]] OccluderLists with_hidden(std::vector<float> hidden) const;
 
   [[nodiscard]] const Partition& partition() const { return partition_; }
   [[nodiscard]] const Stored& stored() const { return stored_; }

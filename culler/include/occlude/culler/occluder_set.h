@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/occluder_lists.h"
@@ -25,13 +26,22 @@ class OccluderSet : public PotentialOccluders {
     return {std::move(potential), std::move(lists)};
   }
 
-  /// The same with lists that were stored. REQUIRES as build(); throws as OccluderLists::restore().
-  [[nodiscard]] static OccluderSet restore(std::shared_ptr<const PolygonSoup> soup, const Space& space, const Config& config,
-                                           const OccluderLists::Config& of_lists, OccluderLists::Stored stored,
-                                           const Checkpoint& checkpoint = {}) {
-    PotentialOccluders potential = find(std::move(soup), config, checkpoint);
-    OccluderLists lists = OccluderLists::restore(potential, space, of_lists, std::move(stored), checkpoint);
+  /// For Culler::parts().
+  void append_parts(PartWriter& parts) const {
+    PotentialOccluders::append_parts(parts);
+    lists_.append_parts(parts);
+  }
+  /// The occluders with these parts. REQUIRES and throws as those of PotentialOccluders and OccluderLists.
+  [[nodiscard]] static OccluderSet from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
+                                              const Checkpoint& checkpoint = {}) {
+    PotentialOccluders potential = PotentialOccluders::from_parts(parts, std::move(soup), checkpoint);
+    OccluderLists lists = OccluderLists::from_parts(parts, potential.size(), checkpoint);
     return {std::move(potential), std::move(lists)};
+  }
+
+  /// The same with what listed occluders hide. Throws as OccluderLists::with_hidden().
+  [[nodiscard]] OccluderSet with_hidden(std::vector<float> hidden) const {
+    return {*this, lists_.with_hidden(std::move(hidden))};
   }
 
   [[nodiscard]] const OccluderLists& lists() const { return lists_; }

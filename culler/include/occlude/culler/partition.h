@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/culler/array.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/types.h"
@@ -60,13 +61,18 @@ class Partition {
   /// space.box holds the nodes.
   [[nodiscard]] static Partition make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint = {});
 
+  /// For Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// The regions with these parts. Throws std::invalid_argument unless the cells are a tree with finite planes.
+  [[nodiscard]] static Partition from_parts(const PartReader& parts);
+
   /// Number of regions. They are numbered in the order of their cells.
   [[nodiscard]] std::size_t regions() const { return (cells_.size() + 1) / 2; }
   /// The region that a point is in. REQUIRES: the point is finite.
   [[nodiscard]] std::size_t region_at(const glm::dvec3& point) const;
   [[nodiscard]] kernel::Aabb box(std::size_t region) const;
 
-  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
+  [[nodiscard]] std::span<const Cell> cells() const { return {cells_.data(), cells_.size()}; }
   [[nodiscard]] kernel::Aabb cell_box(std::size_t cell) const;
 
  private:
@@ -76,7 +82,7 @@ class Partition {
   [[nodiscard]] std::size_t regions_between(std::size_t first, std::size_t end) const { return (end - first + 1) / 2; }
 
   kernel::Aabb box_;
-  std::vector<Cell> cells_;
+  Array<Cell> cells_;
 };
 
 }  // namespace occlude::culler

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "occlude/culler/array.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/convex_regions.h"
 #include "occlude/culler/convex_shells.h"
@@ -51,6 +52,12 @@ class PotentialOccluders {
   /// coordinates.
   [[nodiscard]] static PotentialOccluders find(std::shared_ptr<const PolygonSoup> soup, const Config& config,
                                                const Checkpoint& checkpoint = {});
+  /// For Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// The potential occluders with these parts. Throws std::invalid_argument as those of ConvexRegions and ConvexShells, and
+  /// if what is known of occluders is not finite. REQUIRES as find().
+  [[nodiscard]] static PotentialOccluders from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
+                                                     const Checkpoint& checkpoint = {});
 
   [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }
   /// Occluders 0, ..., size() - 1: first the regions, then the shells.
@@ -83,7 +90,7 @@ class PotentialOccluders {
   std::shared_ptr<const PolygonSoup> soup_;
   ConvexRegions regions_;
   ConvexShells shells_;
-  std::vector<PotentialOccluder> known_;
+  Array<PotentialOccluder> known_;
 };
 
 }  // namespace occlude::culler

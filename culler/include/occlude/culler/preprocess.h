@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be found out about a model once and used again (section 4.1): the order of its tree, the lists of its regions and
-// what occluders hide as seen from there. All of it is heuristics and order: nothing in it can make an answer wrong. Reading
-// order: 10.
+// How a model is prepared, and what its occluders hide, as sampled from each region (section 4.1). What was sampled is
+// heuristics: nothing in it can make an answer wrong. Reading order: 10.
 #pragma once
 
 #include <cstddef>
@@ -37,26 +36,17 @@ struct SampleConfig {
 
 class Culler;
 
-/// The result of preprocess(): what a Culler of the same soup takes.
-struct Preprocess {
-  BuildConfig config;
-  Hierarchy::Layout layout;
-  OccluderLists::Stored lists;
-};
-
-/// The result without samples: what this culler, which was built with `config`, has found out about its model.
-[[nodiscard]] Preprocess unsampled(const Culler& culler, const BuildConfig& config);
-
 /// What the occluders that regions [first, end) list hide, in the order of their lists: that part of `hidden` of
 /// OccluderLists::Stored. On all processors.
 [[nodiscard]] std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samples, std::size_t first,
                                                 std::size_t end, const Checkpoint& checkpoint = {});
 
-/// Prepares the model and samples what its occluders hide. Runs on all processors; the result does not depend on their
-/// number. While sampling, calls progress(done, all), if given, after each of all regions: on any thread, one call at a
-/// time. What it or `checkpoint` throws stops the work and is thrown on. Throws also as the constructor of Culler.
-[[nodiscard]] Preprocess preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
-                                    const std::function<void(std::size_t done, std::size_t all)>& progress = {},
-                                    const Checkpoint& checkpoint = {});
+/// Prepares the model and samples what its occluders hide: the culler of this soup with OccluderLists::Stored::hidden. Runs
+/// on all processors; the result does not depend on their number. While sampling, calls progress(done, all), if given, after
+/// each of all regions: on any thread, one call at a time. What it or `checkpoint` throws stops the work and is thrown on.
+/// Throws also as the constructor of Culler.
+[[nodiscard]] Culler preprocess(const PolygonSoup& soup, const BuildConfig& config, const SampleConfig& samples,
+                                const std::function<void(std::size_t done, std::size_t all)>& progress = {},
+                                const Checkpoint& checkpoint = {});
 
 }  // namespace occlude::culler

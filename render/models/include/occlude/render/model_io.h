@@ -12,6 +12,7 @@ namespace occlude::render {
 
 /// Reads a model as polygon soup. Polygons are not triangulated. PLY and OBJ are read in double precision; other formats
 /// (glTF, COLLADA, STL, ...) are read by the Assimp library, in its single precision.
+/// Of a store (store.h) it is the model that the store was made of, and throws as read_store().
 /// Assimp runs in a child process, so its crashes do not end this process.
 /// Throws InputError with file and place if the file cannot be read or parsed, a coordinate is not finite or not 0 and
 /// outside [2^-100, 2^100] in magnitude, an index is out of range, a polygon has fewer than 3 vertices, or none exists.

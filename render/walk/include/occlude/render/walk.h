@@ -41,9 +41,9 @@ struct WalkOptions {
               step = 1;  ///< frames drawn, compared and counted: begin, begin + step, ... below end
   culler::CullOptions cull;
   culler::BuildConfig build;
-  std::filesystem::path preprocess;              ///< file of `occlude preprocess`, used instead of `build`; or empty
-  bool render = true;                            ///< draw and compare; if false, only culling is measured
-  std::optional<std::filesystem::path> witness;  ///< file for the proofs of all culls (JSON Lines)
+  std::filesystem::path preprocess;                       ///< store of the model, used instead of `build`; or empty
+  bool render = true;                                     ///< draw and compare; if false, only culling is measured
+  std::optional<std::filesystem::path> witness;           ///< file for the proofs of all culls (JSON Lines)
   std::function<void(const ShadowTest&)> on_shadow_test;  ///< called for each test on about 48 frames
 };
 
@@ -52,9 +52,11 @@ struct WalkOptions {
   return static_cast<double>(options.width) / options.height;
 }
 
-/// The culler of a walk, prepared for its method: from the preprocess file if one is named, else built now. Throws
-/// InputError as read_preprocess() does, also for arrays that do not fit the model, and Interrupted on Ctrl-C.
+/// The culler of a walk, prepared for its method: from the store if one is named, else built now. Throws InputError as
+/// read_store() does, also for a store of another model, and Interrupted on Ctrl-C.
 [[nodiscard]] culler::Culler make_culler(const culler::PolygonSoup& soup, const WalkOptions& options);
+/// The same of a model's file. If that is a store, it is the culler in it, and the model is not read.
+[[nodiscard]] culler::Culler make_culler(const std::filesystem::path& model, const WalkOptions& options);
 
 /// The frames of the path that a walk counts. Those between are only culled, because later frames depend on them. Throws
 /// InputError if there are none.
@@ -91,7 +93,7 @@ struct Plate {
 
 struct WalkResult {
   std::size_t polygons = 0, triangles = 0;  ///< of the model
-  culler::BuildConfig build;                ///< how the model was prepared: by the options or the preprocess file
+  culler::BuildConfig build;                ///< how the model was prepared: by the options or in its store
   std::vector<FrameRecord> frames;
   /// For each frame why it drew what is hidden; empty if the walk does not render.
   std::vector<culler::MissedReasons::Counts> missed;
@@ -125,8 +127,9 @@ class WalkOutput {
   virtual void add_plate(const Plate& plate, const Image& image) = 0;
 };
 
-/// Walks the path. Throws InputError for fewer than two polygons or an empty frame range, Interrupted on Ctrl-C.
-[[nodiscard]] WalkResult walk(const culler::PolygonSoup& soup, const CameraPath& path, const WalkOptions& options,
+/// Walks the path. The result has no preprocess_s. Throws InputError for fewer than two polygons or an empty frame range,
+/// Interrupted on Ctrl-C. REQUIRES: the culler is that of make_culler() with these options.
+[[nodiscard]] WalkResult walk(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
                               const std::string& model_name, WalkOutput& output);
 
 }  // namespace occlude::render

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The parts of convex shells, and the checks of parts that are said to be those.
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "occlude/culler/convex_shells.h"
+#include "part_checks.h"
+#include "part_list.h"
+#include "shell_limits.h"
+#include "shell_polytopes.h"
+
+namespace occlude::culler {
+namespace {
+
+constexpr std::string_view kParts = "shell polygons", kFirstPart = "shell first polygon", kShellOf = "shell of",
+                           kMost = "shell limits";
+
+}  // namespace
+
+void ConvexShells::append_parts(PartWriter& parts) const {
+  parts.put(kParts, parts_);
+  parts.put(kFirstPart, first_part_);
+  parts.put(kShellOf, shell_of_);
+  parts.put(kMost, std::span(&most_, 1));
+}
+
+bool ConvexShells::is_sound(std::uint32_t s, const PolygonSoup& soup) const {
+  const auto polygons = parts(s);
+  if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces || polygons.back() >= soup.size()) return false;
+  if (std::ranges::adjacent_find(polygons, std::ranges::greater_equal()) != polygons.end()) return false;
+  const auto is_of = [&](std::uint32_t p) { return shell_of_[p] == s; };
+  return std::ranges::all_of(polygons, is_of) && sides_of(soup, polygons) <= kMostSides;
+}
+
+ConvexShells ConvexShells::from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
+                                      const Checkpoint& checkpoint) {
+  ConvexShells result;
+  result.parts_ = parts.get<std::uint32_t>(kParts);
+  result.first_part_ = parts.get<std::uint32_t>(kFirstPart);
+  result.shell_of_ = parts.get<std::uint32_t>(kShellOf);
+  const auto most = parts.get<Most>(kMost);
+  if (most.size() != 1 || most[0].faces > kMostFaces || most[0].edges > kMostSides) refuse_part(kMost, "out of range");
+  result.most_ = most[0];
+
+  const std::size_t size = result.size();
+  const auto is_shell = [&](std::size_t s) { return result.is_sound(static_cast<std::uint32_t>(s), *soup); };
+  const bool are_ranges =
+      result.first_part_.empty() ? result.parts_.empty() : are_starts(result.first_part_, result.parts_.size(), checkpoint);
+  if (!are_ranges || result.shell_of_.size() != (size == 0 ? 0 : soup->size()) || !are_all(size, is_shell, checkpoint)) {
+    refuse_part(kParts, "the shells are not of these polygons");
+  }
+  // Shells have different polygons, because each of these has one shell. So no polygon has a shell that it is not in.
+  if (std::cmp_not_equal(std::ranges::count_if(result.shell_of_, [](std::uint32_t s) { return s != kNone; }),
+                         result.parts_.size())) {
+    refuse_part(kShellOf, "a polygon is not in its shell");
+  }
+  result.soup_ = std::move(soup);
+  result.polytopes_ = std::make_shared<ShellPolytopes>(size);
+  return result;
+}
+
+}  // namespace occlude::culler

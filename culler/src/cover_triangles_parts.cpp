@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The parts of the triangles of a model, and the checks of parts that are said to be those.
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <string_view>
+
+#include "cover_limits.h"
+#include "cover_triangles.h"
+#include "part_checks.h"
+#include "part_list.h"
+
+namespace occlude::culler {
+namespace {
+
+constexpr std::string_view kFirst = "cover first", kVertices = "cover vertices", kCorners = "cover corners",
+                           kNext = "cover next", kFirstAround = "cover first around", kAround = "cover around";
+
+/// Whether the triangle with these corners is the one of three vertices of the soup, and vertices with the same coordinates
+/// are the same.
+bool is_triangle(const CoverMesh::Triangle& corners, const Array<glm::dvec3>& vertices,
+                 const std::array<const glm::dvec3*, 3>& of_soup) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (corners[i] >= vertices.size() || vertices[corners[i]] != *of_soup[i]) return false;
+    const std::size_t next = (i + 1) % 3;
+    if (*of_soup[i] == *of_soup[next] && corners[i] != corners[next]) return false;
+  }
+  return true;
+}
+
+/// Whether the triangles of polygon p are its fan.
+bool is_fan(std::size_t p, const PolygonSoup& soup, const Array<std::uint32_t>& first, const Array<glm::dvec3>& vertices,
+            const Array<CoverMesh::Triangle>& corners) {
+  if (first[p] != soup.first[p] - 2 * p) return false;
+  const auto loop = soup.loop(p);
+  for (std::size_t i = 0; i < soup.triangles(p); ++i) {
+    const std::array of_soup{&soup.vertices[loop[0]], &soup.vertices[loop[i + 1]], &soup.vertices[loop[i + 2]]};
+    if (!is_triangle(corners[first[p] + i], vertices, of_soup)) return false;
+  }
+  return true;
+}
+
+/// The rings of the sides.
+class Rings {
+ public:
+  Rings(const Array<CoverMesh::Triangle>& corners, const Array<std::array<RingStep, 3>>& next)
+      : corners_(corners), next_(next) {}
+
+  /// Whether the side is in a ring of at most kMostInRing sides along one edge, and its step says whether these are two at
+  /// most.
+  [[nodiscard]] bool has(std::uint32_t side) const {
+    const RingStep first = step(side);
+    std::size_t length = 1;
+    for (std::uint32_t at = first.side; at != side; at = step(at).side, ++length) {
+      if (at >= 3 * corners_.size() || length == kMostInRing || !are_along(at, side)) return false;
+    }
+    return (length <= 2) == (first.is_of_two != 0);
+  }
+
+ private:
+  [[nodiscard]] RingStep step(std::uint32_t side) const { return next_[side / 3][side % 3]; }
+  [[nodiscard]] std::uint32_t from(std::uint32_t side) const { return corners_[side / 3][side % 3]; }
+  [[nodiscard]] std::uint32_t to(std::uint32_t side) const { return corners_[side / 3][(side + 1) % 3]; }
+  [[nodiscard]] bool are_along(std::uint32_t a, std::uint32_t b) const {
+    return (from(a) == from(b) && to(a) == to(b)) || (from(a) == to(b) && to(a) == from(b));
+  }
+
+  const Array<CoverMesh::Triangle>& corners_;
+  const Array<std::array<RingStep, 3>>& next_;
+};
+
+/// Finds out whether lists name a polygon twice.
+class Named {
+ public:
+  /// Whether the list was not yet said to name it. REQUIRES: list < 2^32 - 1; no list names more than `most` given before.
+  bool add(std::uint64_t list, std::uint32_t polygon) {
+    const std::uint64_t key = (list + 1) << 32U | polygon;
+    for (std::size_t i = polygon * 0x9E3779B1U;; ++i) {
+      std::uint64_t& place = places_[i & (places_.size() - 1)];
+      if (place == key) return false;
+      if (place >> 32U != list + 1) {
+        place = key;
+        return true;
+      }
+    }
+  }
+  void reserve(std::size_t most) {
+    if (places_.size() < 2 * most) places_.assign(std::bit_ceil(2 * most), 0);
+  }
+
+ private:
+  std::vector<std::uint64_t> places_;
+};
+
+/// Whether `around` can be around a leaf: other polygons, each once, within the limits of find().
+bool are_around(std::span<const std::uint32_t> around, std::uint64_t n, const HierarchyNode& leaf, const PolygonSoup& soup,
+                Named& named) {
+  const std::size_t end = std::size_t{leaf.first} + leaf.count;
+  std::size_t left = kMostAround * (soup.first[end] - soup.first[leaf.first] - 2 * std::size_t{leaf.count});
+  if (around.size() > left) return false;
+  named.reserve(around.size());
+  for (const std::uint32_t p : around) {
+    if (p >= soup.size() || (p >= leaf.first && p < end) || soup.loop(p).size() > kMostSidesAround) return false;
+    if (soup.triangles(p) > left || !named.add(n, p)) return false;
+    left -= soup.triangles(p);
+  }
+  return true;
+}
+
+}  // namespace
+
+void CoverTriangles::append_parts(PartWriter& parts) const {
+  parts.put(kFirst, first_);
+  parts.put(kVertices, vertices_);
+  parts.put(kCorners, corners_);
+  parts.put(kNext, next_);
+  parts.put(kFirstAround, first_around_);
+  parts.put(kAround, around_);
+}
+
+CoverTriangles CoverTriangles::from_parts(const PartReader& parts, const PolygonSoup& soup,
+                                          std::span<const HierarchyNode> nodes, const Checkpoint& checkpoint) {
+  CoverTriangles result;
+  result.first_ = parts.get<std::uint32_t>(kFirst);
+  result.vertices_ = parts.get<glm::dvec3>(kVertices);
+  result.corners_ = parts.get<CoverMesh::Triangle>(kCorners);
+  result.next_ = parts.get<std::array<RingStep, 3>>(kNext);
+  result.first_around_ = parts.get<std::uint64_t>(kFirstAround);
+  result.around_ = parts.get<std::uint32_t>(kAround);
+
+  const std::size_t triangles = soup.indices.size() - 2 * soup.size();
+  const auto is_polygon = [&](std::size_t p) { return is_fan(p, soup, result.first_, result.vertices_, result.corners_); };
+  if (result.first_.size() != soup.first.size() || result.first_.back() != triangles ||
+      result.corners_.size() != triangles || !are_all(soup.size(), is_polygon, checkpoint)) {
+    refuse_part(kCorners, "the triangles are not those of the polygons");
+  }
+  const Rings rings(result.corners_, result.next_);
+  const auto is_in_ring = [&](std::size_t side) { return rings.has(static_cast<std::uint32_t>(side)); };
+  if (result.next_.size() != triangles || !are_all(3 * triangles, is_in_ring, checkpoint)) {
+    refuse_part(kNext, "the sides are not in rings");
+  }
+  if (result.first_around_.size() != nodes.size() + 1 ||
+      !are_starts(result.first_around_, result.around_.size(), checkpoint)) {
+    refuse_part(kFirstAround, "it has not a range for each node");
+  }
+  std::atomic<bool> are_sound = true;
+  for_ranges(
+      nodes.size(),
+      [&](std::size_t begin, std::size_t end) {
+        Named named;
+        for (std::size_t n = begin; n < end && are_sound; ++n) {
+          const auto around = result.around(static_cast<std::uint32_t>(n));
+          if (!around.empty() && !are_around(around, n, nodes[n], soup, named)) are_sound = false;
+        }
+      },
+      checkpoint);
+  if (!are_sound) refuse_part(kAround, "the polygons cannot be those around the leaves");
+  return result;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// A culler to parts, and from them.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "cover_triangles.h"
+#include "lazy.h"
+#include "legal_soup.h"
+#include "node_blocks.h"
+#include "occlude/culler/culler.h"
+#include "part_list.h"
+
+namespace occlude::culler {
+namespace {
+
+constexpr std::string_view kConfig = "config";
+
+/// BuildConfig in numbers of fixed width, without gaps.
+struct StoredConfig {
+  std::uint32_t leaf_size, bounds, shells, kind;
+  double threshold, regions;
+  std::uint64_t entries;
+};
+
+StoredConfig stored(const BuildConfig& config) {
+  return {config.hierarchy.leaf_size,
+          static_cast<std::uint32_t>(config.hierarchy.bounds),
+          std::uint32_t{config.occluders.shells},
+          static_cast<std::uint32_t>(config.lists.kind),
+          config.lists.threshold,
+          config.lists.regions,
+          config.lists.entries};
+}
+
+BuildConfig config_of(const PartReader& parts) {
+  const auto read = parts.get<StoredConfig>(kConfig);
+  if (read.size() != 1 || read[0].bounds > 1 || read[0].shells > 1 || read[0].kind > 1) refuse_part(kConfig, "out of range");
+  const StoredConfig& config = read[0];
+  return {{config.leaf_size, static_cast<Bounds>(config.bounds)},
+          {config.shells != 0},
+          {static_cast<Partition::Kind>(config.kind), config.threshold, config.regions,
+           static_cast<std::size_t>(config.entries)}};
+}
+
+const PartReader& checked(const PartReader& parts) {
+  require_rounding();
+  return parts;
+}
+
+/// What keeps the parts of a culler: a copy of it, and its settings as they are stored.
+struct Kept {
+  Culler culler;
+  StoredConfig config;
+};
+
+}  // namespace
+
+std::optional<Method> Culler::method_of(std::string_view part) {
+  if (part == NodeBlocks::kPart) return Method::frusta;
+  if (part.starts_with(CoverTriangles::kPrefix)) return Method::cover;
+  return std::nullopt;
+}
+
+Parts Culler::parts(const Checkpoint& checkpoint) const {
+  const auto kept = std::make_shared<const Kept>(Kept{*this, stored(config_)});
+  Parts result{{}, kept};
+  PartWriter writer(result);
+  writer.put(kConfig, std::span(&kept->config, 1));
+  hierarchy_.append_parts(writer);
+  occluders_.append_parts(writer);
+  blocks(checkpoint).append_parts(writer);
+  triangles(checkpoint).append_parts(writer);
+  return result;
+}
+
+Culler::Culler(const Parts& parts, const Checkpoint& checkpoint) : Culler(PartReader(parts), checkpoint) {}
+
+Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
+    : config_(config_of(checked(parts))),
+      hierarchy_(Hierarchy::from_parts(parts, config_.hierarchy, checkpoint)),
+      occluders_(OccluderSet::from_parts(parts, hierarchy_.shared_soup(), checkpoint)),
+      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
+      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
+  if (parts.has_any(NodeBlocks::kPart)) {
+    static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));
+  }
+  if (parts.has_any(CoverTriangles::kPrefix)) {
+    static_cast<void>(triangles_->get(
+        [&] { return CoverTriangles::from_parts(parts, hierarchy_.soup(), hierarchy_.nodes(), checkpoint); }));
+  }
+}
+
+}  // namespace occlude::culler

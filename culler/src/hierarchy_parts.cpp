@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The parts of a hierarchy, and the checks of parts that are said to be of one.
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "bounds.h"
+#include "legal_soup.h"
+#include "occlude/culler/hierarchy.h"
+#include "part_checks.h"
+#include "part_list.h"
+
+namespace occlude::culler {
+namespace {
+
+constexpr std::string_view kVertices = "vertices", kIndices = "indices", kFirst = "first", kOrder = "order",
+                           kNodes = "nodes", kOrientedBoxes = "oriented boxes", kOriented = "oriented";
+
+template <class T>
+std::vector<T> copy_of(const Array<T>& array) {
+  return {array.begin(), array.end()};
+}
+
+/// A soup has vectors of its own.
+std::shared_ptr<const PolygonSoup> soup_of(const PartReader& parts, const Checkpoint& checkpoint) {
+  const auto vertices = parts.get<glm::dvec3>(kVertices);
+  const auto indices = parts.get<std::uint32_t>(kIndices), first = parts.get<std::uint32_t>(kFirst);
+  auto soup = std::make_shared<PolygonSoup>();
+  parallel_for(
+      3,
+      [&](std::size_t i) {
+        if (i == 0) soup->vertices = copy_of(vertices);
+        if (i == 1) soup->indices = copy_of(indices);
+        if (i == 2) soup->first = copy_of(first);
+      },
+      checkpoint);
+  if (!is_legal(*soup, checkpoint)) require_legal(*soup);
+  if (soup->empty()) throw std::invalid_argument("the soup has no polygon");
+  return soup;
+}
+
+bool is_permutation(const Array<std::uint32_t>& order, std::size_t size) {
+  std::vector<bool> is_there(size);
+  for (const std::uint32_t i : order) {
+    if (i >= size || is_there[i]) return false;
+    is_there[i] = true;
+  }
+  return order.size() == size;
+}
+
+/// Every split of build() leaves at most 15/16 of the extent along an axis on either side. Coordinates that are not equal
+/// differ by at least 2^-152 and at most 2^101. So there are at most 3 ln 2^253 / ln(16/15) levels of such splits, and 32
+/// levels of halving. The traversal takes some hundred bytes of stack for each level.
+constexpr std::uint32_t kDeepest = 8192;
+
+/// Whether the nodes are depth-first and divide `count` polygons among them, so that no node has none.
+bool are_tree(std::span<const HierarchyNode> nodes, std::size_t count) {
+  /// A subtree that is still to come: its polygons, its depth, and the node whose right child it is, or kNoParent.
+  struct Pending {
+    std::uint32_t first, count, depth;
+    std::size_t parent;
+  };
+  constexpr std::size_t kNoParent = std::numeric_limits<std::size_t>::max();
+  std::vector<Pending> pending{{0, static_cast<std::uint32_t>(count), 0, kNoParent}};
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (pending.empty()) return false;
+    const Pending at = pending.back();
+    pending.pop_back();
+    const HierarchyNode& node = nodes[i];
+    if (node.first != at.first || node.count != at.count) return false;
+    if (at.parent != kNoParent && nodes[at.parent].right != i) return false;
+    if (node.is_leaf()) continue;
+    if (at.depth == kDeepest || i + 1 == nodes.size()) return false;
+    const std::uint32_t left = nodes[i + 1].count;
+    if (left == 0 || left >= at.count) return false;
+    pending.push_back({at.first + left, at.count - left, at.depth + 1, i});
+    pending.push_back({at.first, left, at.depth + 1, kNoParent});
+  }
+  return pending.empty();
+}
+
+/// The smallest box that holds the polygons of a node, if those of its children are such boxes. REQUIRES: are_tree().
+kernel::Aabb smallest_box(const PolygonSoup& soup, std::span<const HierarchyNode> nodes, std::size_t i) {
+  kernel::Aabb box = empty_box();
+  const HierarchyNode& node = nodes[i];
+  if (node.is_leaf()) {
+    for (std::size_t s = soup.first[node.first]; s < soup.first[std::size_t{node.first} + node.count]; ++s) {
+      grow(box, to_kernel(soup.vertices[soup.indices[s]]));
+    }
+  } else {
+    grow(box, nodes[i + 1].box);
+    grow(box, nodes[node.right].box);
+  }
+  return box;
+}
+
+}  // namespace
+
+void Hierarchy::append_parts(PartWriter& parts) const {
+  parts.put(kVertices, soup_->vertices);
+  parts.put(kIndices, soup_->indices);
+  parts.put(kFirst, soup_->first);
+  parts.put(kOrder, order_);
+  parts.put(kNodes, nodes_);
+  parts.put(kOrientedBoxes, oriented_boxes_);
+  parts.put(kOriented, oriented_);
+}
+
+Hierarchy Hierarchy::from_parts(const PartReader& parts, const Config& config, const Checkpoint& checkpoint) {
+  Hierarchy result;
+  result.soup_ = soup_of(parts, checkpoint);
+  result.leaf_size_ = config.leaf_size;
+  result.order_ = parts.get<std::uint32_t>(kOrder);
+  result.nodes_ = parts.get<Node>(kNodes);
+  result.oriented_boxes_ = parts.get<kernel::Obb>(kOrientedBoxes);
+  result.oriented_ = parts.get<std::uint32_t>(kOriented);
+
+  const PolygonSoup& soup = *result.soup_;
+  if (!is_permutation(result.order_, soup.size())) refuse_part(kOrder, "it does not number the polygons");
+  const auto nodes = result.nodes();
+  if (!are_tree(nodes, soup.size())) refuse_part(kNodes, "it is not a tree of these polygons");
+  const auto is_smallest = [&](std::size_t i) { return nodes[i].box == smallest_box(soup, nodes, i); };
+  if (!are_all(nodes.size(), is_smallest, checkpoint)) refuse_part(kNodes, "a box is not that of its polygons");
+  const auto& boxes = result.oriented_boxes_;
+  const auto is_box = [&](std::uint32_t i) { return i == kNone || i < boxes.size(); };
+  if (result.oriented_.size() != (config.bounds == Bounds::obb ? nodes.size() : 0) ||
+      !std::ranges::all_of(result.oriented_, is_box)) {
+    refuse_part(kOriented, "it does not number the oriented boxes");
+  }
+  const auto is_legal = [](const kernel::Obb& box) { return kernel::check(box) == kernel::Refusal::none; };
+  if (!std::ranges::all_of(boxes, is_legal)) refuse_part(kOrientedBoxes, "a box is not legal");
+  return result;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Checks of the elements of parts, on several threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+
+#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/parallel.h"
+
+namespace occlude::culler {
+
+/// Calls work(begin, end) for ranges that make up [0, count), in parallel.
+template <class Work>
+void for_ranges(std::size_t count, Work&& work, const Checkpoint& checkpoint) {
+  constexpr std::size_t kRange = std::size_t{1} << 14U;  // elements; takes a millisecond at most
+  parallel_for((count + kRange - 1) / kRange, [&](std::size_t i) { work(i * kRange, std::min(count, (i + 1) * kRange)); },
+               checkpoint);
+}
+
+/// Whether is_sound(i) for every i < count.
+template <class IsSound>
+[[nodiscard]] bool are_all(std::size_t count, IsSound&& is_sound, const Checkpoint& checkpoint) {
+  std::atomic<bool> are_sound = true;
+  for_ranges(
+      count,
+      [&](std::size_t begin, std::size_t end) {
+        bool are = true;  // no branch for each, so that simple checks are done several at once
+        for (std::size_t i = begin; i < end; ++i) are &= is_sound(i);
+        if (!are) are_sound = false;
+      },
+      checkpoint);
+  return are_sound;
+}
+
+/// Whether they are the starts of ranges that make up [0, size): they begin with 0, never descend, and end with `size`.
+template <class Starts>
+[[nodiscard]] bool are_starts(const Starts& starts, std::size_t size, const Checkpoint& checkpoint) {
+  return !starts.empty() && starts.front() == 0 && starts.back() == size &&
+         are_all(
+             starts.size() - 1, [&](std::size_t i) { return starts[i] <= starts[i + 1]; }, checkpoint);
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Arrays to and from the parts of a model.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "occlude/culler/array.h"
+#include "occlude/culler/parts.h"
+
+namespace occlude::culler {
+
+/// Throws std::invalid_argument about a part that cannot be used.
+[[noreturn]] inline void refuse_part(std::string_view name, const std::string& reason) {
+  throw std::invalid_argument("part \"" + std::string(name) + "\": " + reason);
+}
+
+/// Appends parts.
+class PartWriter {
+ public:
+  explicit PartWriter(Parts& parts) : parts_(parts) {}
+
+  template <class T>
+  void put(std::string_view name, std::span<const T> elements) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    parts_.parts.push_back({name, sizeof(T), std::as_bytes(elements)});
+  }
+  template <class Elements>
+  void put(std::string_view name, const Elements& elements) {
+    put(name, std::span(elements.data(), elements.size()));
+  }
+
+ private:
+  Parts& parts_;
+};
+
+/// Finds parts by name. What it says of them is true of their sizes alone: elements may be anything.
+class PartReader {
+ public:
+  explicit PartReader(const Parts& parts) : parts_(parts) {}
+
+  /// Throws std::invalid_argument where there is no such part, or it has no whole number of such elements in their place.
+  template <class T>
+  [[nodiscard]] Array<T> get(std::string_view name) const {
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= kPartAlignment);
+    const Part* part = find(name);
+    if (!part) refuse_part(name, "it is missing");
+    if (part->element != sizeof(T) || part->bytes.size() % sizeof(T) != 0)
+      refuse_part(name, "its elements have another size");
+    if (std::bit_cast<std::uintptr_t>(part->bytes.data()) % alignof(T) != 0) refuse_part(name, "it is not aligned");
+    return {{reinterpret_cast<const T*>(part->bytes.data()), part->bytes.size() / sizeof(T)}, parts_.keep};
+  }
+  /// Whether there is a part whose name begins so.
+  [[nodiscard]] bool has_any(std::string_view prefix) const {
+    return std::ranges::any_of(parts_.parts, [&](const Part& part) { return part.name.starts_with(prefix); });
+  }
+
+ private:
+  [[nodiscard]] const Part* find(std::string_view name) const {
+    const auto found = std::ranges::find(parts_.parts, name, &Part::name);
+    return found == parts_.parts.end() ? nullptr : &*found;
+  }
+
+  const Parts& parts_;
+};
+
+}  // namespace occlude::culler
