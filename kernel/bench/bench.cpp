@@ -2,7 +2,6 @@
 #include "bench.h"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <iterator>
 #include <stdexcept>
@@ -16,8 +15,6 @@ namespace occlude::bench {
 namespace {
 
 using kernel::Relation;
-
-constexpr std::array kPeers{"libccd", "FCL", "Bullet", "OpenSceneGraph"};
 
 WorkloadSummary summary(const Workload& workload) {
   const std::vector<Relation> truth = exact_answers(workload);
@@ -33,9 +30,9 @@ PeerResults peer_results(const Options& options, const Progress& progress) {
 }
 
 void add_peers(Result& result, PeerResults&& found) {
-  for (const char* name : kPeers) {
-    const auto peer = std::ranges::find(found.peers, name, &PeerSummary::name);
-    result.peers.push_back(peer == found.peers.end() ? PeerSummary{name, ""} : *peer);
+  for (const KnownPeer& known : kKnownPeers) {
+    const auto peer = std::ranges::find(found.peers, known.name, &PeerSummary::name);
+    result.peers.push_back(peer == found.peers.end() ? PeerSummary{known.name, ""} : *peer);
   }
   std::ranges::move(found.measurements, std::back_inserter(result.measurements));
 }

@@ -3,6 +3,7 @@
 // command is not. It prints a line of JSON for each peer, round and measurement.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -17,7 +18,15 @@ inline constexpr const char* kReference = "overlap_certified_with_peers";
 
 struct PeerSummary {
   std::string name, version;  ///< the version is empty when the peer is not installed
+
+  [[nodiscard]] std::string shown_version() const { return version.empty() ? "not installed" : version; }
 };
+
+struct KnownPeer {
+  const char *name, *prefix;  ///< its subjects begin with the prefix
+};
+inline constexpr std::array<KnownPeer, 4> kKnownPeers{
+    {{"libccd", "libccd_"}, {"FCL", "fcl_"}, {"Bullet", "bullet_"}, {"OpenSceneGraph", "osg_"}}};
 
 struct PeerResults {
   std::vector<PeerSummary> peers;

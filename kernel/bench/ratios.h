@@ -20,4 +20,8 @@ struct Ratio {
 
 [[nodiscard]] std::vector<Ratio> ratios(const Result& result);
 
+/// The time of each way to ask a peer, on `random`, over that of the certified overlap test in the same rounds. The group is
+/// the peer; one that is not installed has none.
+[[nodiscard]] std::vector<Ratio> peer_ratios(const Result& result);
+
 }  // namespace occlude::bench

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bench.h"
+#include "table.h"
 
 namespace occlude::bench {
 
@@ -14,6 +16,8 @@ struct Machine {
   unsigned threads = 0;
 };
 
+/// Workloads, times, ratios, and Table 1.
+[[nodiscard]] std::vector<Table> tables_of(const Result& result, const Machine& machine);
 [[nodiscard]] std::string report_text(const Result& result, const Machine& machine);
 
 /// A single JSON object. What could not be measured on this machine is null.

@@ -56,7 +56,7 @@ Json ns_json(const Result& result) {
 Json peers_json(const Result& result) {
   Json json = Json::array();
   for (const PeerSummary& peer : result.peers) {
-    json.push_back({{"name", peer.name}, {"version", peer.version.empty() ? "not installed" : peer.version}});
+    json.push_back({{"name", peer.name}, {"version", peer.shown_version()}});
   }
   return json;
 }

@@ -1,89 +1,90 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "ratios.h"
 #include "report.h"
 
 namespace occlude::bench {
 namespace {
 
-using Text = fmt::memory_buffer;
-
-template <class... Arguments>
-void print(Text& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-}
-
 double percent(std::size_t part, std::size_t whole) { return 100 * static_cast<double>(part) / static_cast<double>(whole); }
 
-void print_workloads(Text& text, const Result& result) {
-  print(text, "{} boxes a workload, seed {}, medians of {} rounds\n\n", result.options.boxes, result.options.seed,
-        result.options.repetitions);
-  print(text, "{:<18}{:>9}{:>9}{:>9}\n", "% of the boxes", "inside", "partial", "outside");
+Table workloads_table(const Result& result) {
+  Table table{.title = fmt::format("Workloads of {} boxes, seed {}", result.options.boxes, result.options.seed),
+              .head = {"% of the boxes", "inside", "partial", "outside"},
+              .rows = {},
+              .notes = {}};
   for (const WorkloadSummary& w : result.workloads) {
-    const auto share = [&](std::size_t part) { return percent(part, result.options.boxes); };
-    print(text, "{:<18}{:>9.1f}{:>9.1f}{:>9.1f}  {}\n", w.name, share(w.inside), share(w.partial), share(w.outside),
-          w.about);
+    const auto share = [&](std::size_t part) { return fmt::format("{:.1f}", percent(part, result.options.boxes)); };
+    table.rows.push_back({w.name, share(w.inside), share(w.partial), share(w.outside)});
+    table.notes.push_back(fmt::format("{}: {}", w.name, w.about));
   }
+  return table;
 }
 
-void print_times(Text& text, const Result& result) {
-  print(text, "\n{:<30}", "ns a box, % wrong");
-  for (const WorkloadSummary& workload : result.workloads) print(text, "{:>20}", workload.name);
-  print(text, "\n");
+Table times_table(const Result& result) {
+  Table table{.title = fmt::format("Nanoseconds a box, medians of {} rounds, and % of the answers that are wrong",
+                                   result.options.repetitions),
+              .head = {"test"},
+              .rows = {},
+              .notes = {}};
+  for (const WorkloadSummary& workload : result.workloads) table.head.push_back(workload.name);
   for (const std::string& subject : result.subjects) {
-    print(text, "{:<30}", subject);
+    table.rows.push_back({subject});
     for (const WorkloadSummary& workload : result.workloads) {
-      if (const Measurement* m = find(result, subject, workload.name)) {
-        print(text, "{:>12.1f}{:>8.2f}", median(m->ns), percent(m->wrong, result.options.boxes));
-      }
+      const Measurement* m = find(result, subject, workload.name);
+      table.rows.back().push_back(
+          m ? fmt::format("{:.1f} ({:.2f} %)", median(m->ns), percent(m->wrong, result.options.boxes)) : "-");
     }
-    print(text, "\n");
   }
-  for (const PeerSummary& peer : result.peers) {
-    print(text, "{}: {}\n", peer.name, peer.version.empty() ? "not installed" : peer.version);
-  }
+  for (const PeerSummary& peer : result.peers) table.notes.push_back(fmt::format("{}: {}", peer.name, peer.shown_version()));
+  return table;
 }
 
-void print_ratios(Text& text, const Result& result) {
-  print(text, "\nRatios, median over the rounds\n");
+Table ratios_table(const Result& result) {
+  Table table{.title = "Ratios, medians of the rounds", .head = {"ratio", "value"}, .rows = {}, .notes = {}};
   for (const Ratio& ratio : ratios(result)) {
-    print(text, "{:<40}", ratio.name.empty() ? ratio.group : ratio.group + '.' + ratio.name);
-    print(text, "{}", ratio.value ? fmt::format("{:>7.2f}", *ratio.value) : "      -");
+    table.rows.push_back({ratio.name.empty() ? ratio.group : ratio.group + '.' + ratio.name,
+                          ratio.value ? fmt::format("{:.2f}", *ratio.value) : "-"});
     if (ratio.group == "gjk_over_certified") {
-      print(text, "  {}; the paper: at least 2", ratio.slow.empty() ? "no such library" : ratio.slow);
+      table.notes.push_back(
+          fmt::format("gjk_over_certified: {}; the paper: at least 2", ratio.slow.empty() ? "no such library" : ratio.slow));
     }
-    print(text, "\n");
   }
+  return table;
 }
 
-void print_costs(Text& text, const std::vector<Cost>& costs) {
+void add_costs(Table& table, const std::vector<Cost>& costs, const char* source) {
+  const auto cell = [](const auto& most, const auto& fewest) { return fmt::format("{} /{:>3}", most, fewest); };
   for (const auto& [test, worst, best] : costs) {
-    print(text, "{:<28}{:>6} /{:>4}{:>6} /{:>4}{:>6} /{:>4}{:>6} /{:>4}\n", test, worst.dot, best.dot, worst.scalar,
-          best.scalar, worst.vector, best.vector, worst.cross, best.cross);
+    table.rows.push_back({test + source, cell(worst.dot, best.dot), cell(worst.scalar, best.scalar),
+                          cell(worst.vector, best.vector), cell(worst.cross, best.cross)});
   }
 }
 
-void print_table1(Text& text, const Result& result) {
-  print(text, "\n{:<28}{:>12}{:>12}{:>12}{:>12}\n", "Table 1, worst / best", "dot", "scalar", "add/sub", "cross");
-  print(text, "of the paper\n");
-  print_costs(text, paper_costs());
-  print(text, "counted here\n");
-  print_costs(text, result.costs);
+Table table1(const Result& result) {
+  Table table{.title = "Operations, worst / best (Table 1 of the paper)",
+              .head = {"test", "dot", "scalar", "add/sub", "cross"},
+              .rows = {},
+              .notes = {}};
+  add_costs(table, paper_costs(), ", of the paper");
+  add_costs(table, result.costs, ", counted here");
+  return table;
 }
 
 }  // namespace
 
+std::vector<Table> tables_of(const Result& result, const Machine& machine) {
+  std::vector<Table> tables{workloads_table(result), times_table(result), ratios_table(result), table1(result)};
+  tables.back().notes.push_back(
+      fmt::format("{}, {} threads, {}, {}", machine.processor, machine.threads, machine.compiler, machine.flags));
+  return tables;
+}
+
 std::string report_text(const Result& result, const Machine& machine) {
-  Text text;
-  print_workloads(text, result);
-  print_times(text, result);
-  print_ratios(text, result);
-  print_table1(text, result);
-  print(text, "\n{}, {} threads, {}, {}\n", machine.processor, machine.threads, machine.compiler, machine.flags);
-  return fmt::to_string(text);
+  std::string text;
+  for (const Table& table : tables_of(result, machine)) text += (text.empty() ? "" : "\n") + text_of(table);
+  return text;
 }
 
 }  // namespace occlude::bench

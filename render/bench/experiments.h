@@ -45,6 +45,9 @@ struct Result {
 /// One object. Experiments that were not run, and values that could not be measured, are null.
 [[nodiscard]] std::string report_json(const Result& result, const Options& options);
 
+/// Of a page, below its title.
+[[nodiscard]] std::string report_sections(const Result& result, const Options& options);
+
 /// One page without scripts or external addresses.
 [[nodiscard]] std::string report_html(const Result& result, const Options& options);
 

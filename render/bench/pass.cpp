@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pass.h"
 
-#include <ctime>
-
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
+#include "processor_time.h"
 
 namespace occlude::experiments {
-namespace {
-
-/// Processor time of the calling thread; other work of the machine does not count.
-class ThreadTime {
- public:
-  [[nodiscard]] double milliseconds() const { return now() - start_; }
-
- private:
-  [[nodiscard]] static double now() {
-    std::timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-  }
-
-  double start_ = now();
-};
-
-}  // namespace
 
 Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, const render::WalkOptions& walk,
                 const culler::CullOptions& cull, const OnCulled& on_culled) {
@@ -35,7 +16,7 @@ Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, co
     render::check_interrupt();
     const culler::Camera camera = path.camera(frame, aspect(walk));
     culler::View& view = along.before(frame);
-    const ThreadTime time;
+    const ProcessorTime time(ProcessorTime::Of::thread);
     const culler::CullResult& culled = culler.cull(camera, cull, view);
     sum.cull_ms += time.milliseconds();
     sum.drawn += static_cast<double>(culled.stats.drawn_polygons);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "experiments.h"
+#include "html_table.h"
 #include "occlude/render/chart.h"
 #include "occlude/render/page.h"
 #include "occlude/render/paper_html.h"
@@ -21,15 +22,10 @@ using render::Series;
 constexpr std::array kColours{"currentColor", "#e69f00", "#56b4e9", "#009e73", "#d55e00", "#0072b2", "#cc79a7", "#8a94a3"};
 constexpr const char *kMain = "#1565c0", *kOther = "#d9822b";
 
-std::string section(const std::string& title, const std::string& body) {
-  return "<h2>" + render::escaped(title) + "</h2>" + body;
-}
-
 std::string figure(const std::string& chart) { return "<figure>" + chart + "</figure>"; }
 
 std::string table2_section(const Result& result, const Options& options) {
-  return section("Averages (the paper's table 2)", table2_html(*result.table2)) +
-         section(methods_table(*result.methods).title, html_of(methods_table(*result.methods))) +
+  return section("Averages (the paper's table 2)", table2_html(*result.table2)) + section(methods_table(*result.methods)) +
          render::figures_html(result.walked, options.walk.render);
 }
 
@@ -92,10 +88,7 @@ std::string joined_section(const Joined& joined) {
                  joined_figures({"triangles", Scale::logarithmic}, budgets, joined.budgets) + html_of(by_budget));
 }
 
-std::string sort_section(const Sorting& sorting) {
-  const Table table = sort_table(sorting);
-  return section(table.title, html_of(table));
-}
+std::string sort_section(const Sorting& sorting) { return section(sort_table(sorting)); }
 
 std::string growth_section(const Growth& growth) {
   const auto polygons = values(growth.points, [](const GrowthPoint& p) { return p.polygons; });
@@ -109,19 +102,23 @@ std::string growth_section(const Growth& growth) {
 
 }  // namespace
 
+std::string report_sections(const Result& result, const Options& options) {
+  std::string html;
+  if (result.table2) html += table2_section(result, options);
+  if (result.figure4) html += figure4_section(*result.figure4);
+  if (result.sweeps) html += sweeps_section(*result.sweeps);
+  if (result.sort) html += sort_section(*result.sort);
+  if (result.joined) html += joined_section(*result.joined);
+  if (result.growth) html += growth_section(*result.growth);
+  return html + section("Conditions", R"(<p class="soft">)" + render::escaped(conditions(options)) + "</p>");
+}
+
 std::string report_html(const Result& result, const Options& options) {
   const std::string model = render::escaped(result.model);
-  std::string body = fmt::format(
+  const std::string title = fmt::format(
       R"(<h1>The culler on {}</h1><p class="lead">{} polygons, {} frames, {} to {}; after Hudson et al. 1997, section 6.3.</p>)",
       model, render::grouped(static_cast<double>(result.polygons)), result.frames, result.first_frame, result.last_frame);
-  if (result.table2) body += table2_section(result, options);
-  if (result.figure4) body += figure4_section(*result.figure4);
-  if (result.sweeps) body += sweeps_section(*result.sweeps);
-  if (result.sort) body += sort_section(*result.sort);
-  if (result.joined) body += joined_section(*result.joined);
-  if (result.growth) body += growth_section(*result.growth);
-  body += section("Conditions", R"(<p class="soft">)" + render::escaped(conditions(options)) + "</p>");
-  return render::page("occlude: the culler on " + model, body);
+  return render::page("occlude: the culler on " + model, title + report_sections(result, options));
 }
 
 }  // namespace occlude::experiments

@@ -11,6 +11,7 @@
 #include "occlude/culler/scene.h"
 #include "scene_world.h"
 #include "spread.h"
+#include "table.h"
 
 namespace occlude::experiments {
 
@@ -45,8 +46,8 @@ using Prove = std::function<bool(const culler::Camera&, const culler::ObjectFate
 [[nodiscard]] SceneBenchResult bench_scene(const SceneBenchOptions& options, const Prove& prove,
                                            const std::function<void(std::size_t, std::size_t)>& progress);
 
-/// As text, and as JSON.
-[[nodiscard]] std::string text_of(const SceneBenchResult& result, const SceneBenchOptions& options);
+/// As a table, and as JSON.
+[[nodiscard]] bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& options);
 [[nodiscard]] std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& options);
 
 }  // namespace occlude::experiments

@@ -5,17 +5,16 @@
 
 #include "occlude/render/machine.h"
 #include "scene_bench.h"
-#include "tables.h"
 
 namespace occlude::experiments {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
-  Table table{.title = "A scene that streams",
-              .head = {fmt::format("{} frames", options.frames), "median", "99th percentile", "maximum"},
-              .rows = {row_of("changes, ms", result.change_ms, 2), row_of("update, ms", result.update_ms, 2)},
-              .notes = {}};
+bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
+  bench::Table table{.title = "A scene that streams",
+                     .head = {fmt::format("{} frames", options.frames), "median", "99th percentile", "maximum"},
+                     .rows = {row_of("changes, ms", result.change_ms, 2), row_of("update, ms", result.update_ms, 2)},
+                     .notes = {}};
   for (std::size_t v = 0; v < result.views.size(); ++v) {
     const SceneBenchResult::View& view = result.views[v];
     const std::string of = fmt::format("view {}: ", v + 1);
@@ -34,7 +33,7 @@ std::string text_of(const SceneBenchResult& result, const SceneBenchOptions& opt
       fmt::format("{} frames checked: {} of {} objects culled otherwise than in a scene made anew; {} culls proved, {} not.",
                   result.frames_checked, result.different, result.objects_compared, result.proved, result.unproved),
       fmt::format("One thread of {}; {}.", render::processor_name(), render::compiler_name())};
-  return text_of(table);
+  return table;
 }
 
 std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& options) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "figure4.h"
 #include "growth.h"
@@ -11,20 +10,11 @@
 #include "methods.h"
 #include "sorting.h"
 #include "sweeps.h"
+#include "table.h"
 
 namespace occlude::experiments {
 
-/// A table for a terminal or a page.
-struct Table {
-  std::string title;
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as the head; the first cell names the row
-  std::vector<std::string> notes;              ///< remarks, a line each
-};
-
-[[nodiscard]] std::string text_of(const Table& table);
-/// Without the title.
-[[nodiscard]] std::string html_of(const Table& table);
+using bench::Table;
 
 [[nodiscard]] Table methods_table(const Methods& methods);
 [[nodiscard]] Table figure4_table(const Figure4& figure);

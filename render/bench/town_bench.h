@@ -7,6 +7,7 @@
 
 #include "occlude/culler/scene.h"
 #include "spread.h"
+#include "table.h"
 
 namespace occlude::experiments {
 
@@ -31,8 +32,8 @@ struct TownBenchResult {
 /// Throws Interrupted on Ctrl-C.
 [[nodiscard]] TownBenchResult bench_town(const TownBenchOptions& options);
 
-/// As text, and as JSON.
-[[nodiscard]] std::string text_of(const TownBenchResult& result, const TownBenchOptions& options);
+/// As a table, and as JSON.
+[[nodiscard]] bench::Table table_of(const TownBenchResult& result, const TownBenchOptions& options);
 [[nodiscard]] std::string json_of(const TownBenchResult& result, const TownBenchOptions& options);
 
 }  // namespace occlude::experiments

@@ -4,26 +4,23 @@
 #include <nlohmann/json.hpp>
 
 #include "occlude/render/machine.h"
-#include "tables.h"
 #include "town_bench.h"
 
 namespace occlude::experiments {
 
-std::string text_of(const TownBenchResult& result, const TownBenchOptions& options) {
+bench::Table table_of(const TownBenchResult& result, const TownBenchOptions& options) {
   const std::string held =
       result.held_bytes ? fmt::format("{:.1f} MB", static_cast<double>(*result.held_bytes) / 1e6) : "an unknown amount";
-  const Table table{
-      .title = "A town that stands",
-      .head = {fmt::format("made {} times, {} frames", options.repetitions, options.frames), "median", "99th percentile",
-               "maximum"},
-      .rows = {row_of("prepared, ms", result.prepared_ms, 1), row_of("update, ms", result.update_ms, 2),
-               row_of("cull, ms", result.cull_ms, 2), row_of("objects drawn", result.drawn, 0),
-               row_of("objects hidden", result.hidden, 0), row_of("objects out of view", result.out_of_view, 0)},
-      .notes = {fmt::format("{} houses, {} cars that drive, {} rectangles that hide, in one mesh.", options.houses,
-                            options.cars, options.walls),
-                fmt::format("The scene holds {} of resident memory, its occluders included.", held),
-                fmt::format("One thread of {}; {}.", render::processor_name(), render::compiler_name())}};
-  return text_of(table);
+  return {.title = "A town that stands",
+          .head = {fmt::format("made {} times, {} frames", options.repetitions, options.frames), "median", "99th percentile",
+                   "maximum"},
+          .rows = {row_of("prepared, ms", result.prepared_ms, 1), row_of("update, ms", result.update_ms, 2),
+                   row_of("cull, ms", result.cull_ms, 2), row_of("objects drawn", result.drawn, 0),
+                   row_of("objects hidden", result.hidden, 0), row_of("objects out of view", result.out_of_view, 0)},
+          .notes = {fmt::format("{} houses, {} cars that drive, {} rectangles that hide, in one mesh.", options.houses,
+                                options.cars, options.walls),
+                    fmt::format("The scene holds {} of resident memory, its occluders included.", held),
+                    fmt::format("One thread of {}; {}.", render::processor_name(), render::compiler_name())}};
 }
 
 std::string json_of(const TownBenchResult& result, const TownBenchOptions& options) {

@@ -2,57 +2,33 @@
 // occlude bench culler
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "command_arguments.h"
 #include "commands.h"
 #include "experiments.h"
-#include "occlude/render/camera_path.h"
-#include "occlude/render/city.h"
 #include "occlude/render/console.h"
-#include "occlude/render/model_io.h"
-#include "occlude/render/output_file.h"
-#include "occlude/render/output_folder.h"
-#include "occlude/render/printable.h"
+#include "report_files.h"
+#include "subject_arguments.h"
 
 namespace occlude::cli {
 namespace {
 
 struct Arguments {
-  std::string model, path, out, seed = "1", largest = "1e6";
-  std::size_t polygons = 500'000;
+  SubjectArguments subject{500'000};
+  std::string out, largest = "1e6";
   WalkArguments walk{"0:300"};
   std::vector<std::string> only;
   experiments::Options options;
   bool no_render = false, json = false;
 };
 
-/// The output files, opened before the work starts, so that errors are reported at once.
-struct Files {
-  explicit Files(const std::filesystem::path& out) : folder(out), json(out / "culler.json"), html(out / "culler.html") {}
-
-  render::OutputFolder folder;
-  render::OutputFile json, html;
-};
-
-experiments::Subject subject_of(const Arguments& arguments) {
-  if (arguments.model.empty()) {
-    render::City city = render::generate_city(arguments.polygons, arguments.options.seed);
-    return {fmt::format("generated city, seed {}", arguments.seed), std::move(city.soup), std::move(city.path)};
-  }
-  render::CameraPath path = render::read_camera_path(arguments.path);
-  culler::PolygonSoup model = render::read_model(arguments.model);
-  warn_of_misfit(path, arguments.path, arguments.model, model);
-  return {render::printable(std::filesystem::path(arguments.model).filename().native()), std::move(model), std::move(path)};
-}
-
 /// The chosen experiments; by default all, without `growth` for a given model.
 std::vector<std::string> chosen(const Arguments& arguments) {
   if (!arguments.only.empty()) return arguments.only;
   std::vector<std::string> all(experiments::kExperiments.begin(), experiments::kExperiments.end());
-  if (!arguments.model.empty()) std::erase(all, "growth");
+  if (!arguments.subject.is_city()) std::erase(all, "growth");
   return all;
 }
 
@@ -60,24 +36,17 @@ void bench_culler(Arguments& arguments) {
   experiments::Options& options = arguments.options;
   options.walk = arguments.walk.options();
   options.walk.render = !arguments.no_render;
-  options.seed = whole_number("--seed", arguments.seed);
+  options.seed = arguments.subject.seed();
   options.largest = whole_number("--largest", arguments.largest);
   if (options.largest < experiments::kSmallestCity || options.largest > 20'000'000) {
     refuse("--largest", "expected 20000 to 2e7 polygons");
   }
-  std::optional<Files> files;
-  if (!arguments.out.empty()) files.emplace(arguments.out);
-  const experiments::Result result = run(subject_of(arguments), options, chosen(arguments));
-  if (files) {
-    files->json.write(report_json(result, options));
-    files->html.write(report_html(result, options));
-    files->json.close();
-    files->html.close();
-    files->json.commit();
-    files->html.commit();
-  }
+  std::optional<ReportFiles> files;
+  if (!arguments.out.empty()) files.emplace(arguments.out, "culler");
+  const experiments::Result result = run(arguments.subject.subject(), options, chosen(arguments));
+  if (files) files->commit(report_json(result, options), report_html(result, options));
   arguments.json ? render::print(report_json(result, options)) : render::tell(report_text(result, options));
-  if (files && !arguments.json) render::tell(fmt::format("report: {}\n", files->html.path().string()));
+  if (files && !arguments.json) render::tell(fmt::format("report: {}\n", files->path()));
 }
 
 }  // namespace
@@ -89,15 +58,7 @@ void add_bench_culler(Command bench, int&) {
                  "Example: occlude bench culler --out report\n"
                  "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
   const auto a = std::make_shared<Arguments>();
-  Option model = add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...");
-  Option path = add_input(command, "--path", a->path, "camera path (JSON)");
-  model.needs(path);
-  path.needs(model);
-  command.add("--polygons", a->polygons, "minimum number of polygons in the city")
-      .show_default()
-      .in_range(experiments::kSmallestCity, std::size_t{20'000'000})
-      .excludes(model);
-  command.add("--seed", a->seed, "whole number; the same seed gives the same cities").show_default();
+  a->subject.add_to(command);
   command
       .add("--only", a->only,
            "experiments, separated by commas: table2, figure4, sweeps, sort, joined, growth (default: all; with a "

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 // occlude bench scene
-#include <glm/geometric.hpp>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "cases/to_oracle.h"
 #include "command_arguments.h"
 #include "commands.h"
-#include "occlude/oracle/cover.h"
 #include "occlude/render/console.h"
-#include "occlude/render/progress.h"
-#include "scene_bench.h"
+#include "proved_scene.h"
 
 namespace occlude::cli {
 namespace {
@@ -23,34 +17,15 @@ struct Arguments {
   bool json = false;
 };
 
-oracle::Point point_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-/// Asks the oracle whether the polygons hide the box beyond the camera's near plane.
-bool is_proved(const culler::Camera& camera, const culler::ObjectFate& fate, const culler::Box& box) {
-  std::vector<oracle::Loop> polygons;
-  for (const auto& hiding : fate.by) polygons.push_back(cases::to_oracle(hiding.corners));
-  const glm::dvec3 forward = camera.axes().forward;
-  const oracle::HalfSpaceCoefficients drawn{forward.x, forward.y, forward.z, -glm::dot(forward, camera.eye) - camera.near};
-  const oracle::Answer answer =
-      oracle::relation_to_cover({point_of(camera.eye), false}, polygons, cases::to_oracle(box), drawn);
-  return answer.refusal.empty() && answer.relation == oracle::Relation::inside;
-}
-
 void bench_scene(Arguments& arguments, int& exit_code) {
   experiments::SceneBenchOptions& options = arguments.options;
   const experiments::WorldSize& world = options.world;
   options.seed = whole_number("--seed", arguments.seed);
   if (world.streamed + world.moving > world.objects) refuse("--objects", "fewer than --streamed and --moving together");
   if (world.moving_occluders > world.moving) refuse("--moving-occluders", "more than --moving");
-  std::optional<render::Progress> progress(std::in_place, "frame", options.settling + options.frames);
-  const experiments::SceneBenchResult result =
-      experiments::bench_scene(options, is_proved, [&](std::size_t done, std::size_t) {
-        render::check_interrupt();
-        progress->update(done);
-      });
-  progress.reset();
-  if (result.different != 0 || result.unproved != 0) exit_code = kCheckFailed;
-  arguments.json ? render::print(json_of(result, options)) : render::tell(text_of(result, options));
+  const experiments::SceneBenchResult result = measure_scene(options);
+  if (!is_right(result)) exit_code = kCheckFailed;
+  arguments.json ? render::print(json_of(result, options)) : render::tell(text_of(table_of(result, options)));
 }
 
 }  // namespace

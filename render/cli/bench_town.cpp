@@ -20,7 +20,7 @@ void bench_town(const Arguments& arguments) {
   const experiments::TownBenchOptions& options = arguments.options;
   if (options.walls > options.houses) refuse("--walls", "more than --houses");
   const experiments::TownBenchResult result = experiments::bench_town(options);
-  arguments.json ? render::print(json_of(result, options)) : render::tell(text_of(result, options));
+  arguments.json ? render::print(json_of(result, options)) : render::tell(text_of(table_of(result, options)));
 }
 
 }  // namespace

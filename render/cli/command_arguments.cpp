@@ -48,20 +48,6 @@ void parse_frames(const std::string& text, render::WalkOptions& options) {
   if (options.step == 0) refuse("--frames", "STEP must be at least 1");
 }
 
-struct PictureSize {
-  int width, height;
-};
-
-/// "WxH", each from `least` to `most`.
-PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least, std::size_t most) {
-  const auto values = numbers(option, text, 'x');
-  const auto is_side = [&](std::size_t side) { return side >= least && side <= most; };
-  if (values.size() != 2 || !is_side(values[0]) || !is_side(values[1])) {
-    refuse(option, "expected WxH, each from " + std::to_string(least) + " to " + std::to_string(most));
-  }
-  return {static_cast<int>(values[0]), static_cast<int>(values[1])};
-}
-
 /// An empty name is probably a mistake, such as an unset variable in a script.
 std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
 
@@ -72,8 +58,23 @@ Option choice(Command command, const char* name, std::string& value, const std::
 
 }  // namespace
 
+PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least, std::size_t most) {
+  const auto values = numbers(option, text, 'x');
+  const auto is_side = [&](std::size_t side) { return side >= least && side <= most; };
+  if (values.size() != 2 || !is_side(values[0]) || !is_side(values[1])) {
+    refuse(option, "expected WxH, each from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return {static_cast<int>(values[0]), static_cast<int>(values[1])};
+}
+
 void WalkArguments::add_size_to(Command command) {
   command.add("--size", size_, "WxH, size of the pictures in pixels").show_default();
+}
+
+Option WalkArguments::add_frames_to(Command command) {
+  return command
+      .add("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all; frames between them are only culled")
+      .show_default();
 }
 
 std::vector<Option> BuildArguments::add_to(Command command) {
@@ -112,9 +113,7 @@ std::vector<Option> WalkArguments::add_culling_to(Command command) {
 std::vector<Option> WalkArguments::add_common_to(Command command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs one test at every node that it does not decide
   return {
-      command
-          .add("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all; frames between them are only culled")
-          .show_default(),
+      add_frames_to(command),
       choice(command, "--method", method_, {"frusta", "cover"},
              "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
              "coarse picture"),
@@ -126,9 +125,9 @@ std::vector<Option> WalkArguments::add_common_to(Command command) {
 
 std::vector<Option> WalkArguments::add_tuning_to(Command command) {
   constexpr std::size_t kMostProbes = 4096;
-  constexpr double kLongest = 1e9;         // milliseconds, eleven days
-  constexpr double kLargestMargin = 8192;  // the largest side of a picture
-  constexpr double kLargestWeight = 16;    // powers of ratios of a thousand stay within the range of double
+  constexpr double kLongest = 1e9;  // milliseconds, eleven days
+  constexpr double kLargestMargin = kLargestSide;
+  constexpr double kLargestWeight = 16;  // powers of ratios of a thousand stay within the range of double
   const auto weight = [&](const char* name, double& value, const char* text) {
     return command.add(name, value, text).show_default().in_range(0, kLargestWeight);
   };
@@ -194,8 +193,7 @@ void WalkArguments::require_settled(const std::string& model) const {
 render::WalkOptions WalkArguments::options() const {
   render::WalkOptions options;
   parse_frames(frames_, options);
-  constexpr std::size_t kLargest = 8192;  // side of a picture; llvmpipe allows 16384, memory less
-  const PictureSize size = parse_size("--size", size_, 1, kLargest);
+  const PictureSize size = parse_size("--size", size_, 1, kLargestSide);
   options.width = size.width;
   options.height = size.height;
   options.cull = cull_;

@@ -39,6 +39,7 @@ class WalkArguments {
       : frames_(std::move(frames)), size_(std::move(size)) {}
 
   void add_size_to(Command command);
+  Option add_frames_to(Command command);
   /// Adds the options that affect culling and returns them.
   std::vector<Option> add_culling_to(Command command);
   /// Adds --preprocess, which excludes the options for preparing a model. Call after add_culling_to().
@@ -76,6 +77,17 @@ class PartsArguments {
   std::string folder_, name_;
   bool resume_ = false;
 };
+
+struct PictureSize {
+  int width, height;
+};
+
+/// Parses "WxH", each from `least` to `most` pixels; calls refuse() for anything else.
+[[nodiscard]] PictureSize parse_size(const std::string& option, const std::string& text, std::size_t least,
+                                     std::size_t most);
+
+/// The largest side of a picture that is drawn; llvmpipe allows 16384, memory less.
+inline constexpr std::size_t kLargestSide = 8192;
 
 /// Parses a whole number; calls refuse() for anything else.
 [[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);

@@ -46,6 +46,8 @@ void add_bench(occlude::cli::Command app, int& exit_code) {
   occlude::cli::add_bench_culler(bench, exit_code);
   occlude::cli::add_bench_scene(bench, exit_code);
   occlude::cli::add_bench_town(bench);
+  occlude::cli::add_bench_rivals(bench);
+  occlude::cli::add_bench_all(bench, exit_code);
 }
 
 void run(int argc, char** argv, int& exit_code) {

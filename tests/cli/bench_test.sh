@@ -79,4 +79,43 @@ drawn() { grep -A1 '"drawn"' "$1" | sed -n 's/^ *"median": \([0-9]*\).*/\1/p'; }
 "$occlude" bench town "${small[@]}" | grep -q 'objects hidden' || fail "bench town without --json"
 expect_error "--walls" "$occlude" bench town --houses 5 --walls 6
 
+# bench rivals: everything is there; what the wall hides is culled by ours, and nothing that shows.
+small=(good.ply --path path.json --size 64x36 --leaf 1 --repetitions 1)
+"$occlude" bench rivals "${small[@]}" --frames 0:4:2 --rays 32x18,64x36 --json --out rivals >rivals.json || fail "bench rivals"
+cmp -s rivals.json rivals/rivals.json || fail "bench rivals: rivals.json is not what it prints"
+for member in model polygons frames size rays tree leaves built_ms hidden_polygons ways project way prepared_ms drawn hidden_culled \
+  false_culls wrong_pixels cull_ms worst_cull_ms cull_over_joined_shadows rivals version machine; do
+  grep -q "^ *\"$member\": " rivals.json || fail "bench rivals: no $member"
+done
+of_way() { sed -n "/\"way\": \"$1\"/,/}/s/^ *\"$2\": \([0-9.]*\),*/\1/p" rivals.json; } # of_way WAY MEMBER
+for way in 'view frustum alone' 'occlude, shadow frusta' 'occlude, joined shadows'; do
+  [ "$(of_way "$way" false_culls)$(of_way "$way" wrong_pixels)" = 00 ] || fail "bench rivals: $way culls what shows"
+done
+[ "$(of_way 'view frustum alone' hidden_culled)" = 0.0 ] || fail "bench rivals: the view frustum culls what is hidden in it"
+[ "$(of_way 'occlude, shadow frusta' hidden_culled)" = 1.0 ] || fail "bench rivals: the wall hides $(of_way 'occlude, shadow frusta' hidden_culled)"
+grep -q '<table' rivals/rivals.html || fail "bench rivals: no table in the page"
+grep -q '<script\|src="http\|href="http' rivals/rivals.html && fail "bench rivals: scripts or addresses in the page"
+"$occlude" bench rivals "${small[@]}" --frames 0:1 | grep -q 'of the hidden culled' || fail "bench rivals without --json"
+expect_error "--rays" "$occlude" bench rivals "${small[@]}" --rays 5 --out rivals2
+expect_error "--path" "$occlude" bench rivals good.ply
+expect_error "no frame" "$occlude" bench rivals good.ply --path path.json --frames 7:9 --out rivals2
+expect_error "missing.ply" "$occlude" bench rivals missing.ply --path path.json --out rivals2
+interrupt INT "$occlude" bench rivals --polygons 20000 --repetitions 1000 --out rivals2
+[ ! -e rivals2 ] || fail "Ctrl-C left a folder"
+
+# bench all: each part is what its own command prints, and every known project is there, installed or not.
+"$occlude" bench all good.ply --path path.json --frames 0:1 --size 64x36 --quick --json --out all >all.json || fail "bench all"
+cmp -s all.json all/bench.json || fail "bench all: bench.json is not what it prints"
+for part in ratios kernel culler scene town rivals machine; do grep -q "^  \"$part\": " all.json || fail "bench all: no $part"; done
+for project in libccd FCL Bullet OpenSceneGraph Embree; do
+  sed -n '/^  "ratios"/,/^  }/p' all.json | grep -q "^    \"$project\": " || fail "bench all: no $project"
+  grep -q "$project: " all/bench.html || fail "bench all: no $project in the page"
+done
+grep -q '<script\|src="http\|href="http\|nan\|inf"' all/bench.html && fail "bench all: scripts, addresses or no numbers in the page"
+expect_error "--seed" "$occlude" bench all --quick --seed many --out all2
+: >taken
+expect_error "taken" "$occlude" bench all --quick --out taken/out
+interrupt TERM "$occlude" bench all --out all2
+[ ! -e all2 ] || fail "SIGTERM left a folder"
+
 finish

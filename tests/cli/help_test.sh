@@ -9,7 +9,7 @@ walk_of_squares
 expect_error "frobnicate" "$occlude" frobnicate
 
 commands=("" generate "generate city" preprocess walk render inspect compare why classify validate fuzz bench "bench kernel" "bench culler"
-  "bench scene" "bench town" help)
+  "bench scene" "bench town" "bench rivals" "bench all" help)
 for command in "${commands[@]}"; do
   "$occlude" $command --help >stdout || fail "no help for '$command'"
   grep -q . stdout || fail "an empty help for '$command'"
@@ -41,7 +41,9 @@ for command in "generate city --polygons 20000 --out city.ply --path city.json" 
   "validate good.ply --path path.json --witness witness.jsonl" "bench kernel --boxes 16 --repetitions 1" \
   "bench culler good.ply --path path.json --only sort --repetitions 1 --frames 0:2 --no-render" \
   "bench scene --objects 1000 --streamed 0 --moving 0 --moving-occluders 0 --frames 1 --settling 0" \
-  "bench town --houses 10 --walls 5 --cars 2 --repetitions 1 --frames 2"; do
+  "bench town --houses 10 --walls 5 --cars 2 --repetitions 1 --frames 2" \
+  "bench rivals good.ply --path path.json --size 64x36 --repetitions 1 --frames 0:1" \
+  "bench all good.ply --path path.json --size 64x36 --frames 0:1 --quick"; do
   read -ra words <<<"$command"
   "$occlude" "${words[@]/#=/}" --quiet >stdout 2>stderr || fail "$command --quiet: $(cat stderr)"
   [ ! -s stdout ] && [ ! -s stderr ] || fail "$command --quiet said: $(cat stdout stderr)"
@@ -83,7 +85,7 @@ else
   echo "No script: colours are not tried"
 fi
 
-for command in "classify" "fuzz" "validate" "walk" "why" "preprocess" "bench culler"; do
+for command in "classify" "fuzz" "validate" "walk" "why" "preprocess" "bench culler" "bench rivals" "bench all"; do
   "$occlude" $command --help >stdout
   grep -q 'Limits: at most 16 MiB .* 4096 MiB' stdout || fail "$command --help does not tell limits"
 done

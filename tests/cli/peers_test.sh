@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# `occlude bench kernel` with the program that measures other projects, whatever that program does.
+# `occlude bench kernel` with the program that measures other projects, whatever that program does; `bench rivals` with its
+# module.
 # Usage: peers_test.sh PATH_OF_OCCLUDE
 set -uo pipefail
 . "$(dirname "$0")/common.sh"
 
-! ldd "$occlude" | sed "s, (0x.*,," | grep -iE 'ccd|fcl|bullet|libosg\.' || fail "the command is linked with what it is measured beside"
+! ldd "$occlude" | sed "s, (0x.*,," | grep -iE 'ccd|fcl|bullet|embree|libosg' || fail "the command is linked with what it is measured beside"
 cp "$occlude" occlude # it looks for the program beside itself
 bench() { ./occlude bench kernel --boxes 16 --repetitions 2 --json >stdout 2>stderr; }
 peers() { # peers SCRIPT: makes the program
@@ -42,6 +43,17 @@ done
 echo 'no program' >occlude_peers
 bench || fail "not a program: exit code $?"
 grep -q 'occlude_peers: .*other projects are not measured' stderr || fail "not a program: $(cat stderr)"
+
+# `occlude bench rivals` without the module that measures other projects, and with one that cannot be loaded.
+walk_of_squares
+rivals() { ./occlude bench rivals good.ply --path path.json --frames 0:1 --size 64x36 --repetitions 1 --json >stdout 2>stderr; }
+rivals || fail "rivals without the module: $(cat stderr)"
+[ "$(grep -c '"version": "not installed"' stdout)" -eq 2 ] || fail "rivals without the module: $(cat stdout)"
+[ ! -s stderr ] || fail "without the module it said: $(cat stderr)"
+echo rubbish >occlude_rivals.so
+rivals || fail "not a module: exit code $?: $(cat stderr)"
+grep -q 'occlude_rivals.so: .*other projects are not measured' stderr || fail "not a module: $(cat stderr)"
+[ "$(wc -l <stderr)" -eq 1 ] || fail "not a module: not one line: $(cat stderr)"
 
 # The program does not outlive the command that waits for it.
 peers 'echo $$ >process; exec tail -f /dev/null'

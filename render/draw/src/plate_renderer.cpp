@@ -13,7 +13,7 @@
 
 #include "legend.h"
 #include "occlude/culler/executor.h"
-#include "pixel_rays.h"
+#include "occlude/render/pixel_rays.h"
 #include "plate_light.h"
 #include "plate_lines.h"
 #include "seen_surface.h"

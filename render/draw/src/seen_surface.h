@@ -11,7 +11,7 @@
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/render/image.h"
-#include "pixel_rays.h"
+#include "occlude/render/pixel_rays.h"
 
 namespace occlude::render {
 

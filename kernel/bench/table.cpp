@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "table.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "occlude/render/page.h"
-#include "tables.h"
-
-namespace occlude::experiments {
+namespace occlude::bench {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -27,12 +26,6 @@ std::string line(const Row& row, const std::vector<std::size_t>& widths) {
   return text + "\n";
 }
 
-std::string html_row(const Row& row, const char* tag) {
-  std::string html = "<tr>";
-  for (const std::string& cell : row) html += fmt::format("<{0}>{1}</{0}>", tag, render::escaped(cell));
-  return html + "</tr>";
-}
-
 }  // namespace
 
 std::string text_of(const Table& table) {
@@ -43,12 +36,4 @@ std::string text_of(const Table& table) {
   return text;
 }
 
-std::string html_of(const Table& table) {
-  std::string html = R"(<div class="wide"><table><thead>)" + html_row(table.head, "th") + "</thead><tbody>";
-  for (const Row& row : table.rows) html += html_row(row, "td");
-  html += "</tbody></table></div>";
-  for (const std::string& note : table.notes) html += R"(<p class="soft">)" + render::escaped(note) + "</p>";
-  return html;
-}
-
-}  // namespace occlude::experiments
+}  // namespace occlude::bench

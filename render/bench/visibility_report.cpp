@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "occlude/render/machine.h"
+#include "occlude/render/page.h"
+#include "occlude/render/summary.h"
+#include "own_ways.h"
+#include "visibility.h"
+
+namespace occlude::experiments {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double cull_over_cover(const VisibilityResult& result, const WayResult& way) {
+  return way.cull_ms / way_of(result, kByCover).cull_ms;
+}
+
+std::string number(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
+
+}  // namespace
+
+bench::Table table_of(const VisibilityResult& result, const VisibilityOptions& options) {
+  bench::Table table{.title = "What is visible, beside other projects",
+                     .head = {"way", "prepared, ms", "drawn", "of the hidden culled, %", "false culls", "wrong pixels",
+                              "cull, ms", "worst cull, ms", "cull, ratio to joined shadows"},
+                     .rows = {},
+                     .notes = {}};
+  for (const WayResult& way : result.ways) {
+    table.rows.push_back({way.name, render::grouped(way.prepare_ms), render::grouped(way.drawn),
+                          number(100 * way.hidden_culled, 1), render::grouped(static_cast<double>(way.false_culls)),
+                          render::grouped(static_cast<double>(way.wrong_pixels)), number(way.cull_ms, 2),
+                          number(way.worst_cull_ms, 2), number(cull_over_cover(result, way), 2)});
+  }
+  table.notes = {
+      fmt::format("{}: {} polygons in {} leaves of at most {}; {} frames of {}x{}, in each {} polygons in view, {} of them "
+                  "hidden.",
+                  result.model, render::grouped(static_cast<double>(result.polygons)),
+                  render::grouped(static_cast<double>(result.leaves)), options.walk.build.hierarchy.leaf_size, result.frames,
+                  options.walk.width, options.walk.height, render::grouped(result.in_view), render::grouped(result.hidden)),
+      fmt::format(
+          "All draw or leave out whole leaves of one tree, which takes {:.0f} ms to build. What is prepared has it in "
+          "ours, and comes on top of it in others.",
+          result.tree_ms),
+      "False culls: polygons with a pixel in the item buffer of the whole model that were left out, over all frames; wrong "
+      "pixels show something else then.",
+      fmt::format(
+          "Times are of the processor: a cull on one thread, each frame the median of {} rounds; what is prepared, on "
+          "all threads.",
+          options.repetitions)};
+  for (const bench::PeerSummary& rival : result.rivals) {
+    table.notes.push_back(fmt::format("{}: {}", rival.name, rival.shown_version()));
+  }
+  table.notes.push_back(fmt::format("{}; {}.", render::processor_name(), render::compiler_name()));
+  return table;
+}
+
+std::string json_of(const VisibilityResult& result, const VisibilityOptions& options) {
+  Json ways = Json::array(), rivals = Json::array(), pictures = Json::array();
+  for (const WayResult& way : result.ways) {
+    ways.push_back({{"project", way.project},
+                    {"way", way.name},
+                    {"prepared_ms", way.prepare_ms},
+                    {"drawn", way.drawn},
+                    {"hidden_culled", way.hidden_culled},
+                    {"false_culls", way.false_culls},
+                    {"wrong_pixels", way.wrong_pixels},
+                    {"cull_ms", way.cull_ms},
+                    {"worst_cull_ms", way.worst_cull_ms},
+                    {"cull_over_joined_shadows", cull_over_cover(result, way)}});
+  }
+  for (const bench::PeerSummary& rival : result.rivals) {
+    rivals.push_back({{"name", rival.name}, {"version", rival.shown_version()}});
+  }
+  for (const RayPicture& picture : options.pictures) pictures.push_back({picture.width, picture.height});
+  const Json json{
+      {"model", result.model},
+      {"polygons", result.polygons},
+      {"frames", result.frames},
+      {"repetitions", options.repetitions},
+      {"size", {options.walk.width, options.walk.height}},
+      {"rays", pictures},
+      {"tree", {{"leaf", options.walk.build.hierarchy.leaf_size}, {"leaves", result.leaves}, {"built_ms", result.tree_ms}}},
+      {"mean", {{"view_frustum_polygons", result.in_view}, {"hidden_polygons", result.hidden}}},
+      {"ways", ways},
+      {"rivals", rivals},
+      {"machine", json_of(render::this_machine(""))}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace occlude::experiments

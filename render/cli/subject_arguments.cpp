@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "subject_arguments.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "command_arguments.h"
+#include "experiments.h"
+#include "occlude/render/camera_path.h"
+#include "occlude/render/city.h"
+#include "occlude/render/model_io.h"
+#include "occlude/render/printable.h"
+
+namespace occlude::cli {
+
+void SubjectArguments::add_to(Command command) {
+  Option model = add_input(command, "MODEL", model_, "PLY, OBJ, glTF, COLLADA, STL, ...");
+  Option path = add_input(command, "--path", path_, "camera path (JSON)");
+  model.needs(path);
+  path.needs(model);
+  command.add("--polygons", polygons_, "minimum number of polygons in the city")
+      .show_default()
+      .in_range(experiments::kSmallestCity, std::size_t{20'000'000})
+      .excludes(model);
+  command.add("--seed", seed_, "whole number; the same seed gives the same cities").show_default();
+}
+
+std::uint64_t SubjectArguments::seed() const { return whole_number("--seed", seed_); }
+
+experiments::Subject SubjectArguments::subject() const {
+  if (is_city()) {
+    render::City city = render::generate_city(polygons_, seed());
+    return {fmt::format("generated city, seed {}", seed_), std::move(city.soup), std::move(city.path)};
+  }
+  render::CameraPath path = render::read_camera_path(path_);
+  culler::PolygonSoup model = render::read_model(model_);
+  warn_of_misfit(path, path_, model_, model);
+  return {render::printable(std::filesystem::path(model_).filename().native()), std::move(model), std::move(path)};
+}
+
+}  // namespace occlude::cli
