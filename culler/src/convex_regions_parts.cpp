@@ -13,8 +13,9 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kVertices = "region corners", kFirstVertex = "region first corner", kPolygons = "region polygons",
-                           kFirstPolygon = "region first polygon", kWhole = "whole", kRuns = "pieces";
+constexpr std::string_view kRegionVertices = "region corners", kRegionFirstVertex = "region first corner",
+                           kRegionPolygons = "region polygons", kRegionFirstPolygon = "region first polygon",
+                           kRegionWhole = "whole", kRegionRuns = "pieces";
 
 /// How much more often the sides of some loops run from one corner of a region to another than back.
 class Traversals {
@@ -73,12 +74,12 @@ bool is_piece(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std:
 }  // namespace
 
 void ConvexRegions::append_parts(PartWriter& parts) const {
-  parts.put(kVertices, vertices_);
-  parts.put(kFirstVertex, first_vertex_);
-  parts.put(kPolygons, polygons_);
-  parts.put(kFirstPolygon, first_polygon_);
-  parts.put(kWhole, whole_);
-  parts.put(kRuns, runs_);
+  parts.put(kRegionVertices, vertices_);
+  parts.put(kRegionFirstVertex, first_vertex_);
+  parts.put(kRegionPolygons, polygons_);
+  parts.put(kRegionFirstPolygon, first_polygon_);
+  parts.put(kRegionWhole, whole_);
+  parts.put(kRegionRuns, runs_);
 }
 
 bool ConvexRegions::is_sound(std::size_t r, const PolygonSoup& soup) const {
@@ -103,23 +104,23 @@ bool ConvexRegions::is_whole_sound(std::uint32_t polygon, std::size_t polygons) 
 
 ConvexRegions ConvexRegions::from_parts(const PartReader& parts, const PolygonSoup& soup, const Checkpoint& checkpoint) {
   ConvexRegions result;
-  result.vertices_ = parts.get<std::uint32_t>(kVertices);
-  result.first_vertex_ = parts.get<std::uint32_t>(kFirstVertex);
-  result.polygons_ = parts.get<std::uint32_t>(kPolygons);
-  result.first_polygon_ = parts.get<std::uint32_t>(kFirstPolygon);
-  result.whole_ = parts.get<std::uint32_t>(kWhole);
-  result.runs_ = parts.get<FanRun>(kRuns);
+  result.vertices_ = parts.get<std::uint32_t>(kRegionVertices);
+  result.first_vertex_ = parts.get<std::uint32_t>(kRegionFirstVertex);
+  result.polygons_ = parts.get<std::uint32_t>(kRegionPolygons);
+  result.first_polygon_ = parts.get<std::uint32_t>(kRegionFirstPolygon);
+  result.whole_ = parts.get<std::uint32_t>(kRegionWhole);
+  result.runs_ = parts.get<FanRun>(kRegionRuns);
   if (!are_starts(result.first_vertex_, result.vertices_.size(), checkpoint) ||
       !are_starts(result.first_polygon_, result.polygons_.size(), checkpoint) ||
       result.first_vertex_.size() != result.first_polygon_.size() || result.size() < soup.size() + result.runs_.size() ||
       result.whole_.size() != soup.size()) {
-    refuse_part(kFirstVertex, "the regions are not of these polygons");
+    refuse_part(kRegionFirstVertex, "the regions are not of these polygons");
   }
   result.first_piece_ = result.size() - result.runs_.size();
   const auto is_region = [&](std::size_t r) { return result.is_sound(r, soup); };
-  if (!are_all(result.size(), is_region, checkpoint)) refuse_part(kVertices, "a region is not made of its polygons");
+  if (!are_all(result.size(), is_region, checkpoint)) refuse_part(kRegionVertices, "a region is not made of its polygons");
   const auto is_whole = [&](std::size_t p) { return result.is_whole_sound(static_cast<std::uint32_t>(p), soup.size()); };
-  if (!are_all(soup.size(), is_whole, checkpoint)) refuse_part(kWhole, "a polygon is not in its region");
+  if (!are_all(soup.size(), is_whole, checkpoint)) refuse_part(kRegionWhole, "a polygon is not in its region");
   return result;
 }
 

@@ -14,9 +14,9 @@ namespace occlude::culler {
 namespace {
 
 /// Groups of polygons that are connected edge to edge.
-class Parts {
+class ConnectedParts {
  public:
-  Parts(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
+  ConnectedParts(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
       : sets_(soup.size()), paired_(soup.size()) {
     const std::vector<std::uint32_t> polygon_of = polygon_of_sides(soup);
     for (std::size_t i = 0; i < adjacency.size(); ++i) {
@@ -64,7 +64,7 @@ ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePai
   ConvexShells result;
   std::vector<std::uint32_t> of_shells, first_part{0}, shell_of;
   std::vector<kernel::ConvexPolytope> polytopes;
-  Parts parts(soup, adjacency, checkpoint);
+  ConnectedParts parts(soup, adjacency, checkpoint);
   parts.for_each([&](std::span<const std::uint32_t> polygons) {
     if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return;
     checkpoint();

@@ -16,16 +16,16 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kParts = "shell polygons", kFirstPart = "shell first polygon", kShellOf = "shell of",
-                           kMost = "shell limits";
+constexpr std::string_view kShellParts = "shell polygons", kShellFirstPart = "shell first polygon", kShellOf = "shell of",
+                           kShellMost = "shell limits";
 
 }  // namespace
 
 void ConvexShells::append_parts(PartWriter& parts) const {
-  parts.put(kParts, parts_);
-  parts.put(kFirstPart, first_part_);
+  parts.put(kShellParts, parts_);
+  parts.put(kShellFirstPart, first_part_);
   parts.put(kShellOf, shell_of_);
-  parts.put(kMost, std::span(&most_, 1));
+  parts.put(kShellMost, std::span(&most_, 1));
 }
 
 bool ConvexShells::is_sound(std::uint32_t s, const PolygonSoup& soup) const {
@@ -39,11 +39,11 @@ bool ConvexShells::is_sound(std::uint32_t s, const PolygonSoup& soup) const {
 ConvexShells ConvexShells::from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
                                       const Checkpoint& checkpoint) {
   ConvexShells result;
-  result.parts_ = parts.get<std::uint32_t>(kParts);
-  result.first_part_ = parts.get<std::uint32_t>(kFirstPart);
+  result.parts_ = parts.get<std::uint32_t>(kShellParts);
+  result.first_part_ = parts.get<std::uint32_t>(kShellFirstPart);
   result.shell_of_ = parts.get<std::uint32_t>(kShellOf);
-  const auto most = parts.get<Most>(kMost);
-  if (most.size() != 1 || most[0].faces > kMostFaces || most[0].edges > kMostSides) refuse_part(kMost, "out of range");
+  const auto most = parts.get<Most>(kShellMost);
+  if (most.size() != 1 || most[0].faces > kMostFaces || most[0].edges > kMostSides) refuse_part(kShellMost, "out of range");
   result.most_ = most[0];
 
   const std::size_t size = result.size();
@@ -51,7 +51,7 @@ ConvexShells ConvexShells::from_parts(const PartReader& parts, std::shared_ptr<c
   const bool are_ranges =
       result.first_part_.empty() ? result.parts_.empty() : are_starts(result.first_part_, result.parts_.size(), checkpoint);
   if (!are_ranges || result.shell_of_.size() != (size == 0 ? 0 : soup->size()) || !are_all(size, is_shell, checkpoint)) {
-    refuse_part(kParts, "the shells are not of these polygons");
+    refuse_part(kShellParts, "the shells are not of these polygons");
   }
   // Shells have different polygons, because each of these has one shell. So no polygon has a shell that it is not in.
   if (std::cmp_not_equal(std::ranges::count_if(result.shell_of_, [](std::uint32_t s) { return s != kNone; }),

@@ -13,8 +13,9 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kFirst = "cover first", kVertices = "cover vertices", kCorners = "cover corners",
-                           kNext = "cover next", kFirstAround = "cover first around", kAround = "cover around";
+constexpr std::string_view kCoverFirst = "cover first", kCoverVertices = "cover vertices", kCoverCorners = "cover corners",
+                           kCoverNext = "cover next", kCoverFirstAround = "cover first around",
+                           kCoverAround = "cover around";
 
 /// Whether the triangle with these corners is the one of three vertices of the soup, and vertices with the same coordinates
 /// are the same.
@@ -110,38 +111,38 @@ bool are_around(std::span<const std::uint32_t> around, std::uint64_t n, const Hi
 }  // namespace
 
 void CoverTriangles::append_parts(PartWriter& parts) const {
-  parts.put(kFirst, first_);
-  parts.put(kVertices, vertices_);
-  parts.put(kCorners, corners_);
-  parts.put(kNext, next_);
-  parts.put(kFirstAround, first_around_);
-  parts.put(kAround, around_);
+  parts.put(kCoverFirst, first_);
+  parts.put(kCoverVertices, vertices_);
+  parts.put(kCoverCorners, corners_);
+  parts.put(kCoverNext, next_);
+  parts.put(kCoverFirstAround, first_around_);
+  parts.put(kCoverAround, around_);
 }
 
 CoverTriangles CoverTriangles::from_parts(const PartReader& parts, const PolygonSoup& soup,
                                           std::span<const HierarchyNode> nodes, const Checkpoint& checkpoint) {
   CoverTriangles result;
-  result.first_ = parts.get<std::uint32_t>(kFirst);
-  result.vertices_ = parts.get<glm::dvec3>(kVertices);
-  result.corners_ = parts.get<CoverMesh::Triangle>(kCorners);
-  result.next_ = parts.get<std::array<RingStep, 3>>(kNext);
-  result.first_around_ = parts.get<std::uint64_t>(kFirstAround);
-  result.around_ = parts.get<std::uint32_t>(kAround);
+  result.first_ = parts.get<std::uint32_t>(kCoverFirst);
+  result.vertices_ = parts.get<glm::dvec3>(kCoverVertices);
+  result.corners_ = parts.get<CoverMesh::Triangle>(kCoverCorners);
+  result.next_ = parts.get<std::array<RingStep, 3>>(kCoverNext);
+  result.first_around_ = parts.get<std::uint64_t>(kCoverFirstAround);
+  result.around_ = parts.get<std::uint32_t>(kCoverAround);
 
   const std::size_t triangles = soup.indices.size() - 2 * soup.size();
   const auto is_polygon = [&](std::size_t p) { return is_fan(p, soup, result.first_, result.vertices_, result.corners_); };
   if (result.first_.size() != soup.first.size() || result.first_.back() != triangles ||
       result.corners_.size() != triangles || !are_all(soup.size(), is_polygon, checkpoint)) {
-    refuse_part(kCorners, "the triangles are not those of the polygons");
+    refuse_part(kCoverCorners, "the triangles are not those of the polygons");
   }
   const Rings rings(result.corners_, result.next_);
   const auto is_in_ring = [&](std::size_t side) { return rings.has(static_cast<std::uint32_t>(side)); };
   if (result.next_.size() != triangles || !are_all(3 * triangles, is_in_ring, checkpoint)) {
-    refuse_part(kNext, "the sides are not in rings");
+    refuse_part(kCoverNext, "the sides are not in rings");
   }
   if (result.first_around_.size() != nodes.size() + 1 ||
       !are_starts(result.first_around_, result.around_.size(), checkpoint)) {
-    refuse_part(kFirstAround, "it has not a range for each node");
+    refuse_part(kCoverFirstAround, "it has not a range for each node");
   }
   std::atomic<bool> are_sound = true;
   for_ranges(
@@ -154,7 +155,7 @@ CoverTriangles CoverTriangles::from_parts(const PartReader& parts, const Polygon
         }
       },
       checkpoint);
-  if (!are_sound) refuse_part(kAround, "the polygons cannot be those around the leaves");
+  if (!are_sound) refuse_part(kCoverAround, "the polygons cannot be those around the leaves");
   return result;
 }
 

@@ -17,7 +17,7 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kConfig = "config";
+constexpr std::string_view kCullerConfig = "config";
 
 /// BuildConfig in numbers of fixed width, without gaps.
 struct StoredConfig {
@@ -37,8 +37,9 @@ StoredConfig stored(const BuildConfig& config) {
 }
 
 BuildConfig config_of(const PartReader& parts) {
-  const auto read = parts.get<StoredConfig>(kConfig);
-  if (read.size() != 1 || read[0].bounds > 1 || read[0].shells > 1 || read[0].kind > 1) refuse_part(kConfig, "out of range");
+  const auto read = parts.get<StoredConfig>(kCullerConfig);
+  if (read.size() != 1 || read[0].bounds > 1 || read[0].shells > 1 || read[0].kind > 1)
+    refuse_part(kCullerConfig, "out of range");
   const StoredConfig& config = read[0];
   return {{config.leaf_size, static_cast<Bounds>(config.bounds)},
           {config.shells != 0},
@@ -69,7 +70,7 @@ Parts Culler::parts(const Checkpoint& checkpoint) const {
   const auto kept = std::make_shared<const Kept>(Kept{*this, stored(config_)});
   Parts result{{}, kept};
   PartWriter writer(result);
-  writer.put(kConfig, std::span(&kept->config, 1));
+  writer.put(kCullerConfig, std::span(&kept->config, 1));
   hierarchy_.append_parts(writer);
   occluders_.append_parts(writer);
   blocks(checkpoint).append_parts(writer);

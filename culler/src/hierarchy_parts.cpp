@@ -16,8 +16,8 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kVertices = "vertices", kIndices = "indices", kFirst = "first", kOrder = "order",
-                           kNodes = "nodes", kOrientedBoxes = "oriented boxes", kOriented = "oriented";
+constexpr std::string_view kTreeVertices = "vertices", kTreeIndices = "indices", kTreeFirst = "first", kTreeOrder = "order",
+                           kTreeNodes = "nodes", kTreeOrientedBoxes = "oriented boxes", kTreeOriented = "oriented";
 
 template <class T>
 std::vector<T> copy_of(const Array<T>& array) {
@@ -26,8 +26,8 @@ std::vector<T> copy_of(const Array<T>& array) {
 
 /// A soup has vectors of its own.
 std::shared_ptr<const PolygonSoup> soup_of(const PartReader& parts, const Checkpoint& checkpoint) {
-  const auto vertices = parts.get<glm::dvec3>(kVertices);
-  const auto indices = parts.get<std::uint32_t>(kIndices), first = parts.get<std::uint32_t>(kFirst);
+  const auto vertices = parts.get<glm::dvec3>(kTreeVertices);
+  const auto indices = parts.get<std::uint32_t>(kTreeIndices), first = parts.get<std::uint32_t>(kTreeFirst);
   auto soup = std::make_shared<PolygonSoup>();
   parallel_for(
       3,
@@ -100,38 +100,38 @@ kernel::Aabb smallest_box(const PolygonSoup& soup, std::span<const HierarchyNode
 }  // namespace
 
 void Hierarchy::append_parts(PartWriter& parts) const {
-  parts.put(kVertices, soup_->vertices);
-  parts.put(kIndices, soup_->indices);
-  parts.put(kFirst, soup_->first);
-  parts.put(kOrder, order_);
-  parts.put(kNodes, nodes_);
-  parts.put(kOrientedBoxes, oriented_boxes_);
-  parts.put(kOriented, oriented_);
+  parts.put(kTreeVertices, soup_->vertices);
+  parts.put(kTreeIndices, soup_->indices);
+  parts.put(kTreeFirst, soup_->first);
+  parts.put(kTreeOrder, order_);
+  parts.put(kTreeNodes, nodes_);
+  parts.put(kTreeOrientedBoxes, oriented_boxes_);
+  parts.put(kTreeOriented, oriented_);
 }
 
 Hierarchy Hierarchy::from_parts(const PartReader& parts, const Config& config, const Checkpoint& checkpoint) {
   Hierarchy result;
   result.soup_ = soup_of(parts, checkpoint);
   result.leaf_size_ = config.leaf_size;
-  result.order_ = parts.get<std::uint32_t>(kOrder);
-  result.nodes_ = parts.get<Node>(kNodes);
-  result.oriented_boxes_ = parts.get<kernel::Obb>(kOrientedBoxes);
-  result.oriented_ = parts.get<std::uint32_t>(kOriented);
+  result.order_ = parts.get<std::uint32_t>(kTreeOrder);
+  result.nodes_ = parts.get<Node>(kTreeNodes);
+  result.oriented_boxes_ = parts.get<kernel::Obb>(kTreeOrientedBoxes);
+  result.oriented_ = parts.get<std::uint32_t>(kTreeOriented);
 
   const PolygonSoup& soup = *result.soup_;
-  if (!is_permutation(result.order_, soup.size())) refuse_part(kOrder, "it does not number the polygons");
+  if (!is_permutation(result.order_, soup.size())) refuse_part(kTreeOrder, "it does not number the polygons");
   const auto nodes = result.nodes();
-  if (!are_tree(nodes, soup.size())) refuse_part(kNodes, "it is not a tree of these polygons");
+  if (!are_tree(nodes, soup.size())) refuse_part(kTreeNodes, "it is not a tree of these polygons");
   const auto is_smallest = [&](std::size_t i) { return nodes[i].box == smallest_box(soup, nodes, i); };
-  if (!are_all(nodes.size(), is_smallest, checkpoint)) refuse_part(kNodes, "a box is not that of its polygons");
+  if (!are_all(nodes.size(), is_smallest, checkpoint)) refuse_part(kTreeNodes, "a box is not that of its polygons");
   const auto& boxes = result.oriented_boxes_;
   const auto is_box = [&](std::uint32_t i) { return i == kNone || i < boxes.size(); };
   if (result.oriented_.size() != (config.bounds == Bounds::obb ? nodes.size() : 0) ||
       !std::ranges::all_of(result.oriented_, is_box)) {
-    refuse_part(kOriented, "it does not number the oriented boxes");
+    refuse_part(kTreeOriented, "it does not number the oriented boxes");
   }
   const auto is_legal = [](const kernel::Obb& box) { return kernel::check(box) == kernel::Refusal::none; };
-  if (!std::ranges::all_of(boxes, is_legal)) refuse_part(kOrientedBoxes, "a box is not legal");
+  if (!std::ranges::all_of(boxes, is_legal)) refuse_part(kTreeOrientedBoxes, "a box is not legal");
   return result;
 }
 

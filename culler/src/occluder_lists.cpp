@@ -21,7 +21,7 @@ Partition partition_of(const Space& space, const OccluderLists::Config& config, 
   return Partition::make(config.kind, space, config.regions, checkpoint);
 }
 
-constexpr std::string_view kFirst = "list first", kListed = "listed", kHidden = "hidden";
+constexpr std::string_view kListFirst = "list first", kListEntries = "listed", kListHidden = "hidden";
 
 /// Whether they can be the lists of so many regions, of so many occluders.
 bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::size_t occluders,
@@ -60,19 +60,19 @@ OccluderLists OccluderLists::build(const PotentialOccluders& occluders, const Sp
 
 void OccluderLists::append_parts(PartWriter& parts) const {
   partition_.append_parts(parts);
-  parts.put(kFirst, stored_.first);
-  parts.put(kListed, stored_.occluders);
-  parts.put(kHidden, stored_.hidden);
+  parts.put(kListFirst, stored_.first);
+  parts.put(kListEntries, stored_.occluders);
+  parts.put(kListHidden, stored_.hidden);
 }
 
 OccluderLists OccluderLists::from_parts(const PartReader& parts, std::size_t occluders, const Checkpoint& checkpoint) {
   Partition partition = Partition::from_parts(parts);
-  Stored stored{parts.get<std::uint64_t>(kFirst), parts.get<std::uint32_t>(kListed), parts.get<float>(kHidden)};
+  Stored stored{parts.get<std::uint64_t>(kListFirst), parts.get<std::uint32_t>(kListEntries), parts.get<float>(kListHidden)};
   if (!are_sound(stored, partition.regions(), occluders, checkpoint)) {
-    refuse_part(kListed, "the lists are not of these regions and occluders");
+    refuse_part(kListEntries, "the lists are not of these regions and occluders");
   }
   if (!stored.hidden.empty() && !is_of({stored.hidden.begin(), stored.hidden.end()}, stored)) {
-    refuse_part(kHidden, "it is not of these lists");
+    refuse_part(kListHidden, "it is not of these lists");
   }
   return {std::move(partition), std::move(stored)};
 }

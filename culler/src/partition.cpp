@@ -16,7 +16,7 @@ namespace {
 /// Beyond this counting them would take all memory.
 constexpr double kMostRegions = 0x1p30;
 
-constexpr std::string_view kBox = "space", kCells = "cells";
+constexpr std::string_view kSpaceBox = "space", kSpaceCells = "cells";
 
 /// Whether they are cells in depth-first order, each a region or divided by a plane.
 bool are_tree(std::span<const Partition::Cell> cells) {
@@ -45,19 +45,19 @@ Partition Partition::make(Kind kind, const Space& space, double regions, const C
 }
 
 void Partition::append_parts(PartWriter& parts) const {
-  parts.put(kBox, std::span(&box_, 1));
-  parts.put(kCells, cells_);
+  parts.put(kSpaceBox, std::span(&box_, 1));
+  parts.put(kSpaceCells, cells_);
 }
 
 Partition Partition::from_parts(const PartReader& parts) {
-  const auto box = parts.get<kernel::Aabb>(kBox);
+  const auto box = parts.get<kernel::Aabb>(kSpaceBox);
   const auto is_finite = [](const kernel::Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   };
-  if (box.size() != 1 || !is_finite(box[0].min) || !is_finite(box[0].max)) refuse_part(kBox, "it is not a box");
+  if (box.size() != 1 || !is_finite(box[0].min) || !is_finite(box[0].max)) refuse_part(kSpaceBox, "it is not a box");
   Partition result(box[0], {});
-  result.cells_ = parts.get<Cell>(kCells);
-  if (!are_tree(result.cells())) refuse_part(kCells, "it is not a tree of cells");
+  result.cells_ = parts.get<Cell>(kSpaceCells);
+  if (!are_tree(result.cells())) refuse_part(kSpaceCells, "it is not a tree of cells");
   return result;
 }
 

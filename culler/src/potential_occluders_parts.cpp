@@ -12,7 +12,7 @@
 namespace occlude::culler {
 namespace {
 
-constexpr std::string_view kKnown = "known";
+constexpr std::string_view kOccluderKnown = "known";
 
 /// Whether the choice of occluders can compute with it: of coordinates of up to 2^100, areas are below 2^210, and their
 /// products with distances far from infinity.
@@ -30,7 +30,7 @@ bool is_finite(const PotentialOccluder& known) {
 void PotentialOccluders::append_parts(PartWriter& parts) const {
   regions_.append_parts(parts);
   shells_.append_parts(parts);
-  parts.put(kKnown, known_);
+  parts.put(kOccluderKnown, known_);
 }
 
 PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
@@ -39,11 +39,11 @@ PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, std::
   result.regions_ = ConvexRegions::from_parts(parts, *soup, checkpoint);
   result.shells_ = ConvexShells::from_parts(parts, soup, checkpoint);
   result.soup_ = std::move(soup);
-  result.known_ = parts.get<PotentialOccluder>(kKnown);
+  result.known_ = parts.get<PotentialOccluder>(kOccluderKnown);
   if (result.known_.size() != result.regions_.size() + result.shells_.size() ||
       !are_all(
           result.known_.size(), [&](std::size_t i) { return is_finite(result.known_[i]); }, checkpoint)) {
-    refuse_part(kKnown, "it is not about these occluders");
+    refuse_part(kOccluderKnown, "it is not about these occluders");
   }
   return result;
 }

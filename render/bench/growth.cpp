@@ -20,9 +20,9 @@ namespace {
 /// 20,000, 50,000, 100,000, 200,000, ... up to the largest, which is the last.
 std::vector<std::size_t> sizes(std::size_t largest) {
   std::vector<std::size_t> sizes;
-  for (std::size_t power = kSmallestCity / 2; power < largest; power *= 10) {
+  for (std::size_t power = render::kSmallestCity / 2; power < largest; power *= 10) {
     for (const std::size_t factor : {1U, 2U, 5U}) {
-      if (factor * power >= kSmallestCity && factor * power < largest) sizes.push_back(factor * power);
+      if (factor * power >= render::kSmallestCity && factor * power < largest) sizes.push_back(factor * power);
     }
   }
   sizes.push_back(largest);

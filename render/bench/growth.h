@@ -10,9 +10,6 @@
 
 namespace occlude::experiments {
 
-/// The smallest city that the generator makes.
-inline constexpr std::size_t kSmallestCity = 20'000;
-
 /// A generated city.
 struct GrowthPoint {
   std::size_t polygons = 0;

@@ -58,7 +58,7 @@ Sizes sizes_of_seconds() {
   Sizes sizes;
   sizes.kernel.boxes = 256;
   sizes.kernel.repetitions = 1;
-  sizes.city = experiments::kSmallestCity;
+  sizes.city = render::kSmallestCity;
   sizes.experiments = {"table2", "sort"};
   sizes.culler.walk.end = 2;
   sizes.culler.repetitions = 1;

@@ -8,6 +8,7 @@
 #include "command_arguments.h"
 #include "commands.h"
 #include "experiments.h"
+#include "occlude/render/city.h"
 #include "occlude/render/console.h"
 #include "report_files.h"
 #include "subject_arguments.h"
@@ -38,8 +39,8 @@ void bench_culler(Arguments& arguments) {
   options.walk.render = !arguments.no_render;
   options.seed = arguments.subject.seed();
   options.largest = whole_number("--largest", arguments.largest);
-  if (options.largest < experiments::kSmallestCity || options.largest > 20'000'000) {
-    refuse("--largest", "expected 20000 to 2e7 polygons");
+  if (options.largest < render::kSmallestCity || options.largest > render::kLargestCity) {
+    refuse("--largest", "expected 20000 to 5e7 polygons");
   }
   std::optional<ReportFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out, "culler");
@@ -76,7 +77,7 @@ void add_bench_culler(Command bench, int&) {
   command.add("--repetitions", a->options.repetitions, "rounds; each measures everything once")
       .show_default()
       .in_range(std::size_t{1}, std::size_t{1000});
-  command.add("--largest", a->largest, "polygons of the largest city of growth, up to 2e7").show_default();
+  command.add("--largest", a->largest, "polygons of the largest city of growth, up to 5e7").show_default();
   command.add_flag("--no-render", a->no_render, "draw nothing: table 2 has no frame times");
   add_output(command, "--out", a->out, "folder to write culler.json and culler.html to");
   command.add_flag("--json", a->json, "print culler.json instead of tables");

@@ -58,7 +58,7 @@ void add_generate(Command app, int&) {
   const auto arguments = std::make_shared<Arguments>();
   city.add("--polygons", arguments->polygons, "minimum number of polygons")
       .show_default()
-      .in_range(std::size_t{20'000}, std::size_t{20'000'000});
+      .in_range(render::kSmallestCity, render::kLargestCity);
   city.add("--seed", arguments->seed, "whole number; the same seed gives the same bytes on any machine").show_default();
   add_output(city, "--out", arguments->out, "PLY file to write").required();
   add_output(city, "--path", arguments->path, "JSON file to write the camera path to").required();

@@ -21,7 +21,7 @@ void SubjectArguments::add_to(Command command) {
   path.needs(model);
   command.add("--polygons", polygons_, "minimum number of polygons in the city")
       .show_default()
-      .in_range(experiments::kSmallestCity, std::size_t{20'000'000})
+      .in_range(render::kSmallestCity, render::kLargestCity)
       .excludes(model);
   command.add("--seed", seed_, "whole number; the same seed gives the same cities").show_default();
 }
