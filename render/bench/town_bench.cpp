@@ -100,23 +100,32 @@ class Town {
   std::vector<culler::Box> houses_;
 };
 
+/// How long the town takes to make, each time.
+Spread prepared_ms(const Town& town, std::size_t repetitions) {
+  render::Progress progress("made", repetitions);
+  std::vector<ObjectId> cars;
+  std::vector<double> ms;
+  while (ms.size() < repetitions) {
+    render::check_interrupt();
+    ms.push_back(milliseconds([&] { static_cast<void>(town.made(cars)); }));
+    progress.update(ms.size());
+  }
+  return spread_of(ms);
+}
+
 }  // namespace
 
 TownBenchResult bench_town(const TownBenchOptions& options) {
   TownBenchResult result;
   const Town town(options);
-  std::vector<ObjectId> cars;
-  std::vector<double> prepared;
-  for (std::size_t i = 0; i < options.repetitions; ++i) {
-    render::check_interrupt();
-    prepared.push_back(milliseconds([&] { static_cast<void>(town.made(cars)); }));
-  }
-  result.prepared_ms = spread_of(prepared);
+  result.prepared_ms = prepared_ms(town, options.repetitions);
 
+  std::vector<ObjectId> cars;
   const PeakMemory memory;
   culler::Scene scene = town.made(cars);
   result.held_bytes = memory.held_bytes();
 
+  render::Progress progress("frame", options.frames);
   culler::SceneView view;
   std::vector<double> update_ms, cull_ms, drawn, hidden, out_of_view;
   for (std::size_t frame = 0; frame < options.frames; ++frame) {
@@ -128,6 +137,7 @@ TownBenchResult bench_town(const TownBenchOptions& options) {
     drawn.push_back(static_cast<double>(stats.drawn));
     hidden.push_back(static_cast<double>(stats.hidden));
     out_of_view.push_back(static_cast<double>(stats.out_of_view));
+    progress.update(frame + 1);
   }
   result.update_ms = spread_of(update_ms);
   result.cull_ms = spread_of(cull_ms);
