@@ -26,14 +26,15 @@ constexpr std::string_view kListFirst = "list first", kListEntries = "listed", k
 /// Whether they can be the lists of so many regions, of so many occluders.
 bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::size_t occluders,
                const Checkpoint& checkpoint) {
-  const auto& [first, listed, hidden] = stored;
+  const Array<std::uint64_t>& first = stored.first;
   const auto is_sound = [&](std::size_t region) {
-    const std::span list(listed.begin() + first[region], listed.begin() + first[region + 1]);
+    const std::uint32_t* const listed = stored.occluders.data();
+    const std::span list(listed + first[region], listed + first[region + 1]);
     const auto is_occluder = [&](std::uint32_t i) { return i < occluders; };
     return std::ranges::all_of(list, is_occluder) &&
            std::ranges::adjacent_find(list, std::ranges::greater_equal()) == list.end();
   };
-  return first.size() == regions + 1 && are_starts(first, listed.size(), checkpoint) &&
+  return first.size() == regions + 1 && are_starts(first, stored.occluders.size(), checkpoint) &&
          are_all(regions, is_sound, checkpoint);
 }
 
