@@ -15,11 +15,6 @@ using culler::DrawnObject;
 using culler::ObjectFate;
 using culler::ObjectId;
 
-/// What is measured of a view in each frame.
-struct Samples {
-  std::vector<double> cull_ms, drawn, hidden, out_of_view;
-};
-
 class Check {
  public:
   Check(const SceneWorld& world, const SceneBenchOptions& options, const Prove& prove, SceneBenchResult& result)
@@ -81,7 +76,7 @@ SceneBenchResult bench_scene(const SceneBenchOptions& options, const Prove& prov
   Check check(world, options, prove, result);
   const culler::SceneOptions how{.cover = options.cover};
   std::array<culler::SceneView, SceneWorld::kViews> views;
-  std::array<Samples, SceneWorld::kViews> samples;
+  std::array<ViewSamples, SceneWorld::kViews> samples;
   std::vector<double> change_ms, update_ms;
   const std::size_t all = options.settling + options.frames;
   for (std::size_t frame = 0; frame < all; ++frame) {
@@ -96,12 +91,7 @@ SceneBenchResult bench_scene(const SceneBenchOptions& options, const Prove& prov
     for (std::size_t v = 0; v < views.size(); ++v) {
       const culler::Camera camera = world.camera(v);
       const double cull = milliseconds([&] { world.scene().cull(camera, how, views[v]); });
-      const culler::SceneStats& stats = views[v].result().stats;
-      if (!counts) continue;
-      samples[v].cull_ms.push_back(cull);
-      samples[v].drawn.push_back(static_cast<double>(stats.drawn));
-      samples[v].hidden.push_back(static_cast<double>(stats.hidden));
-      samples[v].out_of_view.push_back(static_cast<double>(stats.out_of_view));
+      if (counts) samples[v].add(cull, views[v].result().stats);
     }
     if (counts && options.check_every != 0 && (frame - options.settling) % options.check_every == 0) {
       check.run(views, how, frame);
@@ -113,9 +103,7 @@ SceneBenchResult bench_scene(const SceneBenchOptions& options, const Prove& prov
   result.bytes_of_object = static_cast<double>(world.scene().object_bytes()) / static_cast<double>(result.objects);
   result.change_ms = spread_of(change_ms);
   result.update_ms = spread_of(update_ms);
-  for (const Samples& s : samples) {
-    result.views.push_back({spread_of(s.cull_ms), spread_of(s.drawn), spread_of(s.hidden), spread_of(s.out_of_view)});
-  }
+  for (const ViewSamples& of_view : samples) result.views.push_back(of_view.spread());
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "scene_world.h"
 #include "spread.h"
 #include "table.h"
+#include "view_spread.h"
 
 namespace occlude::experiments {
 
@@ -30,10 +31,7 @@ struct SceneBenchResult {
   double build_ms = 0;                     ///< of the whole world
   double bytes_of_object = 0;
   Spread change_ms, update_ms;
-  struct View {
-    Spread cull_ms, drawn, hidden, out_of_view;
-  };
-  std::vector<View> views;
+  std::vector<ViewSpread> views;
   std::size_t frames_checked = 0, objects_compared = 0;
   std::size_t different = 0;             ///< objects that a scene made anew culls otherwise
   std::size_t proved = 0, unproved = 0;  ///< culls by occluders

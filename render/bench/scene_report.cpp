@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "occlude/render/machine.h"
@@ -16,12 +18,7 @@ bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& o
                      .rows = {row_of("changes, ms", result.change_ms, 2), row_of("update, ms", result.update_ms, 2)},
                      .notes = {}};
   for (std::size_t v = 0; v < result.views.size(); ++v) {
-    const SceneBenchResult::View& view = result.views[v];
-    const std::string of = fmt::format("view {}: ", v + 1);
-    table.rows.push_back(row_of(of + "cull, ms", view.cull_ms, 2));
-    table.rows.push_back(row_of(of + "objects drawn", view.drawn, 0));
-    table.rows.push_back(row_of(of + "objects hidden", view.hidden, 0));
-    table.rows.push_back(row_of(of + "objects out of view", view.out_of_view, 0));
+    std::ranges::move(rows_of(fmt::format("view {}: ", v + 1), result.views[v]), std::back_inserter(table.rows));
   }
   const WorldSize& world = options.world;
   table.notes = {
@@ -39,12 +36,7 @@ bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& o
 std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
   const WorldSize& world = options.world;
   Json views = Json::array();
-  for (const SceneBenchResult::View& view : result.views) {
-    views.push_back({{"cull_ms", json_of(view.cull_ms)},
-                     {"drawn", json_of(view.drawn)},
-                     {"hidden", json_of(view.hidden)},
-                     {"out_of_view", json_of(view.out_of_view)}});
-  }
+  for (const ViewSpread& view : result.views) views.push_back(json_of(view));
   const Json json{{"objects", result.objects},
                   {"streamed", world.streamed},
                   {"moving", world.moving},

@@ -127,23 +127,18 @@ TownBenchResult bench_town(const TownBenchOptions& options) {
 
   render::Progress progress("frame", options.frames);
   culler::SceneView view;
-  std::vector<double> update_ms, cull_ms, drawn, hidden, out_of_view;
+  std::vector<double> update_ms;
+  ViewSamples samples;
   for (std::size_t frame = 0; frame < options.frames; ++frame) {
     render::check_interrupt();
     town.drive(scene, cars, frame);
     update_ms.push_back(milliseconds([&] { scene.update(); }));
-    cull_ms.push_back(milliseconds([&] { scene.cull(town.camera(frame), {.cover = options.cover}, view); }));
-    const culler::SceneStats& stats = view.result().stats;
-    drawn.push_back(static_cast<double>(stats.drawn));
-    hidden.push_back(static_cast<double>(stats.hidden));
-    out_of_view.push_back(static_cast<double>(stats.out_of_view));
+    const double cull_ms = milliseconds([&] { scene.cull(town.camera(frame), {.cover = options.cover}, view); });
+    samples.add(cull_ms, view.result().stats);
     progress.update(frame + 1);
   }
   result.update_ms = spread_of(update_ms);
-  result.cull_ms = spread_of(cull_ms);
-  result.drawn = spread_of(drawn);
-  result.hidden = spread_of(hidden);
-  result.out_of_view = spread_of(out_of_view);
+  result.view = samples.spread();
   return result;
 }
 

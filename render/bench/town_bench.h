@@ -8,6 +8,7 @@
 #include "occlude/culler/scene.h"
 #include "spread.h"
 #include "table.h"
+#include "view_spread.h"
 
 namespace occlude::experiments {
 
@@ -26,7 +27,8 @@ struct TownBenchResult {
   Spread prepared_ms;
   /// Resident memory that one town takes, its occluders included; empty if the system does not tell.
   std::optional<std::size_t> held_bytes;
-  Spread update_ms, cull_ms, drawn, hidden, out_of_view;  ///< over the frames
+  Spread update_ms;  ///< over the frames
+  ViewSpread view;
 };
 
 /// Throws Interrupted on Ctrl-C.
