@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string_view>
 
 #include "occlude/culler/convex_regions.h"
@@ -87,10 +86,7 @@ bool ConvexRegions::is_sound(std::size_t r, const PolygonSoup& soup) const {
   if (r < soup.size()) return polygons.size() == 1 && polygons[0] == r && std::ranges::equal(corners, soup.loop(r));
   const auto is_vertex = [&](std::uint32_t v) { return v < soup.vertices.size(); };
   if (corners.size() < 3 || !std::ranges::all_of(corners, is_vertex)) return false;
-  if (polygons.empty() || polygons.back() >= soup.size() ||
-      std::ranges::adjacent_find(polygons, std::ranges::greater_equal()) != polygons.end()) {
-    return false;
-  }
+  if (polygons.empty() || !are_ascending_below(polygons, soup.size())) return false;
   if (r >= first_piece_) return polygons.size() == 1 && is_piece(soup, corners, polygons[0], runs_[r - first_piece_]);
   const auto is_of = [&](std::uint32_t p) { return whole_[p] == r; };
   return std::ranges::all_of(polygons, is_of) && is_joined(soup, corners, polygons);

@@ -2,7 +2,6 @@
 // The parts of convex shells, and the checks of parts that are said to be those.
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -30,8 +29,8 @@ void ConvexShells::append_parts(PartWriter& parts) const {
 
 bool ConvexShells::is_sound(std::uint32_t s, const PolygonSoup& soup) const {
   const auto polygons = parts(s);
-  if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces || polygons.back() >= soup.size()) return false;
-  if (std::ranges::adjacent_find(polygons, std::ranges::greater_equal()) != polygons.end()) return false;
+  if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return false;
+  if (!are_ascending_below(polygons, soup.size())) return false;
   const auto is_of = [&](std::uint32_t p) { return shell_of_[p] == s; };
   return std::ranges::all_of(polygons, is_of) && sides_of(soup, polygons) <= kMostSides;
 }

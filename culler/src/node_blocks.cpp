@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
-#include <functional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -109,8 +108,7 @@ bool is_made(const NodeBlock& block, const Hierarchy& hierarchy) {
   const auto nodes = hierarchy.nodes();
   const auto size = static_cast<std::size_t>(std::popcount(block.used));
   const auto taken = std::span(block.node).first(size);
-  if (block.used != (1U << size) - 1 || !std::ranges::is_sorted(taken, std::ranges::less_equal())) return false;
-  if (size == 0 || taken.back() >= nodes.size()) return false;
+  if (size == 0 || block.used != (1U << size) - 1 || !are_ascending_below(taken, nodes.size())) return false;
   const Filling filling(nodes, taken);
   const auto is_divided = [&](std::uint32_t i) {
     return !nodes[i].is_leaf() && filling.has(i + 1) != filling.has(nodes[i].right);
@@ -175,7 +173,7 @@ void NodeBlocks::append_parts(PartWriter& parts) const { parts.put(kPart, blocks
 NodeBlocks NodeBlocks::from_parts(const PartReader& parts, const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
   NodeBlocks result;
   result.blocks_ = parts.get<NodeBlock>(kPart);
-  const std::span blocks(result.blocks_.data(), result.blocks_.size());
+  const std::span blocks(result.blocks_);
   const auto is_block = [&](std::size_t i) { return is_made(blocks[i], hierarchy); };
   const auto is_linked = [&](std::size_t i) { return are_linked(blocks[i], blocks, hierarchy.nodes()); };
   if (blocks.empty() || !are_all(blocks.size(), is_block, checkpoint) || !are_all(blocks.size(), is_linked, checkpoint) ||

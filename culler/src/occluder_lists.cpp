@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -29,10 +28,7 @@ bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::si
   const Array<std::uint64_t>& first = stored.first;
   const auto is_sound = [&](std::size_t region) {
     const std::uint32_t* const listed = stored.occluders.data();
-    const std::span list(listed + first[region], listed + first[region + 1]);
-    const auto is_occluder = [&](std::uint32_t i) { return i < occluders; };
-    return std::ranges::all_of(list, is_occluder) &&
-           std::ranges::adjacent_find(list, std::ranges::greater_equal()) == list.end();
+    return are_ascending_below({listed + first[region], listed + first[region + 1]}, occluders);
   };
   return first.size() == regions + 1 && are_starts(first, stored.occluders.size(), checkpoint) &&
          are_all(regions, is_sound, checkpoint);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/parallel.h"
@@ -32,6 +35,12 @@ template <class IsSound>
       },
       checkpoint);
   return are_sound;
+}
+
+/// Whether the numbers ascend, each once, and are below `end`.
+[[nodiscard]] inline bool are_ascending_below(std::span<const std::uint32_t> numbers, std::size_t end) {
+  return std::ranges::adjacent_find(numbers, std::ranges::greater_equal()) == numbers.end() &&
+         (numbers.empty() || numbers.back() < end);
 }
 
 /// Whether they are the starts of ranges that make up [0, size): they begin with 0, never descend, and end with `size`.

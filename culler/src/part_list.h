@@ -35,7 +35,7 @@ class PartWriter {
   }
   template <class Elements>
   void put(std::string_view name, const Elements& elements) {
-    put(name, std::span(elements.data(), elements.size()));
+    put(name, std::span(elements));
   }
 
  private:

@@ -73,7 +73,7 @@ class Hierarchy {
   /// Number of fan triangles in polygons [0, p) of soup(); p may be soup().size().
   [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_->first[p] - 2 * p; }
   /// The root first.
-  [[nodiscard]] std::span<const Node> nodes() const { return {nodes_.data(), nodes_.size()}; }
+  [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
   /// The leaf (index in nodes()) that holds polygon p of soup().
   [[nodiscard]] std::uint32_t leaf_of(std::uint32_t p) const;
   /// Returns question(box), where `box` is the bounding volume of the node: a kernel::Aabb or a kernel::Obb that holds

@@ -72,7 +72,7 @@ class Partition {
   [[nodiscard]] std::size_t region_at(const glm::dvec3& point) const;
   [[nodiscard]] kernel::Aabb box(std::size_t region) const;
 
-  [[nodiscard]] std::span<const Cell> cells() const { return {cells_.data(), cells_.size()}; }
+  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
   [[nodiscard]] kernel::Aabb cell_box(std::size_t cell) const;
 
  private:
