@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto method : {culler::Method::frusta, culler::Method::cover}) {
       render::WalkOptions options;
       options.cull.method = method;
-      harness::judge(render::make_culler(file.path(), options));
+      harness::judge(render::make_culler(render::ModelFile(file.path()), options));
     }
   } catch (const render::InputError&) {
     // This is the only way to refuse a file.

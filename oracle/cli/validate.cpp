@@ -351,7 +351,7 @@ void validate(Arguments& arguments, int& exit_code) {
   if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   std::optional<FailureFiles> files = failure_files(arguments.out);
-  const culler::Culler culler = render::make_culler(arguments.model, options);
+  const culler::Culler culler = render::make_culler(render::ModelFile(arguments.model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   if (witnesses) require_leaves(*witnesses, hierarchy, arguments);
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());

@@ -62,7 +62,7 @@ void render_frames(const Arguments& arguments) {
   if (arguments.frame) frame = whole_number("--frame", *arguments.frame);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   render::OutputFile file(arguments.out);
-  const culler::Culler culler = render::make_culler(arguments.model, options);
+  const culler::Culler culler = render::make_culler(render::ModelFile(arguments.model), options);
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   const Draw draw = std::ranges::find(kLayers, arguments.layer, &Layer::name)->draw;
   const auto context = render::make_offscreen_context();

@@ -16,11 +16,9 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/stopwatch.h"
-#include "occlude/render/store.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_files.h"
 
@@ -53,12 +51,10 @@ void walk(const Arguments& arguments, int& exit_code, const std::string& command
   render::WalkFiles files(out, options, command_line);
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
   static_cast<void>(render::frames_of(path, options));  // throws before the work
-  std::optional<culler::PolygonSoup> soup;
-  if (!render::is_store(arguments.model))
-    render::require_walkable(soup.emplace(render::read_model(arguments.model)).size(), name);
+  render::ModelFile model(arguments.model);
+  if (model.soup) render::require_walkable(model.soup->size(), name);
   const render::Stopwatch stopwatch;
-  const culler::Culler culler =
-      soup ? render::make_culler(std::move(*soup), options) : render::make_culler(arguments.model, options);
+  const culler::Culler culler = render::make_culler(std::move(model), options);
   const double preprocess_s = stopwatch.seconds();
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   render::WalkResult result = render::walk(culler, path, options, name, files);

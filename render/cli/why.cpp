@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "command_arguments.h"
 #include "commands.h"
@@ -65,9 +66,11 @@ int why(const Arguments& arguments) {
   const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  const culler::Culler culler = render::make_culler(arguments.model, options);
+  render::ModelFile model(arguments.model);
+  if (model.soup) require_polygon(arguments, *model.soup);
+  const culler::Culler culler = render::make_culler(std::move(model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  require_polygon(arguments, hierarchy.soup());
+  require_polygon(arguments, hierarchy.soup());  // a store is opened only now
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
@@ -86,9 +87,13 @@ culler::Culler make_culler(culler::PolygonSoup soup, const WalkOptions& options)
   return culler;
 }
 
-culler::Culler make_culler(const std::filesystem::path& model, const WalkOptions& options) {
-  if (!is_store(model)) return make_culler(read_model(model), options);
-  culler::Culler culler = read_store(model, options.cull.method);
+ModelFile::ModelFile(std::filesystem::path file) : path(std::move(file)) {
+  if (!is_store(path)) soup = read_model(path);
+}
+
+culler::Culler make_culler(ModelFile model, const WalkOptions& options) {
+  if (model.soup) return make_culler(std::move(*model.soup), options);
+  culler::Culler culler = read_store(model.path, options.cull.method);
   prepare(culler, options);
   return culler;
 }

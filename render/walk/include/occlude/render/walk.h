@@ -55,8 +55,17 @@ struct WalkOptions {
 /// The culler of a walk, prepared for its method: from the store if one is named, else built now. Throws InputError as
 /// read_store() does, also for a store of another model, and Interrupted on Ctrl-C.
 [[nodiscard]] culler::Culler make_culler(culler::PolygonSoup soup, const WalkOptions& options);
-/// The same of a model's file. If that is a store, it is the culler in it, and the model is not read.
-[[nodiscard]] culler::Culler make_culler(const std::filesystem::path& model, const WalkOptions& options);
+
+/// A model's file before it is prepared. A store is opened only by make_culler().
+struct ModelFile {
+  /// Reads the polygons unless the file is a store. Throws InputError as read_model() and is_store().
+  explicit ModelFile(std::filesystem::path file);
+
+  std::filesystem::path path;
+  std::optional<culler::PolygonSoup> soup;  ///< none of a store
+};
+/// The culler of a walk through this model; of a store, the culler in it.
+[[nodiscard]] culler::Culler make_culler(ModelFile model, const WalkOptions& options);
 
 /// Throws InputError for a model with so few polygons that there is nothing to cull. walk() does so, but only after the
 /// model was prepared.
