@@ -51,7 +51,7 @@ struct Summary {
   ordered_json json;
 };
 
-/// Samples the regions in parts. Returns `hidden` of OccluderLists::Stored.
+/// Samples the regions in parts. Returns `hidden` of OccluderLists::Stored, on the first rank; the others have only helped.
 std::vector<float> sample(render::Job& job, const culler::Culler& culler, const culler::SampleConfig& samples) {
   constexpr std::size_t kParts = 256;
   const std::size_t regions = culler.occluders().lists().partition().regions();
@@ -90,7 +90,8 @@ culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const
                         const culler::BuildConfig& config) {
   culler::Culler culler(soup, config, render::check_interrupt);
   if (arguments.samples.viewpoints == 0) return culler;
-  return culler.with_hidden(sample(job, culler, arguments.samples));
+  std::vector<float> hidden = sample(job, culler, arguments.samples);
+  return render::is_first_rank() ? culler.with_hidden(std::move(hidden)) : culler;
 }
 
 Summary make_store(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,

@@ -103,8 +103,22 @@ ranks 2 "$occlude" classify - <<<'{"id":"wall","eye":[0,0,0],"occluder":{"polygo
 ranks 1 "$occlude" "${long[@]}" --seed 5 : -n 1 "$occlude" "${long[@]}" --seed 6 >stdout 2>stderr
 [ $? -eq 2 ] && grep -q '^occlude: rank 1: it has other input' stderr || fail "ranks with other options: $(cat stderr)"
 
-# A rank is killed: mpirun fails, what is finished stays, and --resume goes on, with another number of ranks.
 rank_of() { tr '\0' '\n' <"/proc/$1/environ" 2>/dev/null | sed -n 's/^OMPI_COMM_WORLD_RANK=//p'; }
+
+# A rank that has nothing left to do while another one still works disturbs nothing: rank 2 stands still with its part until
+# all the others are done.
+regions=$("$occlude" preprocess city.ply --out city.pre --region-count 64 --json | sed -n 's/.*"regions": \([0-9]*\).*/\1/p')
+all_but_one() { [ "$(ls occlude_preprocess_parts | grep -c '^part-')" -ge $((regions - 1)) ]; }
+mpirun --oversubscribe -n 3 "$occlude" preprocess city.ply --out city.pre --region-count 64 --samples 8 --quiet >stdout 2>stderr &
+await has_parts occlude_preprocess_parts
+for process in $(pgrep -P $!); do [ "$(rank_of "$process")" != 2 ] || slow=$process; done
+kill -STOP "$slow"
+await all_but_one
+sleep 0.5 # rank 1 is told that nothing is left, and goes on
+kill -CONT "$slow"
+wait $! || fail "a rank that is done first: $(cat stderr)"
+
+# A rank is killed: mpirun fails, what is finished stays, and --resume goes on, with another number of ranks.
 for victim in 0 1; do
   mpirun --oversubscribe -n 2 "$occlude" "${long[@]}" --out killed.json >/dev/null 2>stderr &
   await has_parts occlude_fuzz_parts

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <exception>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "helpers.h"
@@ -90,15 +91,17 @@ Message wait_for_first_rank() {
 /// The first rank's side of a stage.
 class Counter {
  public:
-  Counter(Dealer& dealer, StageKey key) : dealer_(dealer), key_(key) {}
+  Counter(Dealer& dealer, StageKey key) : dealer_(dealer), key_(key) {
+    for (int helper = 1; helper < static_cast<int>(ranks()); ++helper) served_.insert(helper);
+  }
 
   void serve() {
-    for (std::size_t helpers = ranks() - 1; helpers > 0;) {
+    while (!served_.empty()) {
       if (const auto asked = receive(MPI_ANY_SOURCE, kAsk + static_cast<int>(key_.stage))) {
-        if (!answer(*asked)) --helpers;
+        if (!answer(*asked)) served_.erase(asked->rank);
       } else if (const auto fault = receive(MPI_ANY_SOURCE, kFault)) {
         fail(*fault, fault->bytes);
-        --helpers;
+        served_.erase(fault->rank);  // unless it had been told the end: it may fail with what comes next
       } else {
         pause();
       }
@@ -130,6 +133,7 @@ class Counter {
 
   Dealer& dealer_;
   StageKey key_;
+  std::set<int> served_;  ///< the helpers that will ask again. Who is left out would wait for ever
 };
 
 }  // namespace
