@@ -2,6 +2,7 @@
 // What one method of culling needs of a model, made when it is first asked for. The other method then pays nothing for it.
 #pragma once
 
+#include <atomic>
 #include <mutex>
 
 namespace occlude::culler {
@@ -13,12 +14,20 @@ class Lazy {
   /// What make() makes at the first call. If make() throws, so does get(), and the next call tries again.
   template <class Make>
   const T& get(const Make& make) {
-    std::call_once(once_, [&] { made_ = make(); });
+    // std::call_once() would leave its lock to nobody when make() throws, with MinGW.
+    if (!is_made_.load(std::memory_order_acquire)) {
+      const std::lock_guard lock(mutex_);
+      if (!is_made_.load(std::memory_order_relaxed)) {
+        made_ = make();
+        is_made_.store(true, std::memory_order_release);
+      }
+    }
     return made_;
   }
 
  private:
-  std::once_flag once_;
+  std::atomic<bool> is_made_ = false;
+  std::mutex mutex_;
   T made_;
 };
 
