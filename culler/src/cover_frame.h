@@ -2,14 +2,15 @@
 // The state of a frame by cover of a model: what it draws and what it culls.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cover_descent.h"
 #include "cover_painter.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
+#include "radix_sort.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -19,7 +20,11 @@ class CoverFrame {
   /// REQUIRES: begin_frame() was called.
   CoverFrame(std::span<const HierarchyNode> nodes, View::Memory& memory) : nodes_(nodes), memory_(memory) {
     memory.seen.clear();
-    memory.seen.reserve(memory.result.culled.capacity());  // one for each leaf at most, as `culled`
+    // One for each leaf at most, as `culled`.
+    for (std::vector<SeenLeaf>* const seen : {&memory.seen, &memory.seen_room}) {
+      seen->reserve(memory.result.culled.capacity());
+    }
+    memory.culled_room.reserve(memory.result.culled.capacity());
   }
 
   /// Notes that a leaf is seen. finish() asks again, because what is drawn later may still hide it.
@@ -35,7 +40,7 @@ class CoverFrame {
   /// puts what was drawn and culled into the order of the tree.
   template <class Cull>
   void finish(const Cull& cull) {
-    std::ranges::sort(memory_.seen, {}, &SeenLeaf::leaf);
+    radix_sort(memory_.seen, memory_.seen_room, nodes_.size(), &SeenLeaf::leaf);
     for (const auto& [leaf, footprint] : memory_.seen) {
       ++memory_.result.stats.cover_tests;
       if (memory_.cover.buffer.hides(footprint)) {
@@ -45,7 +50,7 @@ class CoverFrame {
       }
     }
     // Nodes are numbered depth-first, so this is the order of their items.
-    std::ranges::sort(memory_.result.culled, {}, &Culled::node);
+    radix_sort(memory_.result.culled, memory_.culled_room, nodes_.size(), &Culled::node);
   }
 
  private:

@@ -133,7 +133,7 @@ void cull_by_cover(const CoverSource& source, const Ask& ask, const AnyCamera& c
   memory.take_planes();
   const ViewPlanes planes{memory.planes, options.arithmetic};
   const ModelTree tree{source.nodes, ask};
-  CoverDescent(tree, planes, memory.cover.buffer, result.stats, see, cull, join).run(planes.all());
+  CoverDescent(tree, planes, memory.cover.buffer, Sought::seen, result.stats, see, cull, join).run(planes.all());
   frame.finish(cull);
 }
 

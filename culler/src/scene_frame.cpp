@@ -59,8 +59,7 @@ class SceneFrame {
       const auto see = [&](const SeenNode& leaf) {
         draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.across, joined);
       };
-      descend(
-          forest.tree.nodes(), see, [](const Culled&) {}, stats_.work);
+      descend(StandingBoxes{forest.tree.nodes()}, planes_.all(), see, [] {});
     }
   }
 
@@ -100,11 +99,11 @@ class SceneFrame {
   }
 
  private:
-  template <class See, class Cull>
-  void descend(std::span<const HierarchyNode> nodes, const See& see, const Cull& cull, CullStats& work) {
-    const auto join = [] {};
-    const StandingBoxes tree{nodes};
-    CoverDescent(tree, planes_, buffer_, work, see, cull, join).run(planes_.all());
+  /// Looks for what is worth drawing into the coarse picture.
+  template <class Tree, class See, class Join>
+  void descend(const Tree& tree, std::uint32_t across, const See& see, const Join& join) {
+    const auto ignore = [](const Culled&) {};
+    CoverDescent(tree, planes_, buffer_, Sought::worth_closing, stats_.work, see, ignore, join).run(across);
   }
 
   [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
@@ -126,15 +125,11 @@ class SceneFrame {
     const CoverSource source = occluder.mesh->prepared().source(stand);
     painter_.use(source);
     const std::uint32_t before = painter_.groups();
-    const auto see = [&](const SeenNode& leaf) {
-      if (leaf.is_worth_closing) painter_.take(leaf.node);
-    };
+    const auto see = [&](const SeenNode& leaf) { painter_.take(leaf.node); };
     const auto join = [&] {
       if (painter_.join()) joined(painter_, occluder);
     };
-    const auto ignore = [](const Culled&) {};
-    const PlacedTree tree{source.nodes, occluder.placement};
-    CoverDescent(tree, planes_, buffer_, stats_.work, see, ignore, join).run(across);
+    descend(PlacedTree{source.nodes, occluder.placement}, across, see, join);
     if (painter_.groups() != before) ++stats_.occluders;
   }
 

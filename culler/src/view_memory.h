@@ -62,7 +62,9 @@ struct View::Memory {
   TraversalMemory traversal;
 
   CoverMemory cover;
-  std::vector<SeenLeaf> seen;  ///< leaves that a frame by cover has not culled so far
+  std::vector<SeenLeaf> seen;       ///< leaves that a frame by cover has not culled so far
+  std::vector<SeenLeaf> seen_room;  ///< to sort them
+  std::vector<Culled> culled_room;
 
   /// Fills `planes` with the view of the result.
   void take_planes();

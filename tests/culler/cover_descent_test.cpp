@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What a descent finds worth drawing into the coarse picture.
+#include "cover_descent.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "radix_sort.h"
+#include "scenes.h"
+
+namespace {
+
+using namespace occlude;
+using namespace occlude::culler;
+
+/// Squares beside each other, of half a pixel to eight pixels.
+Hierarchy squares() {
+  PolygonSoup soup;
+  for (int i = 1; i <= 16; ++i) {
+    const double y = 12.3 * i - 100, side = 0.5 * i;
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    soup.vertices.insert(soup.vertices.end(), {{10, y, 0}, {10, y + side, 0}, {10, y + side, side}, {10, y, side}});
+    soup.add_polygon(std::array{first, first + 1, first + 2, first + 3});
+  }
+  return Hierarchy::build(soup, {.leaf_size = 1});
+}
+
+class WorthDrawing : public testing::Test {
+ protected:
+  WorthDrawing() {
+    Camera camera;
+    camera.projection = Projection::orthographic;
+    camera.height = 128;
+    camera.aspect = 2;
+    buffer_.begin(FrameView(camera, 100), 256 + 32, 128 + 32, 0);  // a pixel is a unit
+  }
+
+  /// The leaves that a descent passes on once so many triangles are drawn, and whether each is worth drawing.
+  [[nodiscard]] std::map<std::uint32_t, bool> found(Sought sought, std::size_t triangles) const {
+    std::map<std::uint32_t, bool> leaves;
+    CullStats stats;
+    stats.cover_triangles = triangles;
+    const auto see = [&](const SeenNode& leaf) { leaves[leaf.node] = leaf.is_worth_closing; };
+    const auto cull = [](const Culled&) { ADD_FAILURE() << "nothing is hidden"; };
+    const auto join = [] {};
+    const ViewPlanes planes{{}, kernel::Arithmetic::certified};
+    CoverDescent(StandingBoxes{tree_.nodes()}, planes, buffer_, sought, stats, see, cull, join).run(planes.all());
+    return leaves;
+  }
+  [[nodiscard]] int open(std::uint32_t leaf) const { return buffer_.open(buffer_.footprint(tree_.nodes()[leaf].box), 1000); }
+  [[nodiscard]] std::size_t leaves() const {
+    return static_cast<std::size_t>(std::ranges::count_if(tree_.nodes(), [](const auto& node) { return node.is_leaf(); }));
+  }
+
+  CoverBuffer buffer_;
+  Hierarchy tree_ = squares();
+};
+
+TEST_F(WorthDrawing, IsWhatEnoughPixelsAreOpenFor) {
+  for (const auto& [triangles, least] : std::map<std::size_t, int>{
+           {0, 8}, {4096, 8}, {4607, 8}, {4608, 9}, {8192, 16}, {12288, 24}, {1U << 20U, 24}, {~std::size_t{0}, 24}}) {
+    const auto seen = found(Sought::seen, triangles);
+    EXPECT_EQ(seen.size(), leaves()) << "all are seen";
+    for (const auto& [leaf, is_worth] : seen) EXPECT_EQ(is_worth, open(leaf) >= least) << triangles << ", leaf " << leaf;
+  }
+}
+
+TEST_F(WorthDrawing, AloneIsFoundAmongOccluders) {
+  for (const auto& [triangles, least] : std::map<std::size_t, int>{{0, 12}, {4608, 12}, {8192, 16}, {12288, 24}}) {
+    const auto worth = found(Sought::worth_closing, triangles);
+    EXPECT_FALSE(worth.empty());
+    for (std::uint32_t node = 0; node < tree_.nodes().size(); ++node) {
+      if (!tree_.nodes()[node].is_leaf()) continue;
+      EXPECT_EQ(worth.contains(node), open(node) >= least) << triangles << ", leaf " << node;
+    }
+  }
+}
+
+TEST(RadixSort, IsAStableSort) {
+  struct Element {
+    std::uint32_t key, number;
+    bool operator==(const Element&) const = default;
+  };
+  constexpr std::uint32_t kSeed = 3;
+  std::mt19937 random(kSeed);
+  std::vector<Element> room;
+  for (const std::uint64_t end : {1U, 2U, 2047U, 2048U, 2049U, 1U << 22U, (1U << 22U) + 1, 0xFFFFFFFFU}) {
+    for (const std::uint32_t size : {0U, 1U, 2U, 1000U}) {
+      std::vector<Element> values;
+      for (std::uint32_t i = 0; i < size; ++i) values.push_back({static_cast<std::uint32_t>(random() % end), i});
+      if (size > 1) values[1].key = static_cast<std::uint32_t>(end - 1);
+      std::vector<Element> expected = values;
+      std::ranges::stable_sort(expected, {}, &Element::key);
+      radix_sort(values, room, end, &Element::key);
+      EXPECT_EQ(values, expected) << size << " keys below " << end << ", seed " << kSeed;
+    }
+  }
+}
+
+}  // namespace
