@@ -17,26 +17,26 @@ constexpr std::string_view kCoverFirst = "cover first", kCoverVertices = "cover 
                            kCoverNext = "cover next", kCoverFirstAround = "cover first around",
                            kCoverAround = "cover around";
 
-/// Whether the triangle with these corners is the one of three vertices of the soup, and vertices with the same coordinates
-/// are the same.
-bool is_triangle(const CoverMesh::Triangle& corners, const Array<glm::dvec3>& vertices,
-                 const std::array<const glm::dvec3*, 3>& of_soup) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (corners[i] >= vertices.size() || vertices[corners[i]] != *of_soup[i]) return false;
-    const std::size_t next = (i + 1) % 3;
-    if (*of_soup[i] == *of_soup[next] && corners[i] != corners[next]) return false;
-  }
-  return true;
-}
-
-/// Whether the triangles of polygon p are its fan.
+/// Whether the triangles of polygon p are its fan: their corners are the vertices of its loop, and those of a triangle with
+/// the same coordinates are the same. Each vertex is compared once.
 bool is_fan(std::size_t p, const PolygonSoup& soup, const Array<std::uint32_t>& first, const Array<glm::dvec3>& vertices,
             const Array<CoverMesh::Triangle>& corners) {
   if (first[p] != soup.first[p] - 2 * p) return false;
   const auto loop = soup.loop(p);
-  for (std::size_t i = 0; i < soup.triangles(p); ++i) {
-    const std::array of_soup{&soup.vertices[loop[0]], &soup.vertices[loop[i + 1]], &soup.vertices[loop[i + 2]]};
-    if (!is_triangle(corners[first[p] + i], vertices, of_soup)) return false;
+  const auto of_soup = [&](std::size_t i) -> const glm::dvec3& { return soup.vertices[loop[i]]; };
+  const auto is_vertex = [&](std::uint32_t corner, std::size_t i) {
+    return corner < vertices.size() && vertices[corner] == of_soup(i);
+  };
+  const auto is_side = [&](std::uint32_t a, std::size_t i, std::uint32_t b, std::size_t j) {
+    return a == b || of_soup(i) != of_soup(j);
+  };
+  std::uint32_t middle = corners[first[p]][0], last = corners[first[p]][1];
+  if (!is_vertex(middle, 0) || !is_vertex(last, 1) || !is_side(middle, 0, last, 1)) return false;
+  for (std::size_t i = 2; i < loop.size(); ++i) {
+    const CoverMesh::Triangle& triangle = corners[first[p] + i - 2];
+    if (triangle[0] != middle || triangle[1] != last) return false;
+    last = triangle[2];
+    if (!is_vertex(last, i) || !is_side(triangle[1], i - 1, last, i) || !is_side(last, i, middle, 0)) return false;
   }
   return true;
 }

@@ -57,17 +57,17 @@ const FrameView& begin_frame(std::span<const HierarchyNode> nodes, const AnyCame
   return memory.view;
 }
 
-/// Culls by frusta, as in the paper. `ask` as in NodeTests.
+/// Culls by frusta, as in the paper. `ask` as in NodeTests; `occluders` may be null if options.occluders is 0.
 template <class Ask, class AnyCamera>
 void cull_by_frusta(std::span<const HierarchyNode> nodes, const NodeBlocks& blocks, const Ask& ask,
-                    const OccluderSet& occluders, const AnyCamera& camera, const CullOptions& options,
+                    const OccluderSet* occluders, const AnyCamera& camera, const CullOptions& options,
                     View::Memory& memory) {
   const FrameView& view = begin_frame(nodes, camera, options, memory);
 
   // Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
   // frusta. What hid something in earlier frames comes first (4, criterion 3).
   if (options.occluders > 0) {
-    OccluderChoice choice(occluders, view, options, memory);
+    OccluderChoice choice(*occluders, view, options, memory);
     const bool is_coherent = options.objective.coherence != 0;
     choice.sort_candidates();
     if (is_coherent) choice.take_proven();
@@ -82,7 +82,7 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const NodeBlocks& bloc
   traverse(blocks, ask, occluders, unwatched, options, memory);
 
   // For the next frame: what each occluder hid, and what each probe would have hidden.
-  memory.history.record(occluders.size(), memory.result.occluders, memory.probes);
+  memory.history.record(occluders == nullptr ? 0 : occluders->size(), memory.result.occluders, memory.probes);
 }
 
 /// A tree as a descent sees it: of a model. `ask_volume` calls a question with the bounding volume of a node.

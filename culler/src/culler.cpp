@@ -35,19 +35,28 @@ auto volumes_of(const Hierarchy& hierarchy) {
 Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& checkpoint)
     : config_(config),
       hierarchy_(Hierarchy::build(checked(std::move(soup)), config.hierarchy, checkpoint)),
-      occluders_(
-          OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config.occluders, config.lists, checkpoint)),
+      occluders_(std::make_shared<Lazy<OccluderSet>>()),
       blocks_(std::make_shared<Lazy<NodeBlocks>>()),
-      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
+      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
+  static_cast<void>(occluders(checkpoint));
+}
 
 Culler::Culler(const Culler& other, OccluderSet occluders)
     : config_(other.config_),
       hierarchy_(other.hierarchy_),
-      occluders_(std::move(occluders)),
+      occluders_(std::make_shared<Lazy<OccluderSet>>()),
       blocks_(other.blocks_),
-      triangles_(other.triangles_) {}
+      triangles_(other.triangles_) {
+  static_cast<void>(occluders_->get([&] { return std::move(occluders); }));
+}
 
-Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occluders_.with_hidden(std::move(hidden))}; }
+Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occluders().with_hidden(std::move(hidden))}; }
+
+const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
+  return occluders_->get([&] {
+    return OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config_.occluders, config_.lists, checkpoint);
+  });
+}
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
   return triangles_->get([&] { return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });
@@ -62,6 +71,7 @@ void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
     static_cast<void>(triangles(checkpoint));
   } else {
     static_cast<void>(blocks(checkpoint));
+    static_cast<void>(occluders(checkpoint));
   }
 }
 
@@ -82,7 +92,8 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     const CoverSource source{hierarchy_.nodes(), triangles()};
     cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
   } else {
-    cull_by_frusta(hierarchy_.nodes(), blocks(), volumes_of(hierarchy_), occluders_, camera, options, memory);
+    const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
+    cull_by_frusta(hierarchy_.nodes(), blocks(), volumes_of(hierarchy_), occluders, camera, options, memory);
   }
   return memory.result;
 }
@@ -112,7 +123,8 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
       }
     }
   };
-  traverse(blocks(), volumes_of(hierarchy_), occluders_, on_tests, options, memory);
+  const OccluderSet* const occluders = frame.occluders.empty() ? nullptr : &this->occluders();
+  traverse(blocks(), volumes_of(hierarchy_), occluders, on_tests, options, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

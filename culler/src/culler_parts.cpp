@@ -52,6 +52,10 @@ const PartReader& checked(const PartReader& parts) {
   return parts;
 }
 
+bool is_of_occluders(std::string_view part) {
+  return part != NodeBlocks::kPart && Culler::method_of(part) == Method::frusta;
+}
+
 /// What keeps the parts of a culler: a copy of it, and its settings as they are stored.
 struct Kept {
   Culler culler;
@@ -61,9 +65,8 @@ struct Kept {
 }  // namespace
 
 std::optional<Method> Culler::method_of(std::string_view part) {
-  if (part == NodeBlocks::kPart) return Method::frusta;
-  if (part.starts_with(CoverTriangles::kPrefix)) return Method::cover;
-  return std::nullopt;
+  if (part == kCullerConfig || Hierarchy::is_part(part)) return std::nullopt;
+  return part.starts_with(CoverTriangles::kPrefix) ? Method::cover : Method::frusta;
 }
 
 Parts Culler::parts(const Checkpoint& checkpoint) const {
@@ -72,7 +75,7 @@ Parts Culler::parts(const Checkpoint& checkpoint) const {
   PartWriter writer(result);
   writer.put(kCullerConfig, std::span(&kept->config, 1));
   hierarchy_.append_parts(writer);
-  occluders_.append_parts(writer);
+  occluders(checkpoint).append_parts(writer);
   blocks(checkpoint).append_parts(writer);
   triangles(checkpoint).append_parts(writer);
   return result;
@@ -83,13 +86,16 @@ Culler::Culler(const Parts& parts, const Checkpoint& checkpoint) : Culler(PartRe
 Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
     : config_(config_of(checked(parts))),
       hierarchy_(Hierarchy::from_parts(parts, config_.hierarchy, checkpoint)),
-      occluders_(OccluderSet::from_parts(parts, hierarchy_.shared_soup(), checkpoint)),
+      occluders_(std::make_shared<Lazy<OccluderSet>>()),
       blocks_(std::make_shared<Lazy<NodeBlocks>>()),
       triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
-  if (parts.has_any(NodeBlocks::kPart)) {
+  if (parts.has_any(is_of_occluders)) {
+    static_cast<void>(occluders_->get([&] { return OccluderSet::from_parts(parts, hierarchy_.shared_soup(), checkpoint); }));
+  }
+  if (parts.has_any([](std::string_view part) { return part == NodeBlocks::kPart; })) {
     static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));
   }
-  if (parts.has_any(CoverTriangles::kPrefix)) {
+  if (parts.has_any([](std::string_view part) { return part.starts_with(CoverTriangles::kPrefix); })) {
     static_cast<void>(triangles_->get(
         [&] { return CoverTriangles::from_parts(parts, hierarchy_.soup(), hierarchy_.nodes(), checkpoint); }));
   }

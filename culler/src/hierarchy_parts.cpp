@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The parts of a hierarchy, and the checks of parts that are said to be of one.
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +21,8 @@ namespace {
 
 constexpr std::string_view kTreeVertices = "vertices", kTreeIndices = "indices", kTreeFirst = "first", kTreeOrder = "order",
                            kTreeNodes = "nodes", kTreeOrientedBoxes = "oriented boxes", kTreeOriented = "oriented";
+constexpr std::array kTreeParts{kTreeVertices, kTreeIndices,       kTreeFirst,   kTreeOrder,
+                                kTreeNodes,    kTreeOrientedBoxes, kTreeOriented};
 
 template <class T>
 std::vector<T> copy_of(const Array<T>& array) {
@@ -98,6 +103,8 @@ kernel::Aabb smallest_box(const PolygonSoup& soup, std::span<const HierarchyNode
 }
 
 }  // namespace
+
+bool Hierarchy::is_part(std::string_view name) { return std::ranges::find(kTreeParts, name) != kTreeParts.end(); }
 
 void Hierarchy::append_parts(PartWriter& parts) const {
   parts.put(kTreeVertices, soup_->vertices);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 
 namespace occlude::culler {
 
@@ -18,17 +19,17 @@ class Lazy {
     if (!is_made_.load(std::memory_order_acquire)) {
       const std::lock_guard lock(mutex_);
       if (!is_made_.load(std::memory_order_relaxed)) {
-        made_ = make();
+        made_.emplace(make());
         is_made_.store(true, std::memory_order_release);
       }
     }
-    return made_;
+    return *made_;
   }
 
  private:
   std::atomic<bool> is_made_ = false;
   std::mutex mutex_;
-  T made_;
+  std::optional<T> made_;
 };
 
 }  // namespace occlude::culler

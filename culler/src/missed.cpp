@@ -15,7 +15,7 @@
 
 namespace occlude::culler {
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
-    : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), frame_(frame) {
+    : culler_(culler), hierarchy_(culler.hierarchy()), frame_(frame) {
   for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
   if (frame.method == Method::cover) {
     cover_ = culler.cover(camera, repeated(frame, options));
@@ -52,12 +52,13 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 /// Keeps the occluders of the region's list that may occlude from here and are not chosen.
 void MissedReasons::keep_others(const Camera& camera, const CullOptions& options) {
   const FrameView view(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
+  const OccluderSet& occluders = culler_.occluders();
   std::vector<kernel::Vec3> vertices;
-  for (const std::uint32_t i : largest_of(occluders_.lists().list(camera.eye).occluders, occluders_, camera.eye)) {
+  for (const std::uint32_t i : largest_of(occluders.lists().list(camera.eye).occluders, occluders, camera.eye)) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
-    occluders_.vertices(i, vertices);
+    occluders.vertices(i, vertices);
     if (view.may_clip(vertices)) continue;
-    auto [frustum, refusal] = occluders_.shadow(i, view.viewpoint, options.near);
+    auto [frustum, refusal] = occluders.shadow(i, view.viewpoint, options.near);
     if (frustum) others_.push_back({i, std::move(*frustum)});
   }
 }
@@ -133,7 +134,7 @@ bool MissedReasons::is_out_of_view(std::uint32_t p, Work& work) const {
 
 /// A shadow is convex: it holds a polygon if it holds its corners. The parts of an occluder are not hidden by it.
 bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) const {
-  return !std::ranges::binary_search(occluders_.parts(shadow.occluder), p) &&
+  return !std::ranges::binary_search(culler_.occluders().parts(shadow.occluder), p) &&
          std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
            const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
            return hides(shadow, kernel::Aabb{corner, corner}, work);

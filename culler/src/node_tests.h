@@ -26,7 +26,7 @@ namespace occlude::culler {
 template <class Ask, class OnShadowTests>
 class NodeTests {
  public:
-  NodeTests(const Ask& ask, const OccluderSet& occluders, const OnShadowTests& on_shadow_tests, const CullOptions& options,
+  NodeTests(const Ask& ask, const OccluderSet* occluders, const OnShadowTests& on_shadow_tests, const CullOptions& options,
             View::Memory& memory)
       : ask_(ask),
         on_shadow_tests_(on_shadow_tests),
@@ -129,9 +129,9 @@ class NodeTests {
   const CullResult& frame_;
 };
 
-/// One descent of the tree, for a frame whose half-spaces and occluders are known.
+/// One descent of the tree, for a frame whose half-spaces and occluders are known. `occluders` may be null if it has none.
 template <class Ask, class OnShadowTests>
-void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet& occluders, const OnShadowTests& on_shadow_tests,
+void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet* occluders, const OnShadowTests& on_shadow_tests,
               const CullOptions& options, View::Memory& memory) {
   // Memory for the stacks: all occluders and probes that a frame may have, at each level of the deepest trees. The tree of
   // ten million polygons has some 40 levels of nodes, and fewer of blocks.

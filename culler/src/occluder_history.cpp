@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "occluder_history.h"
 
+#include <algorithm>
+
 #include "occlude/culler/cull_result.h"
 
 namespace occlude::culler {
@@ -24,7 +26,7 @@ void OccluderHistory::reserve(std::size_t potential, std::size_t remembered) {
 }
 
 void OccluderHistory::record(std::size_t potential, std::span<const Occluder> occluders, std::span<const Occluder> probes) {
-  place_.resize(potential);
+  place_.resize(std::max(place_.size(), potential));
   ++frames_;
   for (const Occluder& occluder : occluders) take_down(occluder);
   for (const Occluder& probe : probes) take_down(probe);

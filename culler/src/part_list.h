@@ -58,9 +58,10 @@ class PartReader {
     if (std::bit_cast<std::uintptr_t>(part->bytes.data()) % alignof(T) != 0) refuse_part(name, "it is not aligned");
     return {{reinterpret_cast<const T*>(part->bytes.data()), part->bytes.size() / sizeof(T)}, parts_.keep};
   }
-  /// Whether there is a part whose name begins so.
-  [[nodiscard]] bool has_any(std::string_view prefix) const {
-    return std::ranges::any_of(parts_.parts, [&](const Part& part) { return part.name.starts_with(prefix); });
+  /// Whether there is a part of a name such as is_such(name) says.
+  template <class IsSuch>
+  [[nodiscard]] bool has_any(const IsSuch& is_such) const {
+    return std::ranges::any_of(parts_.parts, is_such, &Part::name);
   }
 
  private:

@@ -59,14 +59,14 @@ void View::Memory::take_planes() {
   for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
 }
 
-void View::Memory::take_casters(const OccluderSet& occluders, kernel::Near near) {
+void View::Memory::take_casters(const OccluderSet* occluders, kernel::Near near) {
   frusta.clear();
   casters.clear();
   for (const auto* used : {&result.occluders, &probes}) {
     for (const auto& [index, frustum, hidden] : *used) {
       frusta.push_back(&frustum);
-      const bool is_flat = !frustum.support_plane() && !occluders.is_shell(index);
-      casters.push_back({occluders.parts(index), near == kernel::Near::surface && is_flat});
+      const bool is_flat = !frustum.support_plane() && !occluders->is_shell(index);
+      casters.push_back({occluders->parts(index), near == kernel::Near::surface && is_flat});
     }
   }
 }

@@ -68,8 +68,8 @@ struct View::Memory {
 
   /// Fills `planes` with the view of the result.
   void take_planes();
-  /// Fills `frusta` and `casters`.
-  void take_casters(const OccluderSet& occluders, kernel::Near near);
+  /// Fills `frusta` and `casters`. `occluders` may be null if the frame has none.
+  void take_casters(const OccluderSet* occluders, kernel::Near near);
   /// Fills `shrunk`, which may be longer than the occluders are.
   void shrink_shadows();
   /// Empties the result for the next frame and keeps its frusta as spare ones. Reserves memory for all that a frame may draw

@@ -208,7 +208,7 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
     take_frame(seen, expected);
     take_frame(seen, found);
     Descent(culler, GetParam().options, expected).run();
-    traverse(blocks, ask, culler.occluders(), unwatched, GetParam().options, found);
+    traverse(blocks, ask, &culler.occluders(), unwatched, GetParam().options, found);
     expect_same(expected, found);
     ASSERT_FALSE(HasFailure()) << "frame " << frame << ", seed " << kSeed;
     culled += found.result.stats.shadow_culled_polygons;

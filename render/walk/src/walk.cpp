@@ -70,8 +70,9 @@ std::vector<std::size_t> frames_of(const CameraPath& path, const WalkOptions& op
 namespace {
 
 void prepare(const culler::Culler& culler, const WalkOptions& options) {
-  culler.prepare(culler::Method::frusta, check_interrupt);  // also for frames by the view frustum alone
   culler.prepare(options.cull.method, check_interrupt);
+  // The first frame by the view frustum alone makes what the others need.
+  static_cast<void>(culler.cull(culler::Camera{}, {.occluders = 0}));
 }
 
 }  // namespace

@@ -37,10 +37,12 @@ class Culler {
   /// 3. what `checkpoint` throws.
   explicit Culler(PolygonSoup soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
   /// The same culler from its parts, which are kept and not copied, but for the soup. What only frames by one method need
-  /// may be left out (method_of()), and is then made when it is first needed. Takes a twentieth of the time. Everything that
-  /// a wrong cull could come of is checked on all processors, and std::invalid_argument thrown, with the part and the
-  /// reason, if it cannot be of these polygons. Parts may come from anywhere:
-  /// 1. No parts lead out of bounds, or to more memory than several times their size.
+  /// may be left out (method_of()), and is then made when it is first needed, as config() says, but for samples of
+  /// preprocess(), which are lost. Takes a twentieth of the time. Everything that a wrong cull could come of is checked on
+  /// all processors, and std::invalid_argument thrown, with the part and the reason, if it cannot be of these polygons.
+  /// Parts may come from anywhere:
+  /// 1. No parts lead out of bounds, or to more memory than several times their size. What is left out takes what its making
+  ///    takes.
   /// 2. Nothing visible is culled, whatever they are, as long as oriented boxes hold their polygons. This alone is not
   ///    checked, and concerns Bounds::obb alone.
   /// 3. What is heuristics may be anything: the lists, and what is known of occluders.
@@ -59,7 +61,8 @@ class Culler {
   [[nodiscard]] Culler with_hidden(std::vector<float> hidden) const;
 
   /// Makes what frames by a method need. Otherwise the first such frame makes it: half a second for a million polygons by
-  /// cover, a thirtieth by frusta. It is made once. What `checkpoint` throws is thrown on, and the next call tries again.
+  /// cover, a thirtieth by frusta; if occluders were left out of the parts, seconds by frusta. It is made once. What
+  /// `checkpoint` throws is thrown on, and the next call tries again.
   void prepare(Method method, const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
@@ -105,14 +108,16 @@ class Culler {
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them.
-  [[nodiscard]] const OccluderSet& occluders() const { return occluders_; }
+  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them. Made now if they were
+  /// left out of the parts.
+  [[nodiscard]] const OccluderSet& occluders() const { return occluders({}); }
 
  private:
   template <class AnyCamera>
   CullResult cull_alone(const AnyCamera& camera, const CullOptions& options) const;
   template <class AnyCamera>
   const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
+  const OccluderSet& occluders(const Checkpoint& checkpoint) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
   const NodeBlocks& blocks(const Checkpoint& checkpoint = {}) const;
 
@@ -122,7 +127,7 @@ class Culler {
   Identity identity_;
   BuildConfig config_;
   Hierarchy hierarchy_;
-  OccluderSet occluders_;
+  std::shared_ptr<Lazy<OccluderSet>> occluders_;
   std::shared_ptr<Lazy<NodeBlocks>> blocks_;
   std::shared_ptr<Lazy<CoverTriangles>> triangles_;
 };

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "occlude/culler/array.h"
@@ -56,6 +57,8 @@ class Hierarchy {
 
   /// The parts of a tree, for Culler::parts().
   void append_parts(PartWriter& parts) const;
+  /// Whether append_parts() appends a part of this name.
+  [[nodiscard]] static bool is_part(std::string_view name);
   /// The tree with these parts, which must be one of build() in every respect but the shape of the tree and the oriented
   /// boxes: the soup is legal, each polygon is in one leaf, and each axis-aligned box is the smallest that holds its
   /// polygons. Throws std::invalid_argument otherwise. REQUIRES, not checked: an oriented box holds the polygons of its

@@ -125,8 +125,8 @@ class MissedReasons {
   [[nodiscard]] bool is_out_of_view(std::uint32_t p, Work& work) const;
   [[nodiscard]] Missed missed_by_cover(const kernel::Aabb& box, Work& work) const;
 
+  const Culler& culler_;
   const Hierarchy& hierarchy_;
-  const OccluderSet& occluders_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
   std::shared_ptr<const CoverBuffer> cover_;      ///< of a frame by cover
