@@ -12,6 +12,7 @@
 #include "pass.h"
 #include "peak_memory.h"
 #include "rounds.h"
+#include "tiled_city.h"
 #include "trends.h"
 
 namespace occlude::experiments {
@@ -29,11 +30,11 @@ std::vector<std::size_t> sizes(std::size_t largest) {
   return sizes;
 }
 
-/// A city and its measurements, one number per round.
+/// A model and its measurements, one number per round.
 struct CityTrial {
   std::size_t size;
   GrowthPoint point;
-  std::vector<double> build_s, cull_ms, peak_bytes, held_bytes;
+  std::vector<double> build_s, cull_ms, near_cull_ms, peak_bytes, held_bytes;
 };
 
 void note(std::vector<double>& values, std::optional<std::size_t> bytes, std::size_t polygons) {
@@ -41,7 +42,7 @@ void note(std::vector<double>& values, std::optional<std::size_t> bytes, std::si
 }
 
 void run(CityTrial& trial, const Options& options) {
-  render::City city = render::generate_city(trial.size, options.seed);
+  render::City city = tiled(render::generate_city(render::kSmallestCity, options.seed), trial.size);
   render::check_interrupt();
   const std::size_t polygons = city.soup.size();
   const PeakMemory memory;
@@ -53,6 +54,10 @@ void run(CityTrial& trial, const Options& options) {
   note(trial.held_bytes, memory.held_bytes(), polygons);
   const Pass pass = pass_along(culler, city.path, options.walk, options.walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);
+  render::CameraPath near_path = city.path;
+  near_path.far = kNearSight;
+  trial.near_cull_ms.push_back(pass_along(culler, near_path, options.walk, options.walk.cull).cull_ms);
+  trial.point.near_in_view = polygons_in_view(culler, near_path, options.walk);
   trial.point.polygons = polygons;
   trial.point.in_view = polygons_in_view(culler, city.path, options.walk);
   trial.point.drawn = pass.drawn;
@@ -67,6 +72,7 @@ GrowthPoint point_of(const CityTrial& trial) {
   GrowthPoint point = trial.point;
   point.build_s = bench::median(trial.build_s);
   point.cull_ms = bench::median(trial.cull_ms);
+  point.near_cull_ms = bench::median(trial.near_cull_ms);
   point.peak_bytes = median_of(trial.peak_bytes);
   point.held_bytes = median_of(trial.held_bytes);
   return point;
@@ -85,12 +91,13 @@ std::optional<double> exponent(const std::vector<GrowthPoint>& points, double Gr
 
 Growth measure_growth(const Options& options) {
   std::vector<CityTrial> trials;
-  for (const std::size_t size : sizes(options.largest)) trials.push_back({size, {}, {}, {}, {}, {}});
-  run_in_rounds("growth: cities", options.repetitions, trials, [&](CityTrial& trial) { run(trial, options); });
+  for (const std::size_t size : sizes(options.largest)) trials.push_back({size, {}, {}, {}, {}, {}, {}});
+  run_in_rounds("growth: models", options.repetitions, trials, [&](CityTrial& trial) { run(trial, options); });
   Growth growth;
   for (const CityTrial& trial : trials) growth.points.push_back(point_of(trial));
   growth.build_exponent = exponent(growth.points, &GrowthPoint::build_s);
   growth.cull_exponent = exponent(growth.points, &GrowthPoint::cull_ms);
+  growth.near_cull_exponent = exponent(growth.points, &GrowthPoint::near_cull_ms);
   return growth;
 }
 

@@ -20,7 +20,7 @@ using render::Series;
 
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008); they also differ in lightness.
 constexpr std::array kColours{"currentColor", "#e69f00", "#56b4e9", "#009e73", "#d55e00", "#0072b2", "#cc79a7", "#8a94a3"};
-constexpr const char *kMain = "#1565c0", *kOther = "#d9822b";
+constexpr const char *kMain = "#1565c0", *kOther = "#d9822b", *kThird = "#5f6b7a";
 
 std::string figure(const std::string& chart) { return "<figure>" + chart + "</figure>"; }
 
@@ -94,10 +94,14 @@ std::string growth_section(const Growth& growth) {
   const auto polygons = values(growth.points, [](const GrowthPoint& p) { return p.polygons; });
   const auto build_ms = values(growth.points, [](const GrowthPoint& p) { return 1000 * p.build_s; });
   const auto cull_ms = values(growth.points, [](const GrowthPoint& p) { return p.cull_ms; });
+  const auto near_ms = values(growth.points, [](const GrowthPoint& p) { return p.near_cull_ms; });
   const Table table = growth_table(growth);
-  return section(table.title, figure(line_chart({"polygons", Scale::logarithmic}, {"milliseconds", Scale::logarithmic},
-                                                polygons, {{"build", kOther, build_ms}, {"cull a frame", kMain, cull_ms}})) +
-                                  html_of(table));
+  return section(
+      table.title,
+      figure(line_chart(
+          {"polygons", Scale::logarithmic}, {"milliseconds", Scale::logarithmic}, polygons,
+          {{"build", kOther, build_ms}, {"cull a frame", kMain, cull_ms}, {"cull a near view", kThird, near_ms}})) +
+          html_of(table));
 }
 
 }  // namespace

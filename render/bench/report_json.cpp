@@ -122,11 +122,16 @@ Json growth_json(const Growth& growth) {
                       {"drawn", p.drawn},
                       {"build_s", p.build_s},
                       {"cull_ms", p.cull_ms},
+                      {"near_in_view", p.near_in_view},
+                      {"near_cull_ms", p.near_cull_ms},
                       {"peak_bytes_per_polygon", if_known(p.peak_bytes)},
                       {"held_bytes_per_polygon", if_known(p.held_bytes)}});
   }
   return {{"points", points},
-          {"exponents", {{"build", if_known(growth.build_exponent)}, {"cull", if_known(growth.cull_exponent)}}}};
+          {"exponents",
+           {{"build", if_known(growth.build_exponent)},
+            {"cull", if_known(growth.cull_exponent)},
+            {"near_cull", if_known(growth.near_cull_exponent)}}}};
 }
 
 }  // namespace

@@ -135,16 +135,20 @@ Table budgets_table(const Joined& joined) {
 }
 
 Table growth_table(const Growth& growth) {
-  Table table{"Growth with the number of polygons, generated cities",
-              {"polygons", "in view", "drawn", "build, s", "cull, ms", "peak bytes/polygon", "held bytes/polygon"},
+  Table table{"Growth with the number of polygons, a city repeated",
+              {"polygons", "in view", "drawn", "build, s", "cull, ms", "near view", "cull of it, ms", "peak bytes/polygon",
+               "held bytes/polygon"},
               {},
               {}};
   for (const GrowthPoint& p : growth.points) {
     table.rows.push_back({grouped(static_cast<double>(p.polygons)), grouped(p.in_view), grouped(p.drawn), two(p.build_s),
-                          two(p.cull_ms), if_known(p.peak_bytes, grouped), if_known(p.held_bytes, grouped)});
+                          two(p.cull_ms), grouped(p.near_in_view), two(p.near_cull_ms), if_known(p.peak_bytes, grouped),
+                          if_known(p.held_bytes, grouped)});
   }
-  table.notes.push_back(fmt::format("Exponents: build {}, cull {}; 1 is linear.", if_known(growth.build_exponent, two),
-                                    if_known(growth.cull_exponent, two)));
+  table.notes.push_back(fmt::format("Exponents: build {}, cull {}, cull of the near view {}; 1 is linear.",
+                                    if_known(growth.build_exponent, two), if_known(growth.cull_exponent, two),
+                                    if_known(growth.near_cull_exponent, two)));
+  table.notes.push_back(fmt::format("Near view: polygons in views that end {} from the eye.", kNearSight));
   table.notes.emplace_back(
       "Memory: resident, beyond the model itself; the peak of the build, and what the culler holds afterwards.");
   return table;
