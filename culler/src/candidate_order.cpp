@@ -47,11 +47,11 @@ void CandidateOrder::keep(std::span<const Candidate> candidates) {
 
 void CandidateOrder::reserve(std::size_t candidates, std::size_t occluders) {
   for (std::vector<Candidate>* own : {&sorted_, &arrivals_, &merged_}) own->reserve(candidates);
-  place_.reserve(occluders);
+  place_.grow(occluders);
 }
 
 void CandidateOrder::update(std::span<const Candidate> candidates, std::size_t occluders) {
-  place_.resize(occluders);
+  place_.grow(occluders);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     place_[candidates[i].occluder] = static_cast<std::uint32_t>(i + 1);
   }

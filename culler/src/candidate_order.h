@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "zeros.h"
+
 namespace occlude::culler {
 
 struct Candidate {
@@ -38,7 +40,7 @@ class CandidateOrder {
   void insert_last();
 
   std::vector<Candidate> sorted_, arrivals_, merged_;
-  std::vector<std::uint32_t> place_;  ///< for each occluder, its index among the candidates plus 1, or 0
+  Zeros<std::uint32_t> place_;  ///< for each occluder, its index among the candidates plus 1, or 0
   std::size_t kept_ = 0, moves_ = 0;
 };
 

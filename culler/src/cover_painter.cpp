@@ -28,12 +28,11 @@ CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, d
 
 void CoverPainter::use(const CoverSource& source) {
   source_ = &source;
-  std::vector<std::uint32_t>& stamps = memory_.polygon_stamps;
   if (++memory_.stamp == 0) {
-    std::ranges::fill(stamps, 0);
+    memory_.polygon_stamps = {};
     memory_.stamp = 1;
   }
-  if (stamps.size() < source.triangles.size()) stamps.resize(source.triangles.size(), 0);
+  memory_.polygon_stamps.grow(source.triangles.size());
 }
 
 bool CoverPainter::may_draw() const {

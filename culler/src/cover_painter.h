@@ -13,6 +13,7 @@
 #include "cover_triangles.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
+#include "zeros.h"
 
 namespace occlude::culler {
 
@@ -27,11 +28,11 @@ struct CoverSource {
 
 /// What is kept from frame to frame, so that only the first allocates.
 struct CoverMemory {
-  CoverBuffer buffer;                         ///< what the last frame closed
-  CoverGroup group;                           ///< what is being drawn into it
-  std::vector<std::uint32_t> polygon_stamps;  ///< for each polygon, the last source that drew it
-  std::uint32_t stamp = 0;                    ///< of the source
-  std::vector<std::uint32_t> taken;           ///< leaves whose polygons are drawn next
+  CoverBuffer buffer;                   ///< what the last frame closed
+  CoverGroup group;                     ///< what is being drawn into it
+  Zeros<std::uint32_t> polygon_stamps;  ///< for each polygon, the last source that drew it
+  std::uint32_t stamp = 0;              ///< of the source
+  std::vector<std::uint32_t> taken;     ///< leaves whose polygons are drawn next
 };
 
 class CoverPainter {

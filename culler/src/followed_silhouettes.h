@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "occlude/kernel/polytope_silhouette.h"
+#include "zeros.h"
 
 namespace occlude::culler {
 
@@ -18,18 +19,18 @@ class FollowedSilhouettes {
   /// Makes places for `count` of `shells`, which have at most this many faces and edges. REQUIRES: count > 0 if there are
   /// shells; the same shells at every call.
   void reserve(std::size_t count, std::size_t shells, std::size_t faces, std::size_t edges) {
-    place_.resize(shells, kNone);
+    place_.grow(shells);
     followed_.reserve(count);
     while (followed_.size() < count) followed_.emplace_back().seen.reserve(faces, edges);
   }
 
   /// What was last seen of the shell; empty at first.
   [[nodiscard]] kernel::PolytopeSilhouette& of(std::uint32_t shell) {
-    if (place_[shell] == kNone) {
-      place_[shell] = free_place();
-      followed_[place_[shell]].shell = shell;
+    if (place_[shell] == 0) {
+      place_[shell] = free_place() + 1;
+      followed_[place_[shell] - 1].shell = shell;
     }
-    Followed& followed = followed_[place_[shell]];
+    Followed& followed = followed_[place_[shell] - 1];
     followed.is_recent = true;
     return followed.seen;
   }
@@ -52,13 +53,13 @@ class FollowedSilhouettes {
       followed.is_recent = false;
     }
     Followed& free = followed_[hand_];
-    if (free.shell != kNone) place_[free.shell] = kNone;
+    if (free.shell != kNone) place_[free.shell] = 0;
     free.seen.clear();
     return static_cast<std::uint32_t>(hand_);
   }
 
   std::vector<Followed> followed_;
-  std::vector<std::uint32_t> place_;  ///< for each shell, its place, or kNone
+  Zeros<std::uint32_t> place_;  ///< for each shell, its index in followed_ plus 1, or 0
   std::size_t hand_ = 0;
 };
 

@@ -71,7 +71,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   const ConvexShells& shells = occluders.shells();
   memory.silhouettes.reserve(std::min(shells.size(), OccluderHistory::kFrames * used), shells.size(), shells.most_faces(),
                              shells.most_edges());
-  memory.trials.resize(occluders.size(), Trial::none);
+  memory.trials.grow(occluders.size());
   for (const std::uint32_t i : memory.tried) memory.trials[i] = Trial::none;
   memory.tried.clear();
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occluder_history.h"
 
-#include <algorithm>
-
 #include "occlude/culler/cull_result.h"
 
 namespace occlude::culler {
@@ -21,12 +19,12 @@ void OccluderHistory::take_down(const Occluder& occluder) {
 }
 
 void OccluderHistory::reserve(std::size_t potential, std::size_t remembered) {
-  place_.reserve(potential);
+  place_.grow(potential);
   recent_.reserve(remembered);
 }
 
 void OccluderHistory::record(std::size_t potential, std::span<const Occluder> occluders, std::span<const Occluder> probes) {
-  place_.resize(std::max(place_.size(), potential));
+  place_.grow(potential);
   ++frames_;
   for (const Occluder& occluder : occluders) take_down(occluder);
   for (const Occluder& probe : probes) take_down(probe);

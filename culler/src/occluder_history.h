@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "zeros.h"
+
 namespace occlude::culler {
 
 struct Occluder;
@@ -43,7 +45,7 @@ class OccluderHistory {
 
   std::uint32_t frames_ = 0;
   std::vector<Entry> recent_;
-  std::vector<std::uint32_t> place_;  ///< for each occluder, its index in recent_ plus 1, or 0
+  Zeros<std::uint32_t> place_;  ///< for each occluder, its index in recent_ plus 1, or 0
 };
 
 }  // namespace occlude::culler

@@ -17,6 +17,7 @@
 #include "occluder_history.h"
 #include "shrunk_shadow.h"
 #include "traverse.h"
+#include "zeros.h"
 
 namespace occlude::culler {
 
@@ -40,6 +41,7 @@ struct ShadowCaster {
 
 /// The result of trying to take an occluder.
 enum class Trial : std::uint8_t { none, taken, refused };
+static_assert(Trial{} == Trial::none);
 
 struct View::Memory {
   CullResult result;
@@ -53,7 +55,7 @@ struct View::Memory {
   std::vector<kernel::Vec3> loop;
   std::vector<OccluderDirection> directions;
   std::vector<std::uint32_t> tried;  ///< occluders that the frame has tried to take
-  std::vector<Trial> trials;         ///< for each occluder, what came of it
+  Zeros<Trial> trials;               ///< for each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;                      ///< of the frame, which hide nothing
   std::vector<ShrunkShadow> shrunk;                  ///< for each occluder of the result, its shadow less the margin
