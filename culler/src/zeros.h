@@ -19,6 +19,15 @@ class Zeros {
  public:
   static_assert(std::is_trivially_copyable_v<T>);
 
+  Zeros() = default;
+  ~Zeros() = default;
+  Zeros(Zeros&& other) noexcept : elements_(std::move(other.elements_)), size_(std::exchange(other.size_, 0)) {}
+  Zeros& operator=(Zeros&& other) noexcept {
+    elements_ = std::move(other.elements_);
+    size_ = std::exchange(other.size_, 0);
+    return *this;
+  }
+
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] T& operator[](std::size_t i) { return elements_[i]; }
   [[nodiscard]] const T& operator[](std::size_t i) const { return elements_[i]; }

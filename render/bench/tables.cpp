@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <thread>
 
 #include "occlude/render/machine.h"
@@ -14,7 +15,8 @@ namespace {
 using render::grouped;
 
 std::string one(double value) { return fmt::format("{:.1f}", value); }
-std::string two(double value) { return fmt::format("{:.2f}", value); }
+/// With two decimals, and 0 without a sign.
+std::string two(double value) { return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0); }
 std::string percent(double share) { return one(100 * share); }
 
 template <class Format>

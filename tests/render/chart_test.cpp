@@ -15,6 +15,13 @@ TEST(Chart, PlacesPowersAtEqualDistances) {
   EXPECT_NE(svg.find(">100</text>"), std::string::npos);
 }
 
+TEST(Chart, LabelsDoNotMeet) {
+  const std::string svg = line_chart({"n", Scale::logarithmic}, {"ms", Scale::logarithmic}, {1000, 10'000'000, 11'000'000},
+                                     {{"a", "red", {2, 3, 4}}});
+  EXPECT_NE(svg.find(">10,000,000</text>"), std::string::npos);
+  EXPECT_EQ(svg.find(">11,000,000</text>"), std::string::npos) << "no room";
+}
+
 TEST(Chart, LinearAxisBeginsAtZero) {
   const std::string svg = line_chart({"frame"}, {"polygons"}, {0, 1, 2}, {{"a", "red", {4000, 5000, 6000}}});
   EXPECT_NE(svg.find(">0</text>"), std::string::npos);

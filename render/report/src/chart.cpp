@@ -14,6 +14,7 @@ namespace {
 
 // Coordinates of the drawing; the page scales it to its width.
 constexpr double kWidth = 960, kLeft = 86, kRight = 44, kTop = 12, kBottom = 44, kLegendRow = 22;
+constexpr double kLetter = 7.2;  ///< about the width of one
 
 /// A round step (1, 2 or 5 times a power of ten) that divides `range` into about five.
 double round_step(double range) {
@@ -94,9 +95,14 @@ std::string grid(const Side& x, const Side& y) {
         R"(<line class="grid" x1="{0}" x2="{1}" y1="{2:.1f}" y2="{2:.1f}"/><text x="{3}" y="{4:.1f}" text-anchor="end">{5}</text>)",
         kLeft, kWidth - kRight, y.place(value), kLeft - 8, y.place(value) + 4, number(value));
   }
+  double end = -kWidth;  // of the last label
   for (const double value : x.ticks) {
+    const std::string label = number(value);
+    const double half = kLetter / 2 * static_cast<double>(label.size());
+    if (x.place(value) - half < end + kLetter) continue;
+    end = x.place(value) + half;
     fmt::format_to(std::back_inserter(svg), R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle">{}</text>)", x.place(value),
-                   y.from + 18, number(value));
+                   y.from + 18, label);
   }
   return svg;
 }
@@ -117,7 +123,7 @@ std::string legend(const std::vector<Series>& series, double& top) {
   std::string svg;
   double x = kLeft;
   for (const Series& s : series) {
-    const double width = 60 + 7.2 * static_cast<double>(s.name.size());  // about the width of a letter
+    const double width = 60 + kLetter * static_cast<double>(s.name.size());
     if (x > kLeft && x + width > kWidth) {
       x = kLeft;
       top += kLegendRow;

@@ -21,7 +21,8 @@ struct Axis {
 
 /// REQUIRES: `x` ascends; there is at least one series, and each has one value per x. A linear x axis spans the values, and
 /// a linear y axis starts at 0. A logarithmic axis needs positive values and spans them; along x its labels are the values
-/// themselves, each marked by a dot. `height` is the height of the y axis; the chart is 960 wide.
+/// themselves, as far as there is room for them, each marked by a dot. `height` is the height of the y axis; the chart is
+/// 960 wide.
 [[nodiscard]] std::string line_chart(const Axis& x_axis, const Axis& y_axis, const std::vector<double>& x,
                                      const std::vector<Series>& series, double height = 222);
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What is made when it is first asked for, and what is zero until it is used.
+#include "lazy.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdint>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "zeros.h"
+
+namespace {
+
+using occlude::culler::Lazy;
+using occlude::culler::Zeros;
+
+/// With MinGW std::call_once() keeps a lock for each address, which a throw leaves taken: what comes to lie there waits.
+TEST(Lazy, TriesAgainAfterAThrow) {
+  for (int i = 0; i < 100; ++i) {
+    Lazy<int> lazy;
+    EXPECT_THROW(static_cast<void>(lazy.get([]() -> int { throw std::runtime_error("not now"); })), std::runtime_error);
+    EXPECT_EQ(lazy.get([&] { return i; }), i);
+    EXPECT_EQ(lazy.get([]() -> int { throw std::logic_error("it is made"); }), i);
+  }
+}
+
+TEST(Lazy, IsMadeOnceForAllThreads) {
+  for (int i = 0; i < 100; ++i) {
+    Lazy<std::vector<int>> lazy;
+    std::atomic<int> made = 0;
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&] {
+        const std::vector<int>& got = lazy.get([&] { return std::vector<int>(100, ++made); });
+        EXPECT_EQ(got, std::vector<int>(100, 1));
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(made, 1);
+  }
+}
+
+TEST(Zeros, StayAsTheyAreWhenThereAreMore) {
+  Zeros<std::uint32_t> zeros;
+  EXPECT_EQ(zeros.size(), 0U);
+  zeros.grow(3);
+  zeros[2] = 7;
+  zeros.grow(2);
+  EXPECT_EQ(zeros[2], 7U);
+  zeros.grow(1'000'000);
+  ASSERT_GE(zeros.size(), 1'000'000U);
+  EXPECT_EQ(zeros[2], 7U);
+  for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros[i], 0U) << i;
+  Zeros<std::uint32_t> moved = std::move(zeros);
+  EXPECT_EQ(moved[2], 7U);
+  zeros = {};
+  EXPECT_EQ(zeros.size(), 0U);
+}
+
+}  // namespace
