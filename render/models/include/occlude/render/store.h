@@ -29,11 +29,11 @@ void write_store(OutputFile& file, const culler::Culler& culler);
 [[nodiscard]] bool is_store(const std::filesystem::path& file);
 
 /// The culler in the file, which keeps the file mapped: nothing but the soup is copied. What only frames by the other method
-/// than this need is not read. Throws InputError, naming the file, if it is not a store, has another version, is too short
-/// or too long, or is damaged, and where the constructor of Culler throws. Allocates no more than some times the size of the
-/// file.
-/// A file that anyone has made, with right hashes, gives a culler that is in bounds and culls nothing visible of the
-/// model in it, with the exception that the constructor of Culler names: oriented boxes.
+/// than this need is not read, and is made anew if it is asked for: occluders without what samples have found. Throws
+/// InputError, naming the file, if it is not a store, has another version, is too short or too long, or is damaged, and
+/// where the constructor of Culler throws. Allocates no more than some times the size of the file. A file that anyone has
+/// made, with right hashes, gives a culler that is in bounds and culls nothing visible of the model in it, with the
+/// exception that the constructor of Culler names: oriented boxes.
 [[nodiscard]] culler::Culler read_store(const std::filesystem::path& file, culler::Method method);
 
 /// A number that differs for stores that differ. Throws as read_store() does about the header.
