@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "radix_sort.h"
@@ -19,13 +20,13 @@ namespace {
 using namespace occlude;
 using namespace occlude::culler;
 
-/// Squares beside each other, of half a pixel to eight pixels.
-Hierarchy squares() {
+/// Strips above each other, less than a pixel high and one to forty pixels long.
+Hierarchy strips() {
   PolygonSoup soup;
-  for (int i = 1; i <= 16; ++i) {
-    const double y = 12.3 * i - 100, side = 0.5 * i;
+  for (int i = 1; i <= 40; ++i) {
+    const double z = 3 * i - 60 + 0.3;
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
-    soup.vertices.insert(soup.vertices.end(), {{10, y, 0}, {10, y + side, 0}, {10, y + side, side}, {10, y, side}});
+    soup.vertices.insert(soup.vertices.end(), {{10, 0.5, z}, {10, i, z}, {10, i, z + 0.4}, {10, 0.5, z + 0.4}});
     soup.add_polygon(std::array{first, first + 1, first + 2, first + 3});
   }
   return Hierarchy::build(soup, {.leaf_size = 1});
@@ -59,8 +60,15 @@ class WorthDrawing : public testing::Test {
   }
 
   CoverBuffer buffer_;
-  Hierarchy tree_ = squares();
+  Hierarchy tree_ = strips();
 };
+
+/// Else a limit that is wrong by one would not be noticed.
+TEST_F(WorthDrawing, IsAskedOfEveryNumberOfPixels) {
+  std::set<int> numbers;
+  for (const auto& [leaf, is_worth] : found(Sought::seen, 0)) numbers.insert(open(leaf));
+  for (int n = 7; n <= 25; ++n) EXPECT_TRUE(numbers.contains(n)) << n;
+}
 
 TEST_F(WorthDrawing, IsWhatEnoughPixelsAreOpenFor) {
   for (const auto& [triangles, least] : std::map<std::size_t, int>{
