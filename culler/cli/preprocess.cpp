@@ -90,8 +90,7 @@ culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const
                         const culler::BuildConfig& config) {
   culler::Culler culler(soup, config, render::check_interrupt);
   if (arguments.samples.viewpoints == 0) return culler;
-  std::vector<float> hidden = sample(job, culler, arguments.samples);
-  return render::is_first_rank() ? culler.with_hidden(std::move(hidden)) : culler;
+  return culler.with_hidden(sample(job, culler, arguments.samples));
 }
 
 Summary make_store(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
@@ -156,7 +155,7 @@ void preprocess(Arguments& arguments) {
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {
-    static_cast<void>(find_out(job, soup, arguments, config));
+    static_cast<void>(sample(job, culler::Culler(soup, config, render::check_interrupt), arguments.samples));
     return;
   }
   Summary told{"", {{"polygons", soup.size()}}};

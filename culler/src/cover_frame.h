@@ -2,9 +2,9 @@
 // The state of a frame by cover of a model: what it draws and what it culls.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "cover_descent.h"
 #include "cover_painter.h"
@@ -19,12 +19,11 @@ class CoverFrame {
  public:
   /// REQUIRES: begin_frame() was called.
   CoverFrame(std::span<const HierarchyNode> nodes, View::Memory& memory) : nodes_(nodes), memory_(memory) {
+    const std::size_t most = memory.result.culled.capacity();  // one for each leaf at most
     memory.seen.clear();
-    // One for each leaf at most, as `culled`.
-    for (std::vector<SeenLeaf>* const seen : {&memory.seen, &memory.seen_room}) {
-      seen->reserve(memory.result.culled.capacity());
-    }
-    memory.culled_room.reserve(memory.result.culled.capacity());
+    memory.seen.reserve(most);
+    memory.seen_room.reserve(most);
+    memory.culled_room.reserve(most);
   }
 
   /// Notes that a leaf is seen. finish() asks again, because what is drawn later may still hide it.

@@ -95,7 +95,7 @@ Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
   if (parts.has_any([](std::string_view part) { return part == NodeBlocks::kPart; })) {
     static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));
   }
-  if (parts.has_any([](std::string_view part) { return part.starts_with(CoverTriangles::kPrefix); })) {
+  if (parts.has_any([](std::string_view part) { return method_of(part) == Method::cover; })) {
     static_cast<void>(triangles_->get(
         [&] { return CoverTriangles::from_parts(parts, hierarchy_.soup(), hierarchy_.nodes(), checkpoint); }));
   }

@@ -41,8 +41,8 @@ void note(std::vector<double>& values, std::optional<std::size_t> bytes, std::si
   if (bytes) values.push_back(static_cast<double>(*bytes) / static_cast<double>(polygons));
 }
 
-void run(CityTrial& trial, const Options& options) {
-  render::City city = tiled(render::generate_city(render::kSmallestCity, options.seed), trial.size);
+void run(CityTrial& trial, const render::City& tile, const Options& options) {
+  render::City city = tiled(tile, trial.size);
   render::check_interrupt();
   const std::size_t polygons = city.soup.size();
   const PeakMemory memory;
@@ -90,9 +90,10 @@ std::optional<double> exponent(const std::vector<GrowthPoint>& points, double Gr
 }  // namespace
 
 Growth measure_growth(const Options& options) {
+  const render::City tile = render::generate_city(render::kSmallestCity, options.seed);
   std::vector<CityTrial> trials;
   for (const std::size_t size : sizes(options.largest)) trials.push_back({size, {}, {}, {}, {}, {}, {}});
-  run_in_rounds("growth: models", options.repetitions, trials, [&](CityTrial& trial) { run(trial, options); });
+  run_in_rounds("growth: models", options.repetitions, trials, [&](CityTrial& trial) { run(trial, tile, options); });
   Growth growth;
   for (const CityTrial& trial : trials) growth.points.push_back(point_of(trial));
   growth.build_exponent = exponent(growth.points, &GrowthPoint::build_s);
