@@ -79,7 +79,7 @@ std::vector<float> sample(render::Job& job, const culler::Culler& culler, const 
   return hidden;
 }
 
-render::Job job_of(const Arguments& arguments, const culler::PolygonSoup& soup) {
+render::Job job_of(const Arguments& arguments, culler::SoupView soup) {
   return {arguments.samples.viewpoints > 0 && !arguments.out.empty() ? arguments.parts.keeping() : render::Keeping{}, [&] {
             render::Digest digest;
             return add(digest.add(arguments.given), soup).value();
@@ -116,7 +116,7 @@ Summary make_store(render::OutputFile& file, render::Job& job, const culler::Pol
            {"seconds", seconds}}};
 }
 
-Summary make_inner_boxes(render::OutputFile& file, const culler::PolygonSoup& soup, const Arguments& arguments) {
+Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const Arguments& arguments) {
   const render::Stopwatch stopwatch;
   const culler::InnerBoxes found = [&] {
     render::Watch watch("part");

@@ -21,7 +21,7 @@ struct Side {
   auto operator<=>(const Side&) const = default;
 };
 
-std::vector<Side> sides_of(const PolygonSoup& soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
+std::vector<Side> sides_of(SoupView soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
   std::vector<Side> sides;
   sides.reserve(soup.indices.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
@@ -68,7 +68,7 @@ struct PolygonKey {
 
 }  // namespace
 
-std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup) {
+std::vector<std::uint32_t> polygon_of_sides(SoupView soup) {
   std::vector<std::uint32_t> polygon_of(soup.indices.size());
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     std::fill_n(polygon_of.begin() + soup.first[p], soup.loop(p).size(), p);
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup) {
   return polygon_of;
 }
 
-std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices, const Checkpoint& checkpoint) {
+std::vector<std::uint32_t> welded(std::span<const glm::dvec3> vertices, const Checkpoint& checkpoint) {
   std::vector<std::uint32_t> order(vertices.size()), result(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto coordinates = [&](std::uint32_t i) { return std::array{vertices[i].x, vertices[i].y, vertices[i].z}; };
@@ -89,8 +89,7 @@ std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices, const
   return result;
 }
 
-std::vector<SidePair> find_adjacency(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
-                                     const Checkpoint& checkpoint) {
+std::vector<SidePair> find_adjacency(SoupView soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
   std::vector<Side> sides = sides_of(soup, weld, checkpoint);
   parallel_sort(sides, checkpoint);
   std::vector<SidePair> pairs;
@@ -105,7 +104,7 @@ std::vector<SidePair> find_adjacency(const PolygonSoup& soup, std::span<const st
   return pairs;
 }
 
-std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
+std::vector<bool> find_repeated(SoupView soup, std::span<const std::uint32_t> weld, const Checkpoint& checkpoint) {
   std::vector<PolygonKey> keys(soup.size());
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     checkpoint.at(p);

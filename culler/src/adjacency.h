@@ -18,19 +18,19 @@ struct SidePair {
 };
 
 /// The polygon of each side.
-[[nodiscard]] std::vector<std::uint32_t> polygon_of_sides(const PolygonSoup& soup);
+[[nodiscard]] std::vector<std::uint32_t> polygon_of_sides(SoupView soup);
 
 /// For each vertex, the first vertex with the same coordinates.
-[[nodiscard]] std::vector<std::uint32_t> welded(const std::vector<glm::dvec3>& vertices, const Checkpoint& checkpoint = {});
+[[nodiscard]] std::vector<std::uint32_t> welded(std::span<const glm::dvec3> vertices, const Checkpoint& checkpoint = {});
 
 /// The pairs of sides that run along one edge in opposite directions, where no third side runs along it, the longest first.
 /// `weld` is the result of welded(): vertices with equal coordinates count as one.
-[[nodiscard]] std::vector<SidePair> find_adjacency(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
+[[nodiscard]] std::vector<SidePair> find_adjacency(SoupView soup, std::span<const std::uint32_t> weld,
                                                    const Checkpoint& checkpoint = {});
 
 /// For each polygon, whether an earlier one has the same corners in the same order, in either orientation. Such a polygon
 /// hides only what the earlier one hides.
-[[nodiscard]] std::vector<bool> find_repeated(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
+[[nodiscard]] std::vector<bool> find_repeated(SoupView soup, std::span<const std::uint32_t> weld,
                                               const Checkpoint& checkpoint = {});
 
 }  // namespace occlude::culler

@@ -63,7 +63,7 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
 }
 
 /// Twice the area of a loop of vertices, along its mean normal, up to rounding.
-[[nodiscard]] inline glm::dvec3 doubled_area(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+[[nodiscard]] inline glm::dvec3 doubled_area(SoupView soup, std::span<const std::uint32_t> loop) {
   const glm::dvec3& base = soup.vertices[loop[0]];
   glm::dvec3 sum{0, 0, 0};
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {

@@ -9,7 +9,7 @@
 
 namespace occlude::culler {
 
-std::vector<std::vector<std::uint32_t>> find_parts(const PolygonSoup& soup, std::span<const std::uint32_t> weld,
+std::vector<std::vector<std::uint32_t>> find_parts(SoupView soup, std::span<const std::uint32_t> weld,
                                                    const Checkpoint& checkpoint) {
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
   std::vector<std::uint32_t> polygon_at(soup.vertices.size(), kNone);  // of each welded corner, the first
@@ -28,7 +28,7 @@ std::vector<std::vector<std::uint32_t>> find_parts(const PolygonSoup& soup, std:
   return parts;
 }
 
-bool is_closed(const PolygonSoup& soup, std::span<const std::uint32_t> weld, std::span<const std::uint32_t> part) {
+bool is_closed(SoupView soup, std::span<const std::uint32_t> weld, std::span<const std::uint32_t> part) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const std::uint32_t p : part) {
     const std::span<const std::uint32_t> loop = soup.loop(p);

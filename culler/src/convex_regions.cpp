@@ -22,7 +22,7 @@ constexpr double kTurn = 0x1p-20;
 /// The loops of the polygons, with linked sides.
 class Sides {
  public:
-  explicit Sides(const PolygonSoup& soup) : soup_(soup), next_(soup.indices.size()), previous_(soup.indices.size()) {
+  explicit Sides(SoupView soup) : soup_(soup), next_(soup.indices.size()), previous_(soup.indices.size()) {
     for (std::size_t p = 0; p < soup.size(); ++p) {
       const std::uint32_t first = soup.first[p], end = soup.first[p + 1];
       for (std::uint32_t s = first; s < end; ++s) link(s, s + 1 < end ? s + 1 : first);
@@ -46,7 +46,7 @@ class Sides {
     previous_[b] = a;
   }
 
-  const PolygonSoup& soup_;
+  SoupView soup_;
   std::vector<std::uint32_t> next_, previous_;
 };
 
@@ -59,7 +59,7 @@ bool turns(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& area, dou
 
 /// Whether the loop turns the same way as its area everywhere, and so does its fan. A star that runs round twice passes only
 /// the first check.
-bool turns_with(const PolygonSoup& soup, std::span<const std::uint32_t> loop, const glm::dvec3& area) {
+bool turns_with(SoupView soup, std::span<const std::uint32_t> loop, const glm::dvec3& area) {
   const std::size_t n = loop.size();
   const glm::dvec3& base = soup.vertices[loop[0]];
   for (std::size_t i = 0; i < n; ++i) {
@@ -73,7 +73,7 @@ bool turns_with(const PolygonSoup& soup, std::span<const std::uint32_t> loop, co
 /// The polygons joined so far. Each set is identified by one of its polygons.
 class Merging {
  public:
-  Merging(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
+  Merging(SoupView soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
       : soup_(soup),
         sides_(soup),
         joined_(soup.size()),
@@ -133,7 +133,7 @@ class Merging {
     sets_[a] = {sets_[a].sides + sets_[b].sides - 2, sides_.next(twin), sum};
   }
 
-  const PolygonSoup& soup_;
+  SoupView soup_;
   Sides sides_;
   DisjointSets joined_;
   std::vector<Set> sets_;
@@ -143,7 +143,7 @@ class Merging {
 
 /// Divides the fan of a polygon into runs of triangles (v0, vi, vi+1), ..., (v0, vj-1, vj). The loop (v0, vi, ..., vj) of a
 /// run is convex, unless it is a single triangle, and has at most `most` sides.
-std::vector<FanRun> convex_runs(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std::uint32_t most) {
+std::vector<FanRun> convex_runs(SoupView soup, std::span<const std::uint32_t> loop, std::uint32_t most) {
   const auto count = static_cast<std::uint32_t>(loop.size() - 2);
   std::vector<FanRun> runs;
   std::vector<std::uint32_t> piece;
@@ -168,10 +168,10 @@ std::vector<std::uint32_t> piece_of(std::span<const std::uint32_t> loop, const F
   return piece;
 }
 
-ConvexRegions ConvexRegions::find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
-                                  const Checkpoint& checkpoint) {
+ConvexRegions ConvexRegions::find(SoupView soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint) {
   const auto count = static_cast<std::uint32_t>(soup.size());
-  std::vector<std::uint32_t> vertices = soup.indices, first_vertex = soup.first;
+  std::vector<std::uint32_t> vertices(soup.indices.begin(), soup.indices.end());
+  std::vector<std::uint32_t> first_vertex(soup.first.begin(), soup.first.end());
   std::vector<std::uint32_t> polygons(count), first_polygon(count + std::size_t{1});
   std::iota(polygons.begin(), polygons.end(), 0U);
   std::iota(first_polygon.begin(), first_polygon.end(), 0U);

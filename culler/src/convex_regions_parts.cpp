@@ -20,7 +20,7 @@ constexpr std::string_view kRegionVertices = "region corners", kRegionFirstVerte
 class Traversals {
  public:
   /// REQUIRES: the region has at most ConvexRegions::kMostJoined corners.
-  Traversals(const PolygonSoup& soup, std::span<const std::uint32_t> corners) : soup_(soup), corners_(corners) {
+  Traversals(SoupView soup, std::span<const std::uint32_t> corners) : soup_(soup), corners_(corners) {
     std::ranges::fill(used(), 0);
   }
 
@@ -49,13 +49,13 @@ class Traversals {
     return static_cast<std::size_t>(std::ranges::find_if(corners_, is_there) - corners_.begin());
   }
 
-  const PolygonSoup& soup_;
+  SoupView soup_;
   std::span<const std::uint32_t> corners_;
   std::array<std::int64_t, std::size_t{ConvexRegions::kMostJoined} * ConvexRegions::kMostJoined> more_;  ///< in rows
 };
 
 /// Whether the polygons, joined, have this loop: both properties of the parts of a region.
-bool is_joined(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std::span<const std::uint32_t> polygons) {
+bool is_joined(SoupView soup, std::span<const std::uint32_t> loop, std::span<const std::uint32_t> polygons) {
   if (loop.size() > ConvexRegions::kMostJoined) return false;
   Traversals traversals(soup, loop);
   if (!traversals.add(loop, -1)) return false;
@@ -63,7 +63,7 @@ bool is_joined(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std
          traversals.are_none();
 }
 
-bool is_piece(const PolygonSoup& soup, std::span<const std::uint32_t> loop, std::size_t polygon, const FanRun& run) {
+bool is_piece(SoupView soup, std::span<const std::uint32_t> loop, std::size_t polygon, const FanRun& run) {
   const auto whole = soup.loop(polygon);
   if (run.count == 0 || std::uint64_t{run.first} + run.count > soup.triangles(polygon)) return false;
   return loop.size() == run.count + std::size_t{2} && loop[0] == whole[0] &&
@@ -81,7 +81,7 @@ void ConvexRegions::append_parts(PartWriter& parts) const {
   parts.put(kRegionRuns, runs_);
 }
 
-bool ConvexRegions::is_sound(std::size_t r, const PolygonSoup& soup) const {
+bool ConvexRegions::is_sound(std::size_t r, SoupView soup) const {
   const auto corners = loop(r), polygons = parts(r);
   if (r < soup.size()) return polygons.size() == 1 && polygons[0] == r && std::ranges::equal(corners, soup.loop(r));
   const auto is_vertex = [&](std::uint32_t v) { return v < soup.vertices.size(); };
@@ -98,7 +98,7 @@ bool ConvexRegions::is_whole_sound(std::uint32_t polygon, std::size_t polygons) 
   return region >= polygons && region < first_piece_ && std::ranges::binary_search(parts(region), polygon);
 }
 
-ConvexRegions ConvexRegions::from_parts(const PartReader& parts, const PolygonSoup& soup, const Checkpoint& checkpoint) {
+ConvexRegions ConvexRegions::from_parts(const PartReader& parts, SoupView soup, const Checkpoint& checkpoint) {
   ConvexRegions result;
   result.vertices_ = parts.get<std::uint32_t>(kRegionVertices);
   result.first_vertex_ = parts.get<std::uint32_t>(kRegionFirstVertex);

@@ -16,7 +16,7 @@ namespace {
 /// Groups of polygons that are connected edge to edge.
 class ConnectedParts {
  public:
-  ConnectedParts(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
+  ConnectedParts(SoupView soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint)
       : sets_(soup.size()), paired_(soup.size()) {
     const std::vector<std::uint32_t> polygon_of = polygon_of_sides(soup);
     for (std::size_t i = 0; i < adjacency.size(); ++i) {
@@ -44,7 +44,7 @@ class ConnectedParts {
 
 }  // namespace
 
-kernel::Polytope polytope_of(const PolygonSoup& soup, std::span<const std::uint32_t> polygons) {
+kernel::Polytope polytope_of(SoupView soup, std::span<const std::uint32_t> polygons) {
   kernel::Polytope solid;
   std::vector<std::uint32_t> vertices;  // of the soup
   for (const std::uint32_t p : polygons) {
@@ -60,7 +60,7 @@ kernel::Polytope polytope_of(const PolygonSoup& soup, std::span<const std::uint3
   return solid;
 }
 
-ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint) {
+ConvexShells ConvexShells::find(SoupView soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint) {
   ConvexShells result;
   std::vector<std::uint32_t> of_shells, first_part{0}, shell_of;
   std::vector<kernel::ConvexPolytope> polytopes;
@@ -90,7 +90,7 @@ ConvexShells ConvexShells::find(const PolygonSoup& soup, std::span<const SidePai
 
 const kernel::ConvexPolytope& ConvexShells::polytope(std::size_t s) const {
   return polytopes_->get(s, [&] {
-    return kernel::ConvexPolytope::make(polytope_of(*soup_, parts(s))).polytope.value_or(kernel::ConvexPolytope());
+    return kernel::ConvexPolytope::make(polytope_of(soup_, parts(s))).polytope.value_or(kernel::ConvexPolytope());
   });
 }
 

@@ -27,7 +27,7 @@ void ConvexShells::append_parts(PartWriter& parts) const {
   parts.put(kShellMost, std::span(&most_, 1));
 }
 
-bool ConvexShells::is_sound(std::uint32_t s, const PolygonSoup& soup) const {
+bool ConvexShells::is_sound(std::uint32_t s, SoupView soup) const {
   const auto polygons = parts(s);
   if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return false;
   if (!are_ascending_below(polygons, soup.size())) return false;
@@ -35,8 +35,7 @@ bool ConvexShells::is_sound(std::uint32_t s, const PolygonSoup& soup) const {
   return std::ranges::all_of(polygons, is_of) && sides_of(soup, polygons) <= kMostSides;
 }
 
-ConvexShells ConvexShells::from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
-                                      const Checkpoint& checkpoint) {
+ConvexShells ConvexShells::from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint) {
   ConvexShells result;
   result.parts_ = parts.get<std::uint32_t>(kShellParts);
   result.first_part_ = parts.get<std::uint32_t>(kShellFirstPart);
@@ -46,10 +45,10 @@ ConvexShells ConvexShells::from_parts(const PartReader& parts, std::shared_ptr<c
   result.most_ = most[0];
 
   const std::size_t size = result.size();
-  const auto is_shell = [&](std::size_t s) { return result.is_sound(static_cast<std::uint32_t>(s), *soup); };
+  const auto is_shell = [&](std::size_t s) { return result.is_sound(static_cast<std::uint32_t>(s), soup); };
   const bool are_ranges =
       result.first_part_.empty() ? result.parts_.empty() : are_starts(result.first_part_, result.parts_.size(), checkpoint);
-  if (!are_ranges || result.shell_of_.size() != (size == 0 ? 0 : soup->size()) || !are_all(size, is_shell, checkpoint)) {
+  if (!are_ranges || result.shell_of_.size() != (size == 0 ? 0 : soup.size()) || !are_all(size, is_shell, checkpoint)) {
     refuse_part(kShellParts, "the shells are not of these polygons");
   }
   // Shells have different polygons, because each of these has one shell. So no polygon has a shell that it is not in.

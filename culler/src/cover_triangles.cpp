@@ -47,7 +47,7 @@ std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triang
 /// For each vertex, the polygons that have it.
 class Incidence {
  public:
-  Incidence(const PolygonSoup& soup, std::span<const std::uint32_t> weld)
+  Incidence(SoupView soup, std::span<const std::uint32_t> weld)
       : first_(soup.vertices.size() + 1), polygons_(soup.indices.size()) {
     for (const std::uint32_t v : soup.indices) ++first_[weld[v] + std::size_t{1}];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -68,7 +68,7 @@ class Incidence {
 /// Appends the polygons around leaves.
 class Around {
  public:
-  Around(const PolygonSoup& soup, std::span<const std::uint32_t> weld)
+  Around(SoupView soup, std::span<const std::uint32_t> weld)
       : soup_(soup), weld_(weld), incidence_(soup, weld), leaf_of_(soup.size(), kNone) {}
 
   void append(const HierarchyNode& leaf, std::vector<std::uint32_t>& around) {
@@ -93,7 +93,7 @@ class Around {
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  const PolygonSoup& soup_;
+  SoupView soup_;
   std::span<const std::uint32_t> weld_;
   Incidence incidence_;
   std::vector<std::uint32_t> leaf_of_;  ///< for each polygon, the first polygon of the last leaf that it is in or around
@@ -101,8 +101,7 @@ class Around {
 
 }  // namespace
 
-CoverTriangles CoverTriangles::find(const PolygonSoup& soup, std::span<const HierarchyNode> nodes,
-                                    const Checkpoint& checkpoint) {
+CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode> nodes, const Checkpoint& checkpoint) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   std::vector<std::uint32_t> first, numbers(soup.vertices.size(), kNone);

@@ -34,13 +34,13 @@ class CoverTriangles {
   static constexpr std::string_view kPrefix = "cover ";  ///< with which the names of its parts begin
 
   CoverTriangles() = default;
-  [[nodiscard]] static CoverTriangles find(const PolygonSoup& soup, std::span<const HierarchyNode> nodes,
+  [[nodiscard]] static CoverTriangles find(SoupView soup, std::span<const HierarchyNode> nodes,
                                            const Checkpoint& checkpoint = {});
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;
   /// The triangles with these parts. Throws std::invalid_argument unless they are those of the soup, their sides are in
   /// rings as find() makes, and what is around a leaf is within the limits of find(). REQUIRES: the nodes are of the soup.
-  [[nodiscard]] static CoverTriangles from_parts(const PartReader& parts, const PolygonSoup& soup,
+  [[nodiscard]] static CoverTriangles from_parts(const PartReader& parts, SoupView soup,
                                                  std::span<const HierarchyNode> nodes, const Checkpoint& checkpoint = {});
 
   /// The number of polygons.

@@ -19,7 +19,7 @@ constexpr std::string_view kCoverFirst = "cover first", kCoverVertices = "cover 
 
 /// Whether the triangles of polygon p are its fan: their corners are the vertices of its loop, and those of a triangle with
 /// the same coordinates are the same. Each vertex is compared once.
-bool is_fan(std::size_t p, const PolygonSoup& soup, const Array<std::uint32_t>& first, const Array<glm::dvec3>& vertices,
+bool is_fan(std::size_t p, SoupView soup, const Array<std::uint32_t>& first, const Array<glm::dvec3>& vertices,
             const Array<CoverMesh::Triangle>& corners) {
   if (first[p] != soup.first[p] - 2 * p) return false;
   const auto loop = soup.loop(p);
@@ -94,7 +94,7 @@ class Named {
 };
 
 /// Whether `around` can be around a leaf: other polygons, each once, within the limits of find().
-bool are_around(std::span<const std::uint32_t> around, std::uint64_t n, const HierarchyNode& leaf, const PolygonSoup& soup,
+bool are_around(std::span<const std::uint32_t> around, std::uint64_t n, const HierarchyNode& leaf, SoupView soup,
                 Named& named) {
   const std::size_t end = std::size_t{leaf.first} + leaf.count;
   std::size_t left = kMostAround * (soup.first[end] - soup.first[leaf.first] - 2 * std::size_t{leaf.count});
@@ -119,8 +119,8 @@ void CoverTriangles::append_parts(PartWriter& parts) const {
   parts.put(kCoverAround, around_);
 }
 
-CoverTriangles CoverTriangles::from_parts(const PartReader& parts, const PolygonSoup& soup,
-                                          std::span<const HierarchyNode> nodes, const Checkpoint& checkpoint) {
+CoverTriangles CoverTriangles::from_parts(const PartReader& parts, SoupView soup, std::span<const HierarchyNode> nodes,
+                                          const Checkpoint& checkpoint) {
   CoverTriangles result;
   result.first_ = parts.get<std::uint32_t>(kCoverFirst);
   result.vertices_ = parts.get<glm::dvec3>(kCoverVertices);

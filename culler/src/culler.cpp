@@ -54,7 +54,7 @@ Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occ
 
 const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
   return occluders_->get([&] {
-    return OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config_.occluders, config_.lists, checkpoint);
+    return OccluderSet::build(hierarchy_.soup(), space_of(hierarchy_), config_.occluders, config_.lists, checkpoint);
   });
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using kernel::Aabb;
 
-std::vector<Aabb> polygon_boxes(const PolygonSoup& soup, const Checkpoint& checkpoint) {
+std::vector<Aabb> polygon_boxes(SoupView soup, const Checkpoint& checkpoint) {
   std::vector<Aabb> boxes(soup.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
     checkpoint.at(p);
@@ -38,7 +38,7 @@ PolygonSoup reordered(PolygonSoup soup, const std::vector<std::uint32_t>& order,
 }  // namespace
 
 Hierarchy::Hierarchy(PolygonSoup soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
-    : soup_(std::make_shared<const PolygonSoup>(reordered(std::move(soup), tree.order, checkpoint))),
+    : soup_(reordered(std::move(soup), tree.order, checkpoint)),
       leaf_size_(config.leaf_size),
       order_(std::move(tree.order)),
       nodes_(std::move(tree.nodes)) {
@@ -63,14 +63,14 @@ void Hierarchy::fit_oriented_boxes(const Checkpoint& checkpoint) {
     checkpoint();
     const Node& node = nodes_[i];
     const PolygonRange polygons{node.first, node.count};
-    Fit best = node.is_leaf() ? fit_along_largest(*soup_, polygons) : fit_along(axes[i + 1], *soup_, polygons);
+    Fit best = node.is_leaf() ? fit_along_largest(soup_, polygons) : fit_along(axes[i + 1], soup_, polygons);
     if (!node.is_leaf()) {
-      const Fit other = fit_along(axes[node.right], *soup_, polygons);
+      const Fit other = fit_along(axes[node.right], soup_, polygons);
       if (other.half_area < best.half_area) best = other;
     }
     axes[i] = best.axes;
     if (!(best.half_area < kWorthwhile * half_area(node.box))) continue;
-    if (const auto box = enclosing_box(best, *soup_, polygons)) {
+    if (const auto box = enclosing_box(best, soup_, polygons)) {
       oriented[i] = static_cast<std::uint32_t>(boxes.size());
       boxes.push_back(*box);
     }

@@ -24,27 +24,14 @@ constexpr std::string_view kTreeVertices = "vertices", kTreeIndices = "indices",
 constexpr std::array kTreeParts{kTreeVertices, kTreeIndices,       kTreeFirst,   kTreeOrder,
                                 kTreeNodes,    kTreeOrientedBoxes, kTreeOriented};
 
-template <class T>
-std::vector<T> copy_of(const Array<T>& array) {
-  return {array.begin(), array.end()};
-}
-
-/// A soup has vectors of its own.
-std::shared_ptr<const PolygonSoup> soup_of(const PartReader& parts, const Checkpoint& checkpoint) {
+/// The soup where its parts lie.
+SharedSoup soup_of(const PartReader& parts, const Checkpoint& checkpoint) {
   const auto vertices = parts.get<glm::dvec3>(kTreeVertices);
   const auto indices = parts.get<std::uint32_t>(kTreeIndices), first = parts.get<std::uint32_t>(kTreeFirst);
-  auto soup = std::make_shared<PolygonSoup>();
-  parallel_for(
-      3,
-      [&](std::size_t i) {
-        if (i == 0) soup->vertices = copy_of(vertices);
-        if (i == 1) soup->indices = copy_of(indices);
-        if (i == 2) soup->first = copy_of(first);
-      },
-      checkpoint);
-  if (!is_legal(*soup, checkpoint)) require_legal(*soup);
-  if (soup->empty()) throw std::invalid_argument("the soup has no polygon");
-  return soup;
+  const SoupView soup{vertices, indices, first};
+  if (!is_legal(soup, checkpoint)) require_legal(soup);
+  if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
+  return {soup, parts.keep()};
 }
 
 bool is_permutation(const Array<std::uint32_t>& order, std::size_t size) {
@@ -88,7 +75,7 @@ bool are_tree(std::span<const HierarchyNode> nodes, std::size_t count) {
 }
 
 /// The smallest box that holds the polygons of a node, if those of its children are such boxes. REQUIRES: are_tree().
-kernel::Aabb smallest_box(const PolygonSoup& soup, std::span<const HierarchyNode> nodes, std::size_t i) {
+kernel::Aabb smallest_box(SoupView soup, std::span<const HierarchyNode> nodes, std::size_t i) {
   kernel::Aabb box = empty_box();
   const HierarchyNode& node = nodes[i];
   if (node.is_leaf()) {
@@ -107,9 +94,9 @@ kernel::Aabb smallest_box(const PolygonSoup& soup, std::span<const HierarchyNode
 bool Hierarchy::is_part(std::string_view name) { return std::ranges::find(kTreeParts, name) != kTreeParts.end(); }
 
 void Hierarchy::append_parts(PartWriter& parts) const {
-  parts.put(kTreeVertices, soup_->vertices);
-  parts.put(kTreeIndices, soup_->indices);
-  parts.put(kTreeFirst, soup_->first);
+  parts.put(kTreeVertices, soup_.vertices);
+  parts.put(kTreeIndices, soup_.indices);
+  parts.put(kTreeFirst, soup_.first);
   parts.put(kTreeOrder, order_);
   parts.put(kTreeNodes, nodes_);
   parts.put(kTreeOrientedBoxes, oriented_boxes_);
@@ -125,7 +112,7 @@ Hierarchy Hierarchy::from_parts(const PartReader& parts, const Config& config, c
   result.oriented_boxes_ = parts.get<kernel::Obb>(kTreeOrientedBoxes);
   result.oriented_ = parts.get<std::uint32_t>(kTreeOriented);
 
-  const PolygonSoup& soup = *result.soup_;
+  const SoupView& soup = result.soup_;
   if (!is_permutation(result.order_, soup.size())) refuse_part(kTreeOrder, "it does not number the polygons");
   const auto nodes = result.nodes();
   if (!are_tree(nodes, soup.size())) refuse_part(kTreeNodes, "it is not a tree of these polygons");

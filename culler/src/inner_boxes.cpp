@@ -132,7 +132,7 @@ std::vector<Aabb> boxes_in(const Solid& solid, const InnerBoxOptions& options, c
 
 }  // namespace
 
-InnerBoxes find_inner_boxes(const PolygonSoup& soup, const InnerBoxOptions& options,
+InnerBoxes find_inner_boxes(SoupView soup, const InnerBoxOptions& options,
                             const std::function<void(std::size_t done, std::size_t all)>& progress,
                             const Checkpoint& checkpoint) {
   require_legal(soup);

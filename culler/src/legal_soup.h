@@ -21,7 +21,7 @@ inline void require_rounding() {
 }
 
 /// Throws std::invalid_argument, with the polygon and the reason, unless the soup is well formed (polygon_soup.h).
-inline void require_well_formed(const PolygonSoup& soup) {
+inline void require_well_formed(SoupView soup) {
   const auto refuse = [](std::size_t polygon, const std::string& reason) {
     throw std::invalid_argument("polygon " + std::to_string(polygon) + ": " + reason);
   };
@@ -42,7 +42,7 @@ inline void require_well_formed(const PolygonSoup& soup) {
 
 /// Throws what the two functions above throw, and std::invalid_argument, with the vertex and the reason, for a coordinate
 /// that is not finite or out of the kernel's legal range.
-inline void require_legal(const PolygonSoup& soup) {
+inline void require_legal(SoupView soup) {
   require_rounding();
   require_well_formed(soup);
   for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
@@ -53,7 +53,7 @@ inline void require_legal(const PolygonSoup& soup) {
 }
 
 /// Whether require_legal() would throw nothing about the soup. In parallel.
-[[nodiscard]] inline bool is_legal(const PolygonSoup& soup, const Checkpoint& checkpoint) {
+[[nodiscard]] inline bool is_legal(SoupView soup, const Checkpoint& checkpoint) {
   const auto is_vertex = [&](std::size_t i) { return soup.indices[i] < soup.vertices.size(); };
   const auto has_corners = [&](std::size_t p) {
     return std::uint64_t{soup.first[p]} + 3 <= soup.first[p + 1] && soup.first[p + 1] <= soup.indices.size();

@@ -38,7 +38,7 @@ BoxAxes axes_along(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec
   return axes;
 }
 
-std::size_t largest_polygon(const PolygonSoup& soup, const PolygonRange& polygons) {
+std::size_t largest_polygon(SoupView soup, const PolygonRange& polygons) {
   std::size_t largest = polygons.first;
   double square = 0;
   for (std::size_t p = polygons.first; p < std::size_t{polygons.first} + polygons.count; ++p) {
@@ -51,19 +51,19 @@ std::size_t largest_polygon(const PolygonSoup& soup, const PolygonRange& polygon
 }
 
 /// The vertices of all loops, one loop after another.
-std::span<const std::uint32_t> vertices_of(const PolygonSoup& soup, const PolygonRange& polygons) {
+std::span<const std::uint32_t> vertices_of(SoupView soup, const PolygonRange& polygons) {
   const std::uint32_t begin = soup.first[polygons.first], end = soup.first[polygons.first + polygons.count];
   return std::span(soup.indices).subspan(begin, end - begin);
 }
 
-bool holds_all(const kernel::Obb& box, const PolygonSoup& soup, const PolygonRange& polygons) {
+bool holds_all(const kernel::Obb& box, SoupView soup, const PolygonRange& polygons) {
   return std::ranges::all_of(vertices_of(soup, polygons),
                              [&](std::uint32_t i) { return kernel::contains(box, to_kernel(soup.vertices[i])); });
 }
 
 }  // namespace
 
-Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons) {
+Fit fit_along(const BoxAxes& axes, SoupView soup, const PolygonRange& polygons) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Fit fit{axes, glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
   for (const std::uint32_t i : vertices_of(soup, polygons)) {
@@ -77,7 +77,7 @@ Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& 
   return fit;
 }
 
-Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
+Fit fit_along_largest(SoupView soup, const PolygonRange& polygons) {
   // The edges of a triangle are the diagonal of a wall and two of its sides. Of many edges, later ones repeat the directions
   // of the first.
   constexpr std::size_t kMostEdges = 8;
@@ -93,7 +93,7 @@ Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons) {
   return best;
 }
 
-std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup, const PolygonRange& polygons) {
+std::optional<kernel::Obb> enclosing_box(const Fit& fit, SoupView soup, const PolygonRange& polygons) {
   const glm::dvec3 middle = fit.low / 2.0 + fit.high / 2.0, half = fit.high / 2.0 - fit.low / 2.0;
   kernel::Obb box{to_kernel(middle.x * fit.axes[0] + middle.y * fit.axes[1] + middle.z * fit.axes[2]), {}};
   // Extents along the axes, and the centre made from them, are off by a few roundings of the largest coordinate. Axes that

@@ -23,15 +23,14 @@ struct Fit {
 };
 
 /// The smallest box along these axes, up to rounding.
-[[nodiscard]] Fit fit_along(const BoxAxes& axes, const PolygonSoup& soup, const PolygonRange& polygons);
+[[nodiscard]] Fit fit_along(const BoxAxes& axes, SoupView soup, const PolygonRange& polygons);
 
 /// The smallest of the boxes along the coordinate axes, and along an edge and the normal of the largest polygon, because
 /// what is built stands along its walls.
-[[nodiscard]] Fit fit_along_largest(const PolygonSoup& soup, const PolygonRange& polygons);
+[[nodiscard]] Fit fit_along_largest(SoupView soup, const PolygonRange& polygons);
 
 /// The oriented box of the fit, widened until it holds every vertex of the polygons exactly. None if that takes too many
 /// tries, or numbers beyond the kernel's legal range.
-[[nodiscard]] std::optional<kernel::Obb> enclosing_box(const Fit& fit, const PolygonSoup& soup,
-                                                       const PolygonRange& polygons);
+[[nodiscard]] std::optional<kernel::Obb> enclosing_box(const Fit& fit, SoupView soup, const PolygonRange& polygons);
 
 }  // namespace occlude::culler

@@ -58,6 +58,8 @@ class PartReader {
     if (std::bit_cast<std::uintptr_t>(part->bytes.data()) % alignof(T) != 0) refuse_part(name, "it is not aligned");
     return {{reinterpret_cast<const T*>(part->bytes.data()), part->bytes.size() / sizeof(T)}, parts_.keep};
   }
+  /// What the elements are in.
+  [[nodiscard]] const std::shared_ptr<const void>& keep() const { return parts_.keep; }
   /// Whether there is a part of a name such as is_such(name) says.
   template <class IsSuch>
   [[nodiscard]] bool has_any(const IsSuch& is_such) const {

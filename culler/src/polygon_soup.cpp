@@ -16,7 +16,7 @@ std::vector<bool> polygons_of(std::span<const PolygonRange> ranges, std::size_t 
   return result;
 }
 
-kernel::Aabb PolygonSoup::box(std::size_t p) const {
+kernel::Aabb SoupView::box(std::size_t p) const {
   kernel::Aabb box = empty_box();
   for (const std::uint32_t index : loop(p)) grow(box, to_kernel(vertices[index]));
   return box;

@@ -13,7 +13,7 @@ namespace occlude::culler {
 namespace {
 
 /// The centre and the radius of a ball around some vertices.
-PotentialOccluder ball(const PolygonSoup& soup, std::span<const std::uint32_t> vertices) {
+PotentialOccluder ball(SoupView soup, std::span<const std::uint32_t> vertices) {
   const glm::dvec3 base = soup.vertices[vertices[0]];
   glm::dvec3 sum{0, 0, 0};
   for (const std::uint32_t i : vertices) sum += soup.vertices[i] - base;
@@ -24,13 +24,13 @@ PotentialOccluder ball(const PolygonSoup& soup, std::span<const std::uint32_t> v
   return result;
 }
 
-PotentialOccluder region(const PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+PotentialOccluder region(SoupView soup, std::span<const std::uint32_t> loop) {
   PotentialOccluder result = ball(soup, loop);
   result.area_normal = doubled_area(soup, loop) / 2.0;
   return result;
 }
 
-PotentialOccluder shell(const PolygonSoup& soup, std::span<const std::uint32_t> polygons) {
+PotentialOccluder shell(SoupView soup, std::span<const std::uint32_t> polygons) {
   std::vector<std::uint32_t> vertices;
   double surface = 0;
   for (const std::uint32_t p : polygons) {
@@ -53,13 +53,10 @@ double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
 
 double PotentialOccluder::area() const { return glm::length(area_normal) + round_area; }
 
-PotentialOccluders PotentialOccluders::find(std::shared_ptr<const PolygonSoup> shared, const Config& config,
-                                            const Checkpoint& checkpoint) {
-  const PolygonSoup& soup = *shared;
+PotentialOccluders PotentialOccluders::find(SharedSoup soup, const Config& config, const Checkpoint& checkpoint) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   const std::vector<SidePair> adjacency = find_adjacency(soup, weld, checkpoint);
   PotentialOccluders result;
-  result.soup_ = std::move(shared);
   result.regions_ = ConvexRegions::find(soup, adjacency, checkpoint);
   if (config.shells) result.shells_ = ConvexShells::find(soup, adjacency, checkpoint);
   const ConvexRegions& regions = result.regions_;
@@ -78,6 +75,7 @@ PotentialOccluders PotentialOccluders::find(std::shared_ptr<const PolygonSoup> s
     known[regions.size() + i] = shell(soup, result.shells_.parts(i));
   }
   result.known_ = std::move(known);
+  result.soup_ = std::move(soup);
   return result;
 }
 

@@ -33,10 +33,9 @@ void PotentialOccluders::append_parts(PartWriter& parts) const {
   parts.put(kOccluderKnown, known_);
 }
 
-PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
-                                                  const Checkpoint& checkpoint) {
+PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint) {
   PotentialOccluders result;
-  result.regions_ = ConvexRegions::from_parts(parts, *soup, checkpoint);
+  result.regions_ = ConvexRegions::from_parts(parts, soup, checkpoint);
   result.shells_ = ConvexShells::from_parts(parts, soup, checkpoint);
   result.soup_ = std::move(soup);
   result.known_ = parts.get<PotentialOccluder>(kOccluderKnown);

@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostSides = 768;
 inline constexpr std::size_t kLeastFaces = 4;
 
 /// How many sides the polygons have together.
-[[nodiscard]] inline std::size_t sides_of(const PolygonSoup& soup, std::span<const std::uint32_t> polygons) {
+[[nodiscard]] inline std::size_t sides_of(SoupView soup, std::span<const std::uint32_t> polygons) {
   std::size_t sides = 0;
   for (const std::uint32_t p : polygons) sides += soup.loop(p).size();
   return sides;

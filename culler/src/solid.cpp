@@ -70,7 +70,7 @@ bool is_crossed(const SolidTriangle& triangle, const Vec3& point) {
 
 }  // namespace
 
-Solid::Solid(const PolygonSoup& soup, std::span<const std::uint32_t> polygons) : box(empty_box()) {
+Solid::Solid(SoupView soup, std::span<const std::uint32_t> polygons) : box(empty_box()) {
   for (const std::uint32_t p : polygons) {
     const std::span<const std::uint32_t> loop = soup.loop(p);
     const auto at = [&](std::size_t i) { return to_kernel(soup.vertices[loop[i]]); };

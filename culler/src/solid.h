@@ -25,7 +25,7 @@ struct Solid {
   kernel::Aabb box;  ///< the smallest that holds them
 
   /// The fans of these polygons. REQUIRES: they are closed (closed_parts.h), and legal.
-  Solid(const PolygonSoup& soup, std::span<const std::uint32_t> polygons);
+  Solid(SoupView soup, std::span<const std::uint32_t> polygons);
 };
 
 /// Whether a plane along a face of the box has the triangle, and the box without its borders, on its two sides.

@@ -8,7 +8,7 @@ namespace occlude::culler {
 namespace {
 
 /// The solid angle of a loop of vertices: the sum over its fan.
-double solid_angle_of(const PolygonSoup& soup, std::span<const std::uint32_t> loop, const glm::dvec3& eye) {
+double solid_angle_of(SoupView soup, std::span<const std::uint32_t> loop, const glm::dvec3& eye) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     sum += solid_angle(soup.vertices[loop[0]] - eye, soup.vertices[loop[i]] - eye, soup.vertices[loop[i + 1]] - eye);
@@ -17,7 +17,7 @@ double solid_angle_of(const PolygonSoup& soup, std::span<const std::uint32_t> lo
 }
 
 double exact_solid_angle(const PotentialOccluders& occluders, std::uint32_t i, const glm::dvec3& eye) {
-  const PolygonSoup& soup = occluders.soup();
+  const SoupView soup = occluders.soup();
   if (!occluders.is_shell(i)) return solid_angle_of(soup, occluders.loop(i), eye);
   double sum = 0;
   for (const std::uint32_t p : occluders.parts(i)) sum += solid_angle_of(soup, soup.loop(p), eye);

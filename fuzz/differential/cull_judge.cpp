@@ -28,7 +28,7 @@ using glm::dvec3;
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// The bounding box of the soup, computed without the boxes of the tree.
-oracle::Aabb box_of(const culler::PolygonSoup& soup) {
+oracle::Aabb box_of(culler::SoupView soup) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   oracle::Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (std::size_t p = 0; p < soup.size(); ++p) {

@@ -28,10 +28,11 @@ using culler::Culler;
 using culler::CullOptions;
 using culler::CullResult;
 using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 /// The camera a few steps later, or another camera.
-Camera moved(Random& random, const PolygonSoup& soup, const Camera& before) {
+Camera moved(Random& random, SoupView soup, const Camera& before) {
   if (random.chance(0.2)) return some_camera(random, soup);
   Camera camera = before;
   camera.eye += 0.25 * lattice_point(random, kReach / 2);
@@ -165,7 +166,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
 }
 
 /// The distance from the eye to the farthest vertex.
-double farthest_vertex(const PolygonSoup& soup, const dvec3& eye) {
+double farthest_vertex(SoupView soup, const dvec3& eye) {
   double result = 0;
   for (const dvec3& v : soup.vertices) result = std::max(result, glm::distance(v, eye));
   return result;

@@ -26,6 +26,7 @@ namespace {
 using culler::Camera;
 using culler::Culler;
 using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 using Json = nlohmann::json;
 using Plane = std::array<double, 4>;
@@ -46,7 +47,7 @@ Json json(const dvec3& v) { return {json(v.x), json(v.y), json(v.z)}; }
 dvec3 to_glm(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// A camera of any size that is legal.
-Camera forged_camera(Random& random, const PolygonSoup& soup) {
+Camera forged_camera(Random& random, SoupView soup) {
   return first_legal([&]() -> std::optional<Camera> {
     Camera camera = some_camera(random, soup);
     if (random.chance(0.5)) camera.fov_y_deg = std::array{0.001, 1.0, 60.0, 120.0, 170.0, 179.0}[random.index(6)];
@@ -125,7 +126,7 @@ class Forger {
   }
 
  private:
-  const PolygonSoup& soup() const { return culler_.hierarchy().soup(); }
+  const culler::SoupView& soup() const { return culler_.hierarchy().soup(); }
   std::size_t triangles() const { return culler_.hierarchy().first_triangle(soup().size()); }
 
   bool lies(double probability) { return is_lying_ && random_.chance(probability); }

@@ -62,7 +62,7 @@ culler::CullOptions some_cover_options(Random& random) {
 }
 
 /// A camera without a fault.
-Camera some_good_camera(Random& random, const culler::PolygonSoup& soup) {
+Camera some_good_camera(Random& random, culler::SoupView soup) {
   return first_legal([&]() -> std::optional<Camera> {
     Camera camera = some_camera(random, soup);
     return culler::fault(camera).empty() ? std::optional(camera) : std::nullopt;

@@ -14,6 +14,7 @@ namespace {
 
 using culler::Camera;
 using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 void add_loop(PolygonSoup& soup, const std::vector<dvec3>& loop) {
@@ -142,7 +143,7 @@ PolygonSoup some_soup(Random& random) {
   return soup;
 }
 
-Camera some_camera(Random& random, const PolygonSoup& soup) {
+Camera some_camera(Random& random, SoupView soup) {
   const auto some_vertex = [&] { return soup.vertices[random.index(soup.vertices.size())]; };
   Camera camera;
   const dvec3 corner_of_first_wall = soup.vertices[0];

@@ -20,6 +20,6 @@ inline constexpr int kReach = 8;
 [[nodiscard]] culler::PolygonSoup some_soup(Random& random);
 
 /// A camera near a vertex, mostly near one of the first wall. It may have a fault().
-[[nodiscard]] culler::Camera some_camera(Random& random, const culler::PolygonSoup& soup);
+[[nodiscard]] culler::Camera some_camera(Random& random, culler::SoupView soup);
 
 }  // namespace occlude::fuzz

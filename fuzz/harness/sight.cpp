@@ -10,7 +10,7 @@ namespace occlude::harness {
 namespace {
 
 using culler::Camera;
-using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 // The share of the numbers involved that counts as rounding. A few roundings make 2^-50, which is far less.
@@ -46,7 +46,7 @@ bool may_meet(const dvec3& from, const dvec3& to, const dvec3& a, const dvec3& b
 
 }  // namespace
 
-bool is_surely_visible(const PolygonSoup& soup, std::size_t polygon, const Camera& camera) {
+bool is_surely_visible(SoupView soup, std::size_t polygon, const Camera& camera) {
   const dvec3 forward = camera.axes().forward;
   const auto sees = [&](const dvec3& point) {
     if (may_be_out_of_picture(point, camera)) return false;

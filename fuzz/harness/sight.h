@@ -11,6 +11,6 @@ namespace occlude::harness {
 
 /// Whether the middle of some fan triangle of the polygon is in the picture and no other polygon is in front of it, both by
 /// far more than the rounding error. `false` means that nothing is known.
-[[nodiscard]] bool is_surely_visible(const culler::PolygonSoup& soup, std::size_t polygon, const culler::Camera& camera);
+[[nodiscard]] bool is_surely_visible(culler::SoupView soup, std::size_t polygon, const culler::Camera& camera);
 
 }  // namespace occlude::harness

@@ -25,7 +25,7 @@ glm::dvec2 offset_of(std::size_t turn) {
 /// Every size gets every offset: after each round of offsets the sizes move on by one.
 std::size_t ItemBuffers::size_of(std::size_t turn) const { return (turn + turn / kOffsets) % sizes(); }
 
-ItemBuffers::ItemBuffers(const culler::PolygonSoup& soup, int width, int height)
+ItemBuffers::ItemBuffers(culler::SoupView soup, int width, int height)
     : soup_(soup), context_(render::make_offscreen_context()) {
   for (const int times : {1, 2, 3}) {
     if (times > 1 && (width * times > kLargest || height * times > kLargest)) break;

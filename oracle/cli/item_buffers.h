@@ -20,7 +20,7 @@ namespace occlude::cli {
 class ItemBuffers {
  public:
   /// The sizes are one, two and three times `width` by `height` pixels, as far as they are within the limit for pictures.
-  ItemBuffers(const culler::PolygonSoup& soup, int width, int height);
+  ItemBuffers(culler::SoupView soup, int width, int height);
 
   static constexpr std::size_t kOffsets = 16;  ///< a quarter of a pixel apart
   [[nodiscard]] std::size_t sizes() const { return renderers_.size(); }
@@ -44,7 +44,7 @@ class ItemBuffers {
 
   [[nodiscard]] std::size_t size_of(std::size_t turn) const;
 
-  const culler::PolygonSoup& soup_;
+  culler::SoupView soup_;
   std::unique_ptr<render::OffscreenContext> context_;
   std::vector<Sized> renderers_;
 };

@@ -23,7 +23,7 @@ constexpr double kSmaller = 0x1p-40;
 
 }  // namespace
 
-std::vector<bool> visible_triangles(const culler::PolygonSoup& soup, const culler::Camera& camera) {
+std::vector<bool> visible_triangles(culler::SoupView soup, const culler::Camera& camera) {
   std::vector<oracle::Triangle> triangles;
   double depth = 0;
   for (const glm::dvec3& v : soup.vertices) depth = std::max(depth, glm::distance(v, camera.eye));

@@ -95,7 +95,7 @@ std::array<double, 3> key(const kernel::Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Compares polygons vertex by vertex. A polygon is given by its index in the soup or by its vertices.
 struct LessByVertices {
-  const culler::PolygonSoup& soup;
+  culler::SoupView soup;
 
   bool operator()(std::uint32_t a, std::uint32_t b) const { return less(soup.loop(a), soup.loop(b)); }
   bool operator()(std::uint32_t a, const Polygon& b) const { return less(soup.loop(a), b); }
@@ -130,7 +130,7 @@ std::uint32_t leaf_size_of(std::string_view line) {
 }
 
 Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
-  const culler::PolygonSoup& soup = hierarchy.soup();
+  const culler::SoupView soup = hierarchy.soup();
   for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
   by_vertices_.resize(soup.size());
   std::iota(by_vertices_.begin(), by_vertices_.end(), std::uint32_t{0});
@@ -229,7 +229,7 @@ bool Prover::lie_in(const Box& box, std::size_t first, std::size_t count) const 
     const std::shared_lock lock(mutex_);
     if (const auto found = holding_.find(run); found != holding_.end() && found->second == obb) return true;
   }
-  const culler::PolygonSoup& soup = hierarchy_.soup();
+  const culler::SoupView soup = hierarchy_.soup();
   const auto [begin, end] = polygons_with(first, count);
   for (std::size_t p = begin; p != end; ++p) {
     for (const std::uint32_t index : soup.loop(p)) {
@@ -257,7 +257,7 @@ kernel::Aabb Prover::box_of_triangles(std::size_t first, std::size_t count) cons
   const auto [begin, end] = polygons_with(first, count);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   kernel::Aabb box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  const culler::PolygonSoup& soup = hierarchy_.soup();
+  const culler::SoupView soup = hierarchy_.soup();
   for (std::size_t p = begin; p != end; ++p) {
     for (const std::uint32_t index : soup.loop(p)) {
       const glm::dvec3& v = soup.vertices[index];

@@ -14,7 +14,7 @@ namespace {
 
 /// Whole steps from a tile to the next, a little more than the city's extent. So moved coordinates stay exact but for the
 /// last bits.
-glm::dvec3 step_of(const culler::PolygonSoup& soup) {
+glm::dvec3 step_of(culler::SoupView soup) {
   glm::dvec3 low = soup.vertices[0], high = low;
   for (const glm::dvec3& v : soup.vertices) {
     low = glm::min(low, v);
@@ -41,7 +41,7 @@ std::vector<TilePlace> places_of(std::size_t tiles) {
   return places;
 }
 
-void append(culler::PolygonSoup& all, const culler::PolygonSoup& tile, const glm::dvec3& offset) {
+void append(culler::PolygonSoup& all, culler::SoupView tile, const glm::dvec3& offset) {
   const auto first_vertex = static_cast<std::uint32_t>(all.vertices.size());
   const auto first_index = static_cast<std::uint32_t>(all.indices.size());
   for (const glm::dvec3& v : tile.vertices) all.vertices.push_back(v + offset);

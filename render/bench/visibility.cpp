@@ -27,8 +27,7 @@ struct Trial {
 /// Counts what the ways have culled, in item buffers of the whole model.
 class Judge {
  public:
-  Judge(const culler::PolygonSoup& soup, const render::WalkOptions& walk)
-      : soup_(soup), renderer_(soup, walk.width, walk.height) {}
+  Judge(culler::SoupView soup, const render::WalkOptions& walk) : soup_(soup), renderer_(soup, walk.width, walk.height) {}
 
   /// The ways have culled for this camera; the first is the view frustum alone.
   void judge(const culler::Camera& camera, std::vector<Trial>& trials) {
@@ -65,7 +64,7 @@ class Judge {
     return count;
   }
 
-  const culler::PolygonSoup& soup_;
+  culler::SoupView soup_;
   render::SceneRenderer renderer_;
   std::size_t hidden_ = 0;
 };

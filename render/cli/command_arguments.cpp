@@ -250,14 +250,14 @@ Option add_output(Command command, const char* name, std::string& path, const st
 }
 
 void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
-                    const culler::PolygonSoup& model) {
+                    culler::SoupView model) {
   const std::string doubt = render::doubt_about(path, model_file, model);
   if (doubt.empty()) return;
   const render::Paint paint(STDERR_FILENO);
   render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(path_file + ": " + doubt) + "\n");
 }
 
-render::Digest& add(render::Digest& digest, const culler::PolygonSoup& soup) {
+render::Digest& add(render::Digest& digest, culler::SoupView soup) {
   return digest.add(soup.vertices).add(soup.indices).add(soup.first);
 }
 

@@ -101,10 +101,10 @@ Option add_output(Command command, const char* name, std::string& path, const st
 
 /// Warns on standard error if the path is probably meant for another model.
 void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
-                    const culler::PolygonSoup& model);
+                    culler::SoupView model);
 
 /// Adds all that the model consists of.
-render::Digest& add(render::Digest& digest, const culler::PolygonSoup& soup);
+render::Digest& add(render::Digest& digest, culler::SoupView soup);
 
 /// The limits of inputs, for `--help`.
 [[nodiscard]] std::string limits_help();

@@ -28,7 +28,7 @@ struct Arguments {
 };
 
 /// Throws InputError if the model lacks the requested polygon.
-void require_polygon(const Arguments& arguments, const culler::PolygonSoup& soup) {
+void require_polygon(const Arguments& arguments, culler::SoupView soup) {
   if (arguments.polygon && *arguments.polygon >= soup.size()) {
     throw render::InputError(
         fmt::format("{}: no polygon {}: the model has {}", arguments.model, *arguments.polygon, soup.size()));

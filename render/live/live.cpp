@@ -21,8 +21,7 @@ namespace {
 using namespace occlude;
 
 struct Live {
-  Live(const culler::PolygonSoup& soup, const culler::BuildConfig& config)
-      : culler(soup, config), model(culler.hierarchy()) {}
+  Live(culler::SoupView soup, const culler::BuildConfig& config) : culler(soup, config), model(culler.hierarchy()) {}
 
   culler::Culler culler;
   render::PageModel model;

@@ -55,7 +55,7 @@ TEST(Checkpoint, StopsACuller) {
       static_cast<void>(preprocess(soup, config, {.viewpoints = 1}, {}, checkpoint));
     });
     const Parts parts = Culler(soup, config).parts();
-    for (std::size_t last = 1; last <= 20; ++last) {
+    for (std::size_t last = 1; last <= 15; ++last) {
       Stop stop{last};
       EXPECT_THROW(Culler(parts, stop.checkpoint()), std::runtime_error) << last;
     }

@@ -15,7 +15,7 @@ namespace {
 using namespace occlude::culler;
 
 /// The sizes of the parts, negative where one is open.
-std::vector<int> parts_of(const PolygonSoup& soup) {
+std::vector<int> parts_of(SoupView soup) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices);
   std::vector<int> sizes;
   for (const auto& part : find_parts(soup, weld)) {

@@ -22,12 +22,10 @@ namespace {
 using namespace occlude::culler;
 using Loop = std::vector<glm::dvec3>;
 
-ConvexRegions find_regions(const PolygonSoup& soup) {
-  return ConvexRegions::find(soup, find_adjacency(soup, welded(soup.vertices)));
-}
+ConvexRegions find_regions(SoupView soup) { return ConvexRegions::find(soup, find_adjacency(soup, welded(soup.vertices))); }
 
 /// The corners of region r, starting with the least one.
-Loop corners(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t r) {
+Loop corners(SoupView soup, const ConvexRegions& regions, std::size_t r) {
   Loop loop;
   for (const std::uint32_t i : regions.loop(r)) loop.push_back(soup.vertices[i]);
   const auto key = [](const glm::dvec3& v) { return std::array{v.x, v.y, v.z}; };
@@ -49,7 +47,7 @@ PolygonSoup soup_of(const std::vector<Loop>& polygons) {
 constexpr glm::dvec3 a{0, 0, 0}, b{4, 0, 0}, c{4, 0, 3}, d{0, 0, 3};
 
 /// The number of regions that are joined of several polygons.
-std::size_t joined(const PolygonSoup& soup) {
+std::size_t joined(SoupView soup) {
   const ConvexRegions regions = find_regions(soup);
   std::set<std::uint32_t> wholes;
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
@@ -106,7 +104,7 @@ TEST(ConvexRegions, WhatIsNotJoined) {
 }
 
 /// The polygons of the region go along every edge as often one way as the other, except along the edges of its loop.
-void check_border(const PolygonSoup& soup, const ConvexRegions& regions, std::size_t r) {
+void check_border(SoupView soup, const ConvexRegions& regions, std::size_t r) {
   std::map<std::array<double, 6>, int> times;
   const auto add_loop = [&](std::span<const std::uint32_t> loop, int sign) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -277,7 +275,7 @@ TEST(ConvexRegions, PiecesOfAPolygonWithVeryManySides) {
     next += regions.piece(r)->count;
   }
   EXPECT_EQ(next, kSides - 2);
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   EXPECT_EQ(occluders[0].area(), 0);
   for (std::size_t r = 1; r < regions.size(); ++r) EXPECT_GT(occluders[r].area(), 0.1);
 }

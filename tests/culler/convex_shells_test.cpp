@@ -18,9 +18,7 @@ using Indices = std::vector<std::uint32_t>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-ConvexShells find_shells(const PolygonSoup& soup) {
-  return ConvexShells::find(soup, find_adjacency(soup, welded(soup.vertices)));
-}
+ConvexShells find_shells(SoupView soup) { return ConvexShells::find(soup, find_adjacency(soup, welded(soup.vertices))); }
 
 Indices parts(const ConvexShells& shells, std::size_t s) {
   const auto span = shells.parts(s);

@@ -28,7 +28,7 @@ using namespace occlude::culler;
 
 constexpr CullOptions kCover{.method = Method::cover, .cover = {.width = 256, .height = 144}};
 
-std::vector<kernel::Vec3> polygon(const PolygonSoup& soup, std::uint32_t p) {
+std::vector<kernel::Vec3> polygon(SoupView soup, std::uint32_t p) {
   std::vector<kernel::Vec3> result;
   for (const std::uint32_t v : soup.loop(p)) result.push_back(to_kernel(soup.vertices[v]));
   return result;
@@ -40,7 +40,7 @@ kernel::HalfSpace drawn_of(const Camera& camera) {
   return {to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
 }
 
-bool is_hidden(const PolygonSoup& soup, std::span<const std::uint32_t> polygons, const Camera& camera, const Box& box) {
+bool is_hidden(SoupView soup, std::span<const std::uint32_t> polygons, const Camera& camera, const Box& box) {
   std::vector<kernel::Cover::Polygon> cover;
   for (const std::uint32_t p : polygons) cover.push_back(polygon(soup, p));
   const auto made = kernel::Cover::make(camera.viewpoint(), cover, drawn_of(camera));
@@ -81,7 +81,7 @@ TEST_P(CoverFrames, WhatIsCulledIsHiddenByWhatIsNamed) {
   std::mt19937 random(seed);
   const PolygonSoup soup = seed % 2 == 0 ? random_town(seed, 1500) : random_town_of_houses(seed, 1500);
   const Culler culler = culler_of(soup, 1 + seed % 5, seed % 3 == 0 ? Bounds::obb : Bounds::aabb);
-  const PolygonSoup& ours = culler.hierarchy().soup();
+  const SoupView& ours = culler.hierarchy().soup();
   std::size_t culls = 0, polygons = 0;
   for (int i = 0; i < 12; ++i) {
     const Camera camera = random_camera(random);

@@ -86,7 +86,7 @@ TEST(Culler, BothTestsCullTheSame) {
 
 TEST(Culler, EveryVertexOfAShadowedPolygonIsInTheShadow) {
   const Culler culler(random_town_of_houses(3, 3000));
-  const PolygonSoup& soup = culler.hierarchy().soup();
+  const SoupView soup = culler.hierarchy().soup();
   std::mt19937 random(77);
   for (int i = 0; i < 50; ++i) {
     const CullResult frame = culler.cull(random_camera(random), {});

@@ -19,7 +19,7 @@ TEST(FollowedSilhouettes, AreSoManyAndOfTheShellsLastAskedFor) {
   PolygonSoup soup;
   constexpr std::uint32_t kShells = 20, kPlaces = 4;
   for (std::uint32_t i = 0; i < kShells; ++i) soup.add_box({3.0 * i, 0, 0}, {3.0 * i + 1, 1, 1});
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   ASSERT_EQ(occluders.shells().size(), kShells);
   FollowedSilhouettes followed;
   const auto faces_asked = [&](std::uint32_t shell) {

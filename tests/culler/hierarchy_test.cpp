@@ -24,7 +24,7 @@ bool encloses(const occlude::kernel::Aabb& box, const glm::dvec3& v) {
          v.z <= box.max.z;
 }
 
-void check(const PolygonSoup& soup, const Hierarchy& hierarchy, std::uint32_t leaf_size) {
+void check(SoupView soup, const Hierarchy& hierarchy, std::uint32_t leaf_size) {
   std::multiset<std::uint32_t> originals;
   for (std::size_t p = 0; p < soup.size(); ++p) {
     originals.insert(hierarchy.original(p));

@@ -18,7 +18,7 @@ namespace {
 using namespace occlude::culler;
 using occlude::kernel::Aabb;
 
-std::vector<Aabb> boxes_of(const PolygonSoup& soup, const InnerBoxOptions& options = {}) {
+std::vector<Aabb> boxes_of(SoupView soup, const InnerBoxOptions& options = {}) {
   std::vector<Aabb> boxes;
   for (const InnerBox& inner : find_inner_boxes(soup, options).boxes) boxes.push_back(inner.box);
   return boxes;
@@ -264,7 +264,7 @@ TEST(InnerBoxes, AtTheEndsOfTheRange) {
 /// A ring of houses with gables, and among them all the solids above: something of every kind.
 PolygonSoup village() {
   PolygonSoup soup;
-  const auto put = [&](const PolygonSoup& solid, const glm::dvec3& at, double angle) {
+  const auto put = [&](SoupView solid, const glm::dvec3& at, double angle) {
     const auto base = static_cast<std::uint32_t>(soup.vertices.size());
     for (const glm::dvec3& v : solid.vertices) {
       soup.add_vertex(at + glm::dvec3{v.x * std::cos(angle) - v.y * std::sin(angle),

@@ -18,8 +18,7 @@ using namespace occlude::culler;
 
 struct Model {
   explicit Model(const PolygonSoup& soup)
-      : tree(Hierarchy::build(soup, {.leaf_size = 2})),
-        occluders(PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {})) {}
+      : tree(Hierarchy::build(soup, {.leaf_size = 2})), occluders(PotentialOccluders::find(SharedSoup(soup), {})) {}
 
   [[nodiscard]] Space space() const { return {tree.nodes()[0].box, tree.nodes()}; }
   [[nodiscard]] OccluderLists lists(const OccluderLists::Config& config) const {

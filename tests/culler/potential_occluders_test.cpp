@@ -30,7 +30,7 @@ PolygonSoup box(bool triangles, const glm::dvec3& low, const glm::dvec3& high) {
 
 TEST(PotentialOccluders, ATriangleIsPartOfAFaceAndThatOfABox) {
   const PolygonSoup soup = box(true, {0, 0, 0}, {2, 3, 5});
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   ASSERT_EQ(occluders.size(), 12U + 6U + 1U);
   constexpr std::uint32_t kShell = 18;
   for (std::uint32_t p = 0; p < 12; ++p) {
@@ -51,8 +51,7 @@ TEST(PotentialOccluders, ATriangleIsPartOfAFaceAndThatOfABox) {
 
 TEST(PotentialOccluders, WithoutShellsEveryOccluderIsFlat) {
   const PolygonSoup soup = box(true, {0, 0, 0}, {2, 3, 5});
-  const PotentialOccluders occluders =
-      PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {.shells = false});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {.shells = false});
   ASSERT_EQ(occluders.size(), 18U);
   EXPECT_EQ(occluders.shells().size(), 0U);
   EXPECT_EQ(occluders.container(0), occluders.regions().whole(0));
@@ -63,7 +62,7 @@ TEST(PotentialOccluders, ContainersOfQuadrilateralsAndOfPieces) {
   PolygonSoup soup = box(false, {0, 0, 0}, {2, 3, 5});
   add(soup, {{9, 0, 0}, {9, 2, 0}, {9, 2, 1}, {9, 1, 1}, {9, 1, 2}, {9, 0, 2}});  // an L
   add_wall(soup, 20, 0, 1, 0, 1);
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   ASSERT_EQ(occluders.size(), 8U + 2U + 1U);
   for (std::uint32_t p = 0; p < 6; ++p) EXPECT_EQ(occluders.container(p), 10U) << "its shell";
   for (std::uint32_t i = 6; i < 11; ++i) EXPECT_EQ(occluders.container(i), i) << "nothing larger";
@@ -75,7 +74,7 @@ TEST(PotentialOccluders, TheShadowOfAContainerHoldsThatOfItsParts) {
   constexpr std::uint32_t kSeed = 8;
   std::mt19937 random(kSeed);
   const PolygonSoup soup = random_town_of_houses(kSeed, 400);
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   const auto shadow = [&](std::uint32_t i, const kernel::Vec3& eye) {
     const auto viewpoint = kernel::Viewpoint::eye(eye);
     const auto geometry = occluders.geometry(i);
@@ -110,7 +109,7 @@ TEST(PotentialOccluders, TheShadowOfAContainerHoldsThatOfItsParts) {
 
 TEST(AreaAngle, OfAShellIsAQuarterOfItsSurfaceOverTheSquaredDistance) {
   const PolygonSoup soup = box(true, {-1, -1, -1}, {1, 1, 1});
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   const PotentialOccluder& shell = occluders[occluders.size() - 1];
   EXPECT_DOUBLE_EQ(shell.round_area, 6);
   EXPECT_DOUBLE_EQ(shell.radius, std::sqrt(3));
@@ -124,7 +123,7 @@ TEST(AreaAngle, OfAShellIsAQuarterOfItsSurfaceOverTheSquaredDistance) {
 /// from that by less than 40 % in any direction.
 TEST(AreaAngle, OfARoundShellIsAboutItsSolidAngle) {
   const PolygonSoup soup = box(false, {-1, -1, -1}, {1, 1, 1});
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   const auto shell = static_cast<std::uint32_t>(occluders.size() - 1);
   Camera camera;
   std::mt19937 random(1);
@@ -158,7 +157,7 @@ TEST(SolidAngle, OfTriangles) {
 
 TEST(SeenSize, OfPolygonsAndShells) {
   PolygonSoup soup = box(true, {1, -1, -1}, {3, 1, 1});
-  const PotentialOccluders occluders = PotentialOccluders::find(std::make_shared<const PolygonSoup>(soup), {});
+  const PotentialOccluders occluders = PotentialOccluders::find(SharedSoup(soup), {});
   const auto shell = static_cast<std::uint32_t>(occluders.size() - 1);
   Camera camera;
   const auto size = [&](std::uint32_t i) { return seen_size(occluders, i, FrameView(camera, 0), Objective::Angle::exact); };

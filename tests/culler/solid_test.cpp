@@ -27,7 +27,7 @@ bool meets(const Vec3& a, const Vec3& b, const Vec3& c, const Aabb& box = kBox) 
   return meets_interior(triangle, box);
 }
 
-Solid solid_of(const PolygonSoup& soup) {
+Solid solid_of(SoupView soup) {
   std::vector<std::uint32_t> all(soup.size());
   std::iota(all.begin(), all.end(), 0U);
   return {soup, all};

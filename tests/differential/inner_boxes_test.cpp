@@ -26,7 +26,7 @@ std::uint32_t seed() {
   return given ? static_cast<std::uint32_t>(std::strtoul(given, nullptr, 10)) : 1;
 }
 
-std::vector<Triangle> triangles_of(const PolygonSoup& soup) {
+std::vector<Triangle> triangles_of(SoupView soup) {
   std::vector<Triangle> triangles;
   for (std::size_t p = 0; p < soup.size(); ++p) {
     const auto at = [&](std::size_t i) {

@@ -44,7 +44,7 @@ WideVector cross(const WideVector& a, const WideVector& b) {
 
 Wide dot(const WideVector& a, const WideVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-std::vector<GridPoint> corners(const culler::PolygonSoup& soup, std::size_t polygon) {
+std::vector<GridPoint> corners(culler::SoupView soup, std::size_t polygon) {
   std::vector<GridPoint> result;
   for (const std::uint32_t i : soup.loop(polygon)) result.push_back(on_grid(soup.vertices[i]));
   return result;
@@ -126,7 +126,7 @@ glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-double distance_to_polygon(const glm::dvec3& p, const culler::PolygonSoup& soup, std::size_t polygon) {
+double distance_to_polygon(const glm::dvec3& p, culler::SoupView soup, std::size_t polygon) {
   const auto loop = soup.loop(polygon);
   const auto at = [&](std::size_t i) { return soup.vertices[loop[i % loop.size()]]; };
   glm::dvec3 normal = cross(at(1) - at(0), at(2) - at(0));
@@ -143,7 +143,7 @@ double distance_to_polygon(const glm::dvec3& p, const culler::PolygonSoup& soup,
 /// Polygons by the squares of 8 m in plan that their bounds touch.
 class PlanGrid {
  public:
-  explicit PlanGrid(const culler::PolygonSoup& soup) {
+  explicit PlanGrid(culler::SoupView soup) {
     for (std::size_t p = 0; p < soup.size(); ++p) {
       glm::dvec3 low = soup.vertices[soup.loop(p)[0]];
       glm::dvec3 high = low;

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 /// The bytes of `value` in the order of a big-endian or little-endian file.
@@ -33,7 +34,7 @@ std::string bytes_of(T value, std::endian order) {
   return text;
 }
 
-void save(const fs::path& file, const PolygonSoup& soup, const std::string& comment) {
+void save(const fs::path& file, SoupView soup, const std::string& comment) {
   OutputFile output(file);
   write_ply(output, soup, comment);
   output.commit();

@@ -19,6 +19,7 @@ namespace {
 using culler::Camera;
 using culler::PolygonRange;
 using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 constexpr int kWidth = 160, kHeight = 90;
@@ -45,12 +46,12 @@ class PlateTest : public testing::Test {
     add_quad(soup, {10, -100, -100}, {0, 200, 0}, {0, 0, 200});
     return soup;
   }
-  [[nodiscard]] static Image draw(const PolygonSoup& soup, const Camera& camera, std::span<const PlateLayer> layers,
+  [[nodiscard]] static Image draw(SoupView soup, const Camera& camera, std::span<const PlateLayer> layers,
                                   std::span<const Line> lines = {}, std::span<const LegendEntry> legend = {}) {
     SceneRenderer renderer(soup, kWidth, kHeight);
     return PlateRenderer(soup, renderer).draw(camera, layers, {.lines = lines, .legend = legend});
   }
-  [[nodiscard]] static Image draw(const PolygonSoup& soup, const Camera& camera, Style style) {
+  [[nodiscard]] static Image draw(SoupView soup, const Camera& camera, Style style) {
     const PolygonRange all = soup.all();
     const PlateLayer layer{std::span(&all, 1), style};
     return draw(soup, camera, std::span(&layer, 1));

@@ -21,6 +21,7 @@ namespace {
 
 using culler::Camera;
 using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 constexpr int kWidth = 64, kHeight = 36;
@@ -40,11 +41,11 @@ class SceneRendererTest : public testing::Test {
                                                soup.add_vertex({x, y1, z1}), soup.add_vertex({x, y0, z1})};
     soup.add_polygon(loop);
   }
-  [[nodiscard]] static std::uint32_t count(const PolygonSoup& soup) { return static_cast<std::uint32_t>(soup.size()); }
+  [[nodiscard]] static std::uint32_t count(SoupView soup) { return static_cast<std::uint32_t>(soup.size()); }
   [[nodiscard]] static std::size_t pixels(const ItemBuffer& items, std::uint32_t item) {
     return static_cast<std::size_t>(std::ranges::count(items.pixels, item));
   }
-  [[nodiscard]] static ItemBuffer items_of(const PolygonSoup& soup, const Camera& camera) {
+  [[nodiscard]] static ItemBuffer items_of(SoupView soup, const Camera& camera) {
     const PolygonRange all{0, count(soup)};
     return SceneRenderer(soup, kWidth, kHeight).item_buffer(camera, std::span(&all, 1));
   }

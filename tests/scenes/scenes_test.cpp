@@ -43,7 +43,7 @@ std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
 /// Places for eyes: anywhere around the scene, and on planes, edges and vertices of its polygons.
 class Eyes {
  public:
-  Eyes(const PolygonSoup& soup, std::uint64_t seed) : soup_(soup), random_(seed) {
+  Eyes(SoupView soup, std::uint64_t seed) : soup_(soup), random_(seed) {
     low_ = high_ = soup.vertices.front();
     for (const dvec3& v : soup.vertices) {
       low_ = glm::min(low_, v);
@@ -105,7 +105,7 @@ class Eyes {
     return {x, y, random_.real(low_.z - margin.z, high_.z + margin.z)};
   }
 
-  const PolygonSoup& soup_;
+  SoupView soup_;
   Random random_;
   dvec3 low_, high_;
 };

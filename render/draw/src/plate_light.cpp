@@ -56,7 +56,7 @@ double seen_sky(const SeenSurface& seen, int x, int y) {
   return std::max(0.0, 1 - kStrength * hidden / kPlaces);
 }
 
-std::optional<culler::Camera> sun_camera(const SeenSurface& seen, const culler::PolygonSoup& soup, double aspect) {
+std::optional<culler::Camera> sun_camera(const SeenSurface& seen, culler::SoupView soup, double aspect) {
   // What is beyond four times the middle depth is small in the picture, and would make its shadows coarse.
   const double most = 4 * middle_depth(seen);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -20,8 +20,7 @@ inline constexpr glm::dvec3 kSun = {-0.57, -0.42, 0.71};
 
 /// A camera at the sun that sees what the picture sees, but for what is much farther than the rest; none if the picture
 /// shows nothing. `aspect` is the width over the height of its own picture.
-[[nodiscard]] std::optional<culler::Camera> sun_camera(const SeenSurface& seen, const culler::PolygonSoup& soup,
-                                                       double aspect);
+[[nodiscard]] std::optional<culler::Camera> sun_camera(const SeenSurface& seen, culler::SoupView soup, double aspect);
 
 /// Whether the sun reaches a point, by what the sun sees beside it, in the direction of `angle`. Surfaces within a few
 /// pixels of the sun's picture do not shade it.

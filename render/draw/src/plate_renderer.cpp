@@ -62,7 +62,7 @@ double edge(const SeenSurface& seen, int x, int y, int nx, int ny) {
 }  // namespace
 
 struct PlateRenderer::Impl {
-  Impl(const culler::PolygonSoup& model, SceneRenderer& scene)
+  Impl(culler::SoupView model, SceneRenderer& scene)
       : soup(model),
         renderer(scene),
         width(scene.width()),
@@ -80,7 +80,7 @@ struct PlateRenderer::Impl {
   [[nodiscard]] Image shaded(const Samples& seen, const Light& light) const;
   [[nodiscard]] dvec3 colour(const SeenSurface& seen, const Light& light, int x, int y) const;
 
-  const culler::PolygonSoup& soup;
+  culler::SoupView soup;
   SceneRenderer& renderer;
   int width, height;
   std::vector<dvec3> normals, colours;
@@ -132,7 +132,7 @@ dvec3 PlateRenderer::Impl::colour(const SeenSurface& seen, const Light& light, i
   return glm::mix(sky, surface, std::exp2(-seen.depth(x, y) / light.haze_depth));
 }
 
-PlateRenderer::PlateRenderer(const culler::PolygonSoup& soup, SceneRenderer& renderer)
+PlateRenderer::PlateRenderer(culler::SoupView soup, SceneRenderer& renderer)
     : impl_(std::make_unique<Impl>(soup, renderer)) {}
 
 PlateRenderer::~PlateRenderer() = default;

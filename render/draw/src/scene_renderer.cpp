@@ -132,7 +132,7 @@ void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges) co
   glMultiDrawArrays(GL_TRIANGLES, runs.first.data(), runs.count.data(), static_cast<GLsizei>(runs.first.size()));
 }
 
-SceneRenderer::SceneRenderer(const culler::PolygonSoup& soup, int width, int height)
+SceneRenderer::SceneRenderer(culler::SoupView soup, int width, int height)
     : impl_(std::make_unique<Impl>(make_triangle_list(soup), width, height)) {}
 
 SceneRenderer::~SceneRenderer() = default;

@@ -15,7 +15,7 @@ struct DepthRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
-DepthRange depth_range(const culler::PolygonSoup& soup, std::uint32_t polygon, const PixelRays& rays) {
+DepthRange depth_range(culler::SoupView soup, std::uint32_t polygon, const PixelRays& rays) {
   DepthRange range;
   for (const std::uint32_t v : soup.loop(polygon)) {
     const double depth = rays.depth(soup.vertices[v]);
@@ -26,8 +26,8 @@ DepthRange depth_range(const culler::PolygonSoup& soup, std::uint32_t polygon, c
 
 }  // namespace
 
-SeenSurface::SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, const PixelRays& rays,
-                         const culler::PolygonSoup& soup, std::span<const glm::dvec3> normals)
+SeenSurface::SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, const PixelRays& rays, culler::SoupView soup,
+                         std::span<const glm::dvec3> normals)
     : items_(items), offset_(offset), rays_(rays), normals_(normals), depths_{items.width, items.height, {}} {
   depths_.pixels.reserve(items.pixels.size());
   std::uint32_t last = kNothing;  // neighbours mostly show the same polygon

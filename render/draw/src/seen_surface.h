@@ -19,7 +19,7 @@ namespace occlude::render {
 class SeenSurface {
  public:
   /// `offset` is that of the item buffer, and `normals` are those of the polygons.
-  SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, const PixelRays& rays, const culler::PolygonSoup& soup,
+  SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, const PixelRays& rays, culler::SoupView soup,
               std::span<const glm::dvec3> normals);
 
   [[nodiscard]] int width() const { return items_.width; }

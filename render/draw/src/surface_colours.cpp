@@ -12,7 +12,7 @@
 namespace occlude::render {
 namespace {
 
-using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 // |z| of the unit normal above which a surface counts as level (within 8 degrees), as ground (35) and as a roof (72).
@@ -44,14 +44,14 @@ std::uint64_t hash_of(const dvec3& point) {
 }
 
 /// The corner of a polygon that comes first in the order of x, y and z.
-dvec3 first_corner(const PolygonSoup& soup, std::size_t polygon) {
+dvec3 first_corner(SoupView soup, std::size_t polygon) {
   const auto loop = soup.loop(polygon);
   const auto key = [&](std::uint32_t v) { return std::tuple(soup.vertices[v].x, soup.vertices[v].y, soup.vertices[v].z); };
   return soup.vertices[*std::ranges::min_element(loop, {}, key)];
 }
 
 /// For each surface, at its number, the hash of its first corner.
-std::vector<std::uint64_t> surface_hashes(const PolygonSoup& soup, const std::vector<std::uint32_t>& surface) {
+std::vector<std::uint64_t> surface_hashes(SoupView soup, const std::vector<std::uint32_t>& surface) {
   const auto key = [](const dvec3& v) { return std::tuple(v.x, v.y, v.z); };
   std::vector<dvec3> first(soup.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
@@ -78,7 +78,7 @@ dvec3 material(double steepness, std::uint64_t hash) {
 
 }  // namespace
 
-std::vector<dvec3> surface_colours(const PolygonSoup& soup, const std::vector<dvec3>& normals) {
+std::vector<dvec3> surface_colours(SoupView soup, const std::vector<dvec3>& normals) {
   const std::vector<std::uint32_t> surface = surfaces(soup, normals);
   const std::vector<std::uint64_t> hashes = surface_hashes(soup, surface);
   std::vector<dvec3> colours(soup.size());

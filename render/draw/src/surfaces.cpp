@@ -16,7 +16,7 @@
 namespace occlude::render {
 namespace {
 
-using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 // The cosine of the largest bend within a surface: 20 degrees.
@@ -29,7 +29,7 @@ struct Edge {
 };
 
 /// For each vertex the number of its place.
-std::vector<std::uint32_t> places(const std::vector<dvec3>& vertices) {
+std::vector<std::uint32_t> places(std::span<const dvec3> vertices) {
   std::vector<std::uint32_t> order(vertices.size()), place(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto key = [&](std::uint32_t v) { return std::tuple(vertices[v].x, vertices[v].y, vertices[v].z); };
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> places(const std::vector<dvec3>& vertices) {
   return place;
 }
 
-std::vector<Edge> sorted_edges(const PolygonSoup& soup) {
+std::vector<Edge> sorted_edges(SoupView soup) {
   const std::vector<std::uint32_t> place = places(soup.vertices);
   std::vector<Edge> edges;
   edges.reserve(soup.indices.size());
@@ -56,8 +56,7 @@ std::vector<Edge> sorted_edges(const PolygonSoup& soup) {
 }
 
 /// Pairs of neighbours, each both ways, sorted.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> smooth_neighbours(const PolygonSoup& soup,
-                                                                       const std::vector<dvec3>& normals) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> smooth_neighbours(SoupView soup, const std::vector<dvec3>& normals) {
   const std::vector<Edge> edges = sorted_edges(soup);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t i = 1; i < edges.size(); ++i) {
@@ -73,7 +72,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> smooth_neighbours(const Pol
 
 }  // namespace
 
-std::vector<dvec3> unit_normals(const PolygonSoup& soup) {
+std::vector<dvec3> unit_normals(SoupView soup) {
   std::vector<dvec3> normals(soup.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
     const dvec3 sum = doubled_area(soup, p);
@@ -83,7 +82,7 @@ std::vector<dvec3> unit_normals(const PolygonSoup& soup) {
   return normals;
 }
 
-std::vector<std::uint32_t> surfaces(const PolygonSoup& soup, const std::vector<dvec3>& normals) {
+std::vector<std::uint32_t> surfaces(SoupView soup, const std::vector<dvec3>& normals) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   const auto pairs = smooth_neighbours(soup, normals);
   std::vector<std::uint32_t> surface(soup.size(), kNone), open;

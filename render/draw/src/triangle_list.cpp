@@ -9,13 +9,13 @@
 namespace occlude::render {
 namespace {
 
-using culler::PolygonSoup;
+using culler::SoupView;
 using glm::dvec3;
 
 // Float coordinates up to here are not recentred: their spacing is at most 1/128, and exact values stay exact.
 constexpr double kNearOrigin = 65536;
 
-Extent extent_of(const std::vector<dvec3>& vertices) {
+Extent extent_of(std::span<const dvec3> vertices) {
   if (vertices.empty()) return {};
   Extent extent{vertices[0], vertices[0]};
   for (const dvec3& v : vertices) extent = {glm::min(extent.min, v), glm::max(extent.max, v)};
@@ -33,7 +33,7 @@ bool stays_exact(const dvec3& v) {
 
 /// The point subtracted before coordinates are converted to float. Zero if they are floats already; else the centre of the
 /// model in whole units, which keeps the fractions of the coordinates.
-dvec3 choose_centre(const std::vector<dvec3>& vertices, const Extent& extent) {
+dvec3 choose_centre(std::span<const dvec3> vertices, const Extent& extent) {
   if (std::ranges::all_of(vertices, stays_exact)) return {0, 0, 0};
   return glm::round(0.5 * extent.min + 0.5 * extent.max);
 }
@@ -43,7 +43,7 @@ Corner corner(const dvec3& relative, std::size_t polygon) {
           static_cast<std::uint32_t>(polygon)};
 }
 
-void add_fan(TriangleList& list, const PolygonSoup& soup, std::size_t polygon) {
+void add_fan(TriangleList& list, SoupView soup, std::size_t polygon) {
   const auto loop = soup.loop(polygon);
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     for (const std::size_t at : {std::size_t{0}, i, i + 1})
@@ -54,7 +54,7 @@ void add_fan(TriangleList& list, const PolygonSoup& soup, std::size_t polygon) {
 
 }  // namespace
 
-TriangleList make_triangle_list(const PolygonSoup& soup) {
+TriangleList make_triangle_list(SoupView soup) {
   // A polygon with n corners has n - 2 triangles.
   const std::size_t corners = 3 * (soup.indices.size() - 2 * soup.size());
   if (corners > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))

@@ -29,6 +29,6 @@ struct TriangleList {
 };
 
 /// Throws std::runtime_error for more triangles than OpenGL can number.
-[[nodiscard]] TriangleList make_triangle_list(const culler::PolygonSoup& soup);
+[[nodiscard]] TriangleList make_triangle_list(culler::SoupView soup);
 
 }  // namespace occlude::render

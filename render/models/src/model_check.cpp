@@ -44,7 +44,7 @@ void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop) 
   soup.first.push_back(static_cast<std::uint32_t>(soup.indices.size()));
 }
 
-void require_usable(const std::filesystem::path& file, const culler::PolygonSoup& soup) {
+void require_usable(const std::filesystem::path& file, culler::SoupView soup) {
   constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
   if (soup.empty()) throw InputError(file.string() + ": no polygons");
   if (soup.vertices.size() > kMost || soup.indices.size() > kMost)

@@ -24,6 +24,6 @@ namespace occlude::render {
 void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop);
 
 /// Throws InputError for a model without polygons, or with too many for 32-bit indices.
-void require_usable(const std::filesystem::path& file, const culler::PolygonSoup& soup);
+void require_usable(const std::filesystem::path& file, culler::SoupView soup);
 
 }  // namespace occlude::render

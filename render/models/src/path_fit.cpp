@@ -13,7 +13,7 @@ namespace {
 /// A box larger than that of the vertices by its longest side, in every direction.
 class Surroundings {
  public:
-  explicit Surroundings(const std::vector<glm::dvec3>& vertices) : low_(vertices.front()), high_(low_) {
+  explicit Surroundings(std::span<const glm::dvec3> vertices) : low_(vertices.front()), high_(low_) {
     for (const glm::dvec3& v : vertices) {
       low_ = glm::min(low_, v);
       high_ = glm::max(high_, v);
@@ -33,7 +33,7 @@ class Surroundings {
 };
 
 /// Whether the path is drawn from or looks at a place near the model.
-bool comes_near(const CameraPath& path, const culler::PolygonSoup& model) {
+bool comes_near(const CameraPath& path, culler::SoupView model) {
   const Surroundings surroundings(model.vertices);
   const auto is_near = [&](const CameraPath::Keyframe& k) {
     return surroundings.have(k.eye) || surroundings.have(k.target);
@@ -47,7 +47,7 @@ bool comes_near(const CameraPath& path, const culler::PolygonSoup& model) {
 
 }  // namespace
 
-std::string doubt_about(const CameraPath& path, const std::filesystem::path& file, const culler::PolygonSoup& model) {
+std::string doubt_about(const CameraPath& path, const std::filesystem::path& file, culler::SoupView model) {
   const std::filesystem::path meant(path.model);
   if (!path.model.empty() && meant.stem() != file.stem()) {
     return fmt::format("made for {}, not for {}", meant.filename().string(), file.filename().string());

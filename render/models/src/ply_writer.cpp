@@ -13,7 +13,7 @@
 namespace occlude::render {
 namespace {
 
-using culler::PolygonSoup;
+using culler::SoupView;
 
 /// Appends the low `bytes` bytes of `value`, lowest first.
 void append(std::string& out, std::uint64_t value, std::size_t bytes) {
@@ -31,14 +31,14 @@ std::string comment_lines(std::string_view text) {
 }
 
 /// The size of a list's length, bytes: one, or four if a polygon has more than 255 vertices.
-std::size_t length_bytes(const PolygonSoup& soup) {
+std::size_t length_bytes(SoupView soup) {
   for (std::size_t p = 0; p < soup.size(); ++p) {
     if (soup.loop(p).size() > 0xFF) return 4;
   }
   return 1;
 }
 
-std::string header(const PolygonSoup& soup, const std::string& comment) {
+std::string header(SoupView soup, const std::string& comment) {
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
       "element face {}\nproperty list {} uint vertex_indices\nend_header\n",
@@ -47,7 +47,7 @@ std::string header(const PolygonSoup& soup, const std::string& comment) {
 
 }  // namespace
 
-void write_ply(OutputFile& file, const PolygonSoup& soup, const std::string& comment) {
+void write_ply(OutputFile& file, SoupView soup, const std::string& comment) {
   // Written in blocks of about 1 MiB, to save memory and to react to Ctrl-C.
   constexpr std::size_t kPiece = 1U << 20U;
   std::string out = header(soup, comment);

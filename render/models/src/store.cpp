@@ -196,9 +196,9 @@ std::uint64_t hash_of_store(const std::filesystem::path& file) { return OpenStor
 
 culler::PolygonSoup model_of(const culler::Culler& culler) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const culler::PolygonSoup& soup = hierarchy.soup();
+  const culler::SoupView soup = hierarchy.soup();
   culler::PolygonSoup model;
-  model.vertices = soup.vertices;
+  model.vertices.assign(soup.vertices.begin(), soup.vertices.end());
   model.first.resize(soup.first.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
     model.first[hierarchy.original(p) + std::size_t{1}] = static_cast<std::uint32_t>(soup.loop(p).size());
@@ -211,9 +211,9 @@ culler::PolygonSoup model_of(const culler::Culler& culler) {
   return model;
 }
 
-bool is_model_of(const culler::PolygonSoup& soup, const culler::Culler& culler) {
+bool is_model_of(culler::SoupView soup, const culler::Culler& culler) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const culler::PolygonSoup& own = hierarchy.soup();
+  const culler::SoupView own = hierarchy.soup();
   if (soup.vertices.size() != own.vertices.size() || soup.size() != own.size()) return false;
   if (std::memcmp(soup.vertices.data(), own.vertices.data(), soup.vertices.size() * sizeof(glm::dvec3)) != 0) return false;
   for (std::size_t p = 0; p < own.size(); ++p) {

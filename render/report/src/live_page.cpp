@@ -33,7 +33,7 @@ struct Extent {
   double size;
 };
 
-Extent extent_of(const culler::PolygonSoup& model) {
+Extent extent_of(culler::SoupView model) {
   glm::dvec3 low = model.vertices[model.indices[0]], high = low;
   for (const std::uint32_t index : model.indices) {
     low = glm::min(low, model.vertices[index]);
@@ -62,7 +62,7 @@ std::string start_json(const LiveStart& start) {
 
 }  // namespace
 
-LiveStart start_of(const CameraPath& path, const culler::PolygonSoup& model) {
+LiveStart start_of(const CameraPath& path, culler::SoupView model) {
   LiveStart start;
   double length = 0;
   for (std::size_t frame = 0; frame < path.frames; ++frame) {
@@ -75,7 +75,7 @@ LiveStart start_of(const CameraPath& path, const culler::PolygonSoup& model) {
   return start;
 }
 
-LiveStart start_beside(const culler::PolygonSoup& model) {
+LiveStart start_beside(culler::SoupView model) {
   const auto [middle, size] = extent_of(model);
   const double length = size > 0 ? size : 1;  // a model may be a point
   culler::Camera camera;
@@ -86,8 +86,7 @@ LiveStart start_beside(const culler::PolygonSoup& model) {
   return {{camera}, length / kSecondsThrough};
 }
 
-std::string live_page(const std::string& name, const culler::PolygonSoup& model, const LiveStart& start,
-                      const std::string& module) {
+std::string live_page(const std::string& name, culler::SoupView model, const LiveStart& start, const std::string& module) {
   const std::map<std::string_view, std::function<std::string()>> values{
       {"model", [&] { return escaped(name); }},
       {"lead",

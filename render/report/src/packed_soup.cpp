@@ -19,7 +19,7 @@ constexpr std::size_t kBytes = sizeof(double);
 
 std::uint64_t unfolded(std::uint64_t number) { return number >> 1 ^ ((number & 1U) == 0 ? 0 : ~std::uint64_t{0}); }
 
-void pack_axis(const culler::PolygonSoup& soup, int axis, std::string& text) {
+void pack_axis(culler::SoupView soup, int axis, std::string& text) {
   std::uint64_t before = 0;
   append_planes(text, soup.vertices.size(), kBytes, [&](std::size_t v) {
     const auto bits = std::bit_cast<std::uint64_t>(soup.vertices[v][axis]);
@@ -73,7 +73,7 @@ class Reader {
 
 }  // namespace
 
-std::string packed(const culler::PolygonSoup& soup) {
+std::string packed(culler::SoupView soup) {
   Bytes bytes;
   bytes.number(soup.vertices.size());
   bytes.number(soup.size());

@@ -10,7 +10,7 @@
 namespace occlude::render {
 
 /// packed_soup.cpp has the format.
-[[nodiscard]] std::string packed(const culler::PolygonSoup& soup);
+[[nodiscard]] std::string packed(culler::SoupView soup);
 
 /// The same soup, vertex by vertex. Throws std::invalid_argument for bytes that are not of a soup.
 [[nodiscard]] culler::PolygonSoup unpacked(std::string_view bytes);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kMostSteps = (std::uint32_t{1} << PageGrid::kBits) - 1;
 
 /// Whether each polygon is among the `most` largest.
-std::vector<bool> largest(const culler::PolygonSoup& soup, std::size_t most) {
+std::vector<bool> largest(culler::SoupView soup, std::size_t most) {
   std::vector<bool> chosen(soup.size(), soup.size() <= most);
   if (soup.size() <= most) return chosen;
   std::vector<std::pair<double, std::uint32_t>> by_area;
@@ -104,7 +104,7 @@ GridPoint PageGrid::at(const glm::dvec3& point) const {
 
 PageModel::PageModel(const culler::Hierarchy& hierarchy, std::size_t most)
     : grid_(hierarchy.soup().vertices), place_(hierarchy.soup().size(), kNone) {
-  const culler::PolygonSoup& soup = hierarchy.soup();
+  const culler::SoupView soup = hierarchy.soup();
   const std::vector<bool> is_chosen = largest(soup, most);
   Vertices vertices;
   Bytes leaf_sizes, sides, corners, numbers;

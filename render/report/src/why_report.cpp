@@ -123,7 +123,7 @@ class Text {
 
   void add_polygon() {
     constexpr std::array<const char*, 3> kFates{"drawn", "culled: out of view", "culled: in shadow"};
-    const culler::PolygonSoup& soup = culler_.hierarchy().soup();
+    const culler::SoupView soup = culler_.hierarchy().soup();
     const kernel::Aabb box = soup.box(account_.polygon);
     add("frame {}, polygon {}: {}", frame_.number(), culler_.hierarchy().original(account_.polygon),
         kFates[static_cast<std::size_t>(became_)]);

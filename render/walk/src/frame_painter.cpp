@@ -26,7 +26,7 @@ Image FramePainter::whole(const culler::Camera& camera) {
 
 Image FramePainter::outside(const culler::Camera& camera, const culler::CullResult& result,
                             const std::optional<PolygonRange>& marked, std::span<const Line> lines) {
-  const culler::PolygonSoup& soup = culler_.hierarchy().soup();
+  const culler::SoupView soup = culler_.hierarchy().soup();
   FrameLayers layers = layers_of(culler_, camera, result, plates_);
   const std::vector<LegendEntry> legend = layers.legend();
   double depth = depth_of_scene(culler_, camera, result.drawn);

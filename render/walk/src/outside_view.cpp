@@ -20,7 +20,7 @@ constexpr Rgba kFrustumLine{20, 60, 200, 255}, kShadowLine{255, 160, 0, 255};
 }  // namespace
 
 double depth_of_scene(const culler::Culler& culler, const culler::Camera& camera, const std::vector<PolygonRange>& drawn) {
-  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  const culler::SoupView soup = culler.hierarchy().soup();
   std::vector<double> distances;
   for (const PolygonRange& range : drawn) {
     for (std::uint32_t p = range.first; p < range.first + range.count; ++p) {
@@ -49,7 +49,7 @@ culler::Camera outside_camera(const culler::Camera& camera, double depth) {
 }
 
 std::optional<double> cut_height(const culler::Camera& camera, const culler::Camera& outside, SceneRenderer& renderer,
-                                 const culler::PolygonSoup& soup) {
+                                 culler::SoupView soup) {
   culler::Camera back = outside;
   back.eye = camera.eye;
   back.target = outside.eye;
@@ -65,7 +65,7 @@ std::optional<double> cut_height(const culler::Camera& camera, const culler::Cam
 }
 
 std::vector<PolygonRange> cut_away(const std::vector<PolygonRange>& ranges, const culler::Camera& camera, double height,
-                                   const culler::PolygonSoup& soup) {
+                                   culler::SoupView soup) {
   const glm::dvec3 up = glm::normalize(camera.up);
   std::vector<PolygonRange> kept;
   for (const PolygonRange& range : ranges) {

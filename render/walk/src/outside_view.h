@@ -21,11 +21,11 @@ namespace occlude::render {
 /// Half the height above the camera of what is between it and the eye of `outside`; none if nothing is. `renderer` holds the
 /// polygons of the soup.
 [[nodiscard]] std::optional<double> cut_height(const culler::Camera& camera, const culler::Camera& outside,
-                                               SceneRenderer& renderer, const culler::PolygonSoup& soup);
+                                               SceneRenderer& renderer, culler::SoupView soup);
 
 /// The polygons of the ranges that are not wholly more than `height` above the camera, so that one looks into a building.
 [[nodiscard]] std::vector<PolygonRange> cut_away(const std::vector<PolygonRange>& ranges, const culler::Camera& camera,
-                                                 double height, const culler::PolygonSoup& soup);
+                                                 double height, culler::SoupView soup);
 
 /// The edges of the view frustum out to `depth`.
 void add_frustum(std::vector<Line>& lines, const culler::Camera& camera, double depth);

@@ -107,7 +107,7 @@ std::vector<DrawnPlate> draw_plates(const culler::Culler& culler, const CameraPa
 WhyPlates draw_why(const ReplayedFrame& frame, const Account& account) {
   const culler::Culler& culler = frame.culler();
   const culler::CullResult& result = frame.result();
-  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  const culler::SoupView soup = culler.hierarchy().soup();
   const PolygonRange marked{account.polygon, 1};
 
   std::vector<kernel::Vec3> loop;

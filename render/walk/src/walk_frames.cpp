@@ -124,7 +124,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
                        const OnFrame& on_frame) {
   const std::vector<std::size_t> frames = frames_of(path, options);
   const std::size_t step = reference_step(frames.size());
-  const culler::PolygonSoup& soup = culler.hierarchy().soup();
+  const culler::SoupView soup = culler.hierarchy().soup();
   WalkResult result;
   result.polygons = soup.size();
   result.triangles = soup.indices.size() - 2 * soup.size();

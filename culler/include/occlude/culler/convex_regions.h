@@ -53,14 +53,13 @@ class ConvexRegions {
 
   /// Called by PotentialOccluders::find(). REQUIRES: the soup is well formed, its coordinates are finite, and `adjacency` is
   /// what find_adjacency() (src/adjacency.h) finds in it. What `checkpoint` throws is thrown on.
-  [[nodiscard]] static ConvexRegions find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
+  [[nodiscard]] static ConvexRegions find(SoupView soup, std::span<const SidePair> adjacency,
                                           const Checkpoint& checkpoint = {});
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;
   /// The regions with these parts. Throws std::invalid_argument unless they are numbered as above, with both properties.
   /// REQUIRES: the soup is well formed.
-  [[nodiscard]] static ConvexRegions from_parts(const PartReader& parts, const PolygonSoup& soup,
-                                                const Checkpoint& checkpoint = {});
+  [[nodiscard]] static ConvexRegions from_parts(const PartReader& parts, SoupView soup, const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return first_vertex_.size() - 1; }
   /// The joined region that the polygon is a part of; `polygon` itself if there is none.
@@ -81,7 +80,7 @@ class ConvexRegions {
 
  private:
   /// Whether region r, with its corners and parts in their arrays, is what it must be by its number.
-  [[nodiscard]] bool is_sound(std::size_t r, const PolygonSoup& soup) const;
+  [[nodiscard]] bool is_sound(std::size_t r, SoupView soup) const;
   /// The same for whole(polygon).
   [[nodiscard]] bool is_whole_sound(std::uint32_t polygon, std::size_t polygons) const;
 

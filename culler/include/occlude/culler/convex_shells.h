@@ -33,15 +33,14 @@ class ConvexShells {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   /// Called by PotentialOccluders::find(). REQUIRES as ConvexRegions::find(). What `checkpoint` throws is thrown on.
-  [[nodiscard]] static ConvexShells find(const PolygonSoup& soup, std::span<const SidePair> adjacency,
+  [[nodiscard]] static ConvexShells find(SoupView soup, std::span<const SidePair> adjacency,
                                          const Checkpoint& checkpoint = {});
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;
   /// The shells with these parts. Throws std::invalid_argument where (2) or (4) does not hold. Each is checked and made into
   /// a polytope when it is first asked for; if it is not closed and convex, that is an empty polytope, which hides nothing.
   /// REQUIRES: the soup is well formed, and its coordinates are legal.
-  [[nodiscard]] static ConvexShells from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
-                                               const Checkpoint& checkpoint = {});
+  [[nodiscard]] static ConvexShells from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint = {});
 
   [[nodiscard]] std::size_t size() const { return first_part_.empty() ? 0 : first_part_.size() - 1; }
   /// The most faces, and the most edges, that any shell has; 0 if there is no shell.
@@ -62,17 +61,17 @@ class ConvexShells {
     std::uint32_t faces = 0, edges = 0;
   };
   /// Whether shell s, with its parts in their array, has the properties (2) and (4).
-  [[nodiscard]] bool is_sound(std::uint32_t s, const PolygonSoup& soup) const;
+  [[nodiscard]] bool is_sound(std::uint32_t s, SoupView soup) const;
 
   Array<std::uint32_t> parts_, first_part_;  ///< shell s has the parts [first_part_[s], first_part_[s + 1])
   Array<std::uint32_t> shell_of_;            ///< of each polygon; empty where there are no shells
   Most most_;
-  std::shared_ptr<const PolygonSoup> soup_;  ///< of which polytopes are made; null where all are
+  SharedSoup soup_;  ///< of which polytopes are made; empty where all are
   std::shared_ptr<ShellPolytopes> polytopes_;
 };
 
 /// The solid with these polygons as its faces. Its vertices are numbered in the order in which the loops first name them.
 /// Not checked: whether it is closed or convex. Takes time quadratic in the number of corners.
-[[nodiscard]] kernel::Polytope polytope_of(const PolygonSoup& soup, std::span<const std::uint32_t> polygons);
+[[nodiscard]] kernel::Polytope polytope_of(SoupView soup, std::span<const std::uint32_t> polygons);
 
 }  // namespace occlude::culler

@@ -19,7 +19,7 @@ class OccluderSet : public PotentialOccluders {
  public:
   /// The potential occluders of the soup, and the lists of the regions of `space`. REQUIRES and throws as
   /// PotentialOccluders::find() and OccluderLists::build().
-  [[nodiscard]] static OccluderSet build(std::shared_ptr<const PolygonSoup> soup, const Space& space, const Config& config,
+  [[nodiscard]] static OccluderSet build(SharedSoup soup, const Space& space, const Config& config,
                                          const OccluderLists::Config& of_lists, const Checkpoint& checkpoint = {}) {
     PotentialOccluders potential = find(std::move(soup), config, checkpoint);
     OccluderLists lists = OccluderLists::build(potential, space, of_lists, checkpoint);
@@ -32,8 +32,7 @@ class OccluderSet : public PotentialOccluders {
     lists_.append_parts(parts);
   }
   /// The occluders with these parts. REQUIRES and throws as those of PotentialOccluders and OccluderLists.
-  [[nodiscard]] static OccluderSet from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
-                                              const Checkpoint& checkpoint = {}) {
+  [[nodiscard]] static OccluderSet from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint = {}) {
     PotentialOccluders potential = PotentialOccluders::from_parts(parts, std::move(soup), checkpoint);
     OccluderLists lists = OccluderLists::from_parts(parts, potential.size(), checkpoint);
     return {std::move(potential), std::move(lists)};

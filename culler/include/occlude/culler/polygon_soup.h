@@ -2,12 +2,15 @@
 // The model: an arbitrary set of polygons without adjacency, as section 3 of the paper takes it. Reading order: 1.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "occlude/kernel/types.h"
@@ -24,8 +27,9 @@ struct PolygonRange {
 /// For each of `count` polygons, whether it is in one of the ranges. REQUIRES: no range ends beyond `count`.
 [[nodiscard]] std::vector<bool> polygons_of(std::span<const PolygonRange> ranges, std::size_t count);
 
-/// Polygons as loops of vertex indices. Polygon p is drawn as the fan of triangles (v0, vi, vi+1) of its loop; both sides
-/// are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the tools.
+/// Polygons as loops of vertex indices, where they lie. Polygon p is drawn as the fan of triangles (v0, vi, vi+1) of its
+/// loop; both sides are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the
+/// tools.
 ///
 /// A soup is well formed if
 /// 1. `first` begins with 0, never descends and ends with indices.size();
@@ -33,10 +37,13 @@ struct PolygonRange {
 /// 3. all indices are below vertices.size().
 /// Culler, OccluderMesh and preprocess() refuse a soup that is not; everything else REQUIRES that it is. Polygon numbers are
 /// not checked.
-struct PolygonSoup {
-  std::vector<glm::dvec3> vertices;
-  std::vector<std::uint32_t> indices;      ///< the loops of all polygons, one after another
-  std::vector<std::uint32_t> first = {0};  ///< polygon p owns indices [first[p], first[p + 1])
+struct SoupView {
+  /// `first` where there is no polygon.
+  static constexpr std::array<std::uint32_t, 1> kNoPolygon = {0};
+
+  std::span<const glm::dvec3> vertices;
+  std::span<const std::uint32_t> indices;  ///< the loops of all polygons, one after another
+  std::span<const std::uint32_t> first = kNoPolygon;  ///< polygon p owns indices [first[p], first[p + 1])
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -44,13 +51,30 @@ struct PolygonSoup {
 
   /// The vertex indices of polygon p, in loop order.
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t p) const {
-    return std::span(indices).subspan(first[p], first[p + 1] - first[p]);
+    return indices.subspan(first[p], first[p + 1] - first[p]);
   }
   /// Number of triangles in the fan of polygon p.
   [[nodiscard]] std::size_t triangles(std::size_t p) const { return first[p + 1] - first[p] - 2; }
 
   /// The smallest axis-aligned box that holds polygon p.
   [[nodiscard]] kernel::Aabb box(std::size_t p) const;
+};
+
+/// A soup that grows: the arrays of SoupView, in memory of its own. An empty one has no polygon.
+struct PolygonSoup {
+  std::vector<glm::dvec3> vertices;
+  std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> first = {0};
+
+  /// What reads a soup takes this one as well, as long as it is there and does not grow.
+  operator SoupView() const { return {vertices, indices, first}; }  // NOLINT: the same polygons
+
+  [[nodiscard]] std::size_t size() const { return first.size() - 1; }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] PolygonRange all() const { return SoupView(*this).all(); }
+  [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t p) const { return SoupView(*this).loop(p); }
+  [[nodiscard]] std::size_t triangles(std::size_t p) const { return SoupView(*this).triangles(p); }
+  [[nodiscard]] kernel::Aabb box(std::size_t p) const { return SoupView(*this).box(p); }
 
   /// Adds a vertex and returns its index. Throws std::length_error, and adds nothing, if 32 bits cannot hold the index.
   std::uint32_t add_vertex(const glm::dvec3& v) {
@@ -73,6 +97,19 @@ struct PolygonSoup {
   [[nodiscard]] static std::uint32_t narrowed(std::size_t number) {
     if (number > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("more than 2^32 vertices or corners");
     return static_cast<std::uint32_t>(number);
+  }
+};
+
+/// A view that keeps what it refers to. Copies share it.
+struct SharedSoup : SoupView {
+  std::shared_ptr<const void> keep;
+
+  SharedSoup() = default;
+  SharedSoup(const SoupView& view, std::shared_ptr<const void> kept) : SoupView(view), keep(std::move(kept)) {}
+  /// Takes the soup.
+  explicit SharedSoup(PolygonSoup soup) {
+    const auto owned = std::make_shared<const PolygonSoup>(std::move(soup));
+    *this = SharedSoup(*owned, owned);
   }
 };
 

@@ -48,18 +48,16 @@ class PotentialOccluders {
   };
 
   /// All potential occluders of the soup: its polygons, the regions that they make up and the shells that they form. Keeps
-  /// the soup. What `checkpoint` throws is thrown on. REQUIRES: the soup is not null, is well formed, and has finite
-  /// coordinates.
-  [[nodiscard]] static PotentialOccluders find(std::shared_ptr<const PolygonSoup> soup, const Config& config,
-                                               const Checkpoint& checkpoint = {});
+  /// the soup. What `checkpoint` throws is thrown on. REQUIRES: the soup is well formed and has finite coordinates.
+  [[nodiscard]] static PotentialOccluders find(SharedSoup soup, const Config& config, const Checkpoint& checkpoint = {});
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;
   /// The potential occluders with these parts. Throws std::invalid_argument as those of ConvexRegions and ConvexShells, and
   /// if what is known of occluders is not finite. REQUIRES as find().
-  [[nodiscard]] static PotentialOccluders from_parts(const PartReader& parts, std::shared_ptr<const PolygonSoup> soup,
+  [[nodiscard]] static PotentialOccluders from_parts(const PartReader& parts, SharedSoup soup,
                                                      const Checkpoint& checkpoint = {});
 
-  [[nodiscard]] const PolygonSoup& soup() const { return *soup_; }
+  [[nodiscard]] const SharedSoup& soup() const { return soup_; }
   /// Occluders 0, ..., size() - 1: first the regions, then the shells.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
   [[nodiscard]] const PotentialOccluder& operator[](std::size_t i) const { return known_[i]; }
@@ -87,7 +85,7 @@ class PotentialOccluders {
   [[nodiscard]] std::uint32_t container(std::uint32_t i) const;
 
  private:
-  std::shared_ptr<const PolygonSoup> soup_;
+  SharedSoup soup_;
   ConvexRegions regions_;
   ConvexShells shells_;
   Array<PotentialOccluder> known_;

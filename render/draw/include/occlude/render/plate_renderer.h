@@ -57,7 +57,7 @@ struct PlateExtras {
 class PlateRenderer {
  public:
   /// `renderer` holds the polygons of the soup; its size is that of the pictures. Both must outlive this object.
-  PlateRenderer(const culler::PolygonSoup& soup, SceneRenderer& renderer);
+  PlateRenderer(culler::SoupView soup, SceneRenderer& renderer);
   ~PlateRenderer();
   PlateRenderer(const PlateRenderer&) = delete;
   PlateRenderer& operator=(const PlateRenderer&) = delete;

@@ -11,7 +11,7 @@
 namespace occlude::render {
 
 /// Newell's normal of a polygon: as long as twice its area, in model units squared. Rounded.
-[[nodiscard]] inline glm::dvec3 doubled_area(const culler::PolygonSoup& soup, std::size_t polygon) {
+[[nodiscard]] inline glm::dvec3 doubled_area(culler::SoupView soup, std::size_t polygon) {
   const auto loop = soup.loop(polygon);
   const glm::dvec3 origin = soup.vertices[loop[0]];
   glm::dvec3 sum{0, 0, 0};

@@ -21,7 +21,7 @@ class SceneRenderer {
   /// Uploads the polygons in their order; an item buffer holds their indices. Coordinates are recentred before they are
   /// converted to float. Throws std::runtime_error if the picture or the model is larger than OpenGL allows.
   /// REQUIRES: an OffscreenContext current on this thread, for the lifetime of the object.
-  SceneRenderer(const culler::PolygonSoup& soup, int width, int height);
+  SceneRenderer(culler::SoupView soup, int width, int height);
   ~SceneRenderer();
   SceneRenderer(const SceneRenderer&) = delete;
   SceneRenderer& operator=(const SceneRenderer&) = delete;

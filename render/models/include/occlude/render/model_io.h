@@ -23,6 +23,6 @@ namespace occlude::render {
 
 /// Writes binary little-endian PLY with double coordinates and lists of uint32 indices. Each line of `comment` becomes a
 /// header comment. The caller commits the file. Throws Interrupted on Ctrl-C.
-void write_ply(OutputFile& file, const culler::PolygonSoup& soup, const std::string& comment);
+void write_ply(OutputFile& file, culler::SoupView soup, const std::string& comment);
 
 }  // namespace occlude::render

@@ -28,7 +28,7 @@ void write_store(OutputFile& file, const culler::Culler& culler);
 /// Whether the file begins as a store does, of any version. Throws InputError if it cannot be read.
 [[nodiscard]] bool is_store(const std::filesystem::path& file);
 
-/// The culler in the file, which keeps the file mapped: nothing but the soup is copied. What only frames by the other method
+/// The culler in the file, which keeps the file mapped: nothing is copied. What only frames by the other method
 /// than this need is not read, and is made anew if it is asked for: occluders without what samples have found. Throws
 /// InputError, naming the file, if it is not a store, has another version, is too short or too long, or is damaged, and
 /// where the constructor of Culler throws. Allocates no more than some times the size of the file. A file that anyone has
@@ -43,6 +43,6 @@ void write_store(OutputFile& file, const culler::Culler& culler);
 [[nodiscard]] culler::PolygonSoup model_of(const culler::Culler& culler);
 
 /// Whether this is the model of the culler, bit by bit.
-[[nodiscard]] bool is_model_of(const culler::PolygonSoup& soup, const culler::Culler& culler);
+[[nodiscard]] bool is_model_of(culler::SoupView soup, const culler::Culler& culler);
 
 }  // namespace occlude::render

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 namespace occlude::render {
 
@@ -18,7 +18,7 @@ class Digest {
     return *this;
   }
   template <class T>
-  Digest& add(const std::vector<T>& values) requires std::is_trivially_copyable_v<T> {
+  Digest& add(std::span<const T> values) requires std::is_trivially_copyable_v<T> {
     return add({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
   }
 

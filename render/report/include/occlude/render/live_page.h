@@ -23,13 +23,13 @@ struct LiveStart {
 };
 
 /// All cameras of a path, at the speed of a film of it with 30 frames a second.
-[[nodiscard]] LiveStart start_of(const CameraPath& path, const culler::PolygonSoup& model);
+[[nodiscard]] LiveStart start_of(const CameraPath& path, culler::SoupView model);
 
 /// Before the model and above it.
-[[nodiscard]] LiveStart start_beside(const culler::PolygonSoup& model);
+[[nodiscard]] LiveStart start_beside(culler::SoupView model);
 
 /// `module` is what render/live/build.sh builds. REQUIRES: at most kMostLivePolygons.
-[[nodiscard]] std::string live_page(const std::string& name, const culler::PolygonSoup& model, const LiveStart& start,
+[[nodiscard]] std::string live_page(const std::string& name, culler::SoupView model, const LiveStart& start,
                                     const std::string& module);
 
 }  // namespace occlude::render
