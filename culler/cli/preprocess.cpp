@@ -89,6 +89,7 @@ render::Job job_of(const Arguments& arguments, culler::SoupView soup) {
 culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
                         const culler::BuildConfig& config) {
   culler::Culler culler(soup, config, render::check_interrupt);
+  culler.prepare(culler::Method::frusta, render::check_interrupt);
   if (arguments.samples.viewpoints == 0) return culler;
   return culler.with_hidden(sample(job, culler, arguments.samples));
 }

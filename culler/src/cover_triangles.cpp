@@ -3,44 +3,67 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstdint>
+#include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "adjacency.h"
 #include "cover_limits.h"
-#include "parallel_sort.h"
+#include "for_ranges.h"
 
 namespace occlude::culler {
 namespace {
 
-/// A side of a triangle, ordered by the edge that it runs along.
+/// A side of a triangle, by the higher corner of the edge that it runs along.
 struct TriangleSide {
-  std::uint32_t low, high, side;
+  std::uint32_t high, side;
 
-  [[nodiscard]] bool is_along(const TriangleSide& other) const { return low == other.low && high == other.high; }
   auto operator<=>(const TriangleSide&) const = default;
 };
 
-std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triangle> triangles,
-                                               const Checkpoint& checkpoint) {
-  std::vector<TriangleSide> sides;
-  sides.reserve(3 * triangles.size());
-  std::vector<std::array<RingStep, 3>> next(triangles.size());
+/// Calls visit(low, {high, side}) for each side of each triangle, in order.
+template <class Visit>
+void for_each_side(std::span<const CoverMesh::Triangle> triangles, const Checkpoint& checkpoint, const Visit& visit) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     checkpoint.at(t);
     for (std::uint32_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-      sides.push_back({low, high, 3 * t + i});
+      visit(low, TriangleSide{high, 3 * t + i});
     }
   }
-  parallel_sort(sides, checkpoint);
+}
+
+/// Makes rings of the sides whose edges have one lower corner.
+void join_rings(std::span<TriangleSide> sides, std::vector<std::array<RingStep, 3>>& next) {
+  std::ranges::sort(sides);
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    checkpoint.at(i);
-    while (end < sides.size() && end - i < kMostInRing && sides[end].is_along(sides[i])) ++end;
+    while (end < sides.size() && end - i < kMostInRing && sides[end].high == sides[i].high) ++end;
     for (std::size_t k = i; k < end; ++k) {
       const std::uint32_t from = sides[k].side, to = sides[k + 1 < end ? k + 1 : i].side;
       next[from / 3][from % 3] = {to & 0x7FFFFFFFU, end - i <= 2 ? 1U : 0U};
     }
   }
+}
+
+/// Sides are put in order by the lower corners of their edges, by counting, and then among the few that share one.
+std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triangle> triangles, std::size_t vertices,
+                                               const Checkpoint& checkpoint) {
+  std::vector<std::uint64_t> first(vertices + 1), at;
+  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide) { ++first[low + std::size_t{1}]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  at.assign(first.begin(), first.end() - 1);
+  std::vector<TriangleSide> sides(3 * triangles.size());
+  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide side) { sides[at[low]++] = side; });
+  std::vector<std::array<RingStep, 3>> next(triangles.size());
+  for_ranges(
+      vertices,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+          join_rings(std::span(sides).subspan(first[v], first[v + 1] - first[v]), next);
+      },
+      checkpoint);
   return next;
 }
 
@@ -107,6 +130,9 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
   std::vector<std::uint32_t> first, numbers(soup.vertices.size(), kNone);
   std::vector<glm::dvec3> vertices;
   std::vector<CoverMesh::Triangle> corners;
+  first.reserve(soup.first.size());
+  vertices.reserve(soup.vertices.size());
+  corners.reserve(soup.indices.size() - 2 * soup.size());
   const auto number = [&](std::uint32_t v) {
     std::uint32_t& n = numbers[weld[v]];
     if (n == kNone) {
@@ -124,11 +150,12 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
   }
   first.push_back(static_cast<std::uint32_t>(corners.size()));
   CoverTriangles result;
-  result.next_ = find_next(corners, checkpoint);
+  result.next_ = find_next(corners, vertices.size(), checkpoint);
   result.first_ = std::move(first);
   result.vertices_ = std::move(vertices);
   result.corners_ = std::move(corners);
   std::vector<std::uint64_t> first_around;
+  first_around.reserve(nodes.size() + 1);
   std::vector<std::uint32_t> all_around;
   Around around(soup, weld);
   for (std::size_t n = 0; n < nodes.size(); ++n) {

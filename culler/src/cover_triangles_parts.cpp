@@ -7,6 +7,7 @@
 
 #include "cover_limits.h"
 #include "cover_triangles.h"
+#include "for_ranges.h"
 #include "part_checks.h"
 #include "part_list.h"
 

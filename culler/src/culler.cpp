@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "cull_frame.h"
@@ -17,6 +18,11 @@
 
 namespace occlude::culler {
 namespace {
+
+const BuildConfig& checked(const BuildConfig& config) {
+  if (const std::string reason = OccluderLists::fault(config.lists); !reason.empty()) throw std::invalid_argument(reason);
+  return config;
+}
 
 PolygonSoup checked(PolygonSoup soup) {
   require_legal(soup);
@@ -33,13 +39,11 @@ auto volumes_of(const Hierarchy& hierarchy) {
 }  // namespace
 
 Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& checkpoint)
-    : config_(config),
+    : config_(checked(config)),
       hierarchy_(Hierarchy::build(checked(std::move(soup)), config.hierarchy, checkpoint)),
       occluders_(std::make_shared<Lazy<OccluderSet>>()),
       blocks_(std::make_shared<Lazy<NodeBlocks>>()),
-      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
-  static_cast<void>(occluders(checkpoint));
-}
+      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
 
 Culler::Culler(const Culler& other, OccluderSet occluders)
     : config_(other.config_),

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "cover_triangles.h"
@@ -41,10 +42,10 @@ BuildConfig config_of(const PartReader& parts) {
   if (read.size() != 1 || read[0].bounds > 1 || read[0].shells > 1 || read[0].kind > 1)
     refuse_part(kCullerConfig, "out of range");
   const StoredConfig& config = read[0];
-  return {{config.leaf_size, static_cast<Bounds>(config.bounds)},
-          {config.shells != 0},
-          {static_cast<Partition::Kind>(config.kind), config.threshold, config.regions,
-           static_cast<std::size_t>(config.entries)}};
+  const OccluderLists::Config lists{static_cast<Partition::Kind>(config.kind), config.threshold, config.regions,
+                                    static_cast<std::size_t>(config.entries)};
+  if (const std::string reason = OccluderLists::fault(lists); !reason.empty()) refuse_part(kCullerConfig, reason);
+  return {{config.leaf_size, static_cast<Bounds>(config.bounds)}, {config.shells != 0}, lists};
 }
 
 const PartReader& checked(const PartReader& parts) {

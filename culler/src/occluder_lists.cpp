@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,11 +15,6 @@
 
 namespace occlude::culler {
 namespace {
-
-Partition partition_of(const Space& space, const OccluderLists::Config& config, const Checkpoint& checkpoint) {
-  if (!(config.threshold > 0)) throw std::invalid_argument("the threshold of the lists must be above 0");
-  return Partition::make(config.kind, space, config.regions, checkpoint);
-}
 
 constexpr std::string_view kListFirst = "list first", kListEntries = "listed", kListHidden = "hidden";
 
@@ -48,9 +44,15 @@ OccluderLists::OccluderLists(Partition partition, Stored stored)
   }
 }
 
+std::string OccluderLists::fault(const Config& config) {
+  if (!(config.threshold > 0)) return "the threshold of the lists must be above 0";
+  return Partition::can_have(config.regions) ? "" : "the number of regions must be from 1 to 2^30";
+}
+
 OccluderLists OccluderLists::build(const PotentialOccluders& occluders, const Space& space, const Config& config,
                                    const Checkpoint& checkpoint) {
-  Partition partition = partition_of(space, config, checkpoint);
+  if (const std::string reason = fault(config); !reason.empty()) throw std::invalid_argument(reason);
+  Partition partition = Partition::make(config.kind, space, config.regions, checkpoint);
   Stored stored = list_occluders(partition, occluders, config, checkpoint);
   return {std::move(partition), std::move(stored)};
 }

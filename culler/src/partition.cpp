@@ -13,9 +13,6 @@
 namespace occlude::culler {
 namespace {
 
-/// Beyond this counting them would take all memory.
-constexpr double kMostRegions = 0x1p30;
-
 constexpr std::string_view kSpaceBox = "space", kSpaceCells = "cells";
 
 /// Whether they are cells in depth-first order, each a region or divided by a plane.
@@ -37,9 +34,7 @@ bool are_tree(std::span<const Partition::Cell> cells) {
 }  // namespace
 
 Partition Partition::make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint) {
-  if (!(regions >= 1 && regions <= kMostRegions)) {
-    throw std::invalid_argument("the number of regions must be from 1 to 2^30");
-  }
+  if (!can_have(regions)) throw std::invalid_argument("a partition cannot have so many regions");
   PartitionCells made = kind == Kind::grid ? cells_of_grid(space.box, regions) : cells_of_tree(space, regions, checkpoint);
   return {made.box, std::move(made.cells)};
 }

@@ -85,6 +85,7 @@ std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samp
 Culler preprocess(PolygonSoup soup, const BuildConfig& config, const SampleConfig& samples,
                   const std::function<void(std::size_t done, std::size_t all)>& progress, const Checkpoint& checkpoint) {
   Culler culler(std::move(soup), config, checkpoint);
+  culler.prepare(Method::frusta, checkpoint);
   if (samples.viewpoints == 0) return culler;
   std::mutex mutex;
   std::size_t done = 0;

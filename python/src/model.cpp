@@ -2,7 +2,9 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "occlude/culler/culler.h"
 #include "view.h"
@@ -62,14 +64,17 @@ py::dict to_dict(const culler::CullStats& stats) {
                   "cover_triangles"_a = stats.cover_triangles);
 }
 
+culler::Method to_method(const std::string& name) {
+  return to_choice(name, "method", {std::pair{"frusta", culler::Method::frusta}, {"cover", culler::Method::cover}});
+}
+
 template <class Camera>
 ModelFrame cull_model(const Culler& culler, const Camera& camera, AnyView* view, const std::string& method,
                       std::size_t occluders, std::size_t probes, const std::string& near, const std::string& arithmetic,
                       const std::string& test, double margin, bool unions, const std::pair<int, int>& cover_size,
                       const py::object& cover_triangles, const py::object& cover_ms) {
-  using culler::Method;
   const culler::CullOptions options{
-      .method = to_choice(method, "method", {std::pair{"frusta", Method::frusta}, {"cover", Method::cover}}),
+      .method = to_method(method),
       .cover = to_cover_options(cover_size, cover_triangles, cover_ms),
       .occluders = occluders,
       .probes = probes,
@@ -102,9 +107,9 @@ std::unique_ptr<Culler> make_culler(const Doubles& vertices, const py::object& p
   config.hierarchy.leaf_size = leaf_size;
   config.hierarchy.bounds =
       to_choice(bounds, "bounds", {std::pair{"aabb", culler::Bounds::aabb}, {"obb", culler::Bounds::obb}});
-  const culler::PolygonSoup soup = to_soup(vertices, polygons, sizes);
+  culler::PolygonSoup soup = to_soup(vertices, polygons, sizes);
   const py::gil_scoped_release others_run;
-  return std::make_unique<Culler>(soup, config);
+  return std::make_unique<Culler>(std::move(soup), config);
 }
 
 template <class Camera>
@@ -135,12 +140,13 @@ void define_models(py::module_& module) {
       .def(py::init(&make_culler), "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
            "leaf_size"_a = culler::Hierarchy::Config{}.leaf_size, "bounds"_a = "aabb")
       .def(
-          "prepare_cover",
-          [](const Culler& c) {
+          "prepare",
+          [](const Culler& c, const std::string& method) {
+            const culler::Method chosen = to_method(method);
             const py::gil_scoped_release others_run;
-            c.prepare(culler::Method::cover);
+            c.prepare(chosen);
           },
-          "Makes what frames by cover need; else the first of them does.")
+          "method"_a = "frusta", "Makes what frames by this method need; else the first of them does.")
       .def("__len__", [](const Culler& c) { return c.hierarchy().soup().size(); })
       .def_property_readonly(
           "order",

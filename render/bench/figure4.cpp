@@ -71,6 +71,7 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   // One culler for all curves: those without depth complexity give it no weight.
   const culler::Culler culler =
       are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config, render::check_interrupt);
+  culler.prepare(culler::Method::frusta, render::check_interrupt);
   figure.regions = culler.occluders().lists().partition().regions();
   if (are_sampled) figure.sampling_s = stopwatch.seconds();
 

@@ -99,6 +99,7 @@ Sorting measure_sorting(const Subject& subject, const Options& options) {
     culler::BuildConfig config = options.walk.build;
     config.lists.threshold = threshold;
     const culler::Culler culler(subject.soup, config, render::check_interrupt);
+    culler.prepare(cull.method, render::check_interrupt);
     Counter counter;
     static_cast<void>(pass_along(culler, subject.path, options.walk, cull,
                                  [&](const auto& camera, const auto& culled) { counter.count(culler, camera, culled); }));

@@ -21,7 +21,10 @@ namespace {
 using namespace occlude;
 
 struct Live {
-  Live(culler::SoupView soup, const culler::BuildConfig& config) : culler(soup, config), model(culler.hierarchy()) {}
+  Live(culler::PolygonSoup soup, const culler::BuildConfig& config)
+      : culler(std::move(soup), config), model(culler.hierarchy()) {
+    for (const auto method : {culler::Method::frusta, culler::Method::cover}) culler.prepare(method);
+  }
 
   culler::Culler culler;
   render::PageModel model;

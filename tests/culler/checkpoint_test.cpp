@@ -50,7 +50,11 @@ TEST(Checkpoint, StopsACuller) {
   const PolygonSoup soup = random_town_of_houses(3, 500);
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
     const BuildConfig config{.hierarchy = {.bounds = bounds}, .lists = {.regions = 64}};
-    expect_stops_anywhere([&](const Checkpoint& checkpoint) { const Culler culler(soup, config, checkpoint); });
+    expect_stops_anywhere([&](const Checkpoint& checkpoint) {
+      const Culler culler(soup, config, checkpoint);
+      culler.prepare(Method::cover, checkpoint);
+      culler.prepare(Method::frusta, checkpoint);
+    });
     expect_stops_anywhere([&](const Checkpoint& checkpoint) {
       static_cast<void>(preprocess(soup, config, {.viewpoints = 1}, {}, checkpoint));
     });
@@ -69,13 +73,17 @@ TEST(Checkpoint, StopsAnOccluderMesh) {
 
 /// A model is prepared on the threads that the caller gives, and is the same.
 TEST(Checkpoint, SaysOnWhichThreads) {
-  const PolygonSoup soup = random_town_of_houses(3, 300);
+  const PolygonSoup soup = random_town_of_houses(3, 6000);  // short work is not divided
   std::size_t parts = 0;
   const Executor mine(3, [&](std::size_t count, const Executor::Part& part) {
     for (std::size_t i = 0; i < count; ++i, ++parts) part(i);
   });
   const Culler culler(soup, BuildConfig{}, Checkpoint(mine)), other(soup);
-  EXPECT_GT(parts, 0U);
+  for (const Method method : {Method::frusta, Method::cover}) {
+    parts = 0;
+    culler.prepare(method, Checkpoint(mine));
+    EXPECT_GT(parts, 0U);
+  }
   EXPECT_EQ(culler.occluders().lists().stored().first, other.occluders().lists().stored().first);
 }
 

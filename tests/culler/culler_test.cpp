@@ -320,6 +320,9 @@ TEST(ViewFrustum, HoldsWhatSinglePrecisionMovesIntoThePicture) {
 TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_EQ(refusal([] { Culler(PolygonSoup{}); }), "the soup has no polygon");
   PolygonSoup soup = random_town(4, 100);
+  EXPECT_EQ(refusal([&] { Culler(soup, {.lists = {.threshold = 0}}); }), "the threshold of the lists must be above 0");
+  EXPECT_EQ(refusal([&] { Culler(soup, {.lists = {.regions = 0x1.8p30}}); }),
+            "the number of regions must be from 1 to 2^30");
   const Culler culler(soup);
   soup.vertices[7].y = std::nan("");
   EXPECT_EQ(refusal([&] { Culler{soup}; }), "vertex 7: number is not finite");

@@ -403,6 +403,10 @@ TEST_F(ForgedPart, OfWhatIsKnownAndTheSettings) {
     for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(with("known", 8 * 5 + i, wrong), known);
   }
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(with("config", i, U32{2}), "part \"config\": out of range");
+  for (const double none : {0.0, -1.0, std::nan("")}) {
+    EXPECT_EQ(with("config", 2, none), "part \"config\": the threshold of the lists must be above 0");
+    EXPECT_EQ(with("config", 3, none), "part \"config\": the number of regions must be from 1 to 2^30");
+  }
   EXPECT_EQ(with("config", 1, U32{1}), "part \"oriented\": it does not number the oriented boxes");
 }
 

@@ -64,7 +64,7 @@ class Models(unittest.TestCase):
         rng = brute.random()
         vertices, polygons, triangles = houses(rng)
         culler, view = occlude.Culler(vertices, polygons, leaf_size=4), occlude.View()
-        culler.prepare_cover()
+        culler.prepare("cover")
         many = self.check_path(culler, view, triangles, rng, method="cover", cover_size=(512, 512))
         self.assertGreater(many, 600)
         seen = view.visibility([[30, 31, 0.2, 31, 32, 0.4], [-50, 0, 0, -49, 1, 1]])

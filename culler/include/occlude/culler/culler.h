@@ -29,18 +29,19 @@ class Lazy;
 /// Const calls may run on several threads at once, each with a View of its own. A copy counts as the same culler for a View.
 class Culler {
  public:
-  /// Takes the soup: one that is moved here is not copied. Takes seconds for millions of polygons, on all processors. Throws
+  /// Builds the tree. Takes the soup: one that is moved here is not copied. Takes a second for a million polygons. What
+  /// frames by one method need beside it is made later: prepare(). Throws
   /// 1. std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
   ///    (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a config.lists
   ///    out of range;
   /// 2. std::runtime_error while the processor does not round to nearest (occlude/kernel/validity.h);
   /// 3. what `checkpoint` throws.
   explicit Culler(PolygonSoup soup, const BuildConfig& config = {}, const Checkpoint& checkpoint = {});
-  /// The same culler from its parts, which are kept and not copied, but for the soup. What only frames by one method need
-  /// may be left out (method_of()), and is then made when it is first needed, as config() says, but for samples of
-  /// preprocess(), which are lost. Takes a twentieth of the time. Everything that a wrong cull could come of is checked on
-  /// all processors, and std::invalid_argument thrown, with the part and the reason, if it cannot be of these polygons.
-  /// Parts may come from anywhere:
+  /// The same culler from its parts, which are kept and not copied. What only frames by one method need may be left out
+  /// (method_of()), and is then made later, as config() says, but for samples of preprocess(), which are lost. Takes a
+  /// twentieth of the time. Everything that a wrong cull could come of is checked on all processors, and
+  /// std::invalid_argument thrown, with the part and the reason, if it cannot be of these polygons. Parts may come from
+  /// anywhere:
   /// 1. No parts lead out of bounds, or to more memory than several times their size. What is left out takes what its making
   ///    takes.
   /// 2. Nothing visible is culled, whatever they are, as long as oriented boxes hold their polygons. This alone is not
@@ -60,9 +61,9 @@ class Culler {
   /// std::invalid_argument unless there is a finite number, not below 0, for each entry.
   [[nodiscard]] Culler with_hidden(std::vector<float> hidden) const;
 
-  /// Makes what frames by a method need. Otherwise the first such frame makes it: half a second for a million polygons by
-  /// cover, a thirtieth by frusta; if occluders were left out of the parts, seconds by frusta. It is made once. What
-  /// `checkpoint` throws is thrown on, and the next call tries again.
+  /// Makes what frames by a method need: about two seconds for a million polygons by frusta, up to one by cover. Otherwise
+  /// the first such frame makes it, on all processors. It is made once. What `checkpoint` throws is thrown on, and the next
+  /// call tries again.
   void prepare(Method method, const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
@@ -108,8 +109,8 @@ class Culler {
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them. Made now if they were
-  /// left out of the parts.
+  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them. Made now if neither
+  /// prepare() nor a frame has.
   [[nodiscard]] const OccluderSet& occluders() const { return occluders({}); }
 
  private:

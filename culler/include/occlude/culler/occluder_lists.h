@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,11 +53,14 @@ class OccluderLists {
     std::span<const float> hidden;             ///< for each, as in Stored; or empty
   };
 
+  /// Why no lists can be made so: a threshold that is not above 0, or a number of regions that a partition cannot have.
+  /// Empty if they can.
+  [[nodiscard]] static std::string fault(const Config& config);
+
   /// A partition of `space`, and its lists of the occluders that have an area.
   /// 1. Unless lists are cut, they are conservative: over the box of each region the area-angle is bounded from above.
   /// 2. The work is on all processors; the lists do not depend on their number.
-  /// Throws std::invalid_argument for a threshold or a number of regions out of range, and what `checkpoint` throws.
-  /// REQUIRES as Partition::make().
+  /// Throws std::invalid_argument for a config with a fault(), and what `checkpoint` throws. REQUIRES as Partition::make().
   [[nodiscard]] static OccluderLists build(const PotentialOccluders& occluders, const Space& space, const Config& config,
                                            const Checkpoint& checkpoint = {});
 

@@ -56,8 +56,12 @@ class Partition {
     [[nodiscard]] bool is_region() const { return upper == 0; }
   };
 
-  /// About as many regions as wanted; of a tree no more. Takes no part of `space` with it. Throws std::invalid_argument if
-  /// `regions` is not from 1 to 2^30, and what `checkpoint` throws. REQUIRES: kernel::check(space.box) == Refusal::none, and
+  /// Beyond this number of regions, counting them would take all memory.
+  static constexpr double kMostRegions = 0x1p30;
+  [[nodiscard]] static bool can_have(double regions) { return regions >= 1 && regions <= kMostRegions; }
+
+  /// About as many regions as wanted; of a tree no more. Takes no part of `space` with it. Throws std::invalid_argument
+  /// unless it can_have() so many, and what `checkpoint` throws. REQUIRES: kernel::check(space.box) == Refusal::none, and
   /// space.box holds the nodes.
   [[nodiscard]] static Partition make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint = {});
 

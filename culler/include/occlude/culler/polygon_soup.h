@@ -42,7 +42,7 @@ struct SoupView {
   static constexpr std::array<std::uint32_t, 1> kNoPolygon = {0};
 
   std::span<const glm::dvec3> vertices;
-  std::span<const std::uint32_t> indices;  ///< the loops of all polygons, one after another
+  std::span<const std::uint32_t> indices;             ///< the loops of all polygons, one after another
   std::span<const std::uint32_t> first = kNoPolygon;  ///< polygon p owns indices [first[p], first[p + 1])
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
