@@ -50,18 +50,21 @@ void join_rings(std::span<TriangleSide> sides, std::vector<std::array<RingStep, 
 /// Sides are put in order by the lower corners of their edges, by counting, and then among the few that share one.
 std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triangle> triangles, std::size_t vertices,
                                                const Checkpoint& checkpoint) {
-  std::vector<std::uint64_t> first(vertices + 1), at;
-  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide) { ++first[low + std::size_t{1}]; });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  at.assign(first.begin(), first.end() - 1);
+  // Where the sides of each corner begin; once they are in place, where they end.
+  std::vector<std::uint32_t> ends(vertices + 1);
+  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide) { ++ends[low + std::size_t{1}]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<TriangleSide> sides(3 * triangles.size());
-  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide side) { sides[at[low]++] = side; });
+  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide side) { sides[ends[low]++] = side; });
   std::vector<std::array<RingStep, 3>> next(triangles.size());
+  const auto join_rings_at = [&](std::size_t v) {
+    const std::size_t begin = v == 0 ? 0 : ends[v - 1];
+    join_rings(std::span(sides).subspan(begin, ends[v] - begin), next);
+  };
   for_ranges(
       vertices,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-          join_rings(std::span(sides).subspan(first[v], first[v + 1] - first[v]), next);
+        for (std::size_t v = begin; v < end; ++v) join_rings_at(v);
       },
       checkpoint);
   return next;
@@ -149,6 +152,7 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
     }
   }
   first.push_back(static_cast<std::uint32_t>(corners.size()));
+  numbers = {};  // memory for what comes
   CoverTriangles result;
   result.next_ = find_next(corners, vertices.size(), checkpoint);
   result.first_ = std::move(first);

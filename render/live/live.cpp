@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "bytes.h"
 #include "occlude/culler/culler.h"
@@ -56,7 +57,7 @@ std::string packed(const render::PageFrames& frames) {
     for (const auto& corner : corners) {
       for (const std::uint32_t c : corner) bytes.number(c);
     }
-    const auto& places = frames.occluders().at(occluder).places;
+    const auto& places = frames.occluders().at(occluder).occluder.places;
     bytes.number(places.size());
     for (const std::uint32_t place : places) bytes.number(place);
   }

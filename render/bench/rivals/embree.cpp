@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "occlude/render/pixel_rays.h"
@@ -75,7 +76,7 @@ class Rays : public VisibilityWay {
   }
 
   void build(RTCBuildQuality quality) {
-    const std::vector<glm::dvec3>& vertices = tree_.soup().vertices;
+    const std::span<const glm::dvec3> vertices = tree_.soup().vertices;
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* const floats = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertices.size()));
