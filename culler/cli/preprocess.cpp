@@ -156,7 +156,9 @@ void preprocess(Arguments& arguments) {
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {
-    static_cast<void>(sample(job, culler::Culler(soup, config, render::check_interrupt), arguments.samples));
+    const culler::Culler culler(soup, config, render::check_interrupt);
+    culler.prepare(culler::Method::frusta, render::check_interrupt);
+    static_cast<void>(sample(job, culler, arguments.samples));
     return;
   }
   Summary told{"", {{"polygons", soup.size()}}};

@@ -90,7 +90,7 @@ ConvexShells ConvexShells::find(SoupView soup, std::span<const SidePair> adjacen
 
 const kernel::ConvexPolytope& ConvexShells::polytope(std::size_t s) const {
   return polytopes_->get(s, [&] {
-    return kernel::ConvexPolytope::make(polytope_of(soup_, parts(s))).polytope.value_or(kernel::ConvexPolytope());
+    return kernel::ConvexPolytope::make(polytope_of(soup_.view, parts(s))).polytope.value_or(kernel::ConvexPolytope());
   });
 }
 

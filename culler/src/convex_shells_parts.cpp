@@ -35,7 +35,7 @@ bool ConvexShells::is_sound(std::uint32_t s, SoupView soup) const {
   return std::ranges::all_of(polygons, is_of) && sides_of(soup, polygons) <= kMostSides;
 }
 
-ConvexShells ConvexShells::from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint) {
+ConvexShells ConvexShells::from_parts(const PartReader& parts, SharedSoup shared, const Checkpoint& checkpoint) {
   ConvexShells result;
   result.parts_ = parts.get<std::uint32_t>(kShellParts);
   result.first_part_ = parts.get<std::uint32_t>(kShellFirstPart);
@@ -44,6 +44,7 @@ ConvexShells ConvexShells::from_parts(const PartReader& parts, SharedSoup soup, 
   if (most.size() != 1 || most[0].faces > kMostFaces || most[0].edges > kMostSides) refuse_part(kShellMost, "out of range");
   result.most_ = most[0];
 
+  const SoupView soup = shared.view;
   const std::size_t size = result.size();
   const auto is_shell = [&](std::size_t s) { return result.is_sound(static_cast<std::uint32_t>(s), soup); };
   const bool are_ranges =
@@ -56,7 +57,7 @@ ConvexShells ConvexShells::from_parts(const PartReader& parts, SharedSoup soup, 
                          result.parts_.size())) {
     refuse_part(kShellOf, "a polygon is not in its shell");
   }
-  result.soup_ = std::move(soup);
+  result.soup_ = std::move(shared);
   result.polytopes_ = std::make_shared<ShellPolytopes>(size);
   return result;
 }

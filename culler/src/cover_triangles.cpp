@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "adjacency.h"
 #include "cover_limits.h"
 #include "for_ranges.h"
+#include "parallel_sort.h"
 
 namespace occlude::culler {
 namespace {
@@ -35,10 +37,14 @@ void for_each_side(std::span<const CoverMesh::Triangle> triangles, const Checkpo
   }
 }
 
-/// Makes rings of the sides whose edges have one lower corner.
-void join_rings(std::span<TriangleSide> sides, std::vector<std::array<RingStep, 3>>& next) {
-  std::ranges::sort(sides);
+/// With more, a RingStep could not number their sides.
+constexpr std::size_t kMostTriangles = (std::size_t{1} << 31U) / 3;
+
+/// Makes rings of sides that are in order, and have one lower corner. Calls at(i) for the first of each ring.
+template <class At>
+void join_rings(std::span<const TriangleSide> sides, std::vector<std::array<RingStep, 3>>& next, const At& at) {
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    at(i);
     while (end < sides.size() && end - i < kMostInRing && sides[end].high == sides[i].high) ++end;
     for (std::size_t k = i; k < end; ++k) {
       const std::uint32_t from = sides[k].side, to = sides[k + 1 < end ? k + 1 : i].side;
@@ -47,28 +53,50 @@ void join_rings(std::span<TriangleSide> sides, std::vector<std::array<RingStep, 
   }
 }
 
-/// Sides are put in order by the lower corners of their edges, by counting, and then among the few that share one.
-std::vector<std::array<RingStep, 3>> find_next(std::span<const CoverMesh::Triangle> triangles, std::size_t vertices,
-                                               const Checkpoint& checkpoint) {
-  // Where the sides of each corner begin; once they are in place, where they end.
-  std::vector<std::uint32_t> ends(vertices + 1);
-  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide) { ++ends[low + std::size_t{1}]; });
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<TriangleSide> sides(3 * triangles.size());
-  for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide side) { sides[ends[low]++] = side; });
-  std::vector<std::array<RingStep, 3>> next(triangles.size());
-  const auto join_rings_at = [&](std::size_t v) {
-    const std::size_t begin = v == 0 ? 0 : ends[v - 1];
-    join_rings(std::span(sides).subspan(begin, ends[v] - begin), next);
-  };
-  for_ranges(
-      vertices,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) join_rings_at(v);
-      },
-      checkpoint);
-  return next;
-}
+/// Sides are put in order by the lower corners of their edges, by counting, and then among those that share one.
+class SidesByCorner {
+ public:
+  SidesByCorner(std::span<const CoverMesh::Triangle> triangles, std::size_t corners, const Checkpoint& checkpoint)
+      : ends_(corners + 1), sides_(3 * triangles.size()), checkpoint_(checkpoint) {
+    for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide) { ++ends_[low + std::size_t{1}]; });
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    for_each_side(triangles, checkpoint, [&](std::uint32_t low, TriangleSide side) { sides_[ends_[low]++] = side; });
+    ends_.pop_back();
+  }
+
+  [[nodiscard]] std::vector<std::array<RingStep, 3>> rings() {
+    std::vector<std::array<RingStep, 3>> next(sides_.size() / 3);
+    const auto join_few = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        if (is_hub(v)) continue;
+        std::ranges::sort(at(v));
+        join_rings(at(v), next, [](std::size_t) {});
+      }
+    };
+    for_ranges(ends_.size(), join_few, checkpoint_);
+    for (std::size_t v = 0; v < ends_.size(); ++v) {
+      if (!is_hub(v)) continue;
+      std::vector<TriangleSide> sides(at(v).begin(), at(v).end());
+      parallel_sort(sides, checkpoint_);
+      join_rings(sides, next, [&](std::size_t i) { checkpoint_.at(i); });
+    }
+    return next;
+  }
+
+ private:
+  /// Up to so many are sorted in a millisecond.
+  static constexpr std::size_t kFewSides = std::size_t{1} << 14U;
+
+  [[nodiscard]] std::span<TriangleSide> at(std::size_t v) {
+    const std::size_t begin = v == 0 ? 0 : ends_[v - 1];
+    return std::span(sides_).subspan(begin, ends_[v] - begin);
+  }
+  [[nodiscard]] bool is_hub(std::size_t v) { return at(v).size() > kFewSides; }
+
+  std::vector<std::uint32_t> ends_;  ///< of the sides at each corner; their beginnings, until they are in place
+  std::vector<TriangleSide> sides_;
+  const Checkpoint& checkpoint_;
+};
 
 /// For each vertex, the polygons that have it.
 class Incidence {
@@ -135,7 +163,9 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
   std::vector<CoverMesh::Triangle> corners;
   first.reserve(soup.first.size());
   vertices.reserve(soup.vertices.size());
-  corners.reserve(soup.indices.size() - 2 * soup.size());
+  const std::size_t triangles = soup.indices.size() - 2 * soup.size();
+  if (triangles > kMostTriangles) throw std::length_error("more than 2^31 sides of triangles");
+  corners.reserve(triangles);
   const auto number = [&](std::uint32_t v) {
     std::uint32_t& n = numbers[weld[v]];
     if (n == kNone) {
@@ -152,9 +182,10 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
     }
   }
   first.push_back(static_cast<std::uint32_t>(corners.size()));
-  numbers = {};  // memory for what comes
+  numbers = std::vector<std::uint32_t>();  // room for what comes
+  vertices.shrink_to_fit();
   CoverTriangles result;
-  result.next_ = find_next(corners, vertices.size(), checkpoint);
+  result.next_ = SidesByCorner(corners, vertices.size(), checkpoint).rings();
   result.first_ = std::move(first);
   result.vertices_ = std::move(vertices);
   result.corners_ = std::move(corners);

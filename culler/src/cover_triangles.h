@@ -14,6 +14,7 @@
 #include "occlude/culler/array.h"
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/hierarchy.h"
+#include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {
 

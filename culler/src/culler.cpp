@@ -58,16 +58,23 @@ Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occ
 
 const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
   return occluders_->get([&] {
-    return OccluderSet::build(hierarchy_.soup(), space_of(hierarchy_), config_.occluders, config_.lists, checkpoint);
+    require_rounding();
+    return OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config_.occluders, config_.lists, checkpoint);
   });
 }
 
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
-  return triangles_->get([&] { return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint); });
+  return triangles_->get([&] {
+    require_rounding();
+    return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint);
+  });
 }
 
 const NodeBlocks& Culler::blocks(const Checkpoint& checkpoint) const {
-  return blocks_->get([&] { return NodeBlocks(hierarchy_, checkpoint); });
+  return blocks_->get([&] {
+    require_rounding();
+    return NodeBlocks(hierarchy_, checkpoint);
+  });
 }
 
 void Culler::prepare(Method method, const Checkpoint& checkpoint) const {

@@ -91,7 +91,7 @@ Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
       blocks_(std::make_shared<Lazy<NodeBlocks>>()),
       triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
   if (parts.has_any(is_of_occluders)) {
-    static_cast<void>(occluders_->get([&] { return OccluderSet::from_parts(parts, hierarchy_.soup(), checkpoint); }));
+    static_cast<void>(occluders_->get([&] { return OccluderSet::from_parts(parts, hierarchy_.shared_soup(), checkpoint); }));
   }
   if (parts.has_any([](std::string_view part) { return part == NodeBlocks::kPart; })) {
     static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));

@@ -63,14 +63,14 @@ void Hierarchy::fit_oriented_boxes(const Checkpoint& checkpoint) {
     checkpoint();
     const Node& node = nodes_[i];
     const PolygonRange polygons{node.first, node.count};
-    Fit best = node.is_leaf() ? fit_along_largest(soup_, polygons) : fit_along(axes[i + 1], soup_, polygons);
+    Fit best = node.is_leaf() ? fit_along_largest(soup(), polygons) : fit_along(axes[i + 1], soup(), polygons);
     if (!node.is_leaf()) {
-      const Fit other = fit_along(axes[node.right], soup_, polygons);
+      const Fit other = fit_along(axes[node.right], soup(), polygons);
       if (other.half_area < best.half_area) best = other;
     }
     axes[i] = best.axes;
     if (!(best.half_area < kWorthwhile * half_area(node.box))) continue;
-    if (const auto box = enclosing_box(best, soup_, polygons)) {
+    if (const auto box = enclosing_box(best, soup(), polygons)) {
       oriented[i] = static_cast<std::uint32_t>(boxes.size());
       boxes.push_back(*box);
     }

@@ -94,9 +94,9 @@ kernel::Aabb smallest_box(SoupView soup, std::span<const HierarchyNode> nodes, s
 bool Hierarchy::is_part(std::string_view name) { return std::ranges::find(kTreeParts, name) != kTreeParts.end(); }
 
 void Hierarchy::append_parts(PartWriter& parts) const {
-  parts.put(kTreeVertices, soup_.vertices);
-  parts.put(kTreeIndices, soup_.indices);
-  parts.put(kTreeFirst, soup_.first);
+  parts.put(kTreeVertices, soup().vertices);
+  parts.put(kTreeIndices, soup().indices);
+  parts.put(kTreeFirst, soup().first);
   parts.put(kTreeOrder, order_);
   parts.put(kTreeNodes, nodes_);
   parts.put(kTreeOrientedBoxes, oriented_boxes_);
@@ -112,7 +112,7 @@ Hierarchy Hierarchy::from_parts(const PartReader& parts, const Config& config, c
   result.oriented_boxes_ = parts.get<kernel::Obb>(kTreeOrientedBoxes);
   result.oriented_ = parts.get<std::uint32_t>(kTreeOriented);
 
-  const SoupView& soup = result.soup_;
+  const SoupView& soup = result.soup();
   if (!is_permutation(result.order_, soup.size())) refuse_part(kTreeOrder, "it does not number the polygons");
   const auto nodes = result.nodes();
   if (!are_tree(nodes, soup.size())) refuse_part(kTreeNodes, "it is not a tree of these polygons");

@@ -116,7 +116,7 @@ bool is_made(const NodeBlock& block, const Hierarchy& hierarchy) {
   if (std::ranges::any_of(taken, is_divided)) return false;
   NodeBlock expected = made(hierarchy, filling);
   expected.below = block.below;
-  return std::memcmp(&expected, &block, sizeof block) == 0;
+  return std::memcmp(&expected, &block, sizeof block) == 0;  // NOLINT: doubles must have the same bits
 }
 
 /// Whether what is below each node of the block, in another block, are the children of the node. REQUIRES: is_made() of all.

@@ -53,7 +53,8 @@ double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
 
 double PotentialOccluder::area() const { return glm::length(area_normal) + round_area; }
 
-PotentialOccluders PotentialOccluders::find(SharedSoup soup, const Config& config, const Checkpoint& checkpoint) {
+PotentialOccluders PotentialOccluders::find(SharedSoup shared, const Config& config, const Checkpoint& checkpoint) {
+  const SoupView soup = shared.view;
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   const std::vector<SidePair> adjacency = find_adjacency(soup, weld, checkpoint);
   PotentialOccluders result;
@@ -75,7 +76,7 @@ PotentialOccluders PotentialOccluders::find(SharedSoup soup, const Config& confi
     known[regions.size() + i] = shell(soup, result.shells_.parts(i));
   }
   result.known_ = std::move(known);
-  result.soup_ = std::move(soup);
+  result.soup_ = std::move(shared);
   return result;
 }
 

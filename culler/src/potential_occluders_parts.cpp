@@ -33,11 +33,11 @@ void PotentialOccluders::append_parts(PartWriter& parts) const {
   parts.put(kOccluderKnown, known_);
 }
 
-PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint) {
+PotentialOccluders PotentialOccluders::from_parts(const PartReader& parts, SharedSoup shared, const Checkpoint& checkpoint) {
   PotentialOccluders result;
-  result.regions_ = ConvexRegions::from_parts(parts, soup, checkpoint);
-  result.shells_ = ConvexShells::from_parts(parts, soup, checkpoint);
-  result.soup_ = std::move(soup);
+  result.regions_ = ConvexRegions::from_parts(parts, shared.view, checkpoint);
+  result.shells_ = ConvexShells::from_parts(parts, shared, checkpoint);
+  result.soup_ = std::move(shared);
   result.known_ = parts.get<PotentialOccluder>(kOccluderKnown);
   if (result.known_.size() != result.regions_.size() + result.shells_.size() ||
       !are_all(

@@ -135,7 +135,7 @@ void define_models(py::module_& module) {
       .def_readonly("culled", &ModelFrame::culled, "Rows (first, count, by, index): what is not drawn, and why (CulledBy).")
       .def_readonly("planes", &ModelFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
       .def_readonly("statistics", &ModelFrame::statistics);
-  py::class_<Culler> culler(module, "Culler", "A model that stands still, prepared once.");
+  py::class_<Culler> culler(module, "Culler", "A model that stands still. prepare() makes what frames by a method need.");
   culler
       .def(py::init(&make_culler), "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
            "leaf_size"_a = culler::Hierarchy::Config{}.leaf_size, "bounds"_a = "aabb")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/job.h"

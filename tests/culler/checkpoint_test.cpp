@@ -87,6 +87,28 @@ TEST(Checkpoint, SaysOnWhichThreads) {
   EXPECT_EQ(culler.occluders().lists().stored().first, other.occluders().lists().stored().first);
 }
 
+/// Neither the constructor nor the other method makes what a method needs, and it is made once.
+TEST(Checkpoint, IsCalledForWhatTheMethodNeedsAlone) {
+  const PolygonSoup soup = random_town_of_houses(3, 300);
+  const Culler culler(soup);
+  const auto calls_of = [](const Culler& asked, Method method) {
+    std::size_t calls = 0;
+    asked.prepare(method, Checkpoint([&] { ++calls; }, Executor()));
+    return calls;
+  };
+  View view;
+  for (const Method method : {Method::cover, Method::frusta}) {
+    const std::size_t calls = calls_of(culler, method);
+    EXPECT_GT(calls, method == Method::cover ? 5U : 50U);
+    EXPECT_EQ(calls, calls_of(Culler(soup), method));
+    EXPECT_EQ(calls_of(culler, method), 0U);
+    CullOptions options;
+    options.method = method;
+    culler.cull(Camera{}, options, view);
+    EXPECT_EQ(calls_of(culler, method), 0U);
+  }
+}
+
 TEST(ParallelSort, IsStable) {
   std::mt19937 random(2);
   std::vector<std::uint32_t> order(500000), keys(order.size());

@@ -173,7 +173,7 @@ TEST(Clearance, WithoutAShadowThereIsNone) {
 }
 
 TEST(Rounding, NothingIsCulledUnlessToNearest) {
-  const Culler culler(triangle());
+  const Culler culler(triangle()), unprepared(triangle());
   const Scene scene;
   View view;
   SceneView scene_view;
@@ -189,6 +189,9 @@ TEST(Rounding, NothingIsCulledUnlessToNearest) {
     EXPECT_THROW(static_cast<void>(scene_view.visibility(Aabb{{3, 0, 0}, {3, 0, 0}})), std::runtime_error);
     EXPECT_THROW(static_cast<void>(view.visibility(Aabb{{3, 0, 0}, {3, 0, 0}})), std::runtime_error);
     EXPECT_THROW(static_cast<void>(Culler(triangle())), std::runtime_error);
+    for (const Method method : {Method::frusta, Method::cover}) EXPECT_THROW(unprepared.prepare(method), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(unprepared.occluders()), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(unprepared.parts()), std::runtime_error);
     EXPECT_THROW(static_cast<void>(OccluderMesh(triangle())), std::runtime_error);
   }
 }

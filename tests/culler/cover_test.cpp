@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 #include <span>
 #include <thread>
@@ -148,6 +150,23 @@ TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
 }
 
 /// The first frame is as good as any, and so is the one after a jump: nothing is kept from frame to frame.
+/// So many sides meet at its first corner that they are put in order apart from the others.
+TEST(CoverFrame, APolygonOfManySidesIsOneSheet) {
+  PolygonSoup soup;
+  constexpr std::uint32_t kSides = 10000;
+  std::vector<std::uint32_t> disc;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kSides;
+    disc.push_back(soup.add_vertex({5, 3 * std::cos(angle), 3 * std::sin(angle)}));
+  }
+  soup.add_polygon(disc);
+  add_wall(soup, 8, -1, 1, -1, 1);
+  const Culler culler = culler_of(soup, 1);
+  Camera camera;
+  camera.target = {1, 0, 0};
+  EXPECT_EQ(culler.cull(camera, kCover).stats.shadow_culled_polygons, 1U);
+}
+
 TEST(CoverFrame, HasNoPast) {
   std::mt19937 random(7);
   const Culler culler = culler_of(random_town_of_houses(7, 1500));

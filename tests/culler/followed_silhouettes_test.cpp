@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <memory>
 
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/culler/potential_occluders.h"

@@ -97,6 +97,23 @@ TEST(Parts, GiveTheSameCuller) {
   }
 }
 
+/// Nothing is copied, and what is not copied stays.
+TEST(Parts, AreUsedWhereTheyLie) {
+  Parts parts = Culler(varied_town(100)).parts();
+  const Culler culler(parts);
+  const SoupView& soup = culler.hierarchy().soup();
+  const auto bytes_of = [&](std::string_view name) {
+    return std::ranges::find(parts.parts, name, &Part::name)->bytes.data();
+  };
+  EXPECT_EQ(std::as_bytes(soup.vertices).data(), bytes_of("vertices"));
+  EXPECT_EQ(std::as_bytes(soup.indices).data(), bytes_of("indices"));
+  EXPECT_EQ(std::as_bytes(soup.first).data(), bytes_of("first"));
+  parts = {};
+  std::mt19937 random(4);
+  const Camera camera = random_camera(random);
+  EXPECT_TRUE(are_same(culler.cull(camera), Culler(varied_town(100)).cull(camera)));
+}
+
 /// A culler of parts has the parts that it was made of, and two cullers of one model have the same.
 TEST(Parts, AreTheSameBytes) {
   const PolygonSoup soup = varied_town(300);

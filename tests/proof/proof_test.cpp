@@ -17,7 +17,6 @@ namespace {
 
 using culler::Camera;
 using culler::PolygonSoup;
-using culler::SoupView;
 using glm::dvec3;
 
 constexpr const char* kCuts = "the plane cuts what the camera shows (is --size that of the walk?)";

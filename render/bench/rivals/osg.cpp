@@ -123,7 +123,7 @@ class OccluderNodes : public VisibilityWay {
   }
 
   void add_occluders() {
-    const PotentialOccluders all = PotentialOccluders::find(tree_.soup(), {.shells = false});
+    const PotentialOccluders all = PotentialOccluders::find(tree_.shared_soup(), {.shells = false});
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       if (all.container(i) == i && all.loop(i).size() <= kMostSides) order.push_back(i);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "occlude/culler/camera.h"
+#include "occlude/culler/polygon_soup.h"
 #include "seen_surface.h"
 
 namespace occlude::render {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 namespace occlude::render {

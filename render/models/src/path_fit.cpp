@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <span>
 
 namespace occlude::render {
 namespace {

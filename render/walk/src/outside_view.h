@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "occlude/culler/culler.h"
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/render/plate_renderer.h"
 #include "occlude/render/scene_renderer.h"
 

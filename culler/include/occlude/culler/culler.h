@@ -30,7 +30,7 @@ class Lazy;
 class Culler {
  public:
   /// Builds the tree. Takes the soup: one that is moved here is not copied. Takes a second for a million polygons. What
-  /// frames by one method need beside it is made later: prepare(). Throws
+  /// frames by one method need beside it is made later: prepare(), which takes a checkpoint of its own. Throws
   /// 1. std::invalid_argument, with the place and the reason, for a soup that is empty, that is not well formed
   ///    (polygon_soup.h) or has a coordinate that is not finite or out of the kernel's legal range, and for a config.lists
   ///    out of range;
@@ -62,8 +62,8 @@ class Culler {
   [[nodiscard]] Culler with_hidden(std::vector<float> hidden) const;
 
   /// Makes what frames by a method need: about two seconds for a million polygons by frusta, up to one by cover. Otherwise
-  /// the first such frame makes it, on all processors. It is made once. What `checkpoint` throws is thrown on, and the next
-  /// call tries again.
+  /// the first such frame makes it, on all processors. It is made once. Throws std::runtime_error while the processor does
+  /// not round to nearest, and what `checkpoint` throws; the next call tries again.
   void prepare(Method method, const Checkpoint& checkpoint = {}) const;
 
   /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
@@ -109,8 +109,8 @@ class Culler {
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them. Made now if neither
-  /// prepare() nor a frame has.
+  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them. Made now, as by
+  /// prepare(), if neither that nor a frame has.
   [[nodiscard]] const OccluderSet& occluders() const { return occluders({}); }
 
  private:

@@ -67,13 +67,14 @@ class Hierarchy {
                                             const Checkpoint& checkpoint = {});
 
   /// The polygons in the order of the leaves.
-  [[nodiscard]] const SharedSoup& soup() const { return soup_; }
+  [[nodiscard]] const SoupView& soup() const { return soup_.view; }
+  [[nodiscard]] const SharedSoup& shared_soup() const { return soup_; }
   /// Config::leaf_size. With the input it fixes the order of the polygons, whatever the bounding volumes are.
   [[nodiscard]] std::uint32_t leaf_size() const { return leaf_size_; }
   /// Index in the input of polygon p of soup().
   [[nodiscard]] std::uint32_t original(std::size_t p) const { return order_[p]; }
   /// Number of fan triangles in polygons [0, p) of soup(); p may be soup().size().
-  [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup_.first[p] - 2 * p; }
+  [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup().first[p] - 2 * p; }
   /// The root first.
   [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
   /// The leaf (index in nodes()) that holds polygon p of soup().

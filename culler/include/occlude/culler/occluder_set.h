@@ -3,7 +3,6 @@
 // regions that list these. Reading order: 8.
 #pragma once
 
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -40,7 +39,7 @@ class OccluderSet : public PotentialOccluders {
 
   /// The same with what listed occluders hide. Throws as OccluderLists::with_hidden().
   [[nodiscard]] OccluderSet with_hidden(std::vector<float> hidden) const {
-    return {*this, lists_.with_hidden(std::move(hidden))};
+    return {static_cast<const PotentialOccluders&>(*this), lists_.with_hidden(std::move(hidden))};
   }
 
   [[nodiscard]] const OccluderLists& lists() const { return lists_; }

@@ -100,16 +100,18 @@ struct PolygonSoup {
   }
 };
 
-/// A view that keeps what it refers to. Copies share it.
-struct SharedSoup : SoupView {
-  std::shared_ptr<const void> keep;
+/// A soup that copies share.
+struct SharedSoup {
+  SoupView view;
+  std::shared_ptr<const void> keep;  ///< what the view refers to is there as long as this is
 
   SharedSoup() = default;
-  SharedSoup(const SoupView& view, std::shared_ptr<const void> kept) : SoupView(view), keep(std::move(kept)) {}
+  SharedSoup(const SoupView& soup, std::shared_ptr<const void> kept) : view(soup), keep(std::move(kept)) {}
   /// Takes the soup.
   explicit SharedSoup(PolygonSoup soup) {
-    const auto owned = std::make_shared<const PolygonSoup>(std::move(soup));
-    *this = SharedSoup(*owned, owned);
+    auto owned = std::make_shared<const PolygonSoup>(std::move(soup));
+    view = *owned;
+    keep = std::move(owned);
   }
 };
 

@@ -57,7 +57,7 @@ class PotentialOccluders {
   [[nodiscard]] static PotentialOccluders from_parts(const PartReader& parts, SharedSoup soup,
                                                      const Checkpoint& checkpoint = {});
 
-  [[nodiscard]] const SharedSoup& soup() const { return soup_; }
+  [[nodiscard]] const SoupView& soup() const { return soup_.view; }
   /// Occluders 0, ..., size() - 1: first the regions, then the shells.
   [[nodiscard]] std::size_t size() const { return known_.size(); }
   [[nodiscard]] const PotentialOccluder& operator[](std::size_t i) const { return known_[i]; }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "occlude/culler/culler.h"
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/render/output_file.h"
 
 namespace occlude::render {
