@@ -54,6 +54,7 @@ struct Summary {
 /// Samples the regions in parts. Returns `hidden` of OccluderLists::Stored, on the first rank; the others have only helped.
 std::vector<float> sample(render::Job& job, const culler::Culler& culler, const culler::SampleConfig& samples) {
   constexpr std::size_t kParts = 256;
+  culler.prepare(culler::Method::frusta, render::check_interrupt);
   const std::size_t regions = culler.occluders().lists().partition().regions();
   const std::size_t of_part = (regions + kParts - 1) / kParts;
   render::Progress progress("region", regions);
@@ -89,7 +90,6 @@ render::Job job_of(const Arguments& arguments, culler::SoupView soup) {
 culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
                         const culler::BuildConfig& config) {
   culler::Culler culler(soup, config, render::check_interrupt);
-  culler.prepare(culler::Method::frusta, render::check_interrupt);
   if (arguments.samples.viewpoints == 0) return culler;
   return culler.with_hidden(sample(job, culler, arguments.samples));
 }
@@ -156,9 +156,7 @@ void preprocess(Arguments& arguments) {
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {
-    const culler::Culler culler(soup, config, render::check_interrupt);
-    culler.prepare(culler::Method::frusta, render::check_interrupt);
-    static_cast<void>(sample(job, culler, arguments.samples));
+    static_cast<void>(sample(job, culler::Culler(soup, config, render::check_interrupt), arguments.samples));
     return;
   }
   Summary told{"", {{"polygons", soup.size()}}};

@@ -60,7 +60,6 @@ void sample(const Culler& culler, const SampleConfig& samples, std::size_t regio
 template <class Done>
 std::vector<float> sample_each(const Culler& culler, const SampleConfig& samples, std::size_t first, std::size_t end,
                                const Checkpoint& checkpoint, Done&& done) {
-  culler.prepare(Method::frusta, checkpoint);
   const OccluderLists& lists = culler.occluders().lists();
   std::vector<std::size_t> begin{0};  // of each region's list
   for (std::size_t region = first; region < end; ++region) {
@@ -80,6 +79,7 @@ std::vector<float> sample_each(const Culler& culler, const SampleConfig& samples
 
 std::vector<float> sample_regions(const Culler& culler, const SampleConfig& samples, std::size_t first, std::size_t end,
                                   const Checkpoint& checkpoint) {
+  culler.prepare(Method::frusta, checkpoint);
   return sample_each(culler, samples, first, end, checkpoint, [] {});
 }
 
