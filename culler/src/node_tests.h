@@ -57,16 +57,17 @@ class NodeTests {
   }
 
   /// What the filter cannot tell is left to shadow() and probe().
-  void filter(const NodeBlock& block, kernel::BlockQuestions& questions) const {
+  void filter(const NodeBlock& block, kernel::BlockQuestions& questions, kernel::BoxBytes of_occluders) const {
     kernel::conservative_filter(frusta_, block.boxes, questions);
     const kernel::BoxBytes alone = kernel::for_all(is_certified() ? block.oriented : block.used);
-    // The profile of an occluder's shadow may be beyond a box that the planes straddle. Probes are asked by planes alone.
-    const bool is_overlap = options_.test == kernel::Test::overlap && questions.frustum[0] < frame_.occluders.size();
+    const bool is_overlap = options_.test == kernel::Test::overlap;
     if (alone == 0 && !is_overlap) return;
     questions.outside &= ~alone;
     questions.inside &= ~alone;
     questions.unknown |= alone;
-    if (is_overlap) questions.unknown = kernel::for_all(block.used) & ~(questions.outside | questions.inside);
+    if (!is_overlap) return;
+    // The profile of an occluder's shadow may be beyond a box that the planes straddle. Probes are asked by planes alone.
+    questions.unknown |= of_occluders & kernel::for_all(block.used) & ~(questions.outside | questions.inside);
   }
 
   kernel::Decision shadow(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {

@@ -29,17 +29,19 @@ namespace occlude::culler {
 /// ms and a second. The models tried take at most half of it: 8,300 for each of eight occluders, 8,000 for each of 64.
 inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairWork = std::size_t{1} << 20U;
 
-/// Up to eight shadows that are active at a block, and what is known of them and the nodes there.
+/// Up to eight shadows that are active at a block, and what is known of them and the nodes there. Those of occluders come
+/// before those of probes.
 struct alignas(64) ActiveShadows {
   kernel::BlockQuestions answers;
-  kernel::BoxBytes asked;    ///< nodes whose parents they straddle
-  kernel::BoxBytes partial;  ///< nodes that they straddle
-  kernel::BoxBytes exact;    ///< nodes of which the exact stage had to answer
+  kernel::BoxBytes occluders, probes;  ///< masks of the questions about either
+  kernel::BoxBytes asked;              ///< nodes whose parents they straddle
+  kernel::BoxBytes partial;            ///< nodes that they straddle
+  kernel::BoxBytes exact;              ///< nodes of which the exact stage had to answer
 };
 
 /// The stacks of a traversal. Each level of the descent uses its own part.
 struct TraversalMemory {
-  std::vector<ActiveShadows> active;   ///< those of occluders, then those of probes; may be longer than what is in use
+  std::vector<ActiveShadows> active;   ///< may be longer than what is in use
   std::vector<std::uint32_t> holding;  ///< probes that hold the node or one above it
 };
 
@@ -48,7 +50,7 @@ class Traversal {
  public:
   /// `tests` has
   /// planes(which, block, relations): the relations of half-spaces and nodes, as kernel::relations();
-  /// filter(block, questions): as kernel::conservative_filter();
+  /// filter(block, questions, of_occluders): as kernel::conservative_filter(); the mask has the questions about occluders;
   /// shadow(frustum, block, i) and probe(frustum, block, i): a kernel::Decision about node i of a block;
   /// may_cull(frustum, block, i): whether an occluder may cull a node that is inside of its shadow;
   /// pair(first, second, block, i), such a Decision, and pair_work(first, second), the pairs of planes that it may ask;
@@ -59,15 +61,13 @@ class Traversal {
 
   /// `planes` has a bit for each half-space of the view.
   void run(std::uint32_t planes) {
-    const auto occluders = static_cast<std::uint32_t>(result_.occluders.size());
-    const auto all = static_cast<std::uint32_t>(occluders + probes_.size());
+    occluders_ = static_cast<std::uint32_t>(result_.occluders.size());
+    const auto all = static_cast<std::uint32_t>(occluders_ + probes_.size());
     holding_.clear();
     drawn_from_ = 0;
-    pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders);
-    Active active{planes, 0, 0, 0};
-    for (std::uint32_t i = 0; i < occluders; ++i) append(active.begin, active.middle, i);
-    active.end = active.middle;
-    for (std::uint32_t i = occluders; i < all; ++i) append(active.middle, active.end, i);
+    pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders_);
+    Active active{planes, 0, 0};
+    for (std::uint32_t i = 0; i < all; ++i) append(active, i);
     visit(blocks_[0], active);
     draw_until(blocks_[0].count[0]);
   }
@@ -75,11 +75,12 @@ class Traversal {
  private:
   using Bits = NodeBlock::Bits;
   using Bytes = kernel::BoxBytes;
+  static constexpr std::size_t kMost = kernel::BlockQuestions::kMost;
 
-  /// What is active at a block: half-spaces, a bit for each; of active_, shadows [begin, middle) and probes [middle, end).
+  /// What is active at a block: half-spaces, a bit for each, and active_[begin, end).
   struct Active {
     std::uint32_t planes;
-    std::size_t begin, middle, end;
+    std::size_t begin, end;
   };
 
   /// A block while it is visited.
@@ -90,6 +91,7 @@ class Traversal {
     std::array<std::uint32_t, NodeBlock::kNodes> hiding, second;  ///< the occluders that hide each hidden node
     Bits out_of_view = 0, hidden = 0;                             ///< culled, or below what is
     Bits undecided = 0, undecided_probes = 0;                     ///< straddled by half-spaces or shadows, and by probes
+    bool is_held = false;                                         ///< whether a probe may hold some node
 
     Visit(const NodeBlock& visited_block, const Active& active_there) : block(visited_block), active(active_there) {}
     [[nodiscard]] Bits culled() const { return static_cast<Bits>(out_of_view | hidden); }
@@ -116,27 +118,32 @@ class Traversal {
     }
   }
 
-  /// Appends a question to those of active_[begin, end).
-  void append(std::size_t begin, std::size_t& end, std::uint32_t frustum) {
-    if (begin == end || active_[end - 1].answers.count == kernel::BlockQuestions::kMost) {
-      if (end == active_.size()) active_.emplace_back();
-      active_[end++].answers.count = 0;
+  /// Appends a question to those that are active.
+  void append(Active& active, std::uint32_t frustum) {
+    if (active.begin == active.end || active_[active.end - 1].answers.count == kernel::BlockQuestions::kMost) {
+      if (active.end == active_.size()) active_.emplace_back();
+      ActiveShadows& added = active_[active.end++];
+      added.answers.count = 0;
+      added.occluders = added.probes = 0;
     }
-    kernel::BlockQuestions& questions = active_[end - 1].answers;
-    questions.frustum[questions.count++] = frustum;
+    ActiveShadows& shadows = active_[active.end - 1];
+    const std::uint32_t k = shadows.answers.count++;
+    shadows.answers.frustum[k] = frustum;
+    const Bytes mask = Bytes{0xFF} << 8 * k, of_occluder = Bytes{0} - Bytes{frustum < occluders_};
+    shadows.occluders |= mask & of_occluder;
+    shadows.probes |= mask & ~of_occluder;
   }
 
   void visit(const NodeBlock& block, const Active& active) {
     Visit here(block, active);
     ask_planes(here);
-    for (std::size_t g = active.begin; g < active.middle; ++g) ask_shadows(here, active_[g]);
-    for (std::size_t g = active.middle; g < active.end; ++g) ask_probes(here, active_[g]);
+    for (std::size_t g = active.begin; g < active.end; ++g) ask_shadows(here, active_[g]);
     const Bits before_pairs = here.hidden;
     if (!result_.pairs.empty()) ask_pairs(here);
-    const Bits visited = block.visited(here.entered());
+    const Bits entered = here.entered(), visited = block.visited(entered);
     count_tests(here, visited, static_cast<Bits>(here.hidden & ~before_pairs));
-    hold(here, visited);
-    descend(here, visited);
+    if (here.is_held) hold(here, visited);
+    descend(here, visited, static_cast<Bits>(visited & entered & block.exits));
   }
 
   void ask_planes(Visit& here) {
@@ -154,22 +161,50 @@ class Traversal {
   }
 
   void ask_shadows(Visit& here, ActiveShadows& shadows) {
-    kernel::BlockQuestions& answers = shadows.answers;
+    const kernel::BlockQuestions& answers = shadows.answers;
     ask(here, shadows);
-    if (((answers.unknown | answers.inside) & kernel::for_all(here.left())) != 0) {
-      for (std::size_t k = 0; k < answers.count; ++k) {
-        const std::uint32_t occluder = answers.frustum[k];
-        const Bits unknown = kernel::boxes_of(answers.unknown, k), inside = kernel::boxes_of(answers.inside, k);
-        settle(here, shadows, k, static_cast<Bits>(unknown | inside), [&](std::uint32_t i) {
-          if (has(unknown, i)) return tests_.shadow(occluder, here.block, i);
-          return kernel::Decision{tests_.may_cull(occluder, here.block, i) ? kernel::Relation::inside
-                                                                           : kernel::Relation::partial};
-        });
-        for_each_bit(kernel::boxes_of(answers.inside & shadows.asked, k) & here.left(),
-                     [&](std::uint32_t i) { hide(here, i, occluder, Culled::kNone); });
+    settle(here, shadows, (answers.unknown | (answers.inside & shadows.occluders)) & kernel::for_all(here.left()));
+    set(here.undecided, any(shadows.partial & shadows.occluders));
+    set(here.undecided_probes, any(shadows.partial & shadows.probes));
+    here.is_held |= (answers.inside & shadows.probes) != 0;
+  }
+
+  /// Asks the filter.
+  void ask(const Visit& here, ActiveShadows& shadows) {
+    kernel::BlockQuestions& answers = shadows.answers;
+    tests_.filter(here.block, answers, shadows.occluders);
+    const Bytes all = shadows.occluders | shadows.probes;
+    shadows.partial = all & kernel::for_all(here.block.used) & ~(answers.outside | answers.inside | answers.unknown);
+    shadows.asked = all & (kernel::for_all(here.block.roots) | here.block.children_of(shadows.partial));
+    shadows.exact = 0;
+  }
+
+  /// Completes the answers: each of the doubtful nodes that has to be asked about is decided, and hidden if it may be. A
+  /// node comes after those above it, and a probe after all occluders.
+  void settle(Visit& here, ActiveShadows& shadows, Bytes doubtful) {
+    kernel::BlockQuestions& answers = shadows.answers;
+    for (; doubtful != 0; doubtful &= doubtful - 1) {
+      const auto place = static_cast<std::uint32_t>(std::countr_zero(doubtful)), i = place % 8;
+      const Bytes bit = Bytes{1} << place;
+      if ((shadows.asked & bit) == 0 || !has(here.left(), i)) continue;
+      const std::uint32_t frustum = answers.frustum[place / 8];
+      const bool is_occluder = (shadows.occluders & bit) != 0;
+      const kernel::Decision found = decide(here, frustum, is_occluder, (answers.unknown & bit) != 0, i);
+      answers.inside &= ~bit;
+      if (found.stage == kernel::Stage::exact) shadows.exact |= bit;
+      if (found.relation == kernel::Relation::inside) {
+        answers.inside |= bit;
+        if (is_occluder) hide(here, i, frustum, Culled::kNone);
+      } else if (found.relation == kernel::Relation::partial) {
+        shadows.partial |= bit;
+        shadows.asked |= here.block.children_of(bit);
       }
     }
-    set(here.undecided, any(shadows.partial));
+  }
+  kernel::Decision decide(const Visit& here, std::uint32_t frustum, bool is_occluder, bool is_unknown, std::uint32_t i) {
+    if (!is_occluder) return tests_.probe(frustum, here.block, i);
+    if (is_unknown) return tests_.shadow(frustum, here.block, i);
+    return {tests_.may_cull(frustum, here.block, i) ? kernel::Relation::inside : kernel::Relation::partial};
   }
   static void hide(Visit& here, std::uint32_t i, std::uint32_t occluder, std::uint32_t second) {
     here.hiding[i] = occluder;
@@ -177,55 +212,29 @@ class Traversal {
     set(here.hidden, here.block.subtree[i]);
   }
 
-  void ask_probes(Visit& here, ActiveShadows& probes) {
-    kernel::BlockQuestions& answers = probes.answers;
-    ask(here, probes);
-    if ((answers.unknown & kernel::for_all(here.left())) != 0) {
-      for (std::size_t k = 0; k < answers.count; ++k) {
-        settle(here, probes, k, kernel::boxes_of(answers.unknown, k),
-               [&](std::uint32_t i) { return tests_.probe(answers.frustum[k], here.block, i); });
-      }
-    }
-    set(here.undecided_probes, any(probes.partial));
-  }
   std::uint32_t probe_of(const kernel::BlockQuestions& questions, std::size_t k) const {
-    return static_cast<std::uint32_t>(questions.frustum[k] - result_.occluders.size());
-  }
-
-  /// Asks the filter.
-  void ask(const Visit& here, ActiveShadows& shadows) {
-    kernel::BlockQuestions& answers = shadows.answers;
-    tests_.filter(here.block, answers);
-    const Bytes all = ~Bytes{0} >> 8 * (kernel::BlockQuestions::kMost - answers.count);
-    shadows.partial = all & kernel::for_all(here.block.used) & ~(answers.outside | answers.inside | answers.unknown);
-    shadows.asked = all & (kernel::for_all(here.block.roots) | here.block.children_of(shadows.partial));
-    shadows.exact = 0;
-  }
-
-  /// Completes the answers to question k: decide(i) answers for each of the doubtful nodes that has to be asked about.
-  template <class Decide>
-  void settle(Visit& here, ActiveShadows& shadows, std::size_t k, Bits doubtful, const Decide& decide) {
-    for_each_bit(doubtful & here.left(), [&](std::uint32_t i) {
-      const Bytes bit = Bytes{1} << (8 * k + i);
-      if ((shadows.asked & bit) == 0) return;
-      const kernel::Decision found = decide(i);
-      shadows.answers.inside &= ~bit;
-      if (found.stage == kernel::Stage::exact) shadows.exact |= bit;
-      if (found.relation == kernel::Relation::inside) shadows.answers.inside |= bit;
-      if (found.relation == kernel::Relation::partial) {
-        shadows.partial |= bit;
-        shadows.asked |= here.block.children_of(bit);
-      }
-    });
+    return static_cast<std::uint32_t>(questions.frustum[k] - occluders_);
   }
 
   /// Tests the nodes that are not culled against the pairs of the shadows that they straddle.
   void ask_pairs(Visit& here) {
+    if (!straddle_two(here)) return;
     for (std::uint32_t i = 0; i < NodeBlock::kNodes; ++i) {
       if (!has(here.block.visited(here.entered()) & here.left(), i)) continue;
       const auto pair = std::ranges::find_if(result_.pairs, [&](const ShadowPair& p) { return is_inside(here, p, i); });
       if (pair != result_.pairs.end()) hide(here, i, pair->first, pair->second);
     }
+  }
+  /// Whether some node may straddle the shadows of two occluders.
+  bool straddle_two(const Visit& here) const {
+    Bits once = 0, twice = 0;
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
+      for (Bytes left = active_[g].partial & active_[g].occluders; left != 0; left >>= 8U) {
+        set(twice, once & kernel::boxes_of(left, 0));
+        set(once, kernel::boxes_of(left, 0));
+      }
+    }
+    return (twice & here.left()) != 0;
   }
   bool is_inside(const Visit& here, const ShadowPair& pair, std::uint32_t i) {
     if (!straddles(here, pair.first, i) || !straddles(here, pair.second, i) || !may_ask(pair)) return false;
@@ -235,10 +244,10 @@ class Traversal {
     return found.relation == kernel::Relation::inside;
   }
   bool straddles(const Visit& here, std::uint32_t occluder, std::uint32_t i) const {
-    for (std::size_t g = here.active.begin; g < here.active.middle; ++g) {
-      const kernel::BlockQuestions& questions = active_[g].answers;
-      for (std::size_t k = 0; k < questions.count; ++k) {
-        if (questions.frustum[k] == occluder) return has(kernel::boxes_of(active_[g].partial, k), i);
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
+      const ActiveShadows& shadows = active_[g];
+      for (std::size_t k = 0; k < shadows.answers.count; ++k) {
+        if (shadows.answers.frustum[k] == occluder) return has(kernel::boxes_of(shadows.partial, k), i);
       }
     }
     return false;
@@ -254,9 +263,11 @@ class Traversal {
   /// Counts for each probe the items of the nodes that are inside of it. What is culled of them is taken away again. After
   /// this, `inside` has all that a probe holds.
   void hold(Visit& here, Bits visited) {
-    for (std::size_t g = here.active.middle; g < here.active.end; ++g) {
-      kernel::BlockQuestions& answers = active_[g].answers;
-      const Bytes inside = answers.inside & active_[g].asked & kernel::for_all(static_cast<Bits>(visited & here.left()));
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
+      ActiveShadows& shadows = active_[g];
+      kernel::BlockQuestions& answers = shadows.answers;
+      const Bytes inside =
+          answers.inside & shadows.asked & shadows.probes & kernel::for_all(static_cast<Bits>(visited & here.left()));
       answers.inside = 0;
       for_each_bit(any(inside), [&](std::uint32_t i) {
         for_each_question(inside, i, [&](std::size_t k) { probes_[probe_of(answers, k)].hidden += here.block.count[i]; });
@@ -266,8 +277,7 @@ class Traversal {
   }
 
   /// Culls or enters nodes of the block, in the order of the tree. What is neither is drawn.
-  void descend(const Visit& here, Bits visited) {
-    const auto entered = static_cast<Bits>(visited & here.entered() & here.block.exits);
+  void descend(const Visit& here, Bits visited, Bits entered) {
     for_each_bit(entered, [&](std::uint32_t i) { blocks_.prefetch(here.block.below[i]); });
     for_each_bit((visited & here.culled()) | entered, [&](std::uint32_t i) {
       if (has(entered, i)) {
@@ -281,32 +291,24 @@ class Traversal {
   /// Visits the block below a node with what straddles the node.
   void enter(const Visit& here, std::uint32_t i) {
     const Active& active = here.active;
-    Active below{0, active.end, active.end, 0};
+    Active below{0, active.end, active.end};
     for_each_bit(active.planes, [&](std::uint32_t plane) {
       below.planes |= std::uint32_t{has(straddling(here.block, here.planes[plane]), i)} << plane;
     });
-    append_straddling(active.begin, active.middle, i, below.middle);
-    below.end = below.middle;
-    append_straddling(active.middle, active.end, i, below.end);
+    for (std::size_t g = active.begin; g < active.end; ++g) {
+      for_each_question(active_[g].partial, i, [&](std::size_t k) { append(below, active_[g].answers.frustum[k]); });
+    }
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
     visit(blocks_[here.block.below[i]], below);
     holding_.resize(holding);
   }
 
-  /// Appends questions about those of active_[begin, end) that straddle a node, from `appended` on, which becomes their end.
-  void append_straddling(std::size_t begin, std::size_t end, std::uint32_t i, std::size_t& appended) {
-    const std::size_t first = appended;
-    for (std::size_t g = begin; g < end; ++g) {
-      for_each_question(active_[g].partial, i,
-                        [&](std::size_t k) { append(first, appended, active_[g].answers.frustum[k]); });
-    }
-  }
-
   /// Calls take(probe) for each probe that holds a node, but no block above it.
   template <class Take>
   void for_each_holding(const Visit& here, std::uint32_t i, const Take& take) {
-    for (std::size_t g = here.active.middle; g < here.active.end; ++g) {
+    if (!here.is_held) return;
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
       const kernel::BlockQuestions& answers = active_[g].answers;
       for_each_question(answers.inside, i, [&](std::size_t k) { take(probe_of(answers, k)); });
     }
@@ -351,21 +353,23 @@ class Traversal {
       stats.view_tests += kernel::count(static_cast<Bits>(asked & left));
       left = static_cast<Bits>(left & ~relation.outside);
     });
-    for (std::size_t g = here.active.begin; g < here.active.middle; ++g) left = count_shadow_tests(here, active_[g], left);
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) left = count_shadow_tests(here, active_[g], left);
+    if (probes_.empty()) return;
     left = static_cast<Bits>(left & ~hidden_by_pairs);
-    for (std::size_t g = here.active.middle; g < here.active.end; ++g) {
-      stats.probe_tests += kernel::count(active_[g].asked & kernel::for_all(left));
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
+      stats.probe_tests += kernel::count(active_[g].asked & active_[g].probes & kernel::for_all(left));
     }
   }
 
   /// Counts the tests of some shadows. Returns the nodes that are left for the next shadows.
   Bits count_shadow_tests(const Visit& here, const ActiveShadows& shadows, Bits left) {
     const kernel::BlockQuestions& answers = shadows.answers;
-    Bytes tested = shadows.asked & kernel::for_all(left);
-    if (here.hidden != 0) {
+    const Bytes asked = shadows.asked & shadows.occluders;
+    Bytes tested = asked & kernel::for_all(left);
+    if ((answers.inside & asked) != 0) {
       tested = 0;
       for (std::size_t k = 0; k < answers.count; ++k) {
-        const auto now = static_cast<Bits>(kernel::boxes_of(shadows.asked, k) & left);
+        const auto now = static_cast<Bits>(kernel::boxes_of(asked, k) & left);
         tested |= Bytes{now} << 8 * k;
         left = static_cast<Bits>(left & ~(kernel::boxes_of(answers.inside, k) & now));
       }
@@ -382,6 +386,7 @@ class Traversal {
   CullResult& result_;
   std::vector<ActiveShadows>& active_;
   std::vector<std::uint32_t>& holding_;
+  std::uint32_t occluders_ = 0;   ///< how many there are
   std::uint32_t drawn_from_ = 0;  ///< the first item that is neither drawn nor culled
   std::size_t pair_work_left_ = 0;
 };

@@ -43,6 +43,14 @@ void add_sides(StoredFrustum& frustum) {
   }
 }
 
+/// Rounds the frustum's own planes to floats. REQUIRES: they are rounded to doubles.
+void round_to_floats(StoredFrustum& frustum) {
+  frustum.coarse_planes.reserve(frustum.plane_count);
+  for (const FilterPlane& plane : frustum.own_planes()) {
+    frustum.coarse_planes.push_back(coarse(plane, frustum.filter_bound, frustum.coarse_bound));
+  }
+}
+
 /// Rounds the planes that are not yet rounded. `common` becomes a bound for all of them.
 void round_planes(StoredFrustum& frustum, FilterBound& common) {
   frustum.filter_planes.reserve(frustum.recipes.size());
@@ -64,6 +72,8 @@ void clear(StoredFrustum& frustum) {
   frustum.near_count = frustum.plane_count = 0;
   frustum.silhouette.clear();
   frustum.recipes.clear();
+  frustum.coarse_planes.clear();
+  frustum.coarse_bound = {};
   frustum.filter_planes.clear();
   frustum.refined_planes.clear();
   frustum.filter_bound = frustum.profile_bound = {};
@@ -96,6 +106,7 @@ Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, std::span<cons
   }
   add_sides(frustum);
   round_planes(frustum, frustum.filter_bound);
+  round_to_floats(frustum);
   return Refusal::none;
 }
 
@@ -121,6 +132,7 @@ Refusal build(StoredFrustum& frustum, const Viewpoint& viewpoint, const ConvexPo
     append_cap_edges(polytope, seen, frustum.silhouette, frustum.cap_edges);
   }
   round_planes(frustum, frustum.filter_bound);
+  round_to_floats(frustum);
   return Refusal::none;
 }
 

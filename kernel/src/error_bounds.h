@@ -108,6 +108,19 @@ template <BoundOf of, class Real>
 inline constexpr double kPlaneError = rounding_error(1 + 1 + 1 + 3 + 1);
 inline constexpr double kOffsetError = rounding_error(3 + 1);
 
+/// The same value in floats, v = 2^-24 in place of u, of a plane whose coefficients were rounded to floats. The box is
+/// rounded to floats relative to the origin: a rounding by u (1 + v) more, which second-order terms cover. A component of
+/// the normal is off by v |n_k| more, and the offset by v |w|. So the value is off by at most
+///   (g(7) + v) sum_k |n_k| R + slope * R + (g(4) + v) |w| + base,
+/// with g and v of floats, and slope and base those of the plane in doubles. The constants have one more v for second-order
+/// terms. Four times slope and base are taken: a value beyond this bound is then at least three times beyond that of
+/// doubles, whose filter would decide it in the same way. Floats that are flushed to zero or rounded below the normal range
+/// change by at most 2^-126: with normals below 2^51 and coordinates below 2^60, a dozen such changes, each times the other
+/// factor, are below 2^-60. The reach takes five roundings from the box to the bound, and the bound two when it is stored.
+inline constexpr double kFloatRoundoff = 0x1p-24;
+inline constexpr double kCoarsePlaneError = (7 + 1 + 1) * kFloatRoundoff, kCoarseOffsetError = (4 + 1 + 1) * kFloatRoundoff;
+inline constexpr double kCoarseUnderflow = 0x1p-60, kCoarseInflation = 1 + 16 * kFloatRoundoff;
+
 /// Value of a refined plane at a vertex y = x + t, |t_k| <= u |x_k|. The plane has n + m in place of n and w + v in place of
 /// w, with |m_k| <= u |n_k| and |v| <= u |w|. The products n_k x_k and their sums with w are computed by error-free
 /// transformations; what these lose and what the tails add is summed in doubles. With S = sum_k |n_k x_k| + |w|, up to

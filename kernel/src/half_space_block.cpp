@@ -71,9 +71,9 @@ HWY_INLINE Known filter(const HalfSpace& h, const BoxBlock& block) {
     const Value most(h, &x[i], &y[i], &z[i]), least(h, &far_x[i], &far_y[i], &far_z[i]);
     const auto outside = hn::Lt(most.value, hn::Neg(most.error)), inside = hn::Gt(least.value, least.error);
     const auto straddles = hn::And(hn::Gt(most.value, most.error), hn::Lt(least.value, hn::Neg(least.error)));
-    known.outside |= bits(outside) << i;
-    known.inside |= bits(inside) << i;
-    known.unknown |= bits(hn::Not(hn::Or(hn::Or(outside, inside), straddles))) << i;
+    known.outside |= bits(Doubles(), outside) << i;
+    known.inside |= bits(Doubles(), inside) << i;
+    known.unknown |= bits(Doubles(), hn::Not(hn::Or(hn::Or(outside, inside), straddles))) << i;
   }
   return known;
 }

@@ -37,10 +37,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, kMaxLanes>;
 
 /// A bit for each lane.
-HWY_INLINE unsigned bits(hn::Mask<Doubles> mask) {
-  static_assert(kMaxLanes <= 8, "the bits of a mask are one byte");
+template <class D>
+HWY_INLINE unsigned bits(D d, hn::Mask<D> mask) {
+  static_assert(hn::MaxLanes(D()) <= 8, "the bits of a mask are one byte");
   std::uint8_t stored[8] = {};
-  hn::StoreMaskBits(Doubles(), mask, stored);
+  hn::StoreMaskBits(d, mask, stored);
   return stored[0];
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// This file is compiled once for every instruction set; the one that runs is chosen at run time.
+// This file is compiled once for every instruction set; the one that runs is chosen at run time. Floats answer for eight
+// boxes in one vector, or in two; doubles answer where they cannot.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow_block.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target.h must come first.
 #include <hwy/highway.h>
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,64 +24,141 @@ namespace {
 
 static_assert(kMaxLanes <= BoxBlock::kBoxes, "a vector of boxes is read from one block");
 
+/// What is known about one question: the boxes that are outside, inside, and neither known nor straddling.
+struct Answers {
+  unsigned outside = 0, inside = 0, unknown = 0;
+};
+
 HWY_INLINE LaneVector load(const std::array<BoxBlock::Row, 3>& rows, std::size_t first) {
   return {Lanes::load(&rows[0][first]), Lanes::load(&rows[1][first]), Lanes::load(&rows[2][first])};
 }
 
-/// The boxes in the lanes from `first` on.
-class LaneBoxes {
- public:
-  HWY_INLINE LaneBoxes(const BoxBlock& block, std::size_t first)
-      : min_(load(block.min, first)), max_(load(block.max, first)), frame_(min_, max_) {}
+/// The answers of the filter in doubles.
+HWY_NOINLINE Answers answers_in_doubles(const StoredFrustum& frustum, const BoxBlock& block) {
+  const auto origin = constants<LaneArithmetic>(frustum.origin);
+  const unsigned all = (1U << hn::Lanes(Doubles())) - 1;
+  Answers answers;
+  for (std::size_t first = 0; first < BoxBlock::kBoxes; first += hn::Lanes(Doubles())) {
+    const Frame frame(load(block.min, first) - origin, load(block.max, first) - origin);
+    Least least;
+    for (const FilterPlane& plane : frustum.own_planes()) least.include(frame.extremes(plane));
+    const Known known = classify(least, frame.error(frustum.filter_bound));
+    const unsigned outside = bits(Doubles(), known.outside), unknown = bits(Doubles(), known.unknown);
+    answers.outside |= outside << first;
+    answers.unknown |= unknown << first;
+    answers.inside |= (all & ~(outside | unknown | bits(Doubles(), known.straddling))) << first;
+  }
+  return answers;
+}
 
-  HWY_INLINE void see_from(const Vec3& point) {
-    if (point == origin_) return;  // shadows of one eye have one origin
-    origin_ = point;
-    const auto origin = constants<LaneArithmetic>(point);
-    frame_ = Frame(min_ - origin, max_ - origin);
+using Floats = hn::CappedTag<float, BoxBlock::kBoxes>;
+using FloatVector = hn::Vec<Floats>;
+
+/// Coordinates relative to an origin, in floats. `Wide` is the longest vector of doubles, which may have half as many lanes.
+template <class Wide>
+HWY_INLINE FloatVector relative(Wide wide, const double* x, double origin) {
+  const hn::Rebind<float, Wide> part;
+  const auto difference = [&](const double* from)
+                              HWY_ATTR { return hn::DemoteTo(part, hn::Sub(hn::Load(wide, from), hn::Set(wide, origin))); };
+  if constexpr (hn::MaxLanes(part) == hn::MaxLanes(Floats())) {
+    return difference(x);
+#if HWY_TARGET != HWY_SCALAR  // which has one lane of either
+  } else {
+    return hn::Combine(Floats(), difference(x + hn::MaxLanes(part)), difference(x));
+#endif
+  }
+}
+
+/// As AabbFrame, in floats, of the boxes in the lanes from `first` on.
+class CoarseFrame {
+ public:
+  HWY_INLINE CoarseFrame(const BoxBlock& block, const Vec3& origin, std::size_t first) {
+    const Floats d;
+    FloatVector reach = hn::Zero(d);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = origin[static_cast<int>(k)];
+      const FloatVector min = relative(Doubles(), &block.min[k][first], at),
+                        max = relative(Doubles(), &block.max[k][first], at);
+      sum_[k] = hn::Add(max, min);
+      extent_[k] = hn::Sub(max, min);
+      reach = hn::Max(reach, hn::Add(hn::Abs(sum_[k]), extent_[k]));
+    }
+    const auto is_near = hn::Lt(reach, hn::Set(d, static_cast<float>(2 * kCoarseReach)));
+    twice_reach_ = hn::IfThenElse(is_near, reach, hn::Inf(d));
   }
 
-  [[nodiscard]] HWY_INLINE Known classified(const StoredFrustum& frustum) const {
-    Least least;
-    for (const FilterPlane& plane : frustum.own_planes()) least.include(frame_.extremes(plane));
-    return classify(least, frame_.error(frustum.filter_bound));
+  [[nodiscard]] HWY_INLINE Answers answers(const StoredFrustum& frustum) const {
+    const Floats d;
+    FloatVector low = hn::Inf(d), high = low;
+    for (const CoarsePlane& plane : frustum.coarse_planes) {
+      const FloatVector x = hn::Set(d, plane.x), y = hn::Set(d, plane.y), z = hn::Set(d, plane.z);
+      const FloatVector middle =
+          hn::MulAdd(x, sum_[0], hn::MulAdd(y, sum_[1], hn::MulAdd(z, sum_[2], hn::Set(d, plane.twice_offset))));
+      const FloatVector spread =
+          hn::MulAdd(hn::Abs(x), extent_[0], hn::MulAdd(hn::Abs(y), extent_[1], hn::Mul(hn::Abs(z), extent_[2])));
+      low = hn::Min(low, hn::Sub(middle, spread));
+      high = hn::Min(high, hn::Add(middle, spread));
+    }
+    // Where the error is infinite, or a value is not a number, nothing is known.
+    const FloatVector error =
+        hn::MulAdd(hn::Set(d, frustum.coarse_bound.slope), twice_reach_, hn::Set(d, frustum.coarse_bound.twice_base));
+    const auto outside = hn::Lt(high, hn::Neg(error)), inside = hn::Gt(low, error);
+    const auto straddling = hn::And(hn::Lt(low, hn::Neg(error)), hn::Gt(high, error));
+    return {bits(d, outside), bits(d, inside), bits(d, hn::Not(hn::Or(hn::Or(outside, inside), straddling)))};
   }
 
  private:
-  LaneVector min_, max_;
-  Vec3 origin_;
-  Frame frame_;
+  FloatVector sum_[3], extent_[3], twice_reach_;
 };
 
-/// The boxes in the lanes from `first` on, against each frustum that is asked about. The answers are gathered in registers:
-/// bytes that have just been stored can be loaded as words only after a delay.
-HWY_INLINE void ask(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t first,
-                    BlockQuestions& questions) {
-  const BoxBytes all = (BoxBytes{1} << hn::Lanes(Doubles())) - 1;
-  LaneBoxes boxes(block, first);
+/// Answers the questions about the boxes in the lanes from `first` on. The answers are gathered in registers: bytes that
+/// have just been stored can be loaded as words only after a delay.
+HWY_INLINE void ask_in_floats(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t first,
+                              BlockQuestions& questions) {
   BoxBytes outside = 0, inside = 0, unknown = 0;
-  for (std::size_t k = 0; k < questions.count; ++k) {
-    const StoredFrustum* const frustum = stored(*frusta[questions.frustum[k]]);
-    if (!frustum) [[unlikely]]
+  const auto frustum = [&](std::size_t k) { return stored(*frusta[questions.frustum[k]]); };
+  for (std::size_t k = 0; k < questions.count;) {
+    if (!frustum(k)) [[unlikely]] {
+      ++k;
       continue;
-    boxes.see_from(frustum->origin);
-    const Known known = boxes.classified(*frustum);
-    const BoxBytes is_outside = bits(known.outside), is_straddling = bits(known.straddling),
-                   is_unknown = bits(known.unknown);
-    const std::size_t shift = 8 * k + first;
-    outside |= is_outside << shift;
-    inside |= (all & ~(is_outside | is_straddling | is_unknown)) << shift;
-    unknown |= is_unknown << shift;
+    }
+    const Vec3 origin = frustum(k)->origin;
+    const CoarseFrame frame(block, origin, first);
+    do {
+      const Answers answers = frame.answers(*frustum(k));
+      const std::size_t shift = 8 * k + first;
+      outside |= BoxBytes{answers.outside} << shift;
+      inside |= BoxBytes{answers.inside} << shift;
+      unknown |= BoxBytes{answers.unknown} << shift;
+      ++k;
+    } while (k < questions.count && frustum(k) && frustum(k)->origin == origin);  // one eye has one origin
   }
   questions.outside |= outside;
   questions.inside |= inside;
   questions.unknown |= unknown;
 }
 
+HWY_INLINE void ask_in_doubles(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t k,
+                               BlockQuestions& questions) {
+  const Answers answers = answers_in_doubles(*stored(*frusta[questions.frustum[k]]), block);
+  const std::size_t shift = 8 * k;
+  const BoxBytes others = ~(BoxBytes{0xFF} << shift);
+  questions.outside = (questions.outside & others) | BoxBytes{answers.outside} << shift;
+  questions.inside = (questions.inside & others) | BoxBytes{answers.inside} << shift;
+  questions.unknown = (questions.unknown & others) | BoxBytes{answers.unknown} << shift;
+}
+
 HWY_ATTR void conservative_filter(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block,
                                   BlockQuestions& questions) {
   questions.outside = questions.inside = questions.unknown = 0;
-  for (std::size_t first = 0; first < BoxBlock::kBoxes; first += hn::Lanes(Doubles())) ask(frusta, block, first, questions);
+  for (std::size_t first = 0; first < BoxBlock::kBoxes; first += hn::Lanes(Floats())) {
+    ask_in_floats(frusta, block, first, questions);
+  }
+  for (BoxBytes left = questions.unknown; left != 0;) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left)) / 8;
+    ask_in_doubles(frusta, block, k, questions);
+    left &= ~(BoxBytes{0xFF} << 8 * k);
+  }
 }
 
 }  // namespace

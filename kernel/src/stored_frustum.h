@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "coarse_plane.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"
 #include "planes.h"
@@ -32,6 +33,8 @@ struct StoredFrustum {
   Vec3 origin;
   std::size_t plane_count = 0;  ///< 0: there is no frustum
   std::size_t near_count = 0;
+  std::vector<CoarsePlane> coarse_planes;    ///< in floats, of the first plane_count planes alone
+  CoarseBound coarse_bound;                  ///< of these
   std::vector<FilterPlane> filter_planes;    ///< in doubles
   FilterBound filter_bound, profile_bound;   ///< of the first plane_count planes, and of those of the profile
   std::vector<RefinedPlane> refined_planes;  ///< what the doubles lost

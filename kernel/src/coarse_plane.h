@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The planes of a shadow frustum in floats, for tests of eight boxes in one vector. What they cannot tell is left to the
+// planes in doubles.
+#pragma once
+
+#include <span>
+
+#include "planes.h"
+
+namespace occlude::kernel {
+
+/// A FilterPlane rounded to floats, with its offset doubled.
+struct CoarsePlane {
+  float x = 0, y = 0, z = 0, twice_offset = 0;
+};
+
+/// A bound of errors: twice the value of a CoarsePlane at a vertex of a box, computed in floats, is off by at most
+/// slope * twice_reach + twice_base, and where it exceeds that bound, it exceeds the bound of the FilterPlane as well
+/// (error_bounds.h).
+struct CoarseBound {
+  float slope = 0, twice_base = 0;
+};
+
+/// Boxes that reach this far, and planes with such an offset, are left to doubles, so that no float overflows: a normal is
+/// below 2^51 (error_bounds.h), and the values are sums of four terms below 2^113.
+inline constexpr double kCoarseReach = 0x1p60, kCoarseOffset = 0x1p110;
+
+/// The plane in floats, or one that decides nothing, with an infinite bound, if its offset is too large. `bound` becomes one
+/// for this plane too. `filter_bound` is that of the frustum.
+[[nodiscard]] CoarsePlane coarse(const FilterPlane& plane, const FilterBound& filter_bound, CoarseBound& bound);
+
+}  // namespace occlude::kernel
