@@ -278,7 +278,6 @@ class Traversal {
 
   /// Culls or enters nodes of the block, in the order of the tree. What is neither is drawn.
   void descend(const Visit& here, Bits visited, Bits entered) {
-    for_each_bit(entered, [&](std::uint32_t i) { blocks_.prefetch(here.block.below[i]); });
     for_each_bit((visited & here.culled()) | entered, [&](std::uint32_t i) {
       if (has(entered, i)) {
         enter(here, i);
@@ -290,6 +289,7 @@ class Traversal {
 
   /// Visits the block below a node with what straddles the node.
   void enter(const Visit& here, std::uint32_t i) {
+    blocks_.prefetch(here.block.below[i]);
     const Active& active = here.active;
     Active below{0, active.end, active.end};
     for_each_bit(active.planes, [&](std::uint32_t plane) {

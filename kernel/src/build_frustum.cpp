@@ -45,10 +45,11 @@ void add_sides(StoredFrustum& frustum) {
 
 /// Rounds the frustum's own planes to floats. REQUIRES: they are rounded to doubles.
 void round_to_floats(StoredFrustum& frustum) {
-  frustum.coarse_planes.reserve(frustum.plane_count);
+  frustum.coarse_planes.reserve(frustum.plane_count + kCoarseWidth);
   for (const FilterPlane& plane : frustum.own_planes()) {
     frustum.coarse_planes.push_back(coarse(plane, frustum.filter_bound, frustum.coarse_bound));
   }
+  while (frustum.coarse_planes.size() % kCoarseWidth != 0) frustum.coarse_planes.push_back(frustum.coarse_planes.back());
 }
 
 /// Rounds the planes that are not yet rounded. `common` becomes a bound for all of them.

@@ -3,7 +3,7 @@
 // planes in doubles.
 #pragma once
 
-#include <span>
+#include <cstddef>
 
 #include "planes.h"
 
@@ -13,6 +13,9 @@ namespace occlude::kernel {
 struct CoarsePlane {
   float x = 0, y = 0, z = 0, twice_offset = 0;
 };
+
+/// Planes are tested so many at a time, with one branch less for each. The last of a frustum is repeated.
+inline constexpr std::size_t kCoarseWidth = 2;
 
 /// A bound of errors: twice the value of a CoarsePlane at a vertex of a box, computed in floats, is off by at most
 /// slope * twice_reach + twice_base, and where it exceeds that bound, it exceeds the bound of the FilterPlane as well

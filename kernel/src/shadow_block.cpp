@@ -90,7 +90,7 @@ class CoarseFrame {
   [[nodiscard]] HWY_INLINE Answers answers(const StoredFrustum& frustum) const {
     const Floats d;
     FloatVector low = hn::Inf(d), high = low;
-    for (const CoarsePlane& plane : frustum.coarse_planes) {
+    const auto include = [&](const CoarsePlane& plane) HWY_ATTR {
       const FloatVector x = hn::Set(d, plane.x), y = hn::Set(d, plane.y), z = hn::Set(d, plane.z);
       const FloatVector middle =
           hn::MulAdd(x, sum_[0], hn::MulAdd(y, sum_[1], hn::MulAdd(z, sum_[2], hn::Set(d, plane.twice_offset))));
@@ -98,6 +98,9 @@ class CoarseFrame {
           hn::MulAdd(hn::Abs(x), extent_[0], hn::MulAdd(hn::Abs(y), extent_[1], hn::Mul(hn::Abs(z), extent_[2])));
       low = hn::Min(low, hn::Sub(middle, spread));
       high = hn::Min(high, hn::Add(middle, spread));
+    };
+    for (std::size_t i = 0; i < frustum.coarse_planes.size(); i += kCoarseWidth) {
+      for (std::size_t k = 0; k < kCoarseWidth; ++k) include(frustum.coarse_planes[i + k]);
     }
     // Where the error is infinite, or a value is not a number, nothing is known.
     const FloatVector error =

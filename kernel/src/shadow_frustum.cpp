@@ -62,7 +62,7 @@ void ShadowFrustum::reserve(std::size_t count) {
   StoredFrustum& frustum = own();
   frustum.silhouette.reserve(count);
   frustum.recipes.reserve(count);
-  frustum.coarse_planes.reserve(count);
+  frustum.coarse_planes.reserve(count + kCoarseWidth);
   frustum.filter_planes.reserve(count);
   frustum.refined_planes.reserve(count);
   frustum.cap_edges.reserve(count);
