@@ -43,11 +43,14 @@ void expect_same(const HalfSpace& half_space, const BoxBlock& block, BoxBits ask
 /// On one of the instruction sets of this machine.
 class BoxBlockTest : public testing::TestWithParam<std::int64_t> {
  protected:
-  /// A number on the grid of `step`, so that sums are often equal, moved by an ulp now and then.
+  /// A number on the grid of `step`, so that sums are often equal, moved now and then: by an ulp, or by as little as floats
+  /// can just tell, or not.
   double number(double step) {
     const double x = step * (static_cast<double>(random_() % 17) - 8);
-    const unsigned choice = random_() % 8;
-    return choice == 0 ? std::nextafter(x, 100.0) : choice == 1 ? std::nextafter(x, -100.0) : x;
+    const unsigned choice = random_() % 16;
+    if (choice == 0) return std::nextafter(x, 100.0);
+    if (choice == 1) return std::nextafter(x, -100.0);
+    return choice < 5 ? x + step * std::ldexp(choice % 2 == 0 ? 1 : -1, -static_cast<int>(14 + random_() % 14)) : x;
   }
   Vec3 point(double step) { return {number(step), number(step), number(step)}; }
   BoxBlock block(double step) {
