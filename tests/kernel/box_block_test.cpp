@@ -137,7 +137,7 @@ void expect_same(const ShadowFrustum& frustum, const BoxBlock& block, const Bloc
 TEST_P(BoxBlockTest, ShadowsAreAnsweredAsOneByOne) {
   Counts counts;
   std::size_t unknown = 0;
-  for (int round = 0; round < 1500; ++round) {
+  for (int round = 0; round < 5000; ++round) {
     constexpr std::array kSteps{1.0, 0.1, 1e-20, 1e20, 1e28};
     const double step = kSteps[static_cast<std::size_t>(round) % kSteps.size()];
     std::vector<ShadowFrustum> frusta;
