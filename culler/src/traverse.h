@@ -120,7 +120,7 @@ class Traversal {
 
   /// Appends a question to those that are active.
   void append(Active& active, std::uint32_t frustum) {
-    if (active.begin == active.end || active_[active.end - 1].answers.count == kernel::BlockQuestions::kMost) {
+    if (active.begin == active.end || active_[active.end - 1].answers.count == kMost) {
       if (active.end == active_.size()) active_.emplace_back();
       ActiveShadows& added = active_[active.end++];
       added.answers.count = 0;

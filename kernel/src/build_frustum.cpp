@@ -45,7 +45,7 @@ void add_sides(StoredFrustum& frustum) {
 
 /// Rounds the frustum's own planes to floats. REQUIRES: they are rounded to doubles.
 void round_to_floats(StoredFrustum& frustum) {
-  frustum.coarse_planes.reserve(frustum.plane_count + kCoarseWidth);
+  frustum.coarse_planes.reserve((frustum.plane_count + kCoarseWidth - 1) / kCoarseWidth * kCoarseWidth);
   for (const FilterPlane& plane : frustum.own_planes()) {
     frustum.coarse_planes.push_back(coarse(plane, frustum.filter_bound, frustum.coarse_bound));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The planes of a shadow frustum in floats, for tests of eight boxes in one vector. What they cannot tell is left to the
-// planes in doubles.
+// The planes of a shadow frustum in floats, for tests of eight boxes at once, twice as many in a vector. What they cannot
+// tell is left to the planes in doubles.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,8 @@ namespace occlude::kernel {
 /// A FilterPlane rounded to floats, with its offset doubled.
 struct CoarsePlane {
   float x = 0, y = 0, z = 0, twice_offset = 0;
+
+  friend bool operator==(const CoarsePlane&, const CoarsePlane&) = default;
 };
 
 /// Planes are tested so many at a time, with one branch less for each. The last of a frustum is repeated.
@@ -22,11 +24,9 @@ inline constexpr std::size_t kCoarseWidth = 2;
 /// (error_bounds.h).
 struct CoarseBound {
   float slope = 0, twice_base = 0;
-};
 
-/// Boxes that reach this far, and planes with such an offset, are left to doubles, so that no float overflows: a normal is
-/// below 2^51 (error_bounds.h), and the values are sums of four terms below 2^113.
-inline constexpr double kCoarseReach = 0x1p60, kCoarseOffset = 0x1p110;
+  friend bool operator==(const CoarseBound&, const CoarseBound&) = default;
+};
 
 /// The plane in floats, or one that decides nothing, with an infinite bound, if its offset is too large. `bound` becomes one
 /// for this plane too. `filter_bound` is that of the frustum.

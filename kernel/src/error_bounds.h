@@ -120,6 +120,9 @@ inline constexpr double kOffsetError = rounding_error(3 + 1);
 inline constexpr double kFloatRoundoff = 0x1p-24;
 inline constexpr double kCoarsePlaneError = (7 + 1 + 1) * kFloatRoundoff, kCoarseOffsetError = (4 + 1 + 1) * kFloatRoundoff;
 inline constexpr double kCoarseUnderflow = 0x1p-60, kCoarseInflation = 1 + 16 * kFloatRoundoff;
+/// Boxes that reach this far, and planes with such an offset, are left to doubles, so that no float overflows: a normal is
+/// below 2^51, and the values are sums of four terms below 2^113.
+inline constexpr double kCoarseReach = 0x1p60, kCoarseOffset = 0x1p110;
 
 /// Value of a refined plane at a vertex y = x + t, |t_k| <= u |x_k|. The plane has n + m in place of n and w + v in place of
 /// w, with |m_k| <= u |n_k| and |v| <= u |w|. The products n_k x_k and their sums with w are computed by error-free

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// This file is compiled once for every instruction set; the one that runs is chosen at run time. Floats answer for eight
-// boxes in one vector, or in two; doubles answer where they cannot.
+// This file is compiled once for every instruction set; the one that runs is chosen at run time. Floats answer first,
+// twice as many boxes in a vector; doubles answer where floats cannot.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shadow_block.cpp"
 #include <hwy/foreach_target.h>
@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 
+#include "error_bounds.h"
 #include "least_extremes-inl.h"
 #include "occlude/kernel/box_block.h"
 #include "stored_frustum.h"

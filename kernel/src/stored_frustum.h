@@ -29,11 +29,11 @@ struct CapEdge {
 /// planes of the near side, then one per side, plane_count in all; after these, if has_profile, the planes of the profile
 /// along the coordinate axes (profile.h). What stage 1 reads comes first.
 struct StoredFrustum {
-  /// The point that filter_planes and refined_planes are relative to: the eye, or silhouette[0] for a direction.
+  /// The point that the planes in floats and doubles are relative to: the eye, or silhouette[0] for a direction.
   Vec3 origin;
   std::size_t plane_count = 0;  ///< 0: there is no frustum
   std::size_t near_count = 0;
-  std::vector<CoarsePlane> coarse_planes;    ///< in floats, of the first plane_count planes alone
+  std::vector<CoarsePlane> coarse_planes;    ///< in floats, the first plane_count alone (kCoarseWidth)
   CoarseBound coarse_bound;                  ///< of these
   std::vector<FilterPlane> filter_planes;    ///< in doubles
   FilterBound filter_bound, profile_bound;   ///< of the first plane_count planes, and of those of the profile

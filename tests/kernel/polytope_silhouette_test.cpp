@@ -100,6 +100,8 @@ TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
     EXPECT_EQ(here.silhouette, there.silhouette);
     EXPECT_EQ(here.recipes, there.recipes);
     EXPECT_EQ(here.filter_planes, there.filter_planes);
+    EXPECT_EQ(here.coarse_planes, there.coarse_planes);
+    EXPECT_EQ(here.coarse_bound, there.coarse_bound);
     EXPECT_EQ(here.refined_planes, there.refined_planes);
     EXPECT_EQ(here.cap_edges, there.cap_edges);
     EXPECT_EQ(here.cap_vertices, there.cap_vertices);
