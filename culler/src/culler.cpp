@@ -135,7 +135,9 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
     }
   };
   const OccluderSet* const occluders = frame.occluders.empty() ? nullptr : &this->occluders();
-  traverse(blocks(), volumes_of(hierarchy_), occluders, on_tests, options, memory);
+  CullOptions in_order = options;
+  in_order.executor = nullptr;
+  traverse(blocks(), volumes_of(hierarchy_), occluders, on_tests, in_order, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

@@ -16,7 +16,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_union.h"
 #include "shadow_rule.h"
-#include "traverse.h"
+#include "traverse_parts.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -140,12 +140,19 @@ void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet* occlu
   const std::size_t most = memory.result.occluders.capacity() + memory.probes.capacity();
   memory.traversal.active.reserve(kLevels * (most / kernel::BlockQuestions::kMost + 2));
   memory.traversal.holding.reserve(memory.probes.capacity());
+  memory.traversal.hidden.reserve(most);
   memory.planes.reserve(memory.result.view.size());
   memory.frusta.reserve(most);
   memory.casters.reserve(most);
   NodeTests tests(ask, occluders, on_shadow_tests, options, memory);
   const ViewPlanes planes{memory.planes, options.arithmetic};
-  Traversal(blocks, tests, memory.probes, memory.result, memory.traversal).run(planes.all());
+  const auto size = [](const std::vector<Occluder>& shadows) { return static_cast<std::uint32_t>(shadows.size()); };
+  const ShadowCounts shadows{size(memory.result.occluders), size(memory.probes)};
+  TraversalInParts(blocks, tests, shadows, memory.result, memory.traversal, memory.parts)
+      .run(planes.all(), options.executor);
+  const std::uint32_t* hidden = memory.traversal.hidden.data();
+  for (Occluder& occluder : memory.result.occluders) occluder.hidden = *hidden++;
+  for (Occluder& probe : memory.probes) probe.hidden = *hidden++;
 }
 
 }  // namespace occlude::culler

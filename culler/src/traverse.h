@@ -4,7 +4,8 @@
 // It knows neither frusta nor boxes: `tests` classifies nodes against half-spaces and shadows, or against two shadows
 // together. A half-space that holds a node, and a shadow that does not meet it, are dropped below the node. Any number of
 // shadows can be active. What is active is asked about all nodes of a block at once. The answers are those of a descent from
-// node to node, because what a node is culled by culls all that is below it.
+// node to node, because what a node is culled by culls all that is below it. Subtrees may be put off, for other threads
+// (traverse_parts.h).
 #pragma once
 
 #include <algorithm>
@@ -39,10 +40,34 @@ struct alignas(64) ActiveShadows {
   kernel::BoxBytes exact;              ///< nodes of which the exact stage had to answer
 };
 
-/// The stacks of a traversal. Each level of the descent uses its own part.
+/// What is active at a block: half-spaces, a bit for each, and shadows [begin, end) of a stack.
+struct ActiveTests {
+  std::uint32_t planes = 0;
+  std::size_t begin = 0, end = 0;
+};
+
+/// The stacks of a traversal, of which each level of the descent uses its own part, and its counts.
 struct TraversalMemory {
   std::vector<ActiveShadows> active;   ///< may be longer than what is in use
   std::vector<std::uint32_t> holding;  ///< probes that hold the node or one above it
+  std::vector<std::uint32_t> hidden;   ///< by each occluder and each probe: items, modulo 2^32
+};
+
+/// A subtree that a traversal puts off, and what a traversal of its own finds there.
+struct alignas(64) PutOffSubtree {
+  std::uint32_t block = 0;            ///< the block below its root
+  PolygonRange items;                 ///< below it
+  ActiveTests active;                 ///< there, in `memory`
+  std::size_t drawn = 0, culled = 0;  ///< how much of either the traversal that put it off had found before
+  TraversalMemory memory;
+  CullResult found;
+};
+
+/// The subtrees that a traversal may put off: those of few items, but not of fewer than `least`. Its memory is reused.
+struct PutOffSubtrees {
+  std::uint32_t least = 1, most = 0;
+  std::size_t size = 0;
+  std::vector<PutOffSubtree> subtrees;  ///< may be longer than `size`
 };
 
 template <class Tests>
@@ -55,33 +80,37 @@ class Traversal {
   /// may_cull(frustum, block, i): whether an occluder may cull a node that is inside of its shadow;
   /// pair(first, second, block, i), such a Decision, and pair_work(first, second), the pairs of planes that it may ask;
   /// tested(block, questions, nodes): called for the nodes that were tested against shadows.
-  /// Frustum i is that of occluder i, or of probe i - result.occluders.size().
-  Traversal(const NodeBlocks& blocks, Tests& tests, std::span<Occluder> probes, CullResult& result, TraversalMemory& memory)
-      : blocks_(blocks), tests_(tests), probes_(probes), result_(result), active_(memory.active), holding_(memory.holding) {}
+  /// Frustum i is that of occluder i, or of probe i - occluders. What is drawn and culled is appended to `result`.
+  Traversal(const NodeBlocks& blocks, Tests& tests, std::uint32_t occluders, std::uint32_t probes, CullResult& result,
+            TraversalMemory& memory)
+      : blocks_(blocks),
+        tests_(tests),
+        occluders_(occluders),
+        probes_(probes),
+        result_(result),
+        active_(memory.active),
+        holding_(memory.holding),
+        hidden_(memory.hidden) {
+    hidden_.assign(occluders_ + probes_, 0);
+  }
 
-  /// `planes` has a bit for each half-space of the view.
-  void run(std::uint32_t planes) {
-    occluders_ = static_cast<std::uint32_t>(result_.occluders.size());
-    const auto all = static_cast<std::uint32_t>(occluders_ + probes_.size());
+  /// Traverses the tree. `planes` has a bit for each half-space of the view. Puts off what it may.
+  void run(std::uint32_t planes, PutOffSubtrees& put_off) {
+    if (put_off.most > 0) put_off_ = &put_off;
     holding_.clear();
-    drawn_from_ = 0;
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders_);
     Active active{planes, 0, 0};
-    for (std::uint32_t i = 0; i < all; ++i) append(active, i);
-    visit(blocks_[0], active);
-    draw_until(blocks_[0].count[0]);
+    for (std::uint32_t i = 0; i < occluders_ + probes_; ++i) append(active_, active, i);
+    traverse(0, active, {0, blocks_[0].count[0]});
   }
+  /// Traverses a subtree that was put off. REQUIRES: the memory is that of the subtree, and there are no pairs.
+  void run(const PutOffSubtree& subtree) { traverse(subtree.block, subtree.active, subtree.items); }
 
  private:
   using Bits = NodeBlock::Bits;
   using Bytes = kernel::BoxBytes;
+  using Active = ActiveTests;
   static constexpr std::size_t kMost = kernel::BlockQuestions::kMost;
-
-  /// What is active at a block: half-spaces, a bit for each, and active_[begin, end).
-  struct Active {
-    std::uint32_t planes;
-    std::size_t begin, end;
-  };
 
   /// A block while it is visited.
   struct Visit {
@@ -119,19 +148,25 @@ class Traversal {
   }
 
   /// Appends a question to those that are active.
-  void append(Active& active, std::uint32_t frustum) {
-    if (active.begin == active.end || active_[active.end - 1].answers.count == kMost) {
-      if (active.end == active_.size()) active_.emplace_back();
-      ActiveShadows& added = active_[active.end++];
+  void append(std::vector<ActiveShadows>& stack, Active& active, std::uint32_t frustum) const {
+    if (active.begin == active.end || stack[active.end - 1].answers.count == kMost) {
+      if (active.end == stack.size()) stack.emplace_back();
+      ActiveShadows& added = stack[active.end++];
       added.answers.count = 0;
       added.occluders = added.probes = 0;
     }
-    ActiveShadows& shadows = active_[active.end - 1];
+    ActiveShadows& shadows = stack[active.end - 1];
     const std::uint32_t k = shadows.answers.count++;
     shadows.answers.frustum[k] = frustum;
     const Bytes mask = Bytes{0xFF} << 8 * k, of_occluder = Bytes{0} - Bytes{frustum < occluders_};
     shadows.occluders |= mask & of_occluder;
     shadows.probes |= mask & ~of_occluder;
+  }
+
+  void traverse(std::uint32_t block, const Active& active, const PolygonRange& items) {
+    drawn_from_ = items.first;
+    visit(blocks_[block], active);
+    draw_until(items.first + items.count);
   }
 
   void visit(const NodeBlock& block, const Active& active) {
@@ -212,10 +247,6 @@ class Traversal {
     set(here.hidden, here.block.subtree[i]);
   }
 
-  std::uint32_t probe_of(const kernel::BlockQuestions& questions, std::size_t k) const {
-    return static_cast<std::uint32_t>(questions.frustum[k] - occluders_);
-  }
-
   /// Tests the nodes that are not culled against the pairs of the shadows that they straddle.
   void ask_pairs(Visit& here) {
     if (!straddle_two(here)) return;
@@ -270,7 +301,7 @@ class Traversal {
           answers.inside & shadows.asked & shadows.probes & kernel::for_all(static_cast<Bits>(visited & here.left()));
       answers.inside = 0;
       for_each_bit(any(inside), [&](std::uint32_t i) {
-        for_each_question(inside, i, [&](std::size_t k) { probes_[probe_of(answers, k)].hidden += here.block.count[i]; });
+        for_each_question(inside, i, [&](std::size_t k) { hidden_[answers.frustum[k]] += here.block.count[i]; });
         answers.inside |= (inside >> i & kernel::for_all(1)) * here.block.subtree[i];
       });
     }
@@ -287,21 +318,43 @@ class Traversal {
     });
   }
 
-  /// Visits the block below a node with what straddles the node.
+  /// Visits the block below a node with what straddles the node, or puts the node off.
   void enter(const Visit& here, std::uint32_t i) {
+    if (may_put_off(here.block.count[i])) return put_off(here, i);
     blocks_.prefetch(here.block.below[i]);
-    const Active& active = here.active;
-    Active below{0, active.end, active.end};
-    for_each_bit(active.planes, [&](std::uint32_t plane) {
-      below.planes |= std::uint32_t{has(straddling(here.block, here.planes[plane]), i)} << plane;
-    });
-    for (std::size_t g = active.begin; g < active.end; ++g) {
-      for_each_question(active_[g].partial, i, [&](std::size_t k) { append(below, active_[g].answers.frustum[k]); });
-    }
+    const Active below = active_below(here, i, active_, here.active.end);
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
     visit(blocks_[here.block.below[i]], below);
     holding_.resize(holding);
+  }
+  /// What straddles a node, in a stack from `begin` on.
+  Active active_below(const Visit& here, std::uint32_t i, std::vector<ActiveShadows>& stack, std::size_t begin) const {
+    Active below{0, begin, begin};
+    for_each_bit(here.active.planes, [&](std::uint32_t plane) {
+      below.planes |= std::uint32_t{has(straddling(here.block, here.planes[plane]), i)} << plane;
+    });
+    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
+      for_each_question(active_[g].partial, i, [&](std::size_t k) { append(stack, below, active_[g].answers.frustum[k]); });
+    }
+    return below;
+  }
+
+  bool may_put_off(std::uint32_t count) const {
+    return put_off_ != nullptr && count <= put_off_->most && count >= put_off_->least;
+  }
+  void put_off(const Visit& here, std::uint32_t i) {
+    if (put_off_->size == put_off_->subtrees.size()) put_off_->subtrees.emplace_back();
+    PutOffSubtree& subtree = put_off_->subtrees[put_off_->size++];
+    subtree.block = here.block.below[i];
+    subtree.items = {here.block.first[i], here.block.count[i]};
+    subtree.active = active_below(here, i, subtree.memory.active, 0);
+    subtree.memory.holding = holding_;
+    for_each_holding(here, i, [&](std::uint32_t probe) { subtree.memory.holding.push_back(probe); });
+    draw_until(subtree.items.first);
+    drawn_from_ += subtree.items.count;
+    subtree.drawn = result_.drawn.size();
+    subtree.culled = result_.culled.size();
   }
 
   /// Calls take(probe) for each probe that holds a node, but no block above it.
@@ -310,7 +363,7 @@ class Traversal {
     if (!here.is_held) return;
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
       const kernel::BlockQuestions& answers = active_[g].answers;
-      for_each_question(answers.inside, i, [&](std::size_t k) { take(probe_of(answers, k)); });
+      for_each_question(answers.inside, i, [&](std::size_t k) { take(answers.frustum[k]); });
     }
   }
 
@@ -327,11 +380,11 @@ class Traversal {
       const std::uint32_t occluder = here.hiding[i], second = here.second[i];
       result_.culled.push_back({node, Culled::By::shadow, occluder, second});
       result_.stats.shadow_culled_polygons += count;
-      result_.occluders[occluder].hidden += count;
-      if (second != Culled::kNone) result_.occluders[second].hidden += count;
+      hidden_[occluder] += count;
+      if (second != Culled::kNone) hidden_[second] += count;
     }
-    for (const std::uint32_t probe : holding_) probes_[probe].hidden -= count;
-    for_each_holding(here, i, [&](std::uint32_t probe) { probes_[probe].hidden -= count; });
+    for (const std::uint32_t probe : holding_) hidden_[probe] -= count;
+    for_each_holding(here, i, [&](std::uint32_t probe) { hidden_[probe] -= count; });
   }
 
   /// Draws all items before this one that are neither drawn nor culled.
@@ -354,7 +407,7 @@ class Traversal {
       left = static_cast<Bits>(left & ~relation.outside);
     });
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) left = count_shadow_tests(here, active_[g], left);
-    if (probes_.empty()) return;
+    if (probes_ == 0) return;
     left = static_cast<Bits>(left & ~hidden_by_pairs);
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
       stats.probe_tests += kernel::count(active_[g].asked & active_[g].probes & kernel::for_all(left));
@@ -382,12 +435,12 @@ class Traversal {
 
   const NodeBlocks& blocks_;
   Tests& tests_;
-  std::span<Occluder> probes_;
+  std::uint32_t occluders_, probes_;  ///< how many there are
   CullResult& result_;
   std::vector<ActiveShadows>& active_;
-  std::vector<std::uint32_t>& holding_;
-  std::uint32_t occluders_ = 0;   ///< how many there are
-  std::uint32_t drawn_from_ = 0;  ///< the first item that is neither drawn nor culled
+  std::vector<std::uint32_t>&holding_, &hidden_;
+  PutOffSubtrees* put_off_ = nullptr;
+  std::uint32_t drawn_from_ = 0;  ///< the first item that is neither drawn, culled nor put off
   std::size_t pair_work_left_ = 0;
 };
 

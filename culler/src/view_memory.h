@@ -16,7 +16,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
 #include "shrunk_shadow.h"
-#include "traverse.h"
+#include "traverse_parts.h"
 #include "zeros.h"
 
 namespace occlude::culler {
@@ -62,6 +62,7 @@ struct View::Memory {
   std::vector<const kernel::ShadowFrustum*> frusta;  ///< of the occluders, then of the probes
   std::vector<ShadowCaster> casters;                 ///< those that cast `frusta`
   TraversalMemory traversal;
+  PartsMemory parts;
 
   CoverMemory cover;
   std::vector<SeenLeaf> seen;       ///< leaves that a frame by cover has not culled so far

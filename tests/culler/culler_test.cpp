@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bounds.h"
+#include "executors.h"
 #include "frames.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
@@ -347,13 +348,37 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_NE(fault_with([](Camera& c) { c.height = 1e-200; }), "");
 }
 
+/// The choice of each frame depends on what was counted in those before.
+TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
+  std::vector<std::vector<std::uint32_t>> walks;
+  for (const Executor& executor : some_executors()) {
+    CullOptions options;
+    options.executor = &executor;
+    View view;
+    std::vector<std::uint32_t>& walk = walks.emplace_back();
+    for (int frame = 0; frame < 60; ++frame) {
+      Camera camera;
+      camera.eye = {frame - 30, 3, 2};
+      camera.target = {40, -10, 2};
+      const CullResult& result = culler.cull(camera, options, view);
+      for (const PolygonRange& range : result.drawn) walk.insert(walk.end(), {range.first, range.count});
+      for (const Culled& culled : result.culled) walk.insert(walk.end(), {culled.node, culled.index});
+      for (const Occluder& occluder : result.occluders) walk.insert(walk.end(), {occluder.index, occluder.hidden});
+    }
+  }
+  for (const auto& walk : walks) EXPECT_EQ(walk, walks[0]);
+}
+
 TEST(Culler, VisitsEveryShadowTest) {
   const Culler culler(random_town(8, 2000));
   Camera camera;
   camera.eye = {-45, 0, 2};
   camera.target = {0, 0, 2};
   const CullResult frame = culler.cull(camera, {});
-  const CullOptions options;
+  const Executor executor(2, [](std::size_t, const Executor::Part&) { FAIL() << "the order is that of the traversal"; });
+  CullOptions options;
+  options.executor = &executor;
   kernel::Operations operations;
   culler.visit_shadow_tests(frame, options, [&](const Occluder& occluder, const Box& box) {
     operations += kernel::count_operations(occluder.frustum, std::get<kernel::Aabb>(box), options.arithmetic, options.test);

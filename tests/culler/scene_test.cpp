@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "bounds.h"
+#include "executors.h"
 #include "frames.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/kernel/half_space.h"
@@ -878,18 +879,6 @@ TEST(Scene, WallsOfPanelsHide) {
     std::printf("%-64s %5.1f %%\n", how.name, 100 * share);
     EXPECT_GE(share, how.least_share) << how.name;
   }
-}
-
-/// Parts in the reverse order, and parts on threads.
-std::vector<Executor> some_executors() {
-  const auto backwards = [](std::size_t count, const Executor::Part& part) {
-    while (count > 0) part(--count);
-  };
-  const auto threads = [](std::size_t count, const Executor::Part& part) {
-    std::vector<std::jthread> all;
-    for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
-  };
-  return {Executor(), Executor(5, backwards), Executor(3, threads), Executor::own_threads()};
 }
 
 TEST(Scene, ResultsDoNotDependOnTheExecutor) {

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "executors.h"
 #include "node_blocks.h"
 #include "node_tests.h"
 #include "occlude/culler/append_range.h"
@@ -197,27 +198,40 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
   const auto ask = [&](std::uint32_t node, auto&& question) { return culler.hierarchy().ask(node, question); };
   const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
   std::mt19937 random(kSeed);
-  std::size_t culled = 0, hidden_by_probes = 0, unions = 0;
+  const std::vector<Executor> executors = some_executors();
+  std::vector<View::Memory> memories(executors.size());
+  std::size_t culled = 0, hidden_by_probes = 0, unions = 0, put_off = 0;
   for (int frame = 0; frame < 40; ++frame) {
     Camera camera;
     camera.eye = {uniform(random, -50, 50), uniform(random, -50, 50), 2};
     camera.target = camera.eye + glm::dvec3{uniform(random, -1, 1), uniform(random, -1, 1), 0};
     if (frame % 4 == 3) camera.projection = Projection::orthographic;
     const CullResult seen = culler.cull(camera, GetParam().options);
-    View::Memory expected, found;
+    View::Memory expected;
     take_frame(seen, expected);
-    take_frame(seen, found);
     Descent(culler, GetParam().options, expected).run();
-    traverse(blocks, ask, &culler.occluders(), unwatched, GetParam().options, found);
-    expect_same(expected, found);
-    ASSERT_FALSE(HasFailure()) << "frame " << frame << ", seed " << kSeed;
-    culled += found.result.stats.shadow_culled_polygons;
-    unions += found.result.stats.union_tests;
-    for (const Occluder& probe : found.probes) hidden_by_probes += probe.hidden;
+    for (std::size_t i = 0; i < executors.size(); ++i) {
+      View::Memory& found = memories[i];
+      found.begin_frame(culler.hierarchy().nodes().size());
+      take_frame(seen, found);
+      CullOptions options = GetParam().options;
+      options.executor = &executors[i];
+      traverse(blocks, ask, &culler.occluders(), unwatched, options, found);
+      expect_same(expected, found);
+      ASSERT_FALSE(HasFailure()) << "frame " << frame << ", executor " << i << ", seed " << kSeed;
+      EXPECT_EQ(found.result.stats.exact_shadow_tests, memories[0].result.stats.exact_shadow_tests);
+      const std::size_t subtrees = found.parts.put_off.size;
+      EXPECT_TRUE(subtrees == 0 || (executors[i].threads() > 1 && expected.result.pairs.empty()));
+      put_off += subtrees;
+    }
+    culled += expected.result.stats.shadow_culled_polygons;
+    unions += expected.result.stats.union_tests;
+    for (const Occluder& probe : expected.probes) hidden_by_probes += probe.hidden;
   }
   EXPECT_GT(culled, 10000U);
   EXPECT_GT(hidden_by_probes, 1000U);
   EXPECT_EQ(unions > 100, GetParam().options.unions);
+  EXPECT_GT(put_off, 500U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, TraversalTest,

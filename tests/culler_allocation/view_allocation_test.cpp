@@ -66,4 +66,20 @@ TEST(View, AllocatesNothingByCoverEither) {
   EXPECT_GT(view.result().stats.cover_groups, 0U);
 }
 
+/// With an executor, not when the paths are walked again.
+TEST(View, AllocatesNothingForSubtreesAsManyAsBefore) {
+  const Culler culler(random_town_of_houses(31, 3000), {.hierarchy = {.leaf_size = 4}});
+  const auto one_after_another = [](std::size_t count, const Executor::Part& part) {
+    for (std::size_t i = 0; i < count; ++i) part(i);
+  };
+  const Executor executor(2, one_after_another);
+  View view;
+  CullOptions options;
+  options.executor = &executor;
+  std::size_t first = 0;
+  for (int path = 0; path < 4; ++path) first += walk(culler, options, Projection::perspective, view, path);
+  EXPECT_GT(first, 0U);
+  for (int path = 0; path < 4; ++path) EXPECT_EQ(walk(culler, options, Projection::perspective, view, path), 0U) << path;
+}
+
 }  // namespace

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Executors that run parts in different orders and on different threads.
+#pragma once
+
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+#include "occlude/culler/executor.h"
+
+namespace occlude::culler {
+
+/// The calling thread alone, parts in the reverse order, a thread for each part, and a thread for each processor.
+inline std::vector<Executor> some_executors() {
+  const auto backwards = [](std::size_t count, const Executor::Part& part) {
+    while (count > 0) part(--count);
+  };
+  const auto threads = [](std::size_t count, const Executor::Part& part) {
+    std::vector<std::jthread> all;
+    for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
+  };
+  return {Executor(), Executor(5, backwards), Executor(3, threads), Executor::own_threads()};
+}
+
+}  // namespace occlude::culler
