@@ -139,7 +139,7 @@ void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet* occlu
   constexpr std::size_t kLevels = 64;
   const std::size_t most = memory.result.occluders.capacity() + memory.probes.capacity();
   memory.traversal.active.reserve(kLevels * (most / kernel::BlockQuestions::kMost + 2));
-  memory.traversal.holding.reserve(memory.probes.capacity());
+  memory.traversal.holding.reserve(kLevels * memory.probes.capacity());
   memory.traversal.hidden.reserve(most);
   memory.planes.reserve(memory.result.view.size());
   memory.frusta.reserve(most);

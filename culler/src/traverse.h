@@ -13,7 +13,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "each_bit.h"
@@ -58,15 +57,17 @@ struct alignas(64) PutOffSubtree {
   std::uint32_t block = 0;            ///< the block below its root
   PolygonRange items;                 ///< below it
   ActiveTests active;                 ///< there, in `memory`
-  std::size_t drawn = 0, culled = 0;  ///< how much of either the traversal that put it off had found before
+  std::size_t holding = 0;            ///< of the probes in `memory`, those that hold the whole subtree
+  std::size_t drawn = 0, culled = 0;  ///< lengths of the lists of the traversal that put it off, at that moment
   TraversalMemory memory;
   CullResult found;
+  bool is_done = false;
 };
 
-/// The subtrees that a traversal may put off: those of few items, but not of fewer than `least`. Its memory is reused.
+/// The subtrees that a traversal puts off: at most `limit`, of `least` to `most` items each. Their memory is reused.
 struct PutOffSubtrees {
-  std::uint32_t least = 1, most = 0;
-  std::size_t size = 0;
+  std::uint32_t least = 0, most = 0;
+  std::size_t limit = 0, size = 0;
   std::vector<PutOffSubtree> subtrees;  ///< may be longer than `size`
 };
 
@@ -96,7 +97,7 @@ class Traversal {
 
   /// Traverses the tree. `planes` has a bit for each half-space of the view. Puts off what it may.
   void run(std::uint32_t planes, PutOffSubtrees& put_off) {
-    if (put_off.most > 0) put_off_ = &put_off;
+    if (put_off.limit > 0) put_off_ = &put_off;
     holding_.clear();
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders_);
     Active active{planes, 0, 0};
@@ -104,7 +105,10 @@ class Traversal {
     traverse(0, active, {0, blocks_[0].count[0]});
   }
   /// Traverses a subtree that was put off. REQUIRES: the memory is that of the subtree, and there are no pairs.
-  void run(const PutOffSubtree& subtree) { traverse(subtree.block, subtree.active, subtree.items); }
+  void run(const PutOffSubtree& subtree) {
+    holding_.resize(subtree.holding);
+    traverse(subtree.block, subtree.active, subtree.items);
+  }
 
  private:
   using Bits = NodeBlock::Bits;
@@ -341,7 +345,7 @@ class Traversal {
   }
 
   bool may_put_off(std::uint32_t count) const {
-    return put_off_ != nullptr && count <= put_off_->most && count >= put_off_->least;
+    return put_off_ != nullptr && count <= put_off_->most && count >= put_off_->least && put_off_->size < put_off_->limit;
   }
   void put_off(const Visit& here, std::uint32_t i) {
     if (put_off_->size == put_off_->subtrees.size()) put_off_->subtrees.emplace_back();
@@ -351,6 +355,7 @@ class Traversal {
     subtree.active = active_below(here, i, subtree.memory.active, 0);
     subtree.memory.holding = holding_;
     for_each_holding(here, i, [&](std::uint32_t probe) { subtree.memory.holding.push_back(probe); });
+    subtree.holding = subtree.memory.holding.size();
     draw_until(subtree.items.first);
     drawn_from_ += subtree.items.count;
     subtree.drawn = result_.drawn.size();

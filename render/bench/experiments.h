@@ -15,11 +15,12 @@
 #include "setting.h"
 #include "sorting.h"
 #include "sweeps.h"
+#include "threads.h"
 
 namespace occlude::experiments {
 
 /// The experiments, in the order in which they run.
-inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "growth"};
+inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", "joined", "threads", "growth"};
 
 /// The results of the chosen experiments; the others are empty.
 struct Result {
@@ -32,6 +33,7 @@ struct Result {
   std::optional<Sweeps> sweeps;
   std::optional<Sorting> sort;
   std::optional<Joined> joined;
+  std::vector<ThreadsPoint> threads;
   std::optional<Growth> growth;
 };
 

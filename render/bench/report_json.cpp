@@ -114,6 +114,14 @@ Json joined_json(const std::vector<JoinedPoint>& points) {
   return json;
 }
 
+Json threads_json(const std::vector<ThreadsPoint>& points) {
+  Json json = Json::array();
+  for (const ThreadsPoint& p : points) {
+    json.push_back({{"threads", p.threads}, {"cull_ms", p.cull_ms}, {"speedup", p.speedup}});
+  }
+  return json;
+}
+
 Json growth_json(const Growth& growth) {
   Json points = Json::array();
   for (const GrowthPoint& p : growth.points) {
@@ -160,6 +168,7 @@ std::string report_json(const Result& result, const Options& options) {
                       {"leaves", joined_json(result.joined->leaves)},
                       {"budgets", joined_json(result.joined->budgets)}};
   }
+  json["threads"] = result.threads.empty() ? Json(nullptr) : threads_json(result.threads);
   json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
   json["machine"] = json_of(result.table2 ? result.table2->machine : render::this_machine(""));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -136,6 +136,14 @@ Table budgets_table(const Joined& joined) {
                       [](const JoinedPoint& p) { return std::to_string(p.triangles); });
 }
 
+Table threads_table(const std::vector<ThreadsPoint>& points) {
+  Table table{"One cull by frusta on several threads", {"threads", "cull, ms by the clock", "times as fast as one"}, {}, {}};
+  for (const ThreadsPoint& p : points) {
+    table.rows.push_back({std::to_string(p.threads), fmt::format("{:.3f}", p.cull_ms), two(p.speedup)});
+  }
+  return table;
+}
+
 Table growth_table(const Growth& growth) {
   Table table{"Growth with the number of polygons, a city repeated",
               {"polygons", "in view", "drawn", "build, s", "cull, ms", "near view", "cull of it, ms", "peak bytes/polygon",

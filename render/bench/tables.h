@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "figure4.h"
 #include "growth.h"
@@ -11,6 +12,7 @@
 #include "sorting.h"
 #include "sweeps.h"
 #include "table.h"
+#include "threads.h"
 
 namespace occlude::experiments {
 
@@ -24,6 +26,7 @@ using bench::Table;
 [[nodiscard]] Table pictures_table(const Joined& joined);
 [[nodiscard]] Table leaves_table(const Joined& joined);
 [[nodiscard]] Table budgets_table(const Joined& joined);
+[[nodiscard]] Table threads_table(const std::vector<ThreadsPoint>& points);
 [[nodiscard]] Table growth_table(const Growth& growth);
 
 /// What the times mean, and the machine.

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <random>
 #include <stdexcept>
@@ -348,26 +350,89 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_NE(fault_with([](Camera& c) { c.height = 1e-200; }), "");
 }
 
+/// A walk through a town, and what was found of each of its frames.
+struct Walk {
+  std::vector<std::size_t> found;
+  std::size_t put_off = 0;  ///< subtrees
+};
+Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options) {
+  options.executor = &executor;
+  View view;
+  Walk walk;
+  for (int frame = 0; frame < 60; ++frame) {
+    Camera camera;
+    camera.eye = {frame - 30, 3, 2};
+    camera.target = {40, -10, 2};
+    const CullResult& result = culler.cull(camera, options, view);
+    for (const PolygonRange& range : result.drawn) walk.found.insert(walk.found.end(), {range.first, range.count});
+    for (const Culled& c : result.culled) walk.found.insert(walk.found.end(), {c.node, c.index, c.second});
+    for (const Occluder& o : result.occluders) walk.found.insert(walk.found.end(), {o.index, o.hidden});
+    const CullStats& stats = result.stats;
+    walk.found.insert(walk.found.end(), {stats.nodes_visited, stats.view_tests, stats.shadow_tests, stats.union_tests,
+                                         stats.probe_tests, stats.exact_shadow_tests, stats.drawn_polygons,
+                                         stats.view_culled_polygons, stats.shadow_culled_polygons});
+    walk.put_off += view.memory().parts.put_off.size;
+  }
+  return walk;
+}
+
 /// The choice of each frame depends on what was counted in those before.
 TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
-  std::vector<std::vector<std::uint32_t>> walks;
-  for (const Executor& executor : some_executors()) {
-    CullOptions options;
-    options.executor = &executor;
-    View view;
-    std::vector<std::uint32_t>& walk = walks.emplace_back();
-    for (int frame = 0; frame < 60; ++frame) {
-      Camera camera;
-      camera.eye = {frame - 30, 3, 2};
-      camera.target = {40, -10, 2};
-      const CullResult& result = culler.cull(camera, options, view);
-      for (const PolygonRange& range : result.drawn) walk.insert(walk.end(), {range.first, range.count});
-      for (const Culled& culled : result.culled) walk.insert(walk.end(), {culled.node, culled.index});
-      for (const Occluder& occluder : result.occluders) walk.insert(walk.end(), {occluder.index, occluder.hidden});
+  for (const CullOptions& options : {CullOptions{}, CullOptions{.occluders = 0}, CullOptions{.occluders = 3, .probes = 0},
+                                     CullOptions{.near = kernel::Near::farthest}, CullOptions{.unions = true}}) {
+    const Walk expected = walk_on(culler, Executor(), options);
+    EXPECT_EQ(expected.put_off, 0U);
+    for (const Executor& executor : some_executors()) {
+      const Walk walk = walk_on(culler, executor, options);
+      EXPECT_EQ(walk.found, expected.found) << executor.threads() << " threads";
+      EXPECT_EQ(walk.put_off > 60, executor.threads() > 1) << executor.threads() << " threads";
     }
   }
-  for (const auto& walk : walks) EXPECT_EQ(walk, walks[0]);
+}
+
+/// Its subtrees are left to the calling thread.
+TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
+  View view;
+  std::size_t asked = 0, done = 0;
+  const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
+    std::fesetround(FE_UPWARD);
+    for (std::size_t i = 0; i < count; ++i) part(i);
+    std::fesetround(FE_TONEAREST);
+    asked += count;
+    for (std::size_t i = 0; i < count; ++i) done += view.memory().parts.put_off.subtrees[i].is_done ? 1 : 0;
+  });
+  CullOptions options;
+  options.executor = &upwards;
+  Camera camera;
+  camera.eye = {-45, 0, 2};
+  camera.target = {0, 0, 2};
+  const CullResult& found = culler.cull(camera, options, view);
+  EXPECT_GT(asked, 1U);
+  EXPECT_EQ(done, 0U);
+  EXPECT_EQ(found.drawn, culler.cull(camera).drawn);
+}
+
+TEST(Culler, AFrameWhoseExecutorThrowsDrawsEverything) {
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
+  const Executor full(2, [](std::size_t, const Executor::Part& part) {
+    part(0);
+    throw std::runtime_error("the queue is full");
+  });
+  View view;
+  CullOptions options;
+  options.executor = &full;
+  Camera camera;
+  camera.eye = {-45, 0, 2};
+  camera.target = {0, 0, 2};
+  EXPECT_THROW(culler.cull(camera, options, view), std::runtime_error);
+  const auto all = static_cast<std::uint32_t>(culler.hierarchy().soup().size());
+  EXPECT_EQ(view.result().drawn, (std::vector<PolygonRange>{{0, all}}));
+  EXPECT_TRUE(view.result().culled.empty());
+  EXPECT_EQ(view.result().stats.drawn_polygons, all);
+  options.executor = nullptr;
+  EXPECT_LT(culler.cull(camera, options, view).stats.drawn_polygons, all);
 }
 
 TEST(Culler, VisitsEveryShadowTest) {
