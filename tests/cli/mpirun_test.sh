@@ -104,25 +104,34 @@ ranks 1 "$occlude" "${long[@]}" --seed 5 : -n 1 "$occlude" "${long[@]}" --seed 6
 [ $? -eq 2 ] && grep -q '^occlude: rank 1: it has other input' stderr || fail "ranks with other options: $(cat stderr)"
 
 rank_of() { tr '\0' '\n' <"/proc/$1/environ" 2>/dev/null | sed -n 's/^OMPI_COMM_WORLD_RANK=//p'; }
+# finds MPIRUN RANK: sets `process` to the process of the rank. It is found before it is waited for, because the work may be
+# done soon after.
+finds() {
+  for process in $(pgrep -P "$1"); do
+    [ "$(rank_of "$process")" != "$2" ] || return 0
+  done
+  return 1
+}
 
 # A rank that has nothing left to do while another one still works disturbs nothing: rank 2 stands still with its part until
 # all the others are done.
 regions=$("$occlude" preprocess city.ply --out city.pre --region-count 64 --json | sed -n 's/.*"regions": \([0-9]*\).*/\1/p')
 all_but_one() { [ "$(ls occlude_preprocess_parts | grep -c '^part-')" -ge $((regions - 1)) ]; }
 mpirun --oversubscribe -n 3 "$occlude" preprocess city.ply --out city.pre --region-count 64 --samples 8 --quiet >stdout 2>stderr &
+await finds $! 2
 await has_parts occlude_preprocess_parts
-for process in $(pgrep -P $!); do [ "$(rank_of "$process")" != 2 ] || slow=$process; done
-kill -STOP "$slow"
+kill -STOP "$process"
 await all_but_one
 sleep 0.5 # rank 1 is told that nothing is left, and goes on
-kill -CONT "$slow"
+kill -CONT "$process"
 wait $! || fail "a rank that is done first: $(cat stderr)"
 
 # A rank is killed: mpirun fails, what is finished stays, and --resume goes on, with another number of ranks.
 for victim in 0 1; do
   mpirun --oversubscribe -n 2 "$occlude" "${long[@]}" --out killed.json >/dev/null 2>stderr &
+  await finds $! $victim
   await has_parts occlude_fuzz_parts
-  for process in $(pgrep -P $!); do [ "$(rank_of "$process")" != $victim ] || kill -KILL "$process"; done
+  kill -KILL "$process"
   wait $! && fail "rank $victim was killed, and mpirun succeeds"
   [ $victim -eq 0 ] || grep -q 'finished parts are in occlude_fuzz_parts: --resume goes on' stderr || fail "rank $victim: $(cat stderr)"
   [ ! -e killed.json ] || fail "rank $victim was killed, and there is a result"
