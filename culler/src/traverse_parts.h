@@ -27,8 +27,10 @@ inline constexpr std::size_t kPutOffOfThread = 8;
 /// A subtree of 32 items takes 1 us, to put it off and to join it a fifth of that. Blocks lie several levels apart, so the
 /// largest may have eight times as many, however many threads there are.
 inline constexpr std::uint32_t kLeastPutOff = 32, kLeastLargest = 8 * kLeastPutOff;
-/// A tree may be so unbalanced that it has many small subtrees. This bounds the memory that is kept for them.
-inline constexpr std::size_t kMostPutOffOfThread = 8 * kPutOffOfThread;
+/// A tree may be so unbalanced that it has many small subtrees. With this limit the memory that is reserved for them is
+/// below 80 bytes for each item of a large tree, whatever it is: 20 bytes for each item of the largest, for each subtree.
+/// In a small tree it is at most 160 KiB for each thread.
+inline constexpr std::size_t kMostPutOffOfThread = 4 * kPutOffOfThread;
 
 /// What the subtrees are joined from.
 struct PartsMemory {
@@ -98,10 +100,11 @@ class TraversalInParts {
   }
   [[nodiscard]] std::uint32_t items() const { return blocks_[0].count[0]; }
 
-  /// Reserves memory for all that may be found. Memory that is never written to takes only addresses.
+  /// Reserves memory for all that may be found in the largest: in a later frame it may be another subtree. Memory that is
+  /// never written to takes only addresses.
   void prepare(PutOffSubtree& subtree) {
-    subtree.found.drawn.reserve((subtree.items.count + 1) / 2);
-    subtree.found.culled.reserve(subtree.items.count);
+    subtree.found.drawn.reserve((parts_.put_off.most + 1) / 2);
+    subtree.found.culled.reserve(parts_.put_off.most);
     subtree.memory.active.reserve(memory_.active.capacity());
     subtree.memory.holding.reserve(memory_.holding.capacity());
     subtree.memory.hidden.reserve(memory_.hidden.capacity());
