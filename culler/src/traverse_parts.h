@@ -138,8 +138,8 @@ class TraversalInParts {
   void join() {
     parts_.drawn.reserve(result_.drawn.capacity());
     parts_.culled.reserve(result_.culled.capacity());
-    parts_.drawn.assign(result_.drawn.begin(), result_.drawn.end());
-    parts_.culled.assign(result_.culled.begin(), result_.culled.end());
+    parts_.drawn.swap(result_.drawn);
+    parts_.culled.swap(result_.culled);
     result_.drawn.clear();
     result_.culled.clear();
     std::size_t drawn = 0, culled = 0;

@@ -2,6 +2,7 @@
 #include "pass.h"
 
 #include "occlude/render/progress.h"
+#include "occlude/render/stopwatch.h"
 #include "occlude/render/view_along_path.h"
 #include "processor_time.h"
 
@@ -16,15 +17,17 @@ Pass pass_along(const culler::Culler& culler, const render::CameraPath& path, co
     render::check_interrupt();
     const culler::Camera camera = path.camera(frame, aspect(walk));
     culler::View& view = along.before(frame);
+    const render::Stopwatch clock;
     const ProcessorTime time(ProcessorTime::Of::thread);
     const culler::CullResult& culled = culler.cull(camera, cull, view);
     sum.cull_ms += time.milliseconds();
+    sum.clock_ms += clock.milliseconds();
     sum.drawn += static_cast<double>(culled.stats.drawn_polygons);
     sum.listed += static_cast<double>(culled.stats.potential_occluders);
     if (on_culled) on_culled(camera, culled);
   }
   const auto count = static_cast<double>(frames.size());
-  return {sum.drawn / count, sum.listed / count, sum.cull_ms / count};
+  return {sum.drawn / count, sum.listed / count, sum.cull_ms / count, sum.clock_ms / count};
 }
 
 double polygons_in_view(const culler::Culler& culler, const render::CameraPath& path, const render::WalkOptions& walk) {

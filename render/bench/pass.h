@@ -13,9 +13,10 @@ namespace occlude::experiments {
 
 /// Means over the frames.
 struct Pass {
-  double drawn = 0;    ///< polygons
-  double listed = 0;   ///< potential occluders in the list of the eye's region
-  double cull_ms = 0;  ///< processor time of the culling thread
+  double drawn = 0;     ///< polygons
+  double listed = 0;    ///< potential occluders in the list of the eye's region
+  double cull_ms = 0;   ///< processor time of the culling thread
+  double clock_ms = 0;  ///< the same by the clock
 };
 
 using OnCulled = std::function<void(const culler::Camera& camera, const culler::CullResult& culled)>;

@@ -2,13 +2,11 @@
 #include "threads.h"
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 
 #include "bench.h"
 #include "occlude/culler/culler.h"
-#include "occlude/render/progress.h"
-#include "occlude/render/view_along_path.h"
+#include "pass.h"
 #include "rounds.h"
 #include "waiting_threads.h"
 
@@ -20,24 +18,6 @@ struct ThreadsTrial {
   std::size_t threads;
   std::vector<double> cull_ms;
 };
-
-/// By the clock, in the mean over the frames.
-double cull_ms(const culler::Culler& culler, const Subject& subject, const render::WalkOptions& walk,
-               const culler::CullOptions& cull) {
-  using Clock = std::chrono::steady_clock;
-  render::ViewAlongPath along(culler, subject.path, walk, cull);
-  const auto frames = frames_of(subject.path, walk);
-  Clock::duration sum{};
-  for (const std::size_t frame : frames) {
-    render::check_interrupt();
-    const culler::Camera camera = subject.path.camera(frame, aspect(walk));
-    culler::View& view = along.before(frame);
-    const auto start = Clock::now();
-    culler.cull(camera, cull, view);
-    sum += Clock::now() - start;
-  }
-  return std::chrono::duration<double, std::milli>(sum).count() / static_cast<double>(frames.size());
-}
 
 }  // namespace
 
@@ -53,7 +33,7 @@ std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options&
     const culler::Executor executor = waiting.executor();
     culler::CullOptions cull = walk.cull;
     cull.executor = &executor;
-    trial.cull_ms.push_back(cull_ms(culler, subject, walk, cull));
+    trial.cull_ms.push_back(pass_along(culler, subject.path, walk, cull).clock_ms);
   });
   std::vector<ThreadsPoint> points;
   for (const ThreadsTrial& trial : trials) {

@@ -3,8 +3,8 @@
 # Counts the instructions of fixed work by callgrind, and holds them against those in expected.txt: at most 2 % more. Time
 # depends on the machine and on what else it does; instructions do not.
 # Usage: count.sh PROGRAM [--record]   --record writes the numbers into expected.txt instead: after a change that is worth it.
-# Exit codes: 0 done, 1 more instructions, 77 no valgrind or one that does not know this processor, or not the compiler of the
-# numbers.
+# Exit codes: 0 done, 1 more instructions, 77 no valgrind or one that does not know this processor, or not the compiler and the
+# instruction set of the numbers.
 set -euo pipefail
 program=$1 action=${2:-check} expected=$(dirname "$0")/expected.txt
 
