@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "add_counts.h"
 #include "bounds.h"
 #include "cover_descent.h"
 #include "drawn_groups.h"
@@ -215,9 +216,7 @@ class SceneFrame {
     stats_.out_of_view += part.out_of_view;
     stats_.hidden += part.hidden;
     stats_.too_small += part.too_small;
-    stats_.work.nodes_visited += part.work.nodes_visited;
-    stats_.work.view_tests += part.work.view_tests;
-    stats_.work.cover_tests += part.work.cover_tests;
+    add_counts(stats_.work, part.work);
   }
 
   const SceneObjects& objects_;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "add_counts.h"
 #include "node_blocks.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
@@ -43,19 +44,6 @@ struct PartsMemory {
 struct ShadowCounts {
   std::uint32_t occluders, probes;
 };
-
-/// Adds what a traversal counts.
-inline void add_counts(CullStats& sum, const CullStats& part) {
-  sum.nodes_visited += part.nodes_visited;
-  sum.view_tests += part.view_tests;
-  sum.shadow_tests += part.shadow_tests;
-  sum.union_tests += part.union_tests;
-  sum.probe_tests += part.probe_tests;
-  sum.exact_shadow_tests += part.exact_shadow_tests;
-  sum.drawn_polygons += part.drawn_polygons;
-  sum.view_culled_polygons += part.view_culled_polygons;
-  sum.shadow_culled_polygons += part.shadow_culled_polygons;
-}
 
 template <class Tests>
 class TraversalInParts {
