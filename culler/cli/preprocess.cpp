@@ -34,7 +34,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-struct Arguments {
+struct PreprocessArguments {
   std::string model, out, inner_boxes, pattern = "even", seed = "1";
   BuildArguments build;
   culler::OccluderLists::Config lists;
@@ -80,22 +80,22 @@ std::vector<float> sample(render::Job& job, const culler::Culler& culler, const 
   return hidden;
 }
 
-render::Job job_of(const Arguments& arguments, culler::SoupView soup) {
+render::Job job_of(const PreprocessArguments& arguments, culler::SoupView soup) {
   return {arguments.samples.viewpoints > 0 && !arguments.out.empty() ? arguments.parts.keeping() : render::Keeping{}, [&] {
             render::Digest digest;
             return add(digest.add(arguments.given), soup).value();
           }};
 }
 
-culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
+culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const PreprocessArguments& arguments,
                         const culler::BuildConfig& config) {
   culler::Culler culler(soup, config, render::check_interrupt);
   if (arguments.samples.viewpoints == 0) return culler;
   return culler.with_hidden(sample(job, culler, arguments.samples));
 }
 
-Summary make_store(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup, const Arguments& arguments,
-                   const culler::BuildConfig& config) {
+Summary make_store(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup,
+                   const PreprocessArguments& arguments, const culler::BuildConfig& config) {
   const render::Stopwatch stopwatch;
   const culler::Culler culler = find_out(job, soup, arguments, config);
   for (const auto method : {culler::Method::frusta, culler::Method::cover}) culler.prepare(method, render::check_interrupt);
@@ -117,7 +117,7 @@ Summary make_store(render::OutputFile& file, render::Job& job, const culler::Pol
            {"seconds", seconds}}};
 }
 
-Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const Arguments& arguments) {
+Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const PreprocessArguments& arguments) {
   const render::Stopwatch stopwatch;
   const culler::InnerBoxes found = [&] {
     render::Watch watch("part");
@@ -139,7 +139,7 @@ Summary make_inner_boxes(render::OutputFile& file, culler::SoupView soup, const 
        {"seconds", seconds}}};
 }
 
-void preprocess(Arguments& arguments) {
+void preprocess(PreprocessArguments& arguments) {
   culler::BuildConfig config = arguments.build.config();
   arguments.lists.kind = config.lists.kind;
   config.lists = arguments.lists;
@@ -194,7 +194,7 @@ void add_preprocess(Command app, int&) {
       limits_help() +
       "\n"
       "Example: occlude preprocess city.ply --out city.pre --inner-boxes boxes.ply");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<PreprocessArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   Command outputs = command.add_any_of("Outputs", "one of these or both");
   add_output(outputs, "--out", a->out, "file to write");

@@ -73,10 +73,10 @@ class CoverReplay {
 void Culler::append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                            std::vector<CoverWitness>& witnesses) const {
   require_sound(camera);
-  const auto ask = [&](std::uint32_t node, auto&& question) { return hierarchy_.ask(node, question); };
+  const CullOptions same = repeated(frame, options);
   View::Memory memory;
-  const CoverSource source{hierarchy_.nodes(), triangles()};
-  cull_by_cover(source, ask, camera, repeated(frame, options), memory, CoverReplay(hierarchy_, memory, most, witnesses));
+  begin_frame(hierarchy_, camera, same, memory);
+  cull_by_cover(hierarchy_, triangles(), same, memory, CoverReplay(hierarchy_, memory, most, witnesses));
 }
 
 std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {

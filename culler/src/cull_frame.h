@@ -47,27 +47,21 @@ inline void require_sound(const MatrixCamera& camera, Method method) {
 /// Begins a frame of either method: empties the result and makes the half-spaces of the view. REQUIRES:
 /// require_sound(camera).
 template <class AnyCamera>
-const FrameView& begin_frame(std::span<const HierarchyNode> nodes, const AnyCamera& camera, const CullOptions& options,
-                             View::Memory& memory) {
-  memory.begin_frame(nodes.size());
-  memory.view = FrameView(camera, depth(nodes[0].box, eye_of(camera)));
+void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const CullOptions& options, View::Memory& memory) {
+  memory.begin_frame(hierarchy.nodes().size());
+  memory.view = FrameView(camera, depth(hierarchy.nodes()[0].box, eye_of(camera)));
   memory.view.append_half_spaces(memory.result.view);
   memory.result.method = Method::frusta;
   memory.result.margin = ShadowMargin(memory.view, options.margin);
-  return memory.view;
 }
 
-/// Culls by frusta, as in the paper. `ask` as in NodeTests; `occluders` may be null if options.occluders is 0.
-template <class Ask, class AnyCamera>
-void cull_by_frusta(std::span<const HierarchyNode> nodes, const NodeBlocks& blocks, const Ask& ask,
-                    const OccluderSet* occluders, const AnyCamera& camera, const CullOptions& options,
-                    View::Memory& memory) {
-  const FrameView& view = begin_frame(nodes, camera, options, memory);
-
+/// Culls by frusta, as in the paper. `occluders` may be null if options.occluders is 0. REQUIRES: begin_frame() was called.
+inline void cull_by_frusta(const Hierarchy& hierarchy, const NodeBlocks& blocks, const OccluderSet* occluders,
+                           const CullOptions& options, View::Memory& memory) {
   // Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
   // frusta. What hid something in earlier frames comes first (4, criterion 3).
   if (options.occluders > 0) {
-    OccluderChoice choice(*occluders, view, options, memory);
+    OccluderChoice choice(*occluders, memory.view, options, memory);
     const bool is_coherent = options.objective.coherence != 0;
     choice.sort_candidates();
     if (is_coherent) choice.take_proven();
@@ -79,26 +73,23 @@ void cull_by_frusta(std::span<const HierarchyNode> nodes, const NodeBlocks& bloc
 
   // Section 5: one descent of the tree culls by the half-spaces and by the shadows, and draws.
   const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
-  traverse(blocks, ask, occluders, unwatched, options, memory);
+  traverse(blocks, hierarchy, occluders, unwatched, options, memory);
 
   // For the next frame: what each occluder hid, and what each probe would have hidden.
   memory.history.record(occluders == nullptr ? 0 : occluders->size(), memory.result.occluders, memory.probes);
 }
 
-/// A tree as a descent sees it: of a model. `ask_volume` calls a question with the bounding volume of a node.
-template <class Ask>
+/// A tree as a descent sees it: of a model.
 struct ModelTree {
-  std::span<const HierarchyNode> nodes;
-  const Ask& ask_volume;
+  const Hierarchy& hierarchy;
+  std::span<const HierarchyNode> nodes = hierarchy.nodes();
 
   [[nodiscard]] const kernel::Aabb& box(std::uint32_t node) const { return nodes[node].box; }
   template <class Question>
   decltype(auto) ask(std::uint32_t node, const Question& question) const {
-    return ask_volume(node, question);
+    return hierarchy.ask(node, question);
   }
 };
-template <class Ask>
-ModelTree(std::span<const HierarchyNode>, const Ask&) -> ModelTree<Ask>;
 
 /// Observes a frame by cover, and does nothing.
 struct Unwatched {
@@ -107,13 +98,13 @@ struct Unwatched {
   static void culled(const Culled&) {}
 };
 
-/// Culls a model by cover: what is seen of it hides the rest. `ask` calls a question with the bounding volume of a node.
-template <class Ask, class AnyCamera, class Watch = Unwatched>
-void cull_by_cover(const CoverSource& source, const Ask& ask, const AnyCamera& camera, const CullOptions& options,
+/// Culls a model by cover: what is seen of it hides the rest. REQUIRES: begin_frame() was called.
+template <class Watch = Unwatched>
+void cull_by_cover(const Hierarchy& hierarchy, const CoverTriangles& triangles, const CullOptions& options,
                    View::Memory& memory, Watch&& watch = {}) {
-  const FrameView& view = begin_frame(source.nodes, camera, options, memory);
+  const CoverSource source{hierarchy.nodes(), triangles};
   CullResult& result = memory.result;
-  CoverPainter painter(view, options.cover, options.margin, memory.cover, result.stats);
+  CoverPainter painter(memory.view, options.cover, options.margin, memory.cover, result.stats);
   result.method = Method::cover;  // the picture is this frame's from here on
   painter.use(source);
   watch.begin();
@@ -132,7 +123,7 @@ void cull_by_cover(const CoverSource& source, const Ask& ask, const AnyCamera& c
   };
   memory.take_planes();
   const ViewPlanes planes{memory.planes, options.arithmetic};
-  const ModelTree tree{source.nodes, ask};
+  const ModelTree tree{hierarchy};
   CoverDescent(tree, planes, memory.cover.buffer, Sought::seen, result.stats, see, cull, join).run(planes.all());
   frame.finish(cull);
 }

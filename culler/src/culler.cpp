@@ -32,10 +32,6 @@ PolygonSoup checked(PolygonSoup soup) {
 
 Space space_of(const Hierarchy& hierarchy) { return {hierarchy.nodes()[0].box, hierarchy.nodes()}; }
 
-auto volumes_of(const Hierarchy& hierarchy) {
-  return [&](std::uint32_t node, auto&& question) { return hierarchy.ask(node, question); };
-}
-
 }  // namespace
 
 Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& checkpoint)
@@ -100,11 +96,14 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
   require_sound(camera, options.method);
   View::Memory& memory = view.memory_for(identity_);
   if (options.method == Method::cover) {
-    const CoverSource source{hierarchy_.nodes(), triangles()};
-    cull_by_cover(source, volumes_of(hierarchy_), camera, options, memory);
+    const CoverTriangles& triangles = this->triangles();
+    begin_frame(hierarchy_, camera, options, memory);
+    cull_by_cover(hierarchy_, triangles, options, memory);
   } else {
+    const NodeBlocks& blocks = this->blocks();
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
-    cull_by_frusta(hierarchy_.nodes(), blocks(), volumes_of(hierarchy_), occluders, camera, options, memory);
+    begin_frame(hierarchy_, camera, options, memory);
+    cull_by_frusta(hierarchy_, blocks, occluders, options, memory);
   }
   return memory.result;
 }
@@ -137,7 +136,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   const OccluderSet* const occluders = frame.occluders.empty() ? nullptr : &this->occluders();
   CullOptions in_order = options;
   in_order.executor = nullptr;
-  traverse(blocks(), volumes_of(hierarchy_), occluders, on_tests, in_order, memory);
+  traverse(blocks(), hierarchy_, occluders, on_tests, in_order, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

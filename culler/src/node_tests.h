@@ -11,6 +11,7 @@
 #include "each_bit.h"
 #include "node_blocks.h"
 #include "occlude/culler/cull_result.h"
+#include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_set.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/half_space.h"
@@ -21,14 +22,14 @@
 
 namespace occlude::culler {
 
-/// `Ask` calls a question with the bounding volume of a node. on_shadow_tests(block, questions, nodes) is called for the
-/// nodes of a block that were tested against shadows of occluders.
-template <class Ask, class OnShadowTests>
+/// on_shadow_tests(block, questions, nodes) is called for the nodes of a block that were tested against shadows of
+/// occluders.
+template <class OnShadowTests>
 class NodeTests {
  public:
-  NodeTests(const Ask& ask, const OccluderSet* occluders, const OnShadowTests& on_shadow_tests, const CullOptions& options,
-            View::Memory& memory)
-      : ask_(ask),
+  NodeTests(const Hierarchy& hierarchy, const OccluderSet* occluders, const OnShadowTests& on_shadow_tests,
+            const CullOptions& options, View::Memory& memory)
+      : hierarchy_(hierarchy),
         on_shadow_tests_(on_shadow_tests),
         options_(options),
         planes_(memory.planes),
@@ -47,8 +48,8 @@ class NodeTests {
     if (alone == 0) return;
     for_each_bit(which, [&](std::uint32_t plane) {
       for_each_bit(alone, [&](std::uint32_t i) {
-        const kernel::Relation relation =
-            ask_(block.node[i], [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
+        const kernel::Relation relation = hierarchy_.ask(
+            block.node[i], [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
         const auto bit = static_cast<NodeBlock::Bits>(1U << i);
         if (relation == kernel::Relation::outside) relations[plane].outside |= bit;
         if (relation == kernel::Relation::inside) relations[plane].inside |= bit;
@@ -73,14 +74,14 @@ class NodeTests {
   kernel::Decision shadow(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
     const bool holds_part = this->holds_part(occluder, block, i);
     if (holds_part && is_surface(occluder)) return {kernel::Relation::partial, kernel::Stage::filter};
-    return ask_(block.node[i], [&](const auto& box) {
+    return hierarchy_.ask(block.node[i], [&](const auto& box) {
       return decide_cull(*frusta_[occluder], box, {options_.arithmetic, options_.test}, shrunk_[occluder],
                          [&] { return holds_part; });
     });
   }
 
   bool may_cull(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
-    return ask_(block.node[i], [&](const auto& box) {
+    return hierarchy_.ask(block.node[i], [&](const auto& box) {
       return is_cull(*frusta_[occluder], box, shrunk_[occluder], [&] { return holds_part(occluder, block, i); });
     });
   }
@@ -88,7 +89,7 @@ class NodeTests {
   /// A probe hides nothing, so its answer may be approximate: neither the margin nor its own parts are considered.
   kernel::Decision probe(std::uint32_t probe, const NodeBlock& block, std::uint32_t i) const {
     if (is_surface(probe) && holds_part(probe, block, i)) return {kernel::Relation::partial, kernel::Stage::filter};
-    return ask_(block.node[i], [&](const auto& box) {
+    return hierarchy_.ask(block.node[i], [&](const auto& box) {
       return decide_cull(*frusta_[probe], box, {.arithmetic = options_.arithmetic}, ShadowMargin());
     });
   }
@@ -98,7 +99,7 @@ class NodeTests {
   }
 
   kernel::Decision pair(std::uint32_t first, std::uint32_t second, const NodeBlock& block, std::uint32_t i) const {
-    return ask_(block.node[i], [&](const auto& box) {
+    return hierarchy_.ask(block.node[i], [&](const auto& box) {
       return decide_cull(kernel::ShadowUnion{*frusta_[first], *frusta_[second]}, box, Asked{}, frame_.margin,
                          [&] { return holds_part(first, block, i) || holds_part(second, block, i); });
     });
@@ -120,7 +121,7 @@ class NodeTests {
   [[nodiscard]] bool is_surface(std::uint32_t frustum) const { return is_certified() && casters_[frustum].are_surface; }
   [[nodiscard]] bool is_certified() const { return options_.arithmetic == kernel::Arithmetic::certified; }
 
-  const Ask& ask_;
+  const Hierarchy& hierarchy_;
   const OnShadowTests& on_shadow_tests_;
   const CullOptions& options_;
   const std::vector<kernel::HalfSpace>& planes_;
@@ -131,9 +132,9 @@ class NodeTests {
 };
 
 /// One descent of the tree, for a frame whose half-spaces and occluders are known. `occluders` may be null if it has none.
-template <class Ask, class OnShadowTests>
-void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet* occluders, const OnShadowTests& on_shadow_tests,
-              const CullOptions& options, View::Memory& memory) {
+template <class OnShadowTests>
+void traverse(const NodeBlocks& blocks, const Hierarchy& hierarchy, const OccluderSet* occluders,
+              const OnShadowTests& on_shadow_tests, const CullOptions& options, View::Memory& memory) {
   // Memory for the stacks: all occluders and probes that a frame may have, at each level of the deepest trees. The tree of
   // ten million polygons has some 40 levels of nodes, and fewer of blocks.
   constexpr std::size_t kLevels = 64;
@@ -144,7 +145,7 @@ void traverse(const NodeBlocks& blocks, const Ask& ask, const OccluderSet* occlu
   memory.planes.reserve(memory.result.view.size());
   memory.frusta.reserve(most);
   memory.casters.reserve(most);
-  NodeTests tests(ask, occluders, on_shadow_tests, options, memory);
+  NodeTests tests(hierarchy, occluders, on_shadow_tests, options, memory);
   const ViewPlanes planes{memory.planes, options.arithmetic};
   const auto size = [](const std::vector<Occluder>& shadows) { return static_cast<std::uint32_t>(shadows.size()); };
   const ShadowCounts shadows{size(memory.result.occluders), size(memory.probes)};

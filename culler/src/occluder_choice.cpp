@@ -7,18 +7,13 @@
 #include <utility>
 
 #include "bounds.h"
+#include "each_bit.h"
+#include "seen_occluders.h"
 #include "shadow_rule.h"
 #include "solid_angle.h"
 
 namespace occlude::culler {
 namespace {
-
-/// Whether the ball around an occluder is beyond one of the half-spaces. This is a heuristic: rounding may give either
-/// answer.
-bool out_of_view(const PotentialOccluder& occluder, std::span<const HalfSpace> view) {
-  return std::ranges::any_of(
-      view, [&](const HalfSpace& h) { return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius; });
-}
 
 /// A score is the product of at most three such powers. The limit keeps it finite, so that it can be sorted whatever the
 /// weights.
@@ -83,12 +78,12 @@ void OccluderChoice::sort_candidates() {
   const Objective& objective = options_.objective;
   std::vector<Candidate>& candidates = memory_.candidates;
   candidates.clear();
-  for (std::size_t i = 0; i < listed.size(); ++i) {
-    if (out_of_view(occluders_[listed[i]], memory_.result.view)) continue;
-    double score = weighted(size_of(listed[i]), objective.solid_angle);
+  const auto listed_at = [&](std::size_t i) { return listed[i]; };
+  for_each_in_view(listed.size(), listed_at, [&](std::size_t i, double size) {
+    double score = weighted(size, objective.solid_angle);
     if (!hidden.empty()) score *= weighted(1 + double{hidden[i]}, objective.depth_complexity);
     candidates.push_back({score, listed[i]});
-  }
+  });
   memory_.order.update(candidates, occluders_.size());
   CullStats& stats = memory_.result.stats;
   stats.potential_occluders = listed.size();
@@ -97,16 +92,37 @@ void OccluderChoice::sort_candidates() {
   stats.sort_moves = memory_.order.moves();
 }
 
-double OccluderChoice::size_of(std::uint32_t i) const { return seen_size(occluders_, i, view_, options_.objective.angle); }
+/// Calls visit(i, size) for each of `count` occluders that is in view, with how large it looks. occluder_at(i) is its
+/// number.
+template <class OccluderAt, class Visit>
+void OccluderChoice::for_each_in_view(std::size_t count, const OccluderAt& occluder_at, const Visit& visit) const {
+  const Objective::Angle angle = options_.objective.angle;
+  const bool is_area_angle = view_.is_perspective && angle == Objective::Angle::area;
+  SeenOccluders seen;
+  for (std::size_t first = 0; first < count; first += SeenOccluders::kMost) {
+    seen.size = 0;
+    for (std::size_t i = first; i < std::min(count, first + SeenOccluders::kMost); ++i) seen.add(occluders_[occluder_at(i)]);
+    seen.see(view_.eye, memory_.result.view);
+    for_each_bit(seen.in_view, [&](std::uint32_t k) {
+      const std::size_t i = first + k;
+      visit(i, is_area_angle ? seen.angle[k] : seen_size(occluders_, occluder_at(i), view_, angle));
+    });
+  }
+}
 
 void OccluderChoice::take_proven() {
   const Objective& objective = options_.objective;
   std::vector<Candidate>& proven = memory_.candidates;
   proven.clear();
   for (const auto& [occluder, frame, hidden] : memory_.history.recent()) {
-    if (hidden == 0 || out_of_view(occluders_[occluder], memory_.result.view)) continue;
-    proven.push_back({weighted(size_of(occluder), objective.solid_angle) * weighted(hidden, objective.coherence), occluder});
+    if (hidden > 0) proven.push_back({weighted(hidden, objective.coherence), occluder});
   }
+  std::size_t in_view = 0;
+  const auto proven_at = [&](std::size_t i) { return proven[i].occluder; };
+  for_each_in_view(proven.size(), proven_at, [&](std::size_t i, double size) {
+    proven[in_view++] = {weighted(size, objective.solid_angle) * proven[i].score, proven[i].occluder};
+  });
+  proven.resize(in_view);
   std::sort(proven.begin(), proven.end());
   for (const Candidate& c : proven) {
     if (is_full()) return;

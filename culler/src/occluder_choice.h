@@ -48,7 +48,8 @@ class OccluderChoice {
   void pair_neighbours();
 
  private:
-  [[nodiscard]] double size_of(std::uint32_t i) const;
+  template <class OccluderAt, class Visit>
+  void for_each_in_view(std::size_t count, const OccluderAt& occluder_at, const Visit& visit) const;
   void note_directions();
   [[nodiscard]] double goodness_near(std::uint32_t i) const;
   [[nodiscard]] glm::dvec3 direction_of(std::uint32_t i) const;

@@ -15,6 +15,7 @@
 #include "cover_descent.h"
 #include "drawn_groups.h"
 #include "object_listing.h"
+#include "occlude/kernel/validity.h"
 #include "packed_descent.h"
 #include "placed.h"
 #include "prepared_mesh.h"
@@ -41,6 +42,8 @@ struct PlacedTree {
 constexpr std::size_t kGroupsOfPart = 4;
 
 class SceneFrame {
+  using Part = SceneView::Memory::Part;
+
  public:
   SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
              SceneView::Memory& memory)
@@ -69,15 +72,16 @@ class SceneFrame {
   /// their order. So the result does not depend on the threads.
   void list_objects() {
     make_room();
-    ObjectListing all = listing(0, objects_.standing_unplaced().size() + objects_.moving_unplaced().size());
-    for (const auto unplaced : {objects_.standing_unplaced(), objects_.moving_unplaced()}) {
-      for (const auto& [id, mask] : unplaced) {
-        if ((mask & options_.mask) != 0) all.draw({id, kInfinity, -kInfinity});
-      }
+    draw_unplaced();
+    ObjectListing culled = listing(0, 0);
+    find_groups(culled);
+    add(culled);
+    try {
+      list_parts();
+    } catch (...) {
+      draw_all();
+      throw;
     }
-    find_groups(all);
-    add(all);
-    list_parts();
     if (!options_.is_front_to_back) return;
     std::ranges::sort(memory_.result.drawn, [](const DrawnObject& a, const DrawnObject& b) {
       return a.distance != b.distance ? a.distance < b.distance : a.id.slot < b.id.slot;
@@ -180,33 +184,66 @@ class SceneFrame {
     if (!group.tree().empty()) group.tree().prefetch(group.tree().root());
   }
 
-  void list_parts() {
+  /// Divides the groups into at most so many parts.
+  void divide(std::size_t most) {
     const std::span<const SceneView::Memory::SeenGroup> groups = memory_.groups;
-    const Executor this_thread;
-    const Executor& executor = options_.executor == nullptr ? this_thread : *options_.executor;
-    const std::size_t most = 4 * executor.threads();
     const std::size_t parts = std::clamp<std::size_t>(groups.size() / kGroupsOfPart, 1, most);
     const std::size_t length = (groups.size() + parts - 1) / parts;
     memory_.parts.clear();
     memory_.parts.reserve(most);
     std::size_t first_object = 0;
     for (std::size_t first = 0; first < groups.size(); first += length) {
+      const auto of_part = groups.subspan(first, std::min(length, groups.size() - first));
       std::size_t objects = 0;
-      for (const auto& [group, across] : groups.subspan(first, std::min(length, groups.size() - first))) {
-        objects += objects_.group(group).living();
-      }
-      memory_.parts.push_back(listing(first_object, objects));
+      for (const auto& [group, across] : of_part) objects += objects_.group(group).living();
+      memory_.parts.push_back({of_part, listing(first_object, objects)});
       first_object += objects;
     }
-    const auto list_part = [&](std::size_t part) {
-      for (std::size_t i = part * length; i < std::min((part + 1) * length, groups.size()); ++i) {
-        if (i + 1 < groups.size()) prefetch(objects_.group(groups[i + 1].group));
-        memory_.parts[part].list(objects_.group(groups[i].group), groups[i].across);
-      }
+  }
+
+  /// Lists them by the executor. A part whose thread rounds otherwise is left to the calling thread.
+  void list_parts() {
+    const Executor this_thread;
+    const Executor& executor = options_.executor == nullptr ? this_thread : *options_.executor;
+    divide(4 * executor.threads());
+    const auto try_part = [&](std::size_t i) {
+      if (kernel::check_rounding() == kernel::Refusal::none) list(memory_.parts[i]);
     };
-    executor.run(memory_.parts.size(), std::cref(list_part));
-    for (ObjectListing& part : memory_.parts) add(part);
+    executor.run(memory_.parts.size(), std::cref(try_part));
+    for (Part& part : memory_.parts) {
+      if (!part.is_listed) list(part);
+      add(part.listing);
+    }
     memory_.parts.clear();  // they refer to this frame
+  }
+
+  void list(Part& part) const {
+    for (std::size_t i = 0; i < part.groups.size(); ++i) {
+      if (i + 1 < part.groups.size()) prefetch(objects_.group(part.groups[i + 1].group));
+      part.listing.list(objects_.group(part.groups[i].group), part.groups[i].across);
+    }
+    part.is_listed = true;
+  }
+
+  /// Lists all objects that take part, whatever was found.
+  void draw_all() {
+    memory_.result.drawn.clear();
+    stats_.drawn = stats_.out_of_view = stats_.hidden = stats_.too_small = 0;
+    draw_unplaced();
+    for (std::uint32_t item = 0; item < objects_.groups().size(); ++item) {
+      const ObjectGroup& group = objects_.group(item);
+      for (std::uint32_t i = 0; i < group.size(); ++i) draw_always(group.id(i), group.mask(i));
+    }
+  }
+  void draw_unplaced() {
+    for (const auto unplaced : {objects_.standing_unplaced(), objects_.moving_unplaced()}) {
+      for (const auto& [id, mask] : unplaced) draw_always(id, mask);
+    }
+  }
+  void draw_always(ObjectId id, std::uint32_t mask) {
+    if ((mask & options_.mask) == 0) return;
+    memory_.result.drawn.push_back({id, kInfinity, -kInfinity});
+    ++stats_.drawn;
   }
 
   void add(ObjectListing& listing) {

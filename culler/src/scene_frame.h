@@ -27,12 +27,19 @@ struct SceneView::Memory {
     std::uint32_t across;  ///< a bit for each plane that may cross it
   };
 
+  /// Some of the groups, and what one thread lists of them.
+  struct Part {
+    std::span<const SeenGroup> groups;
+    ObjectListing listing;
+    bool is_listed = false;
+  };
+
   SceneResult result;
   FrameView view;  ///< of the last frame
   CoverMemory cover;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
-  std::vector<ObjectListing> parts;     ///< of the groups
+  std::vector<Part> parts;
   std::unique_ptr<DrawnObject[]> room;  ///< where the parts list; memory that is never written to takes only addresses
   std::size_t room_size = 0;
 };

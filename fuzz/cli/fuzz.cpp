@@ -40,7 +40,7 @@ constexpr std::uint64_t kGroupsOfPart = 2048;
 /// A run that is counted has at most so many parts, each a file where they are kept.
 constexpr std::uint64_t kMostParts = 1024;
 
-struct Arguments {
+struct FuzzArguments {
   std::vector<std::string> families, files;
   double seconds = 0;
   std::string cases = std::to_string(kDefaultCases), seed = "1", out;
@@ -62,7 +62,7 @@ std::vector<fuzz::Experiment> chosen(const std::vector<std::string>& families) {
   return result;
 }
 
-fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
+fuzz::Campaign campaign_of(const FuzzArguments& a, std::size_t experiments) {
   fuzz::Campaign campaign;
   campaign.seed = whole_number("--seed", a.seed);
   campaign.jobs = a.jobs;
@@ -76,7 +76,7 @@ fuzz::Campaign campaign_of(const Arguments& a, std::size_t experiments) {
 /// Says when to stop: when the time is over, when one finding is enough, or when the user interrupts.
 class Watch {
  public:
-  explicit Watch(const Arguments& a) : seconds_(a.seconds), stop_at_first_(a.stop_at_first) {}
+  explicit Watch(const FuzzArguments& a) : seconds_(a.seconds), stop_at_first_(a.stop_at_first) {}
 
   /// May be called from any thread.
   [[nodiscard]] bool go_on(std::uint64_t findings) const {
@@ -124,7 +124,7 @@ void minimise_findings(FuzzResults& results) {
 /// The rounds of a campaign in parts, and the sum of their reports.
 class Rounds {
  public:
-  explicit Rounds(const Arguments& a)
+  explicit Rounds(const FuzzArguments& a)
       : experiments_(chosen(a.families)),
         campaign_(campaign_of(a, experiments_.size())),
         watch_(a),
@@ -188,7 +188,7 @@ class Rounds {
   std::uint64_t of_part_ = 0, begun_ = 0, taken_ = 0, findings_ = 0;
 };
 
-FuzzResults fuzz_families(const Arguments& a, render::Job& job) {
+FuzzResults fuzz_families(const FuzzArguments& a, render::Job& job) {
   Rounds rounds(a);
   bool interrupted = false;
   try {
@@ -270,15 +270,17 @@ void minimise_and_report(FuzzResults& results, const std::string& file) {
 }
 
 /// The lines of case files are in a file already, so by default they are not stored again.
-std::string findings_file(const Arguments& a) { return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : ""); }
+std::string findings_file(const FuzzArguments& a) {
+  return a.findings.value_or(a.files.empty() ? "fuzz_findings.jsonl" : "");
+}
 
 /// Parts of a run that time or a finding ends differ from run to run, so they are not kept.
-render::Job job_of(const Arguments& a) {
+render::Job job_of(const FuzzArguments& a) {
   return {a.is_counted() && a.files.empty() ? a.parts.keeping() : render::Keeping{},
           [&] { return render::Digest().add(a.given).value(); }};
 }
 
-void fuzz_command(const Arguments& a, int& exit_code) {
+void fuzz_command(const FuzzArguments& a, int& exit_code) {
   render::Job job = job_of(a);
   if (!render::is_first_rank()) {
     if (a.files.empty()) fuzz_families(a, job);
@@ -343,7 +345,7 @@ void add_fuzz(Command app, int& exit_code) {
       "\n"
       "Example: occlude fuzz --seconds 30\n"
       "Example: mpirun -n 16 occlude fuzz --cases 100000000 --out results.json     and, after a failure, with --resume");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<FuzzArguments>();
   Option files = add_inputs(command, "FILE", a->files, "case files to be judged instead of families");
   Option cases =
       command.add("--cases", a->cases,

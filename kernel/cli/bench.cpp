@@ -11,13 +11,13 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct BenchArguments {
   bench::Options options;
   std::string seed = std::to_string(bench::kDefaultSeed);
   bool json = false;
 };
 
-void bench_kernel(Arguments& arguments) {
+void bench_kernel(BenchArguments& arguments) {
   arguments.options.seed = whole_number("--seed", arguments.seed);
   const bench::Result result = measure_kernel(arguments.options);
   const bench::Machine machine = kernel_machine();
@@ -29,7 +29,7 @@ void bench_kernel(Arguments& arguments) {
 void add_bench_kernel(Command bench, int&) {
   Command kernel = bench.add_command("kernel", "The kernel's tests, certified and plain, beside those of other projects");
   kernel.footer("Example: occlude bench kernel --boxes 32768 --repetitions 15 --json");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BenchArguments>();
   kernel.add("--boxes", arguments->options.boxes, "boxes in each workload")
       .show_default()
       .in_range(std::size_t{1}, std::size_t{262'144});

@@ -43,7 +43,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct ValidateArguments {
   std::string model, path, witness, out;
   WalkArguments walk;
   /// Exact visibility then takes half a minute for the 300 frames of a path through random triangles. Lattices take longer.
@@ -326,14 +326,15 @@ void require_readable_by_all(const std::string& file) {
 }
 
 /// Throws InputError if witnesses are of another tree than that of a store.
-void require_leaves(const WitnessFile& witnesses, const culler::Hierarchy& hierarchy, const Arguments& arguments) {
+void require_leaves(const WitnessFile& witnesses, const culler::Hierarchy& hierarchy, const ValidateArguments& arguments) {
   if (witnesses.leaf_size() == hierarchy.leaf_size()) return;
   throw render::InputError(fmt::format("{}: its leaves have {} polygons, those of {} have {}: give the model itself",
                                        arguments.model, hierarchy.leaf_size(), arguments.witness, witnesses.leaf_size()));
 }
 
 /// Tells jobs apart by what is not in the inputs of the parts.
-std::uint64_t key_of(const Arguments& arguments, const render::WalkOptions& options, const culler::Hierarchy& hierarchy) {
+std::uint64_t key_of(const ValidateArguments& arguments, const render::WalkOptions& options,
+                     const culler::Hierarchy& hierarchy) {
   render::Digest digest;
   add(digest.add(arguments.given).add(render::read_input(arguments.path)), hierarchy.soup());
   const std::string store = options.preprocess.empty() ? arguments.model : options.preprocess.string();
@@ -341,7 +342,7 @@ std::uint64_t key_of(const Arguments& arguments, const render::WalkOptions& opti
   return digest.value();
 }
 
-void validate(Arguments& arguments, int& exit_code) {
+void validate(ValidateArguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
   const render::CameraPath path = render::read_camera_path(arguments.path);
@@ -406,7 +407,7 @@ void add_validate(Command app, int& exit_code) {
       "\n"
       "Example: occlude validate city.ply --path city.json --witness witness.jsonl\n"
       "Example: mpirun -n 4 occlude validate city.ply --path city.json     and, after a failure, with --resume");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ValidateArguments>();
   add_input(command, "MODEL", a->model, "the model walked through").required();
   add_input(command, "--path", a->path, "camera path (JSON)").required();
   Option witness = add_input(command, "--witness", a->witness,

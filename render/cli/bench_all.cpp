@@ -20,7 +20,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct BenchAllArguments {
   SubjectArguments subject{100'000};
   WalkArguments walk{"0:300:15"};
   std::string out;
@@ -83,7 +83,7 @@ experiments::AllResult measure_all(const Sizes& sizes, const experiments::Subjec
           .visibility = {sizes.visibility, measure_visibility(subject, sizes.visibility)}};
 }
 
-void bench_all(const Arguments& arguments, int& exit_code) {
+void bench_all(const BenchAllArguments& arguments, int& exit_code) {
   Sizes sizes = arguments.is_quick ? sizes_of_seconds() : sizes_of_minutes();
   sizes.culler.seed = arguments.subject.seed();
   sizes.visibility.walk = arguments.walk.options();
@@ -107,7 +107,7 @@ void add_bench_all(Command bench, int& exit_code) {
       limits_help() +
       "\n"
       "Example: occlude bench all --out report");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchAllArguments>();
   a->subject.add_to(command);
   a->walk.add_frames_to(command);
   a->walk.add_size_to(command);

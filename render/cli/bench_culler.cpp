@@ -16,7 +16,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct BenchCullerArguments {
   SubjectArguments subject{500'000};
   std::string out, largest = "1e6";
   WalkArguments walk{"0:300"};
@@ -26,14 +26,14 @@ struct Arguments {
 };
 
 /// The chosen experiments; by default all, without `growth` for a given model.
-std::vector<std::string> chosen(const Arguments& arguments) {
+std::vector<std::string> chosen(const BenchCullerArguments& arguments) {
   if (!arguments.only.empty()) return arguments.only;
   std::vector<std::string> all(experiments::kExperiments.begin(), experiments::kExperiments.end());
   if (!arguments.subject.is_city()) std::erase(all, "growth");
   return all;
 }
 
-void bench_culler(Arguments& arguments) {
+void bench_culler(BenchCullerArguments& arguments) {
   experiments::Options& options = arguments.options;
   options.walk = arguments.walk.options();
   options.walk.render = !arguments.no_render;
@@ -58,7 +58,7 @@ void add_bench_culler(Command bench, int&) {
                  "\n"
                  "Example: occlude bench culler --out report\n"
                  "Example: occlude bench culler sponza.ply --path sponza.json --only table2,figure4 --no-render");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchCullerArguments>();
   a->subject.add_to(command);
   command
       .add("--only", a->only,

@@ -19,7 +19,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct BenchRivalsArguments {
   SubjectArguments subject{500'000};
   WalkArguments walk{"0:300:15"};
   std::uint32_t leaf = culler::leaf_size_for(culler::Method::cover);
@@ -29,7 +29,7 @@ struct Arguments {
   bool json = false;
 };
 
-void bench_rivals(Arguments& arguments) {
+void bench_rivals(BenchRivalsArguments& arguments) {
   experiments::VisibilityOptions& options = arguments.options;
   options.walk = arguments.walk.options();
   options.walk.build.hierarchy.leaf_size = arguments.leaf;
@@ -61,7 +61,7 @@ void add_bench_rivals(Command bench) {
       "\n"
       "Example: occlude bench rivals\n"
       "Example: occlude bench rivals sponza.ply --path sponza.json --frames 0:240:15 --out report");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchRivalsArguments>();
   a->subject.add_to(command);
   a->walk.add_size_to(command);
   a->walk.add_frames_to(command);

@@ -11,13 +11,13 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct BenchSceneArguments {
   experiments::SceneBenchOptions options;
   std::string seed = "1";
   bool json = false;
 };
 
-void bench_scene(Arguments& arguments, int& exit_code) {
+void bench_scene(BenchSceneArguments& arguments, int& exit_code) {
   experiments::SceneBenchOptions& options = arguments.options;
   const experiments::WorldSize& world = options.world;
   options.seed = whole_number("--seed", arguments.seed);
@@ -39,7 +39,7 @@ void add_bench_scene(Command bench, int& exit_code) {
       "exit code 1 when one is wrong.\n"
       "Example: occlude bench scene\n"
       "Example: occlude bench scene --objects 100000 --streamed 20000 --moving 1000 --frames 100 --json");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchSceneArguments>();
   experiments::SceneBenchOptions& options = a->options;
   constexpr std::size_t kMost = 20'000'000;
   command.add("--objects", options.world.objects, "objects in all").show_default().in_range(std::size_t{1000}, kMost);

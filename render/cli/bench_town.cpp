@@ -11,12 +11,12 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct BenchTownArguments {
   experiments::TownBenchOptions options;
   bool json = false;
 };
 
-void bench_town(const Arguments& arguments) {
+void bench_town(const BenchTownArguments& arguments) {
   const experiments::TownBenchOptions& options = arguments.options;
   if (options.walls > options.houses) refuse("--walls", "more than --houses");
   const experiments::TownBenchResult result = experiments::bench_town(options);
@@ -32,7 +32,7 @@ void add_bench_town(Command bench) {
       "and turns.\n"
       "Example: occlude bench town\n"
       "Example: occlude bench town --houses 100000 --walls 100000 --json");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchTownArguments>();
   experiments::TownBenchOptions& options = a->options;
   constexpr std::size_t kMost = 10'000'000;
   command.add("--houses", options.houses, "objects that stand").show_default().in_range(std::size_t{1}, kMost);

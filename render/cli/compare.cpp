@@ -17,12 +17,12 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string a, b, out;
   bool fail_if_worse = false, json = false;
 };
 
-void compare(const Arguments& arguments, int& exit_code) {
+void compare(const CompareArguments& arguments, int& exit_code) {
   const render::WalkReading a = render::read_walk(arguments.a), b = render::read_walk(arguments.b);
   std::optional<render::OutputFile> page;
   if (!arguments.out.empty()) page.emplace(arguments.out);
@@ -52,7 +52,7 @@ void add_compare(Command app, int& exit_code) {
       limits_help() +
       "\n"
       "Example: occlude compare report_before report_after --out comparison.html");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<CompareArguments>();
   add_input(command, "A", a->a, "folder or summary.json of the first walk").required();
   add_input(command, "B", a->b, "folder or summary.json of the second walk").required();
   add_output(command, "--out", a->out, "write a page with the table and the curves of both to this file (HTML)");

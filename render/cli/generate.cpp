@@ -17,13 +17,13 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   std::size_t polygons = 500'000;
   std::string seed = "1", out, path;
   bool json = false;
 };
 
-void generate(const Arguments& arguments) {
+void generate(const GenerateArguments& arguments) {
   const std::uint64_t seed = whole_number("--seed", arguments.seed);
   render::OutputFile model(arguments.out), path(arguments.path);
   const render::City city = render::generate_city(arguments.polygons, seed);
@@ -55,7 +55,7 @@ void add_generate(Command app, int&) {
   Command city =
       command.add_command("city", "London streets, the centre of Tenochtitlan and English hills, as in the paper");
   city.footer("Example: occlude generate city --polygons 500000 --seed 1 --out city.ply --path city.json");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<GenerateArguments>();
   city.add("--polygons", arguments->polygons, "minimum number of polygons")
       .show_default()
       .in_range(render::kSmallestCity, render::kLargestCity);

@@ -12,13 +12,13 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct HelpArguments {
   std::vector<std::string> words;
   std::string shell;
   bool man = false;
 };
 
-std::string help(const Command& app, const Arguments& arguments) {
+std::string help(const Command& app, const HelpArguments& arguments) {
   if (arguments.man) return man_page(app.describe());
   if (!arguments.shell.empty()) return bash_completion(app.describe());
   Command command = app;
@@ -34,7 +34,7 @@ void add_help(Command app, int&) {
       "Example: occlude help walk\n"
       "Example: occlude help --man | man -l -\n"
       "Example: source <(occlude help --completion bash)");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<HelpArguments>();
   Option words = command.add("COMMAND", a->words, "the command, such as walk or bench kernel");
   Option man = command.add_flag("--man", a->man, "print the manual page of all commands").excludes(words);
   command.add("--completion", a->shell, "print a script that completes words in this shell")

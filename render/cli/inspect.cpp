@@ -21,7 +21,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct InspectArguments {
   std::string model, path, out = "inspect.html", module;
 };
 
@@ -41,7 +41,7 @@ std::string read_module(const std::string& given) {
   return bytes;
 }
 
-void inspect(const Arguments& arguments) {
+void inspect(const InspectArguments& arguments) {
   render::OutputFile out(arguments.out);
   const std::string module = read_module(arguments.module);
   const culler::PolygonSoup model = render::read_model(arguments.model);
@@ -73,7 +73,7 @@ void add_inspect(Command app, int&) {
       limits_help() +
       "\n"
       "Example: occlude inspect city.ply --path city.json --out city.html");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<InspectArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   add_input(command, "--path", a->path, "camera path (JSON): start at its first frame, and fly along it");
   add_output(command, "--out", a->out, "HTML file to write to").show_default();

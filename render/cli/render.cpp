@@ -22,7 +22,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct RenderArguments {
   std::string model, path, out, layer = "drawn";
   std::optional<std::string> frame;
   std::uint32_t fps = 10;
@@ -55,7 +55,7 @@ const std::array<Layer, 8> kLayers{{
      [](auto& painter, const auto& camera, const auto& result) { return painter.outside(camera, result); }},
 }};
 
-void render_frames(const Arguments& arguments) {
+void render_frames(const RenderArguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
   std::optional<std::size_t> frame;
@@ -111,7 +111,7 @@ void add_render(Command app, int&) {
                  "\n"
                  "Example: occlude render city.ply --path city.json --frame 120 --layer outside --out outside.png\n"
                  "Example: occlude render city.ply --path city.json --frames 0:600:10 --layer fates --out fates.png");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<RenderArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   add_input(command, "--path", a->path, "camera path (JSON)").required();
   add_output(command, "--out", a->out, "PNG file to write").required();

@@ -25,7 +25,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct WalkCommand {
   std::string model, path, out, witness, cases;
   WalkArguments walk;
   bool no_render = false, json = false;
@@ -39,7 +39,7 @@ void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file)
   };
 }
 
-void walk(const Arguments& arguments, int& exit_code, const std::string& command_line) {
+void walk(const WalkCommand& arguments, int& exit_code, const std::string& command_line) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
   options.render = !arguments.no_render;
@@ -82,7 +82,7 @@ void add_walk(Command app, int& exit_code, const std::string& command_line) {
       limits_help() +
       "\n"
       "Example: occlude walk city.ply --path city.json --out report");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<WalkCommand>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   add_input(command, "--path", a->path, "camera path (JSON)").required();
   add_output(command, "--out", a->out, "folder to write to").required();

@@ -20,7 +20,7 @@
 namespace occlude::cli {
 namespace {
 
-struct Arguments {
+struct WhyArguments {
   std::string model, path, frame, pixel, out;
   std::optional<std::uint32_t> polygon;
   WalkArguments walk;
@@ -28,7 +28,7 @@ struct Arguments {
 };
 
 /// Throws InputError if the model lacks the requested polygon.
-void require_polygon(const Arguments& arguments, culler::SoupView soup) {
+void require_polygon(const WhyArguments& arguments, culler::SoupView soup) {
   if (arguments.polygon && *arguments.polygon >= soup.size()) {
     throw render::InputError(
         fmt::format("{}: no polygon {}: the model has {}", arguments.model, *arguments.polygon, soup.size()));
@@ -57,7 +57,7 @@ Pixel parse_pixel(const std::string& text, const render::WalkOptions& options) {
   return {static_cast<int>(x), static_cast<int>(y)};
 }
 
-int why(const Arguments& arguments) {
+int why(const WhyArguments& arguments) {
   const render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
   std::optional<Pixel> pixel;
@@ -97,7 +97,7 @@ void add_why(Command app, int& exit_code) {
   command.footer("The earlier frames are culled first, as in a walk; give the options of that walk.\n" + limits_help() +
                  "\n"
                  "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<WhyArguments>();
   add_input(command, "MODEL", a->model, "model of the walk").required();
   add_input(command, "--path", a->path, "camera path (JSON)").required();
   command.add("--frame", a->frame, "number of the frame, from 0").required();

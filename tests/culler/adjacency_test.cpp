@@ -10,7 +10,7 @@
 
 #include "scenes.h"
 
-namespace {
+namespace adjacency_test {
 
 using namespace occlude::culler;
 using Loop = std::vector<glm::dvec3>;
@@ -91,4 +91,4 @@ TEST(Repeated, OneOfVeryMany) {
   EXPECT_FALSE(is_repeated[0]);
 }
 
-}  // namespace
+}  // namespace adjacency_test

@@ -10,7 +10,7 @@
 
 #include "scenes.h"
 
-namespace {
+namespace candidate_order_test {
 
 using namespace occlude::culler;
 
@@ -113,4 +113,4 @@ TEST(CandidateOrder, EqualsByTheirNumber) {
   EXPECT_EQ(occluders_of(order.best_first()), (std::vector<std::uint32_t>{2, 4, 9}));
 }
 
-}  // namespace
+}  // namespace candidate_order_test

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -13,11 +14,14 @@
 
 #include "occlude/culler/culler.h"
 #include "occlude/culler/occluder_mesh.h"
+#include "occlude/culler/parallel.h"
+#include "occlude/kernel/validity.h"
 #include "parallel_sort.h"
 #include "scenes.h"
 
-namespace {
+namespace checkpoint_test {
 
+namespace kernel = occlude::kernel;
 using namespace occlude::culler;
 
 /// Throws at its call number `last`, counted from 1.
@@ -87,6 +91,18 @@ TEST(Checkpoint, SaysOnWhichThreads) {
   EXPECT_EQ(culler.occluders().lists().stored().first, other.occluders().lists().stored().first);
 }
 
+TEST(Checkpoint, AThreadThatRoundsOtherwiseDoesNothing) {
+  const Executor upwards(3, [](std::size_t count, const Executor::Part& part) {
+    std::fesetround(FE_UPWARD);
+    for (std::size_t i = 0; i < count; ++i) part(i);
+    std::fesetround(FE_TONEAREST);
+  });
+  std::vector<int> done(1000);
+  const auto work = [&](std::size_t i) { done[i] += kernel::check_rounding() == kernel::Refusal::none ? 1 : 1000; };
+  parallel_for(done.size(), work, Checkpoint(upwards));
+  EXPECT_EQ(std::ranges::count(done, 1), 1000);
+}
+
 /// Neither the constructor nor the other method makes what a method needs, and it is made once.
 TEST(Checkpoint, IsCalledForWhatTheMethodNeedsAlone) {
   const PolygonSoup soup = random_town_of_houses(3, 300);
@@ -121,4 +137,4 @@ TEST(ParallelSort, IsStable) {
   EXPECT_EQ(order, expected);
 }
 
-}  // namespace
+}  // namespace checkpoint_test

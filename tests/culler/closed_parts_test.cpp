@@ -10,7 +10,7 @@
 #include "adjacency.h"
 #include "scenes.h"
 
-namespace {
+namespace closed_parts_test {
 
 using namespace occlude::culler;
 
@@ -63,4 +63,4 @@ TEST(ClosedParts, ByEdgesWithAnEvenNumberOfSides) {
   EXPECT_EQ(parts_of(soup), std::vector{8}) << "four";
 }
 
-}  // namespace
+}  // namespace closed_parts_test

@@ -18,7 +18,7 @@
 #include "occlude/kernel/clearance.h"
 #include "scenes.h"
 
-namespace {
+namespace contracts_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -196,4 +196,4 @@ TEST(Rounding, NothingIsCulledUnlessToNearest) {
   }
 }
 
-}  // namespace
+}  // namespace contracts_test

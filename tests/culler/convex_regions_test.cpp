@@ -17,7 +17,7 @@
 #include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"
 
-namespace {
+namespace convex_regions_test {
 
 using namespace occlude::culler;
 using Loop = std::vector<glm::dvec3>;
@@ -315,4 +315,4 @@ TEST(ConvexRegions, PiecesOfAnyLoop) {
   EXPECT_GT(hide, pieces / 2);
 }
 
-}  // namespace
+}  // namespace convex_regions_test

@@ -11,7 +11,7 @@
 #include "adjacency.h"
 #include "scenes.h"
 
-namespace {
+namespace convex_shells_test {
 
 using namespace occlude::culler;
 using Indices = std::vector<std::uint32_t>;
@@ -203,4 +203,4 @@ TEST(ConvexShells, PolytopeOfPolygons) {
   EXPECT_EQ(solid.vertices[4], (occlude::kernel::Vec3{0, 3, 0}));
 }
 
-}  // namespace
+}  // namespace convex_shells_test

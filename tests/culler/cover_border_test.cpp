@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace cover_border_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -72,7 +72,7 @@ class Edges {
 TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   Edges edges;
   CoverBorder border;
-  const BeamPicture picture = ::picture();
+  const BeamPicture picture = cover_border_test::picture();
   const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
   std::size_t near = 0;
   for (int i = 0; i < 400; ++i) {
@@ -103,7 +103,7 @@ TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
 TEST(CoverBorder, DegreesAreWindingNumbers) {
   Edges edges;
   CoverBorder border;
-  const BeamPicture picture = ::picture();
+  const BeamPicture picture = cover_border_test::picture();
   std::size_t closed_pixels = 0;
   for (int i = 0; i < 300; ++i) {
     std::vector<Corner> loop(3 + static_cast<std::size_t>(i % 5));
@@ -136,7 +136,7 @@ TEST(CoverBorder, DegreesAreWindingNumbers) {
 /// What was drawn before is gone.
 TEST(CoverBorder, BeginsEmpty) {
   CoverBorder border;
-  const BeamPicture picture = ::picture();
+  const BeamPicture picture = cover_border_test::picture();
   const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
   border.begin(picture, all);
   border.draw({{-1e3, -9}, 1e-9}, {{1e3, 60}, 1e-9}, 1);
@@ -145,4 +145,4 @@ TEST(CoverBorder, BeginsEmpty) {
   for (const std::uint64_t closed : closed_by(border)) EXPECT_EQ(closed, 0U);
 }
 
-}  // namespace
+}  // namespace cover_border_test

@@ -20,7 +20,7 @@
 #include "scenes.h"
 #include "single_precision.h"
 
-namespace {
+namespace cover_buffer_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -347,4 +347,4 @@ TEST_P(CoverBufferSoundness, WhatItHidesIsHiddenExactly) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CoverBufferSoundness, testing::Range(1, 5));
 
-}  // namespace
+}  // namespace cover_buffer_test

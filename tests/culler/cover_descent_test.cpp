@@ -15,7 +15,7 @@
 #include "radix_sort.h"
 #include "scenes.h"
 
-namespace {
+namespace cover_descent_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -111,4 +111,4 @@ TEST(RadixSort, IsAStableSort) {
   }
 }
 
-}  // namespace
+}  // namespace cover_descent_test

@@ -15,7 +15,7 @@
 #include "local_index.h"
 #include "occlude/culler/polygon_soup.h"
 
-namespace {
+namespace cover_sheets_test {
 
 using namespace occlude::culler;
 
@@ -131,4 +131,4 @@ TEST(LocalIndex, CountsWhatIsNewAndForgetsAll) {
   }
 }
 
-}  // namespace
+}  // namespace cover_sheets_test

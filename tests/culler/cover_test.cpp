@@ -23,7 +23,7 @@
 #include "outer_box.h"
 #include "scenes.h"
 
-namespace {
+namespace cover_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -280,4 +280,4 @@ TEST(CoverFrame, ViewsAnswerByIt) {
   EXPECT_EQ(ask(15, 0, 1), Visibility::visible) << "another frame, by the other method";
 }
 
-}  // namespace
+}  // namespace cover_test

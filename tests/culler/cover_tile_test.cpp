@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace cover_tile_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -109,4 +109,4 @@ TEST_F(CoverTile, BringsNearerWhatTheMaskHas) {
   }
 }
 
-}  // namespace
+}  // namespace cover_tile_test

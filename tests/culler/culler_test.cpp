@@ -26,7 +26,7 @@
 #include "traverse.h"
 #include "view_memory.h"
 
-namespace {
+namespace culler_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -638,4 +638,4 @@ TEST(OccluderHistory, RemembersForAWhile) {
   EXPECT_EQ(history.hidden(7), std::nullopt);
 }
 
-}  // namespace
+}  // namespace culler_test

@@ -9,7 +9,7 @@
 #include "occlude/culler/potential_occluders.h"
 #include "scenes.h"
 
-namespace {
+namespace followed_silhouettes_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -35,4 +35,4 @@ TEST(FollowedSilhouettes, AreSoManyAndOfTheShellsLastAskedFor) {
   EXPECT_EQ(followed.of(0).faces_asked(), 0U) << "forgotten, and its place begun anew";
 }
 
-}  // namespace
+}  // namespace followed_silhouettes_test

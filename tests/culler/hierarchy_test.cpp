@@ -11,7 +11,7 @@
 #include "occlude/kernel/containment.h"
 #include "scenes.h"
 
-namespace {
+namespace hierarchy_test {
 
 using namespace occlude::culler;
 
@@ -193,4 +193,4 @@ TEST(Hierarchy, TrianglesAreCountedAlongTheSoup) {
   EXPECT_EQ(hierarchy.first_triangle(2), 3U);
 }
 
-}  // namespace
+}  // namespace hierarchy_test

@@ -13,7 +13,7 @@
 
 #include "scenes.h"
 
-namespace {
+namespace inner_boxes_test {
 
 using namespace occlude::culler;
 using occlude::kernel::Aabb;
@@ -382,4 +382,4 @@ TEST(InnerBoxes, AsASoupAreTurnedOutwards) {
   EXPECT_EQ(soup_of({}).size(), 0U);
 }
 
-}  // namespace
+}  // namespace inner_boxes_test

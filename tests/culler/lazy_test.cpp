@@ -13,7 +13,7 @@
 
 #include "zeros.h"
 
-namespace {
+namespace lazy_test {
 
 using occlude::culler::Lazy;
 using occlude::culler::Zeros;
@@ -61,4 +61,4 @@ TEST(Zeros, StayAsTheyAreWhenThereAreMore) {
   EXPECT_EQ(zeros.size(), 0U);
 }
 
-}  // namespace
+}  // namespace lazy_test

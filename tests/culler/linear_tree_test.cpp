@@ -11,7 +11,7 @@
 #include "bounds.h"
 #include "scenes.h"
 
-namespace {
+namespace linear_tree_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -89,4 +89,4 @@ TEST(LinearTree, PutsWhatIsNearTogether) {
   EXPECT_LT(leaves, 0.2 * half_area(tree.nodes()[0].box) * static_cast<double>(tree.nodes().size() + 1) / 2);
 }
 
-}  // namespace
+}  // namespace linear_tree_test

@@ -30,7 +30,7 @@
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
 
-namespace {
+namespace matrix_camera_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -856,4 +856,4 @@ TEST(MatrixCamera, TakesWhatRotationsLeave) {
   }
 }
 
-}  // namespace
+}  // namespace matrix_camera_test

@@ -15,7 +15,7 @@
 #include "plane_work.h"
 #include "scenes.h"
 
-namespace {
+namespace missed_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -216,4 +216,4 @@ TEST(Clearance, IsTheDistanceToTheNearestPlane) {
   EXPECT_NEAR(distance_beyond({{0, 0, 2}, -4}, kernel::Aabb{{0, 0, -3}, {1, 1, 5}}), -3, 1e-11);
 }
 
-}  // namespace
+}  // namespace missed_test

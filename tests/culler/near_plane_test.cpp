@@ -14,7 +14,7 @@
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
-namespace {
+namespace near_plane_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -423,4 +423,4 @@ TEST(OccluderShape, CollinearFirstCornersAndAnyScale) {
   }
 }
 
-}  // namespace
+}  // namespace near_plane_test

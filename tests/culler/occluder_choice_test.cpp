@@ -12,7 +12,7 @@
 #include "scenes.h"
 #include "view_memory.h"
 
-namespace {
+namespace occluder_choice_test {
 
 using namespace occlude::culler;
 
@@ -76,4 +76,4 @@ TEST(OccluderChoice, IsMadeWhateverTheWeights) {
   }
 }
 
-}  // namespace
+}  // namespace occluder_choice_test

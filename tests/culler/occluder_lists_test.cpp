@@ -12,7 +12,7 @@
 #include "occlude/culler/hierarchy.h"
 #include "scenes.h"
 
-namespace {
+namespace occluder_lists_test {
 
 using namespace occlude::culler;
 
@@ -153,4 +153,4 @@ TEST(OccluderLists, RepeatedPolygonsShare) {
   EXPECT_EQ(Model(soup).lists({}).list({1.5, 0.5, 0.5}).occluders.size(), 2U);
 }
 
-}  // namespace
+}  // namespace occluder_lists_test

@@ -11,7 +11,7 @@
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
 
-namespace {
+namespace outer_box_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -66,4 +66,4 @@ TEST(OuterBox, RoundsWhatIsTooNearToZeroOutwards) {
   EXPECT_EQ(outer, (Aabb{{-0x1p-100, 0, 0}, {0x1p-100, 1, 0x1p-100}}));
 }
 
-}  // namespace
+}  // namespace outer_box_test

@@ -14,7 +14,7 @@
 #include "scenes.h"
 #include "split_order.h"
 
-namespace {
+namespace packed_tree_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -173,4 +173,4 @@ TEST(SplitOrder, KeepsItsMemory) {
   EXPECT_EQ(split.bytes(), bytes);
 }
 
-}  // namespace
+}  // namespace packed_tree_test

@@ -13,7 +13,7 @@
 
 #include "scenes.h"
 
-namespace {
+namespace partition_test {
 
 using namespace occlude::culler;
 using occlude::kernel::Aabb;
@@ -207,4 +207,4 @@ TEST(PartitionByTree, IsSmallerWherePolygonsAre) {
   EXPECT_LT(volume(regions.box(regions.region_at({0, 0, 1}))), volume(regions.box(regions.region_at({800, 0, 1}))) / 100);
 }
 
-}  // namespace
+}  // namespace partition_test

@@ -24,7 +24,7 @@
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
-namespace {
+namespace parts_test {
 
 using namespace occlude::culler;
 namespace kernel = occlude::kernel;
@@ -524,4 +524,4 @@ TEST(Parts, OfAnyBytesCullRightOrAreRefused) {
   EXPECT_GT(accepted, 100U) << "of heuristics anything is";
 }
 
-}  // namespace
+}  // namespace parts_test

@@ -15,7 +15,7 @@
 #include "scenes.h"
 #include "solid_angle.h"
 
-namespace {
+namespace potential_occluders_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -172,4 +172,4 @@ TEST(SeenSize, OfPolygonsAndShells) {
   EXPECT_DOUBLE_EQ(size(shell), 6 / 200.0) << "a quarter of the surface";
 }
 
-}  // namespace
+}  // namespace potential_occluders_test

@@ -19,7 +19,7 @@
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
-namespace {
+namespace preprocess_test {
 
 using namespace occlude::culler;
 
@@ -186,4 +186,4 @@ TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
   }
 }
 
-}  // namespace
+}  // namespace preprocess_test

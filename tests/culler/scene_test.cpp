@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -15,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -29,9 +31,10 @@
 #include "occlude/kernel/half_space.h"
 #include "outer_box.h"
 #include "placed.h"
+#include "scene_frame.h"
 #include "scenes.h"
 
-namespace {
+namespace scene_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -682,7 +685,7 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
   const auto mesh = std::make_shared<OccluderMesh>(town);
   scene.add(mesh);
   const Placement wide{{5, 0, 0}, {0, 8, 0}, {0, 0, 1}, {1, 0, 0}};
-  const OccluderId house = scene.add(std::make_shared<OccluderMesh>(::house()), wide);
+  const OccluderId house = scene.add(std::make_shared<OccluderMesh>(scene_test::house()), wide);
   scene.update();
   const ObjectId late = scene.add(Aabb{});
   ids.push_back(late);
@@ -710,7 +713,7 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
       std::vector<kernel::Cover::Polygon> polygons;
       for (const auto& [occluder, polygon, corners] : fate.by) {
         polygons.push_back(corners);
-        const PolygonSoup& soup = occluder == house ? ::house() : town;
+        const PolygonSoup& soup = occluder == house ? scene_test::house() : town;
         const Vec3 corner = to_kernel(soup.vertices[soup.loop(polygon)[0]]);
         ASSERT_EQ(corners[0], placed(occluder == house ? wide : Placement{}, corner));
       }
@@ -915,7 +918,59 @@ TEST(Scene, ResultsDoNotDependOnTheExecutor) {
   EXPECT_GT(counts[0][1], 500U);
 }
 
-/// Tiles that come and go leave no memory behind, however the objects are divided.
+/// Twenty thousand boxes behind and between houses; every tenth in another layer.
+struct TownScene {
+  Scene scene;
+  std::size_t in_layer = 0;
+
+  TownScene() {
+    std::mt19937 random(kSeed);
+    for (int i = 0; i < 20000; ++i) {
+      scene.add(random_box(random), {.moves = i % 3 == 0, .is_always_drawn = i % 100 == 1, .mask = i % 10 ? 1U : 2U});
+      if (i % 10 != 0) ++in_layer;
+    }
+    scene.add(std::make_shared<OccluderMesh>(random_town_of_houses(7, 1500)));
+    scene.update();
+  }
+};
+
+TEST(Scene, AThreadThatRoundsOtherwiseDecidesNothing) {
+  const TownScene town;
+  SceneView view;
+  std::size_t asked = 0, listed = 0;
+  const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
+    std::fesetround(FE_UPWARD);
+    for (std::size_t i = 0; i < count; ++i) part(i);
+    std::fesetround(FE_TONEAREST);
+    asked += count;
+    for (const auto& of_view : view.memory().parts) listed += of_view.is_listed ? 1 : 0;
+  });
+  const Camera camera;
+  const SceneStats found = town.scene.cull(camera, {.executor = &upwards}, view).stats;
+  EXPECT_GT(asked, 1U);
+  EXPECT_EQ(listed, 0U);
+  const SceneStats& expected = town.scene.cull(camera, {}, view).stats;
+  EXPECT_EQ(found.drawn, expected.drawn);
+  EXPECT_EQ(found.hidden, expected.hidden);
+}
+
+TEST(Scene, AFrameWhoseExecutorThrowsDrawsEverything) {
+  const TownScene town;
+  const Executor full(2, [](std::size_t, const Executor::Part& part) {
+    part(0);
+    throw std::runtime_error("the queue is full");
+  });
+  SceneView view;
+  EXPECT_THROW(town.scene.cull(Camera{}, {.mask = 1, .executor = &full}, view), std::runtime_error);
+  std::set<std::uint32_t> drawn;
+  for (const DrawnObject& object : view.result().drawn) drawn.insert(object.id.slot);
+  EXPECT_EQ(drawn.size(), town.in_layer);
+  EXPECT_EQ(view.result().drawn.size(), town.in_layer);
+  EXPECT_EQ(view.result().stats.drawn, town.in_layer);
+  EXPECT_EQ(view.result().stats.hidden + view.result().stats.out_of_view + view.result().stats.too_small, 0U);
+  EXPECT_LT(town.scene.cull(Camera{}, {.mask = 1}, view).drawn.size(), town.in_layer);
+}
+
 /// The farther a view reaches, the farther out its half-spaces are.
 TEST(Scene, AViewReachesAsFarAsWhatIsThere) {
   const std::vector<Box> tile{Aabb{{4, 4, 4}, {5, 5, 5}}, Aabb{{6, 4, 4}, {7, 5, 5}}, Aabb{{4e6, 4, 4}, {5e6, 5, 5}}};
@@ -960,4 +1015,4 @@ TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
   EXPECT_LE(scene.object_bytes(), settled * 3 / 2);
 }
 
-}  // namespace
+}  // namespace scene_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace {
+namespace seen_boxes_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -128,4 +128,4 @@ TEST(SeenBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
   EXPECT_GE(batch.most[3], 0.5F);
 }
 
-}  // namespace
+}  // namespace seen_boxes_test

@@ -18,7 +18,7 @@
 #include "scenes.h"
 #include "single_precision.h"
 
-namespace {
+namespace shadow_margin_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -265,4 +265,4 @@ TEST(CullOptions, AMarginHoldsForTwoTogether) {
   EXPECT_TRUE(is_drawn_behind_two(shadow - 0.1 * margin, {.margin = kShare, .unions = true}));
 }
 
-}  // namespace
+}  // namespace shadow_margin_test

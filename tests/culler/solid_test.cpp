@@ -13,7 +13,7 @@
 #include "bounds.h"
 #include "scenes.h"
 
-namespace {
+namespace solid_test {
 
 using namespace occlude::culler;
 using occlude::kernel::Aabb;
@@ -140,4 +140,4 @@ TEST(IsInside, CountsShellsModuloTwo) {
   EXPECT_FALSE(is_inside(solid, {above(8), 4, 4}));
 }
 
-}  // namespace
+}  // namespace solid_test

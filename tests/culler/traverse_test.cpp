@@ -5,12 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "bounds.h"
 #include "executors.h"
 #include "node_blocks.h"
 #include "node_tests.h"
@@ -20,7 +24,7 @@
 #include "shadow_rule.h"
 #include "view_memory.h"
 
-namespace {
+namespace traverse_test {
 
 using namespace occlude::culler;
 namespace kernel = occlude::kernel;
@@ -195,7 +199,6 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
   config.hierarchy = {.leaf_size = 2, .bounds = GetParam().bounds};
   const Culler culler(random_town_of_houses(kSeed, 3000), config);
   const NodeBlocks blocks(culler.hierarchy());
-  const auto ask = [&](std::uint32_t node, auto&& question) { return culler.hierarchy().ask(node, question); };
   const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
   std::mt19937 random(kSeed);
   const std::vector<Executor> executors = some_executors();
@@ -217,7 +220,7 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
       take_frame(seen, found);
       CullOptions options = GetParam().options;
       options.executor = &executors[i];
-      traverse(blocks, ask, &culler.occluders(), unwatched, options, found);
+      traverse(blocks, culler.hierarchy(), &culler.occluders(), unwatched, options, found);
       expect_same(expected, found);
       ASSERT_FALSE(HasFailure()) << "frame " << frame << ", executor " << i << ", seed " << kSeed;
       EXPECT_EQ(found.result.stats.exact_shadow_tests, memories[0].result.stats.exact_shadow_tests);
@@ -274,4 +277,87 @@ TEST(NodeBlocks, HoldTheTree) {
   EXPECT_EQ(std::ranges::count(found, 1), std::ssize(found));
 }
 
-}  // namespace
+/// The sum of the surfaces of nodes whose children are in a block of their own below them.
+double visits(const NodeBlocks& blocks, const Hierarchy& hierarchy) {
+  double sum = 0;
+  const auto visit = [&](const auto& self, const NodeBlock& block) -> void {
+    for_each_bit(block.exits, [&](std::uint32_t i) {
+      sum += half_area(hierarchy.nodes()[block.node[i]].box);
+      self(self, blocks[block.below[i]]);
+    });
+  };
+  visit(visit, blocks[0]);
+  return sum;
+}
+
+/// The least such sum of all divisions: of all sets of nodes whose children are in their block.
+double least_visits(std::span<const HierarchyNode> nodes) {
+  std::vector<std::uint32_t> inner;
+  std::vector<std::uint32_t> above(nodes.size(), 0);
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].is_leaf()) continue;
+    inner.push_back(i);
+    above[i + 1] = above[nodes[i].right] = i;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t set = 0; set < 1U << inner.size(); set += 2) {  // never the root, which is alone in its block
+    std::vector<bool> is_parent(nodes.size());
+    std::vector<int> parents(nodes.size());  // in the block below a node
+    for (std::size_t k = 0; k < inner.size(); ++k) is_parent[inner[k]] = (set >> k & 1) != 0;
+    double sum = 0;
+    int most = 0;
+    for (const std::uint32_t i : inner) {
+      if (!is_parent[i]) {
+        sum += half_area(nodes[i].box);
+        continue;
+      }
+      std::uint32_t top = above[i];
+      while (is_parent[top]) top = above[top];
+      most = std::max(most, ++parents[top]);
+    }
+    if (most <= 3) least = std::min(least, sum);
+  }
+  return least;
+}
+
+TEST(NodeBlocks, AreVisitedAsRarelyAsCanBe) {
+  std::mt19937 random(kSeed);
+  for (std::size_t polygons = 1; polygons <= 14; ++polygons) {
+    for (int i = 0; i < 10; ++i) {
+      PolygonSoup soup;
+      while (soup.size() < polygons) {
+        const double size = i % 2 == 0 ? 100 : std::exp2(uniform(random, -10, 6));
+        std::vector<std::uint32_t> triangle;
+        for (int k = 0; k < 3; ++k) {
+          triangle.push_back(
+              soup.add_vertex({uniform(random, 0, size), uniform(random, 0, size), uniform(random, 0, size)}));
+        }
+        soup.add_polygon(triangle);
+      }
+      const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1});
+      const double least = least_visits(hierarchy.nodes());
+      EXPECT_NEAR(visits(NodeBlocks(hierarchy), hierarchy), least, 1e-5 * least) << polygons << " polygons, seed " << kSeed;
+    }
+  }
+}
+
+/// In a block of their own the children of a node that has no surface cost nothing, and fill blocks nevertheless.
+TEST(NodeBlocks, AreFullAlsoWhereNothingHasASurface) {
+  PolygonSoup soup;
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<std::uint32_t> line;
+    for (int k = 0; k < 3; ++k) line.push_back(soup.add_vertex({i + 0.25 * k, 0, 0}));
+    soup.add_polygon(line);
+  }
+  const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1});
+  const NodeBlocks blocks(hierarchy);
+  std::size_t count = 0;
+  const auto visit = [&](const auto& self, const NodeBlock& block) -> void {
+    ++count;
+    for_each_bit(block.exits, [&](std::uint32_t i) { self(self, blocks[block.below[i]]); });
+  };
+  visit(visit, blocks[0]);
+  EXPECT_LT(count, hierarchy.nodes().size() / 3);
+}
+
+}  // namespace traverse_test

@@ -14,7 +14,7 @@
 #include "occlude/kernel/overlap.h"
 #include "scenes.h"
 
-namespace {
+namespace twin_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -154,4 +154,4 @@ TEST(Culler, AThousandViewsDrawWhatTheirTwinsDraw) {
   EXPECT_GT(with_shells.probe_tests, 1000U);
 }
 
-}  // namespace
+}  // namespace twin_test

@@ -8,7 +8,7 @@
 #include <new>
 #include <string>
 
-namespace {
+namespace allocations_test {
 
 std::atomic<std::size_t> count = 0;
 
@@ -21,14 +21,14 @@ void* counted(std::size_t size, std::size_t alignment) {
   return memory;
 }
 
-}  // namespace
+}  // namespace allocations_test
 
-std::size_t allocations() { return count; }
+std::size_t allocations() { return allocations_test::count; }
 
 // The library makes the forms for arrays, and those that do not throw, from these.
-void* operator new(std::size_t size) { return counted(size, 1); }
+void* operator new(std::size_t size) { return allocations_test::counted(size, 1); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
+  return allocations_test::counted(size, static_cast<std::size_t>(alignment));
 }
 // Not inlined: where GCC inlines these alone, it takes them for a mistake.
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
@@ -36,7 +36,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 [[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
-namespace {
+namespace allocations_test {
 
 TEST(Allocations, AreCounted) {
   const std::size_t before = allocations();
@@ -44,4 +44,4 @@ TEST(Allocations, AreCounted) {
   EXPECT_EQ(allocations(), before + 1);
 }
 
-}  // namespace
+}  // namespace allocations_test

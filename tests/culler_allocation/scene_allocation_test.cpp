@@ -13,7 +13,7 @@
 #include "culler/scenes.h"
 #include "occlude/culler/scene.h"
 
-namespace {
+namespace scene_allocation_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -105,4 +105,4 @@ TEST(SceneAllocation, NoneOnceItHasHadItsLargestSize) {
   EXPECT_GT(asked, 1000U);
 }
 
-}  // namespace
+}  // namespace scene_allocation_test

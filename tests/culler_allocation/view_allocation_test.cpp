@@ -10,7 +10,7 @@
 #include "occlude/culler/culler.h"
 #include "occlude/culler/view.h"
 
-namespace {
+namespace view_allocation_test {
 
 using namespace occlude::culler;
 
@@ -82,4 +82,4 @@ TEST(View, AllocatesNothingForSubtreesAsManyAsBefore) {
   for (int path = 0; path < 4; ++path) EXPECT_EQ(walk(culler, options, Projection::perspective, view, path), 0U) << path;
 }
 
-}  // namespace
+}  // namespace view_allocation_test

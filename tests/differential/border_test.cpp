@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace occlude::proof {
-namespace {
+namespace border_test {
 
 using Parts = std::vector<Polygon>;
 
@@ -31,5 +31,5 @@ TEST(Border, OfPartsThatDoNot) {
   EXPECT_FALSE(have_border(Parts{square}, {d, c, b, a})) << "the other way round";
 }
 
-}  // namespace
+}  // namespace border_test
 }  // namespace occlude::proof

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace occlude::fuzz {
-namespace {
+namespace campaign_test {
 
 bool for_ever(std::uint64_t) { return true; }
 
@@ -78,5 +78,5 @@ TEST(Campaign, FamiliesAgreeWithTheOracle) {
   }
 }
 
-}  // namespace
+}  // namespace campaign_test
 }  // namespace occlude::fuzz

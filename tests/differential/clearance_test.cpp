@@ -15,7 +15,7 @@
 #include "occlude/oracle/oracle.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace clearance_test {
 
 double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
@@ -74,5 +74,5 @@ TEST(Clearance, IsProvedExactly) {
   EXPECT_GT(tight, proved / 2);
 }
 
-}  // namespace
+}  // namespace clearance_test
 }  // namespace occlude::fuzz

@@ -14,7 +14,7 @@
 #include "culler/scenes.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace cull_judge_test {
 
 using culler::Camera;
 using culler::Culled;
@@ -262,5 +262,5 @@ TEST_F(UnionJudgeTest, NamesABoxThatSticksOutByAnUlp) {
       << "the one claimed of the other";
 }
 
-}  // namespace
+}  // namespace cull_judge_test
 }  // namespace occlude::fuzz

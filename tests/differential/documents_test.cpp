@@ -13,7 +13,7 @@
 #include "occlude/fuzz/cases.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace documents_test {
 
 using Names = std::vector<std::string>;
 
@@ -109,5 +109,5 @@ TEST(Documents, CountTheFamilies) {
   }
 }
 
-}  // namespace
+}  // namespace documents_test
 }  // namespace occlude::fuzz

@@ -10,7 +10,7 @@
 #include "differential/experiment.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace golden_test {
 
 /// FNV-1a over the numbers of a tally.
 std::uint64_t hash_of(const Tally& t) {
@@ -32,5 +32,5 @@ TEST(Golden, ExperimentsCountWhatTheyDid) {
   EXPECT_EQ(hash_of(all), 0x573f7d2ffbb04770U) << std::hex << hash_of(all) << " of " << std::dec << all.cases << " cases";
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace occlude::fuzz

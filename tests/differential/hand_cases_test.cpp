@@ -11,7 +11,7 @@
 #include "occlude/fuzz/neighbours.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace hand_cases_test {
 
 /// As a group of a family: the kernel in every way that it can be asked, against both oracles.
 TEST(HandCases, AndTheirNeighboursAgreeWithTheOracle) {
@@ -29,5 +29,5 @@ TEST(HandCases, AndTheirNeighboursAgreeWithTheOracle) {
   for (const std::uint64_t answers : all.relations) EXPECT_GT(answers, all.cases / 10);
 }
 
-}  // namespace
+}  // namespace hand_cases_test
 }  // namespace occlude::fuzz

@@ -15,7 +15,7 @@
 #include "culler/scenes.h"
 #include "occlude/oracle/solid.h"
 
-namespace {
+namespace inner_boxes_test {
 
 using namespace occlude::culler;
 using occlude::oracle::Point;
@@ -126,4 +126,4 @@ TEST(InnerBoxesAgainstTheOracle, EveryBoxIsInside) {
   std::printf("%zu boxes in %zu solids\n", boxes, filled);
 }
 
-}  // namespace
+}  // namespace inner_boxes_test

@@ -12,7 +12,7 @@
 #include "occlude/fuzz/neighbours.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace minimise_test {
 
 using kernel::Relation;
 using kernel::Vec3;
@@ -95,5 +95,5 @@ TEST(Disagreement, IsNoneWhereTheKernelIsRight) {
   }
 }
 
-}  // namespace
+}  // namespace minimise_test
 }  // namespace occlude::fuzz

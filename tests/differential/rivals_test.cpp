@@ -7,7 +7,7 @@
 #include "occlude/fuzz/random.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace rivals_test {
 
 TEST(Float32, RoundsAsFloatsDo) {
   Random random(1);
@@ -37,5 +37,5 @@ TEST(Fused, RoundsASumOfProductsAsProcessorsDo) {
   EXPECT_TRUE(differs);
 }
 
-}  // namespace
+}  // namespace rivals_test
 }  // namespace occlude::fuzz

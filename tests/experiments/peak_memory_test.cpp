@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace {
+namespace peak_memory_test {
 
 using occlude::experiments::PeakMemory;
 
@@ -29,4 +29,4 @@ TEST(PeakMemory, TellsThePeakFromWhatIsHeld) {
   EXPECT_LT(*later.peak_bytes(), kBytes / 4);
 }
 
-}  // namespace
+}  // namespace peak_memory_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace trends_test {
 
 using namespace occlude::experiments;
 
@@ -46,4 +46,4 @@ TEST(FittedExponent, NeedsTwoDifferentSizes) {
   EXPECT_FALSE(fitted_exponent(std::array{5.0, 5.0}, std::array{7.0, 9.0}));
 }
 
-}  // namespace
+}  // namespace trends_test

@@ -14,7 +14,7 @@
 #include "occlude/kernel/validity.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace cases_test {
 
 using kernel::Vec3;
 using Polygon = std::vector<Vec3>;
@@ -184,5 +184,5 @@ TEST(Families, FarthestVerticesAreEquallyFar) {
   EXPECT_GT(count(Family::polytope_equal_farthest, has_tie), kCases / 2);
 }
 
-}  // namespace
+}  // namespace cases_test
 }  // namespace occlude::fuzz

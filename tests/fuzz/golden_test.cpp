@@ -11,7 +11,7 @@
 #include "occlude/fuzz/cases.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace golden_test {
 
 /// Hashes of the first 1000 cases of each family.
 const std::map<std::string_view, std::uint64_t> kHashes{
@@ -131,5 +131,5 @@ TEST(Golden, CasesAreWhatTheyWere) {
   EXPECT_EQ(kHashes.size(), families().size());
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace occlude::fuzz

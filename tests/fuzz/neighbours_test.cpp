@@ -14,7 +14,7 @@
 #include "occlude/fuzz/spoil.h"
 
 namespace occlude::fuzz {
-namespace {
+namespace neighbours_test {
 
 constexpr std::uint64_t kSeeds = 2000;
 
@@ -76,5 +76,5 @@ TEST(Spoil, MeetsEveryRefusal) {
   EXPECT_EQ(met.size(), static_cast<std::size_t>(kernel::Refusal::eye_in_polytope) + 1);
 }
 
-}  // namespace
+}  // namespace neighbours_test
 }  // namespace occlude::fuzz

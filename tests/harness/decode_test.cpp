@@ -11,7 +11,7 @@
 #include "occlude/fuzz/random.h"
 
 namespace occlude::harness {
-namespace {
+namespace decode_test {
 
 /// FNV-1a.
 std::uint64_t hash_of(const std::string& text, std::uint64_t hash) {
@@ -33,5 +33,5 @@ TEST(Decode, SameBytesSameScene) {
   EXPECT_EQ(hash, 0xc3f23e4672dc823U) << std::hex << hash;
 }
 
-}  // namespace
+}  // namespace decode_test
 }  // namespace occlude::harness

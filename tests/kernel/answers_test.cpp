@@ -14,7 +14,7 @@
 #include "occlude/fuzz/cases.h"
 #include "occlude/kernel/overlap.h"
 
-namespace {
+namespace answers_test {
 
 using namespace occlude;
 
@@ -96,4 +96,4 @@ TEST_P(Answers, HaveTheHashOfEveryBuild) {
 
 INSTANTIATE_TEST_SUITE_P(Slices, Answers, testing::Range(std::size_t{0}, kSlices));
 
-}  // namespace
+}  // namespace answers_test

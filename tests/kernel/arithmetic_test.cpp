@@ -12,7 +12,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 
-namespace {
+namespace arithmetic_test {
 
 using namespace occlude::kernel;
 __extension__ typedef __int128 Integer;
@@ -133,4 +133,4 @@ TEST(Operations, AFewDotProductsAPlaneAndNoCrossProductEver) {
   }
 }
 
-}  // namespace
+}  // namespace arithmetic_test

@@ -18,7 +18,7 @@
 #include "occlude/kernel/overlap.h"
 #include "only_target.h"
 
-namespace {
+namespace batch_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -252,4 +252,4 @@ TEST(BoxBatch, HoldsItsBoxes) {
   EXPECT_EQ(BoxBatch({}).bounds(), Aabb{});
 }
 
-}  // namespace
+}  // namespace batch_test

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <random>
 
-namespace {
+namespace big_integer_test {
 
 using occlude::kernel::BigInteger;
 using occlude::kernel::lowest_exponent;
@@ -74,4 +74,4 @@ TEST(BigInteger, AgreesWithFloatingPointWhereThatIsExact) {
   }
 }
 
-}  // namespace
+}  // namespace big_integer_test

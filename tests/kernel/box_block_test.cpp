@@ -17,7 +17,7 @@
 #include "occlude/kernel/shadow_frustum.h"
 #include "only_target.h"
 
-namespace {
+namespace box_block_test {
 
 using namespace occlude::kernel;
 
@@ -187,4 +187,4 @@ TEST(BoxBytes, CountTheBoxesOfAllQuestions) {
   EXPECT_EQ(boxes_of(BoxBytes{0x42} << 24, 3), 0x42);
 }
 
-}  // namespace
+}  // namespace box_block_test

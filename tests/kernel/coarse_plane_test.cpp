@@ -8,7 +8,7 @@
 
 #include "error_bounds.h"
 
-namespace {
+namespace coarse_plane_test {
 
 using namespace occlude::kernel;
 
@@ -43,4 +43,4 @@ TEST(CoarsePlane, APlaneBeyondFloatsDecidesNothing) {
   }
 }
 
-}  // namespace
+}  // namespace coarse_plane_test

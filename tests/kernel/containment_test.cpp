@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace occlude::kernel {
-namespace {
+namespace containment_test {
 
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
@@ -51,5 +51,5 @@ TEST(Containment, NeverInAFlatBox) {
   EXPECT_FALSE(contains({}, {}));
 }
 
-}  // namespace
+}  // namespace containment_test
 }  // namespace occlude::kernel

@@ -16,7 +16,7 @@
 #include "hand_cases.h"
 #include "occlude/fuzz/random.h"
 
-namespace {
+namespace cover_test {
 
 using namespace occlude::kernel;
 using occlude::fuzz::Random;
@@ -203,4 +203,4 @@ TEST(Cover, OrientedBoxesAreThePointsThatTheyMean) {
   }
 }
 
-}  // namespace
+}  // namespace cover_test

@@ -15,7 +15,7 @@
 #include "kernel/exact_copies.h"
 #include "occlude/kernel/overlap.h"
 
-namespace {
+namespace degenerate_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -221,4 +221,4 @@ TEST(Overlap, PlainIsWrongWhereCertifiedIsNot) {
   EXPECT_GT(wrong, 0);
 }
 
-}  // namespace
+}  // namespace degenerate_test

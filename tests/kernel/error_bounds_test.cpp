@@ -16,7 +16,7 @@
 #include "occlude/kernel/half_space.h"
 #include "rounded_plane.h"
 
-namespace {
+namespace error_bounds_test {
 
 using namespace occlude::kernel;
 
@@ -309,4 +309,4 @@ TEST(ErrorBounds, HalfSpaceErrorIsNotTwiceTooLarge) {
   EXPECT_NE(relation(h, Aabb{x, x}, Arithmetic::plain), expected);
 }
 
-}  // namespace
+}  // namespace error_bounds_test

@@ -13,7 +13,7 @@
 
 #include "box_plane.h"
 
-namespace {
+namespace grid_sign_test {
 
 using namespace occlude::kernel;
 
@@ -149,4 +149,4 @@ TEST(GridSign, OfZerosAlone) {
   EXPECT_EQ(grid_sign({true, {1, 0, 0}, {}, {}, {}, {}}, {-0.0, 5, 5}), 0);
 }
 
-}  // namespace
+}  // namespace grid_sign_test

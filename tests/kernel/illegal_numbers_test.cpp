@@ -20,7 +20,7 @@
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/view_frustum.h"
 
-namespace {
+namespace illegal_numbers_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -114,4 +114,4 @@ TEST(IllegalNumbers, EveryQuestionComesBack) {
   EXPECT_GT(illegal, 1000U);
 }
 
-}  // namespace
+}  // namespace illegal_numbers_test

@@ -20,7 +20,7 @@
 #include "occlude/fuzz/random.h"
 #include "occlude/kernel/overlap.h"
 
-namespace {
+namespace metamorphic_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -210,4 +210,4 @@ TEST_P(Metamorphic, WhatIsWithinABoxInsideIsInside) {
 INSTANTIATE_TEST_SUITE_P(All, Metamorphic, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
                          [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
-}  // namespace
+}  // namespace metamorphic_test

@@ -14,7 +14,7 @@
 #include "occlude/kernel/shadow_union.h"
 #include "occlude/kernel/view_cone.h"
 
-namespace {
+namespace no_frustum_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -128,4 +128,4 @@ TEST_P(NoFrustum, NoPolytopeOrConeIsInside) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, NoFrustum, testing::Values([] { return ShadowFrustum(); }, &refused, &moved_from));
 
-}  // namespace
+}  // namespace no_frustum_test

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace occlude::kernel {
-namespace {
+namespace orientation_test {
 
 double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
@@ -65,5 +65,5 @@ TEST(Orientation, OfWholeNumbersAtEveryScale) {
   }
 }
 
-}  // namespace
+}  // namespace orientation_test
 }  // namespace occlude::kernel

@@ -21,7 +21,7 @@
 #include "plane_coefficients.h"
 #include "polytope_cap.h"
 
-namespace {
+namespace polytope_overlap_test {
 
 using namespace occlude::kernel;
 namespace fuzz = occlude::fuzz;
@@ -305,4 +305,4 @@ TEST_P(BoxesAsPolytopes, AgreeWithTheTestOfBoxes) {
 INSTANTIATE_TEST_SUITE_P(Families, BoxesAsPolytopes, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
                          [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
-}  // namespace
+}  // namespace polytope_overlap_test

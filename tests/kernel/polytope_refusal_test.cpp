@@ -15,7 +15,7 @@
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/shadow_frustum.h"
 
-namespace {
+namespace polytope_refusal_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -274,4 +274,4 @@ TEST(PolytopeSpelling, FacesMayBeCutAndFlatFacesCount) {
   expect_same_answers([](Polytope& polytope) { polytope.faces.push_back({1, 1, 3}); });
 }
 
-}  // namespace
+}  // namespace polytope_refusal_test

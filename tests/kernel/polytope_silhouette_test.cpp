@@ -13,7 +13,7 @@
 #include "occlude/kernel/shadow_frustum.h"
 #include "stored_frustum.h"
 
-namespace {
+namespace polytope_silhouette_test {
 
 using namespace occlude::kernel;
 
@@ -124,8 +124,6 @@ TEST(ShadowFrustum, AssignedIsWhatAMadeOneIs) {
   }
 }
 
-}  // namespace
-
 /// A frustum that was assigned answers overlap tests as one that was made, also before it is prepared for them.
 TEST(ShadowFrustum, OverlapNeedsNoPreparation) {
   const std::vector<Vec3> loop{{4, 0, -1}, {4, 1, 0}, {4, 0, 1}, {4, -1, 0}};
@@ -151,3 +149,5 @@ TEST(ShadowFrustum, OverlapNeedsNoPreparation) {
     EXPECT_GT(beside_planes, 10U);
   }
 }
+
+}  // namespace polytope_silhouette_test

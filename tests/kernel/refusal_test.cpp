@@ -14,7 +14,7 @@
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 
-namespace {
+namespace refusal_test {
 
 using namespace occlude::kernel;
 using Loop = std::vector<Vec3>;
@@ -301,4 +301,4 @@ TEST(SupportPlane, LiesBeyondTheEyeThatIsInThePlaneUpToRounding) {
   EXPECT_EQ(overlap_certified(*made.frustum, Aabb{eye, eye}).relation, Relation::outside);
 }
 
-}  // namespace
+}  // namespace refusal_test

@@ -13,7 +13,7 @@
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/view_cone.h"
 
-namespace {
+namespace rounding_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -68,4 +68,4 @@ TEST(Rounding, ARefusalChangesNoFrustum) {
   EXPECT_EQ(overlap_certified(frustum, behind_near).relation, Relation::inside);
 }
 
-}  // namespace
+}  // namespace rounding_test

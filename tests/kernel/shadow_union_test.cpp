@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace shadow_union_test {
 
 using namespace occlude::kernel;
 
@@ -135,4 +135,4 @@ TEST(ShadowUnion, AgreesWithPoints) {
   EXPECT_LT(unproved, counts[1] / 20);
 }
 
-}  // namespace
+}  // namespace shadow_union_test

@@ -16,7 +16,7 @@
 #include "cone_sweep.h"
 #include "lattice_geometry.h"
 
-namespace {
+namespace view_cone_test {
 
 using namespace occlude::kernel;
 using Loop = std::vector<Vec3>;
@@ -376,4 +376,4 @@ TEST(ConeSweep, AsksForSignsLinearInTheEdges) {
   EXPECT_LE(worst, 10);
 }
 
-}  // namespace
+}  // namespace view_cone_test

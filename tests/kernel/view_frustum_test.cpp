@@ -14,7 +14,7 @@
 #include "occlude/fuzz/cases.h"
 #include "plane_coefficients.h"
 
-namespace {
+namespace view_frustum_test {
 
 using namespace occlude;
 using namespace occlude::kernel;
@@ -111,4 +111,4 @@ TEST(ViewFrustum, AgreesWithShadowFrusta) {
   for (const int count : counts) EXPECT_GT(count, 200);
 }
 
-}  // namespace
+}  // namespace view_frustum_test

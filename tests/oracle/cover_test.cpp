@@ -9,7 +9,7 @@
 #include "occlude/fuzz/random.h"
 #include "occlude/oracle/visibility.h"
 
-namespace {
+namespace cover_test {
 
 using namespace occlude;
 using namespace occlude::oracle;
@@ -78,4 +78,4 @@ TEST(OracleCover, AgreesWithExactVisibility) {
   EXPECT_GT(touching, 5);
 }
 
-}  // namespace
+}  // namespace cover_test

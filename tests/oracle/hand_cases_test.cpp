@@ -18,7 +18,7 @@
 #include "occlude/oracle/second.h"
 
 namespace occlude::oracle {
-namespace {
+namespace hand_cases_test {
 
 using cases::to_oracle;
 
@@ -77,5 +77,5 @@ TEST(HandCases, AreWrittenAsTheyAreRead) {
   }
 }
 
-}  // namespace
+}  // namespace hand_cases_test
 }  // namespace occlude::oracle

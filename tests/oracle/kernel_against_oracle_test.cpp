@@ -10,7 +10,7 @@
 #include "cases/to_oracle.h"
 #include "occlude/fuzz/cases.h"
 
-namespace {
+namespace kernel_against_oracle_test {
 
 using namespace occlude;
 
@@ -52,4 +52,4 @@ TEST_P(Family, CertifiedEqualsOracle) {
 INSTANTIATE_TEST_SUITE_P(All, Family, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
                          [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
-}  // namespace
+}  // namespace kernel_against_oracle_test

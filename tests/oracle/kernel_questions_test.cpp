@@ -24,7 +24,7 @@
 #include "stored_frustum.h"
 
 namespace occlude::oracle {
-namespace {
+namespace kernel_questions_test {
 
 using fuzz::to_oracle;
 
@@ -255,5 +255,5 @@ TEST_P(QuestionsOfFamily, Unions) {
 INSTANTIATE_TEST_SUITE_P(All, QuestionsOfFamily, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
                          [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
-}  // namespace
+}  // namespace kernel_questions_test
 }  // namespace occlude::oracle

@@ -20,7 +20,7 @@
 
 namespace occlude::oracle {
 
-namespace {
+namespace oracle_test {
 
 struct Question {
   Viewpoint view;
@@ -430,5 +430,5 @@ TEST(Oracle, ProvesAViewCullExactly) {
   EXPECT_EQ(refute_view_cull({1, 0, 0, -9}, Aabb{{3, 0, 0}, {2, 0, 0}}), "the box has min > max");
 }
 
-}  // namespace
+}  // namespace oracle_test
 }  // namespace occlude::oracle

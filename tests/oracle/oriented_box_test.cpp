@@ -12,7 +12,7 @@
 #include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
-namespace {
+namespace oriented_box_test {
 
 constexpr Point kZero{};
 
@@ -98,5 +98,5 @@ TEST(OrientedBox, ContainsItsPointsExactly) {
   EXPECT_FALSE(contains(Aabb{{0, 0, 0}, {1, 1, 1}}, {0, above(1), 0.5}));
 }
 
-}  // namespace
+}  // namespace oriented_box_test
 }  // namespace occlude::oracle

@@ -13,7 +13,7 @@
 #include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
-namespace {
+namespace polytope_test {
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
@@ -265,5 +265,5 @@ TEST(Polytope, ProvesAShadowCullOnlyStrictlyBeyondEveryNearPlane) {
   EXPECT_EQ(refute(kFarthest, Obb{{9, 9, 9}, {{{1, 1, 0}, {1, -1, 0}, {0, 0, 1}}}}), "");
 }
 
-}  // namespace
+}  // namespace polytope_test
 }  // namespace occlude::oracle

@@ -13,7 +13,7 @@
 #include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
-namespace {
+namespace questions_test {
 
 constexpr Viewpoint kUp{{0, 0, 1}, true};
 
@@ -295,5 +295,5 @@ TEST(UnionCull, NamesFaults) {
   EXPECT_EQ(good.refute_union_cull(good, Aabb{{1, 1, 1}, {0, 0, 0}}), "the box has min > max");
 }
 
-}  // namespace
+}  // namespace questions_test
 }  // namespace occlude::oracle

@@ -13,7 +13,7 @@
 #include "occlude/oracle/oracle.h"
 
 namespace occlude::oracle {
-namespace {
+namespace second_test {
 
 using fuzz::to_oracle;
 
@@ -45,5 +45,5 @@ TEST_P(SecondOfFamily, AgreesWithTheFirst) {
 INSTANTIATE_TEST_SUITE_P(All, SecondOfFamily, testing::ValuesIn(fuzz::families().begin(), fuzz::families().end()),
                          [](const auto& family) { return std::string(fuzz::name(family.param)); });
 
-}  // namespace
+}  // namespace second_test
 }  // namespace occlude::oracle

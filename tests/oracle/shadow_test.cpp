@@ -12,7 +12,7 @@
 #include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
-namespace {
+namespace shadow_test {
 
 using fuzz::to_oracle;
 
@@ -76,5 +76,5 @@ TEST(Shadow, Moves) {
   EXPECT_EQ(square.relation(at_square).relation, kInside);
 }
 
-}  // namespace
+}  // namespace shadow_test
 }  // namespace occlude::oracle

@@ -10,7 +10,7 @@
 #include "oracle/vocabulary.h"
 
 namespace occlude::oracle {
-namespace {
+namespace solid_test {
 
 /// x, y, z >= 0, x + y + z <= size.
 std::vector<Triangle> tetrahedron(double size) {
@@ -46,5 +46,5 @@ TEST(InnerBox, SegmentsCountToo) {
   EXPECT_EQ(refute_inner_box(solid, {{1, 2, 1}, {2, 3, 2}}), "");
 }
 
-}  // namespace
+}  // namespace solid_test
 }  // namespace occlude::oracle

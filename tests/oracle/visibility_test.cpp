@@ -12,7 +12,7 @@
 
 #include "occlude/fuzz/random.h"
 
-namespace {
+namespace visibility_test {
 
 using namespace occlude;
 using namespace occlude::oracle;
@@ -211,4 +211,4 @@ TEST(Visibility, DoesNotDependOnHowTheSceneIsWritten) {
   }
 }
 
-}  // namespace
+}  // namespace visibility_test

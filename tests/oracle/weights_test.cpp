@@ -18,7 +18,7 @@
 #include "oracle/whole_numbers.h"
 
 namespace occlude::oracle {
-namespace {
+namespace weights_test {
 
 // ------------------------------------------------------------------------------------------------------ linear programmes
 
@@ -318,5 +318,5 @@ TEST(Weights, AgreeWithTheOracle) {
   EXPECT_LT(refused, 2000);
 }
 
-}  // namespace
+}  // namespace weights_test
 }  // namespace occlude::oracle

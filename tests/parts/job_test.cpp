@@ -18,7 +18,7 @@
 #include "occlude/render/packing.h"
 
 namespace occlude::render {
-namespace {
+namespace job_test {
 
 namespace fs = std::filesystem;
 
@@ -179,5 +179,5 @@ TEST(Packing, ReadsBackWhatItWrote) {
   EXPECT_THROW((void)unpacker.get<char>(), std::logic_error);
 }
 
-}  // namespace
+}  // namespace job_test
 }  // namespace occlude::render

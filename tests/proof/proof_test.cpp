@@ -13,7 +13,7 @@
 #include "occlude/culler/culler.h"
 
 namespace occlude::proof {
-namespace {
+namespace proof_test {
 
 using culler::Camera;
 using culler::PolygonSoup;
@@ -234,5 +234,5 @@ TEST(NearPlaneProof, IsExact) {
   EXPECT_TRUE(clips(-1));
 }
 
-}  // namespace
+}  // namespace proof_test
 }  // namespace occlude::proof

@@ -14,7 +14,7 @@
 #include "occlude/render/errors.h"
 
 namespace occlude::render {
-namespace {
+namespace camera_path_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -231,5 +231,5 @@ TEST_F(CameraPathTest, AMissingFileIsNamed) {
   EXPECT_THROW(static_cast<void>(read_camera_path(folder_)), InputError);
 }
 
-}  // namespace
+}  // namespace camera_path_test
 }  // namespace occlude::render

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace chart_test {
 
 using namespace occlude::render;
 
@@ -35,4 +35,4 @@ TEST(Chart, LegendTakesAsManyRowsAsItNeeds) {
   EXPECT_GT(height(line_chart({"x"}, {"y"}, {0, 1}, many)), height(line_chart({"x"}, {"y"}, {0, 1}, few)));
 }
 
-}  // namespace
+}  // namespace chart_test

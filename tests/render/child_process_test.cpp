@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace occlude::render {
-namespace {
+namespace child_process_test {
 
 constexpr ChildLimits kAmple{1ULL << 30U, 60};
 
@@ -98,5 +98,5 @@ TEST(ChildProcess, WritesNoMoreThanItMayHave) {
   EXPECT_EQ(failure(small, write(17)), "fails");
 }
 
-}  // namespace
+}  // namespace child_process_test
 }  // namespace occlude::render

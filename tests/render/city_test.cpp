@@ -17,7 +17,7 @@
 #include <vector>
 
 namespace occlude::render {
-namespace {
+namespace city_test {
 
 __extension__ using Wide = __int128;  // ISO C++ has no integer of 128 bits
 
@@ -300,5 +300,5 @@ TEST(City, PathKeepsClearOfEverythingAndFollowsTheGround) {
   }
 }
 
-}  // namespace
+}  // namespace city_test
 }  // namespace occlude::render

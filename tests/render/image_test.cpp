@@ -15,7 +15,7 @@
 #include "occlude/render/errors.h"
 
 namespace occlude::render {
-namespace {
+namespace image_test {
 
 namespace fs = std::filesystem;
 
@@ -120,5 +120,5 @@ TEST_F(ImageTest, KnowsItsOwnByTheirNames) {
   EXPECT_FALSE(is_own_png(folder_ / "none.png"));
 }
 
-}  // namespace
+}  // namespace image_test
 }  // namespace occlude::render

@@ -13,7 +13,7 @@
 #include "occlude/render/input_limits.h"
 
 namespace occlude::render {
-namespace {
+namespace line_reader_test {
 
 namespace fs = std::filesystem;
 
@@ -76,5 +76,5 @@ TEST_F(LineReaderTest, WhatCannotBeReadIsNamed) {
   EXPECT_EQ(failure("/tmp"), "/tmp: cannot be opened: Is a directory");
 }
 
-}  // namespace
+}  // namespace line_reader_test
 }  // namespace occlude::render

@@ -18,7 +18,7 @@
 #include "occlude/render/input_limits.h"
 
 namespace occlude::render {
-namespace {
+namespace model_io_test {
 
 namespace fs = std::filesystem;
 using culler::PolygonSoup;
@@ -422,5 +422,5 @@ TEST_F(ModelIoTest, VerticesThatNoPolygonHasAreNotImported) {
 
 TEST_F(ModelIoTest, WritingNowhereNamesTheFile) { EXPECT_THROW(save(folder_ / "none" / "a.ply", sample(), ""), InputError); }
 
-}  // namespace
+}  // namespace model_io_test
 }  // namespace occlude::render

@@ -12,7 +12,7 @@
 #include "occlude/render/errors.h"
 
 namespace occlude::render {
-namespace {
+namespace output_file_test {
 
 namespace fs = std::filesystem;
 
@@ -94,5 +94,5 @@ TEST_F(OutputFileTest, ReportsAFullDisk) {
   EXPECT_EQ(fs::status("/dev/full").type(), type);  // a device is written, never replaced
 }
 
-}  // namespace
+}  // namespace output_file_test
 }  // namespace occlude::render

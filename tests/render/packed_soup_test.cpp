@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace occlude::render {
-namespace {
+namespace packed_soup_test {
 
 /// Coordinates of any bits, and polygons of three to nine sides.
 culler::PolygonSoup random_soup(std::uint64_t seed) {
@@ -62,5 +62,5 @@ TEST(PackedSoup, RefusesWhatEndsEarlyOrCountsTooMuch) {
   EXPECT_THROW(static_cast<void>(unpacked(std::string(20, '\xff'))), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace packed_soup_test
 }  // namespace occlude::render

@@ -24,7 +24,7 @@
 #include "page_vain.h"
 #include "template.h"
 
-namespace {
+namespace page_test {
 
 using namespace occlude;
 using namespace occlude::render;
@@ -462,4 +462,4 @@ TEST_F(PageFramesTest, CountWhatWasDrawnInVain) {
   EXPECT_TRUE(std::ranges::equal(read, vain.frames()));
 }
 
-}  // namespace
+}  // namespace page_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace occlude::render {
-namespace {
+namespace path_fit_test {
 
 /// A cube of side 10 at the origin.
 culler::PolygonSoup cube() {
@@ -42,5 +42,5 @@ TEST(PathFit, DoubtsAPathFarFromTheModel) {
   EXPECT_EQ(doubt(telescope), "");
 }
 
-}  // namespace
+}  // namespace path_fit_test
 }  // namespace occlude::render

@@ -14,7 +14,7 @@
 #include "occlude/render/plate_renderer.h"
 
 namespace occlude::render {
-namespace {
+namespace plate_test {
 
 using culler::Camera;
 using culler::PolygonRange;
@@ -240,5 +240,5 @@ TEST_F(PlateTest, FromOutsideARoomIsCutOpen) {
   EXPECT_GT(most, 50);
 }
 
-}  // namespace
+}  // namespace plate_test
 }  // namespace occlude::render

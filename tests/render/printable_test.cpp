@@ -7,7 +7,7 @@
 #include <string>
 
 namespace occlude::render {
-namespace {
+namespace printable_test {
 
 TEST(Printable, TextStays) {
   for (const char* const text : {"", "city.ply", "a b\\c\"d<e>",
@@ -50,5 +50,5 @@ TEST(Printable, LongTextKeepsBothEnds) {
   EXPECT_LT(text.size(), 2100U);
 }
 
-}  // namespace
+}  // namespace printable_test
 }  // namespace occlude::render

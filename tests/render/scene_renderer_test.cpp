@@ -17,7 +17,7 @@
 #include "occlude/render/offscreen_context.h"
 
 namespace occlude::render {
-namespace {
+namespace scene_renderer_test {
 
 using culler::Camera;
 using culler::PolygonSoup;
@@ -318,5 +318,5 @@ TEST_F(SceneRendererTest, NothingHiddenShowsWhereItIsSeenEdgeOn) {
   EXPECT_GT(pixels(items, 0), 100U);
 }
 
-}  // namespace
+}  // namespace scene_renderer_test
 }  // namespace occlude::render

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace occlude::render {
-namespace {
+namespace spread_test {
 
 TEST(Spread, InterpolatesBetweenValues) {
   EXPECT_EQ(quantile({7}, 0.05), 7);
@@ -32,5 +32,5 @@ TEST(Spread, LeavesOutWhatIsNotFinite) {
   EXPECT_FALSE(spread_of({}, Worst::most));
 }
 
-}  // namespace
+}  // namespace spread_test
 }  // namespace occlude::render

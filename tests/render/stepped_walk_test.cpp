@@ -16,7 +16,7 @@
 #include "occlude/render/witness.h"
 
 namespace occlude::render {
-namespace {
+namespace stepped_walk_test {
 
 class Record : public WalkOutput {
  public:
@@ -97,5 +97,5 @@ TEST_F(SteppedWalk, PlatesShowTheCullsOfTheWalk) {
   }
 }
 
-}  // namespace
+}  // namespace stepped_walk_test
 }  // namespace occlude::render

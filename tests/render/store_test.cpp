@@ -23,7 +23,7 @@
 #include "occlude/render/witness.h"
 #include "store_format.h"
 
-namespace {
+namespace store_test {
 
 using namespace occlude;
 using namespace occlude::render;
@@ -243,4 +243,4 @@ TEST_F(StoreTest, ContentsThatCannotBeAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace store_test

@@ -13,7 +13,7 @@
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_page.h"
 
-namespace {
+namespace walk_test {
 
 using namespace occlude;
 using namespace occlude::render;
@@ -263,4 +263,4 @@ TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {
   EXPECT_NE(table.find("<td>With occlusion culling</td><td>0</td><td>&ndash;</td>"), std::string::npos) << table;
 }
 
-}  // namespace
+}  // namespace walk_test

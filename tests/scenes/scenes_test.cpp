@@ -17,7 +17,7 @@
 #include "occlude/fuzz/random.h"
 #include "occlude/render/model_io.h"
 
-namespace {
+namespace scenes_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -168,4 +168,4 @@ TEST_P(Scenes, NothingThatShowsIsCulled) {
 
 INSTANTIATE_TEST_SUITE_P(All, Scenes, testing::ValuesIn(scenes()), name_of);
 
-}  // namespace
+}  // namespace scenes_test

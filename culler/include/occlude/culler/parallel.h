@@ -10,18 +10,19 @@
 
 #include "occlude/culler/checkpoint.h"
 #include "occlude/culler/executor.h"
+#include "occlude/kernel/validity.h"
 
 namespace occlude::culler {
 
 /// Calls checkpoint() and then work(i), once for every i < count, by the executor of the checkpoint. Returns when all calls
 /// have returned. If a call throws, no further calls begin. Once those that run have returned, the first exception is thrown
-/// on.
+/// on. Threads that do not round to nearest call nothing; what they leave, the calling thread does.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work, const Checkpoint& checkpoint = {}) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
-  const auto share = [&](std::size_t) {
+  const auto share = [&] {
     try {
       for (std::size_t i = next++; i < count; i = next++) {
         checkpoint();
@@ -33,8 +34,12 @@ void parallel_for(std::size_t count, Work&& work, const Checkpoint& checkpoint =
       if (!failure) failure = std::current_exception();
     }
   };
+  const auto sound_share = [&](std::size_t) {
+    if (kernel::check_rounding() == kernel::Refusal::none) share();
+  };
   const Executor& executor = checkpoint.executor();
-  executor.run(std::min(executor.threads(), count), share);
+  executor.run(std::min(executor.threads(), count), sound_share);
+  share();
   if (failure) std::rethrow_exception(failure);
 }
 

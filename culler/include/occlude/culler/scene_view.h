@@ -31,7 +31,8 @@ struct SceneOptions {
   /// Whether the objects to draw are listed from front to back. This takes time n log n.
   bool is_front_to_back = false;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
-  /// result is the same, to the order of the list.
+  /// result is the same, to the order of the list. What it throws is thrown on, and all objects that take part are drawn
+  /// then.
   const Executor* executor = nullptr;
 };
 

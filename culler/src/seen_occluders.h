@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Several potential occluders at once: which of them are in view, and how large they look.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "occlude/culler/camera.h"
+#include "occlude/culler/potential_occluders.h"
+
+namespace occlude::culler {
+
+/// At most 32 potential occluders, and what is known of them. Each array has a value for each.
+struct SeenOccluders {
+  static constexpr std::size_t kMost = 32;
+  using Doubles = std::array<double, kMost>;
+
+  void add(const PotentialOccluder& occluder);
+  /// Computes the members that follow `round_area`.
+  void see(const glm::dvec3& eye, std::span<const HalfSpace> view);
+
+  std::size_t size = 0;
+  alignas(64) std::array<Doubles, 3> centre{}, normal{};  ///< by axis; `normal` is PotentialOccluder::area_normal
+  alignas(64) Doubles radius{}, round_area{};
+
+  alignas(64) Doubles angle;  ///< PotentialOccluder::area_angle(eye)
+  /// A bit for each occluder, unless the ball around it is beyond a half-space. This is a heuristic: rounding may give
+  /// either answer.
+  std::uint32_t in_view = 0;
+};
+
+}  // namespace occlude::culler
