@@ -80,7 +80,7 @@ class Filling {
  public:
   Filling(std::span<const HierarchyNode> nodes, const Division& division, std::uint32_t above) : nodes_(nodes) {
     if (above == NodeBlock::kNone) {
-      node_[size_++] = 0;
+      take(division, 0, Division::kParents);
     } else {
       take_children(division, above, Division::kParents);
     }

@@ -22,8 +22,8 @@ namespace occlude::culler {
 /// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
 inline constexpr std::uint32_t kProbed = 64;
 
-/// A part of the tree: nodes that hang together, and are numbered depth-first. Every node but the root is in one block,
-/// below that of its parent or in the same; the root is the only node of the first block.
+/// A part of the tree: nodes that hang together, and are numbered depth-first. Every node is in one block: the root in the
+/// first, any other below that of its parent or in the same.
 struct alignas(64) NodeBlock {
   static constexpr std::size_t kNodes = kernel::BoxBlock::kBoxes;
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();

@@ -38,6 +38,16 @@ constexpr std::size_t kPool = 64;
 /// through the city, Utrecht, the castle and Sponza together.
 constexpr double kNear = 0.8, kNeighbour = 10;
 
+/// Calls take(candidate) for candidates, best first, until it returns false. Few are taken, so they are not all sorted.
+template <class Take>
+void for_best_first(std::vector<Candidate>& candidates, const Take& take) {
+  const auto is_worse = [](const Candidate& a, const Candidate& b) { return b < a; };
+  std::make_heap(candidates.begin(), candidates.end(), is_worse);
+  for (auto end = candidates.end(); end != candidates.begin() && take(candidates.front()); --end) {
+    std::pop_heap(candidates.begin(), end, is_worse);
+  }
+}
+
 /// Whether the silhouettes share two corners. Nothing shows between occluders that share an edge.
 bool share_an_edge(const kernel::ShadowFrustum& a, const kernel::ShadowFrustum& b) {
   return std::ranges::count_if(a.silhouette(), [&](const kernel::Vec3& v) {
@@ -123,11 +133,11 @@ void OccluderChoice::take_proven() {
     proven[in_view++] = {weighted(size, objective.solid_angle) * proven[i].score, proven[i].occluder};
   });
   proven.resize(in_view);
-  std::sort(proven.begin(), proven.end());
-  for (const Candidate& c : proven) {
-    if (is_full()) return;
+  for_best_first(proven, [&](const Candidate& c) {
+    if (is_full()) return false;
     static_cast<void>(take(c.occluder));
-  }
+    return true;
+  });
 }
 
 void OccluderChoice::take_untried() {
@@ -154,12 +164,12 @@ void OccluderChoice::take_probes() {
     const double good = 1 + kNeighbour * goodness_near(c.occluder);
     pool.push_back({c.score * weighted(good, options_.objective.coherence), c.occluder});
   }
-  std::sort(pool.begin(), pool.end());
   are_probes_ = true;
-  for (const Candidate& c : pool) {
-    if (memory_.probes.size() >= options_.probes || !work_.is_left()) return;
+  for_best_first(pool, [&](const Candidate& c) {
+    if (memory_.probes.size() >= options_.probes || !work_.is_left()) return false;
     static_cast<void>(take(c.occluder));
-  }
+    return true;
+  });
 }
 
 void OccluderChoice::note_directions() {

@@ -147,7 +147,7 @@ interrupt INT "$occlude" walk city.ply --path city.json --out stopped --witness 
 
 # A model that does not fit into memory is refused by name.
 awk 'BEGIN { for (i = 1; i <= 2e6; ++i) print "v", i, 0, 0; for (i = 1; i <= 1e6; ++i) print "f", i, i + 1, i + 2 }' >many.obj
-with_little_memory() { (ulimit -v 400000 && timeout 60 "$occlude" "$@"); }
+with_little_memory() { (ulimit -v 200000 && timeout 60 "$occlude" "$@"); }
 if with_little_memory --version >/dev/null 2>&1; then # a sanitizer needs more to begin with
   expect_error "many.obj" with_little_memory walk many.obj --path path.json --no-render --out out
   grep -q 'out of memory' stderr || fail "out of memory: $(cat stderr)"

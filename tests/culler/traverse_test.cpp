@@ -293,16 +293,16 @@ double visits(const NodeBlocks& blocks, const Hierarchy& hierarchy) {
 /// The least such sum of all divisions: of all sets of nodes whose children are in their block.
 double least_visits(std::span<const HierarchyNode> nodes) {
   std::vector<std::uint32_t> inner;
-  std::vector<std::uint32_t> above(nodes.size(), 0);
+  std::vector<std::size_t> above(nodes.size(), nodes.size());  // the root is below nothing
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].is_leaf()) continue;
     inner.push_back(i);
     above[i + 1] = above[nodes[i].right] = i;
   }
   double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t set = 0; set < 1U << inner.size(); set += 2) {  // never the root, which is alone in its block
-    std::vector<bool> is_parent(nodes.size());
-    std::vector<int> parents(nodes.size());  // in the block below a node
+  for (std::uint32_t set = 0; set < 1U << inner.size(); ++set) {
+    std::vector<bool> is_parent(nodes.size() + 1);
+    std::vector<int> parents(nodes.size() + 1);  // in the block below each node, and in the first
     for (std::size_t k = 0; k < inner.size(); ++k) is_parent[inner[k]] = (set >> k & 1) != 0;
     double sum = 0;
     int most = 0;
@@ -311,7 +311,7 @@ double least_visits(std::span<const HierarchyNode> nodes) {
         sum += half_area(nodes[i].box);
         continue;
       }
-      std::uint32_t top = above[i];
+      std::size_t top = above[i];
       while (is_parent[top]) top = above[top];
       most = std::max(most, ++parents[top]);
     }

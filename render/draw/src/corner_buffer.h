@@ -17,20 +17,20 @@ class CornerBuffer {
   CornerBuffer() {
     bind();
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-    glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), offset(offsetof(Corner, position)));
-    glVertexAttribIPointer(kPolygon, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, polygon)));
-    for (const GLuint attribute : {kPosition, kPolygon}) glEnableVertexAttribArray(attribute);
+    gl.VertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), offset(offsetof(Corner, position)));
+    gl.VertexAttribIPointer(kPolygon, 1, GL_UNSIGNED_INT, sizeof(Corner), offset(offsetof(Corner, polygon)));
+    for (const GLuint attribute : {kPosition, kPolygon}) gl.EnableVertexAttribArray(attribute);
   }
 
   void bind() const {
-    glBindVertexArray(layout_.name());
-    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    gl.BindVertexArray(layout_.name());
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   }
 
   void upload(const std::vector<Corner>& corners) const {
     bind();
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(), GL_STATIC_DRAW);
-    if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL has no memory for the model");
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(Corner)), corners.data(), GL_STATIC_DRAW);
+    if (gl.GetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL has no memory for the model");
   }
 
  private:

@@ -28,51 +28,51 @@ void flip(Raster<Pixel>& raster) {
 
 FrameBuffer::FrameBuffer(int width, int height) : width_(width), height_(height) {
   GLint largest = 0;
-  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
   if (width < 1 || height < 1 || width > largest || height > largest)
     throw std::runtime_error(
         fmt::format("cannot draw a picture of {}x{} pixels (1x1 to {}x{} are possible)", width, height, largest, largest));
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   attach(colour_, GL_RGBA8, kColour);
   attach(items_, GL_R32UI, kItems);
   attach(depth_, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw std::runtime_error(fmt::format("OpenGL offers no buffers for a picture of {}x{} pixels", width, height));
 }
 
 void FrameBuffer::attach(const GlRenderbuffer& buffer, GLenum format, GLenum attachment) {
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-  glRenderbufferStorage(GL_RENDERBUFFER, format, width_, height_);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
+  gl.BindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+  gl.RenderbufferStorage(GL_RENDERBUFFER, format, width_, height_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
 void FrameBuffer::begin(GLenum attachment) const {
   constexpr float kFarthest = 0;
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glViewport(0, 0, width_, height_);
-  glDrawBuffers(1, &attachment);
-  glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  gl.Viewport(0, 0, width_, height_);
+  gl.DrawBuffers(1, &attachment);
+  gl.ClearBufferfv(GL_DEPTH, 0, &kFarthest);
 }
 
 void FrameBuffer::begin_picture(const Rgba& sky) {
   const std::array<float, 4> colour = {unit(sky.r), unit(sky.g), unit(sky.b), 1};
   begin(kColour);
-  glClearBufferfv(GL_COLOR, 0, colour.data());
+  gl.ClearBufferfv(GL_COLOR, 0, colour.data());
 }
 
 void FrameBuffer::begin_items() {
   constexpr std::array<GLuint, 4> kNoItem = {kNothing, 0, 0, 0};
   begin(kItems);
-  glClearBufferuiv(GL_COLOR, 0, kNoItem.data());
+  gl.ClearBufferuiv(GL_COLOR, 0, kNoItem.data());
 }
 
 template <class Pixel>
 Raster<Pixel> FrameBuffer::read(GLenum attachment, GLenum format, GLenum type) const {
   Raster<Pixel> raster{width_, height_, {}};
   raster.pixels.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glReadBuffer(attachment);
-  glReadPixels(0, 0, width_, height_, format, type, raster.pixels.data());
+  gl.BindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  gl.ReadBuffer(attachment);
+  gl.ReadPixels(0, 0, width_, height_, format, type, raster.pixels.data());
   flip(raster);
   return raster;
 }

@@ -1,16 +1,36 @@
 // SPDX-License-Identifier: MIT
-// The OpenGL functions we call. Those of version 4.3 and before are linked: every OpenGL library exports them.
+// The OpenGL functions that we call. They are called as gl.BindBuffer(…).
+//
+// They are loaded with the first OffscreenContext and not with the program: their library takes longer to load than most
+// commands take that draw nothing.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+// clang-format off
+#define OCCLUDE_GL_FUNCTIONS(DO) \
+  DO(AttachShader) DO(BindBuffer) DO(BindFramebuffer) DO(BindRenderbuffer) DO(BindVertexArray) DO(BufferData) \
+  DO(CheckFramebufferStatus) DO(ClearBufferfv) DO(ClearBufferuiv) DO(ClipControl) DO(CompileShader) DO(CreateProgram) \
+  DO(CreateShader) DO(DeleteBuffers) DO(DeleteFramebuffers) DO(DeleteProgram) DO(DeleteRenderbuffers) DO(DeleteShader) \
+  DO(DeleteVertexArrays) DO(DepthFunc) DO(DrawBuffers) DO(Enable) DO(EnableVertexAttribArray) DO(Finish) \
+  DO(FramebufferRenderbuffer) DO(GenBuffers) DO(GenFramebuffers) DO(GenRenderbuffers) DO(GenVertexArrays) DO(GetError) \
+  DO(GetIntegerv) DO(GetProgramInfoLog) DO(GetProgramiv) DO(GetString) DO(GetUniformLocation) DO(LinkProgram) \
+  DO(MultiDrawArrays) DO(PolygonOffset) DO(ReadBuffer) DO(ReadPixels) DO(RenderbufferStorage) DO(ShaderSource) \
+  DO(Uniform1f) DO(Uniform3fv) DO(UniformMatrix4fv) DO(UseProgram) DO(VertexAttribIPointer) DO(VertexAttribPointer) \
+  DO(Viewport)
+// clang-format on
+
 namespace occlude::render {
 
-using GlFunction = void (*)();
+struct Gl {
+#define OCCLUDE_GL_POINTER(name) decltype(&::gl##name) name = nullptr;
+  OCCLUDE_GL_FUNCTIONS(OCCLUDE_GL_POINTER)
+#undef OCCLUDE_GL_POINTER
+};
 
-/// A newer OpenGL function by name, from the library that provides the OffscreenContext; null if there is none.
-[[nodiscard]] GlFunction gl_function(const char* name);
+/// Null before the first context.
+inline Gl gl;
 
 }  // namespace occlude::render

@@ -7,11 +7,11 @@
 namespace occlude::render {
 
 /// Owns one object made by `Create` and destroyed by `Delete`. REQUIRES: its context outlives it.
-template <auto Create, auto Delete>
+template <auto Gl::* Create, auto Gl::* Delete>
 class GlObject {
  public:
-  GlObject() { Create(1, &name_); }
-  ~GlObject() { Delete(1, &name_); }
+  GlObject() { (gl.*Create)(1, &name_); }
+  ~GlObject() { (gl.*Delete)(1, &name_); }
   GlObject(const GlObject&) = delete;
   GlObject& operator=(const GlObject&) = delete;
 
@@ -21,9 +21,9 @@ class GlObject {
   GLuint name_ = 0;
 };
 
-using GlBuffer = GlObject<glGenBuffers, glDeleteBuffers>;
-using GlVertexArray = GlObject<glGenVertexArrays, glDeleteVertexArrays>;
-using GlRenderbuffer = GlObject<glGenRenderbuffers, glDeleteRenderbuffers>;
-using GlFramebuffer = GlObject<glGenFramebuffers, glDeleteFramebuffers>;
+using GlBuffer = GlObject<&Gl::GenBuffers, &Gl::DeleteBuffers>;
+using GlVertexArray = GlObject<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>;
+using GlRenderbuffer = GlObject<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>;
+using GlFramebuffer = GlObject<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>;
 
 }  // namespace occlude::render

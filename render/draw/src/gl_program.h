@@ -13,18 +13,18 @@ namespace occlude::render {
 class GlProgram {
  public:
   GlProgram(const char* vertex_shader, const char* fragment_shader);
-  ~GlProgram() { glDeleteProgram(name_); }
+  ~GlProgram() { gl.DeleteProgram(name_); }
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;
 
-  void use() const { glUseProgram(name_); }
+  void use() const { gl.UseProgram(name_); }
   /// Sets a uniform; ignores one that the shaders do not use. REQUIRES: the program is in use.
   void set(const char* uniform, float value) const;
   void set(const char* uniform, const glm::vec3& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 
  private:
-  [[nodiscard]] GLint location(const char* uniform) const { return glGetUniformLocation(name_, uniform); }
+  [[nodiscard]] GLint location(const char* uniform) const { return gl.GetUniformLocation(name_, uniform); }
   void attach(GLenum stage, const char* text) const;
 
   GLuint name_;

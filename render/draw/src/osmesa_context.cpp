@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "gl.h"
+// gl.h must come first.
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -9,11 +12,11 @@
 #include <latch>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
 
-#include "gl.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/resource_limits.h"
 
@@ -50,6 +53,45 @@ void draw_alone_if_need_be() {
   setenv("LP_NUM_THREADS", "0", kKeepWhatTheUserSet);
 }
 
+/// The library, of which what we build with has the headers alone.
+constexpr const char* kLibrary = "libOSMesa.so.8";
+
+/// Addresses that it takes with LLVM and all else that it needs.
+constexpr std::uint64_t kForLibrary = std::uint64_t{256} << 20U;
+
+/// The functions of OSMesa. Making one loads them, and those of OpenGL. The library stays loaded, because LLVM runs code when
+/// the program ends.
+struct OsMesa {
+  decltype(&::OSMesaCreateContextAttribs) create_context = nullptr;
+  decltype(&::OSMesaMakeCurrent) make_current = nullptr;
+  decltype(&::OSMesaDestroyContext) destroy_context = nullptr;
+
+  OsMesa() {
+    if (!can_have_memory(kForLibrary)) throw std::bad_alloc();
+    void* const library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw std::runtime_error(std::string("drawing needs OSMesa: ") + dlerror());
+    load(library, "OSMesaCreateContextAttribs", create_context);
+    load(library, "OSMesaMakeCurrent", make_current);
+    load(library, "OSMesaDestroyContext", destroy_context);
+    decltype(&::OSMesaGetProcAddress) of_opengl = nullptr;
+    load(library, "OSMesaGetProcAddress", of_opengl);
+#define OCCLUDE_GL_LOAD(name) take("gl" #name, of_opengl("gl" #name), gl.name);
+    OCCLUDE_GL_FUNCTIONS(OCCLUDE_GL_LOAD)
+#undef OCCLUDE_GL_LOAD
+  }
+
+ private:
+  template <class Function>
+  static void load(void* library, const char* name, Function& function) {
+    take(name, dlsym(library, name), function);
+  }
+  template <class Found, class Function>
+  static void take(const char* name, Found found, Function& function) {
+    if (found == nullptr) throw std::runtime_error(std::string(kLibrary) + " has no " + name);
+    function = reinterpret_cast<Function>(found);
+  }
+};
+
 class OsMesaContext : public OffscreenContext {
  public:
   OsMesaContext() {
@@ -66,30 +108,34 @@ class OsMesaContext : public OffscreenContext {
                                                 OSMESA_CONTEXT_MINOR_VERSION,
                                                 5,
                                                 0};
-    context_ = OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
+    context_ = library_.create_context(kAttributes.data(), nullptr);
     if (context_ == nullptr) throw std::runtime_error("OSMesa offers no OpenGL 4.5 core context");
-    if (OSMesaMakeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
-      OSMesaDestroyContext(context_);
+    if (library_.make_current(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
+      library_.destroy_context(context_);
       throw std::runtime_error("OSMesa cannot make its context current");
     }
   }
   ~OsMesaContext() override {
-    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    OSMesaDestroyContext(context_);
+    library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    library_.destroy_context(context_);
   }
   OsMesaContext(const OsMesaContext&) = delete;
   OsMesaContext& operator=(const OsMesaContext&) = delete;
 
-  [[nodiscard]] std::string description() const override { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }
+  [[nodiscard]] std::string description() const override { return reinterpret_cast<const char*>(gl.GetString(GL_RENDERER)); }
 
  private:
+  static const OsMesa& library() {
+    static const OsMesa loaded;
+    return loaded;
+  }
+
+  const OsMesa& library_ = library();
   OSMesaContext context_;
   std::array<std::uint8_t, 4> pixel_{};  ///< required by OSMesa; we draw into framebuffer objects
 };
 
 }  // namespace
-
-GlFunction gl_function(const char* name) { return OSMesaGetProcAddress(name); }
 
 std::unique_ptr<OffscreenContext> make_offscreen_context() { return std::make_unique<OsMesaContext>(); }
 

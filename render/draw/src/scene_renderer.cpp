@@ -81,14 +81,11 @@ void set_eye(const GlProgram& program, const glm::dvec3& eye_from_centre) {
   program.set("eye_low", glm::vec3(eye_from_centre - glm::dvec3(high)));
 }
 
-/// glClipControl is loaded by name: not every OpenGL library exports it.
 void use_reversed_depth() {
-  const auto clip_control = reinterpret_cast<PFNGLCLIPCONTROLPROC>(gl_function("glClipControl"));
-  if (clip_control == nullptr) throw std::runtime_error("OpenGL offers no glClipControl");
-  clip_control(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glEnable(GL_DEPTH_TEST);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(kDepthSlope, 0);
+  gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Enable(GL_POLYGON_OFFSET_FILL);
+  gl.PolygonOffset(kDepthSlope, 0);
 }
 
 }  // namespace
@@ -123,13 +120,13 @@ void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler:
   program.set("clip_from_eye_relative", clip_from_eye_relative(camera, extent, shift));
   set_eye(program, camera.eye - centre);
   corners.bind();
-  glDepthFunc(GL_GREATER);
+  gl.DepthFunc(GL_GREATER);
 }
 
 void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges) const {
   DrawRanges runs;
   for (const PolygonRange& range : ranges) runs.add(first_corner[range.first], first_corner[range.first + range.count]);
-  glMultiDrawArrays(GL_TRIANGLES, runs.first.data(), runs.count.data(), static_cast<GLsizei>(runs.first.size()));
+  gl.MultiDrawArrays(GL_TRIANGLES, runs.first.data(), runs.count.data(), static_cast<GLsizei>(runs.first.size()));
 }
 
 SceneRenderer::SceneRenderer(culler::SoupView soup, int width, int height)
@@ -152,7 +149,7 @@ void SceneRenderer::draw(const culler::Camera& camera, std::span<const PolygonRa
   impl_->picture.set("haze", static_cast<float>(1 / haze_depth(camera)));
   impl_->picture.set("sky", glm::vec3(kSky.r, kSky.g, kSky.b) / 255.0F);
   impl_->draw_polygons(ranges);
-  glFinish();
+  gl.Finish();
 }
 
 Image SceneRenderer::image() const { return impl_->target.image(); }
