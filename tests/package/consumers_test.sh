@@ -95,9 +95,10 @@ else
   fail "CMake in C: does not build: $(cat log)"
 fi
 
-# These build the libraries anew: in few optimisations and few files, because that is most of the time.
+# These build the libraries anew: in few optimisations and few files, and the first for one instruction set alone, because that
+# is most of the time.
 anew=(-DOCCLUDE_FOLDER="$source" -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
-cmake_consumer add_subdirectory -DOCCLUDE_BY=add_subdirectory "${anew[@]}"
+cmake_consumer add_subdirectory -DOCCLUDE_BY=add_subdirectory "${anew[@]}" -DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC
 cmake_consumer hostile_FetchContent -DOCCLUDE_BY=FetchContent "${anew[@]}" \
   -DCMAKE_CXX_FLAGS='-O1 -ffast-math -Wall -Wextra -Werror'
 

@@ -7,7 +7,7 @@
 namespace occlude::render {
 
 /// Owns one object made by `Create` and destroyed by `Delete`. REQUIRES: its context outlives it.
-template <auto Gl::* Create, auto Gl::* Delete>
+template <auto Gl::*Create, auto Gl::*Delete>
 class GlObject {
  public:
   GlObject() { (gl.*Create)(1, &name_); }

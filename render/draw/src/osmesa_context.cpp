@@ -59,8 +59,8 @@ constexpr const char* kLibrary = "libOSMesa.so.8";
 /// Addresses that it takes with LLVM and all else that it needs.
 constexpr std::uint64_t kForLibrary = std::uint64_t{256} << 20U;
 
-/// The functions of OSMesa. Making one loads them, and those of OpenGL. The library stays loaded, because LLVM runs code when
-/// the program ends.
+/// The functions of OSMesa. Making one loads them, and those of OpenGL. The library stays loaded, because LLVM runs code
+/// when the program ends.
 struct OsMesa {
   decltype(&::OSMesaCreateContextAttribs) create_context = nullptr;
   decltype(&::OSMesaMakeCurrent) make_current = nullptr;
