@@ -84,19 +84,19 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
 OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.taken(); }
 
 void OccluderChoice::sort_candidates() {
-  const auto [listed, hidden] = occluders_.lists().list(view_.eye);
+  const OccluderLists::List listed = occluders_.lists().list(view_.eye);
   const Objective& objective = options_.objective;
   std::vector<Candidate>& candidates = memory_.candidates;
   candidates.clear();
-  const auto listed_at = [&](std::size_t i) { return listed[i]; };
-  for_each_in_view(listed.size(), listed_at, [&](std::size_t i, double size) {
+  const auto listed_at = [&](std::size_t i) { return listed.occluders[i]; };
+  for_each_in_view(listed.occluders.size(), listed_at, [&](std::size_t i, double size) {
     double score = weighted(size, objective.solid_angle);
-    if (!hidden.empty()) score *= weighted(1 + double{hidden[i]}, objective.depth_complexity);
-    candidates.push_back({score, listed[i]});
+    if (!listed.hidden.empty()) score *= weighted(1 + double{listed.hidden[i]}, objective.depth_complexity);
+    candidates.push_back({score, listed.occluders[i]});
   });
   memory_.order.update(candidates, occluders_.size());
   CullStats& stats = memory_.result.stats;
-  stats.potential_occluders = listed.size();
+  stats.potential_occluders = listed.occluders.size();
   stats.occluders_in_view = candidates.size();
   stats.sort_kept = memory_.order.kept();
   stats.sort_moves = memory_.order.moves();
