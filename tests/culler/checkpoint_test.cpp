@@ -82,7 +82,8 @@ TEST(Checkpoint, SaysOnWhichThreads) {
   const Executor mine(3, [&](std::size_t count, const Executor::Part& part) {
     for (std::size_t i = 0; i < count; ++i, ++parts) part(i);
   });
-  const Culler culler(soup, BuildConfig{}, Checkpoint(mine)), other(soup);
+  const BuildConfig config{.lists = {.regions = 64}};
+  const Culler culler(soup, config, Checkpoint(mine)), other(soup, config);
   for (const Method method : {Method::frusta, Method::cover}) {
     parts = 0;
     culler.prepare(method, Checkpoint(mine));

@@ -378,7 +378,7 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
 
 /// The choice of each frame depends on what was counted in those before.
 TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
-  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
   for (const CullOptions& options : {CullOptions{}, CullOptions{.occluders = 0}, CullOptions{.occluders = 3, .probes = 0},
                                      CullOptions{.near = kernel::Near::farthest}, CullOptions{.unions = true}}) {
     const Walk expected = walk_on(culler, Executor(), options);
@@ -393,7 +393,7 @@ TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
 
 /// Its subtrees are left to the calling thread.
 TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
-  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
   View view;
   std::size_t asked = 0, done = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
@@ -415,7 +415,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
 }
 
 TEST(Culler, AFrameWhoseExecutorThrowsDrawsEverything) {
-  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}});
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
   const Executor full(2, [](std::size_t, const Executor::Part& part) {
     part(0);
     throw std::runtime_error("the queue is full");
