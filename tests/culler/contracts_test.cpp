@@ -46,7 +46,9 @@ void expect_same(const CullResult& a, const CullResult& b) {
 constexpr int kFrames = 6;
 
 TEST(View, StartsAnewWithAnotherCuller) {
-  const Culler large(random_town_of_houses(1, 3000)), small(random_town_of_houses(2, 120)), other(random_town(3, 3000));
+  const BuildConfig config{.lists = {.regions = 256}};
+  const Culler large(random_town_of_houses(1, 3000), config), small(random_town_of_houses(2, 120), config),
+      other(random_town(3, 3000), config);
   for (const Method method : {Method::frusta, Method::cover}) {
     CullOptions options;
     options.method = method;
