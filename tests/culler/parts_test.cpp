@@ -244,8 +244,9 @@ TEST_F(ForgedPart, OfTheBoxes) {
 TEST(Parts, RefuseTreesDeeperThanAStack) {
   PolygonSoup soup;
   for (int i = 0; i < 20000; ++i) add(soup, {{i, 0, 0}, {i, 1, 0}, {i, 0, 1}});
+  const Culler sound(soup, {.hierarchy = {.leaf_size = 4096}, .lists = {.regions = 1}});
   const auto with_chain = [&](U32 levels) {  // of one polygon each, and what is left
-    ForgedParts forged(Culler(soup, {.hierarchy = {.leaf_size = 4096}, .lists = {.regions = 1}}));
+    ForgedParts forged(sound);
     const auto order = forged.get<U32>("order");
     std::vector<HierarchyNode> nodes;
     const auto node = [&](U32 first, U32 count, U32 right) {
