@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cfenv>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "executors.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/parallel.h"
@@ -93,11 +93,7 @@ TEST(Checkpoint, SaysOnWhichThreads) {
 }
 
 TEST(Checkpoint, AThreadThatRoundsOtherwiseDoesNothing) {
-  const Executor upwards(3, [](std::size_t count, const Executor::Part& part) {
-    std::fesetround(FE_UPWARD);
-    for (std::size_t i = 0; i < count; ++i) part(i);
-    std::fesetround(FE_TONEAREST);
-  });
+  const Executor upwards = rounding_upwards(3);
   std::vector<int> done(1000);
   const auto work = [&](std::size_t i) { done[i] += kernel::check_rounding() == kernel::Refusal::none ? 1 : 1000; };
   parallel_for(done.size(), work, Checkpoint(upwards));

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -397,9 +396,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   View view;
   std::size_t asked = 0, done = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
-    std::fesetround(FE_UPWARD);
-    for (std::size_t i = 0; i < count; ++i) part(i);
-    std::fesetround(FE_TONEAREST);
+    rounding_upwards(2).run(count, part);
     asked += count;
     for (std::size_t i = 0; i < count; ++i) done += view.memory().parts.put_off.subtrees[i].is_done ? 1 : 0;
   });

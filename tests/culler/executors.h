@@ -2,6 +2,7 @@
 // Executors that run parts in different orders and on different threads.
 #pragma once
 
+#include <cfenv>
 #include <cstddef>
 #include <thread>
 #include <vector>
@@ -20,6 +21,15 @@ inline std::vector<Executor> some_executors() {
     for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
   };
   return {Executor(), Executor(5, backwards), Executor(3, threads), Executor::own_threads()};
+}
+
+/// Rounds upwards while its parts run.
+inline Executor rounding_upwards(std::size_t threads) {
+  return {threads, [](std::size_t count, const Executor::Part& part) {
+            std::fesetround(FE_UPWARD);
+            for (std::size_t i = 0; i < count; ++i) part(i);
+            std::fesetround(FE_TONEAREST);
+          }};
 }
 
 }  // namespace occlude::culler

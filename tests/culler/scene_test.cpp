@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -939,9 +938,7 @@ TEST(Scene, AThreadThatRoundsOtherwiseDecidesNothing) {
   SceneView view;
   std::size_t asked = 0, listed = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
-    std::fesetround(FE_UPWARD);
-    for (std::size_t i = 0; i < count; ++i) part(i);
-    std::fesetround(FE_TONEAREST);
+    rounding_upwards(2).run(count, part);
     asked += count;
     for (const auto& of_view : view.memory().parts) listed += of_view.is_listed ? 1 : 0;
   });

@@ -53,7 +53,7 @@ void draw_alone_if_need_be() {
   setenv("LP_NUM_THREADS", "0", kKeepWhatTheUserSet);
 }
 
-/// The library, of which what we build with has the headers alone.
+/// Loaded by name. Only the headers of the library are used to build.
 constexpr const char* kLibrary = "libOSMesa.so.8";
 
 /// Addresses that it takes with LLVM and all else that it needs.
