@@ -21,12 +21,12 @@ constexpr std::array<double, 4> kRegions{512, 4096, 32768, 262144};
 constexpr std::array<double, 5> kThresholds{0.003, 0.01, 0.03, 0.1, 0.3};
 
 /// A point and its timings, one number per round.
-struct Trial {
+struct SweepTrial {
   SweepPoint point;
   std::vector<double> preprocess_s, cull_ms;
 };
 
-void run(Trial& trial, const Subject& subject, const Options& options) {
+void run(SweepTrial& trial, const Subject& subject, const Options& options) {
   culler::BuildConfig config = options.walk.build;
   config.lists = trial.point.lists;
   const render::Stopwatch stopwatch;
@@ -40,7 +40,7 @@ void run(Trial& trial, const Subject& subject, const Options& options) {
   trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
 }
 
-SweepPoint point_of(const Trial& trial, const Trial& standard) {
+SweepPoint point_of(const SweepTrial& trial, const SweepTrial& standard) {
   SweepPoint point = trial.point;
   point.preprocess_s = bench::median(trial.preprocess_s);
   point.cull_ms = bench::median(trial.cull_ms);
@@ -56,7 +56,7 @@ SweepPoint point_of(const Trial& trial, const Trial& standard) {
 
 Sweeps measure_sweeps(const Subject& subject, const Options& options) {
   const Lists standard = options.walk.build.lists;
-  std::vector<Trial> trials;
+  std::vector<SweepTrial> trials;
   const auto add = [&](const auto& change) {
     Lists lists = standard;
     change(lists);
@@ -66,7 +66,7 @@ Sweeps measure_sweeps(const Subject& subject, const Options& options) {
   for (const double regions : kRegions) add([&](Lists& lists) { lists.regions = regions; });
   for (const double threshold : kThresholds) add([&](Lists& lists) { lists.threshold = threshold; });
 
-  run_in_rounds("sweeps: lists", options.repetitions, trials, [&](Trial& trial) { run(trial, subject, options); });
+  run_in_rounds("sweeps: lists", options.repetitions, trials, [&](SweepTrial& trial) { run(trial, subject, options); });
   Sweeps sweeps;
   for (std::size_t i = 1; i < trials.size(); ++i) {
     (i <= kRegions.size() ? sweeps.regions : sweeps.threshold).push_back(point_of(trials[i], trials[0]));

@@ -17,7 +17,7 @@ namespace {
 using culler::PolygonRange;
 
 /// A prepared way and what it has shown so far.
-struct Trial {
+struct VisibilityTrial {
   std::unique_ptr<VisibilityWay> way;
   WayResult result;
   std::vector<std::vector<double>> cull_ms;  ///< of each frame, a number for each round
@@ -30,7 +30,7 @@ class Judge {
   Judge(culler::SoupView soup, const render::WalkOptions& walk) : soup_(soup), renderer_(soup, walk.width, walk.height) {}
 
   /// The ways have culled for this camera; the first is the view frustum alone.
-  void judge(const culler::Camera& camera, std::vector<Trial>& trials) {
+  void judge(const culler::Camera& camera, std::vector<VisibilityTrial>& trials) {
     const PolygonRange all = soup_.all();
     const render::ItemBuffer shown = renderer_.item_buffer(camera, std::span(&all, 1));
     std::vector<bool> is_shown(soup_.size());
@@ -38,7 +38,7 @@ class Judge {
       if (polygon != render::kNothing) is_shown[polygon] = true;
     }
     const std::vector<bool> is_in_view = culler::polygons_of(trials.front().way->drawn(), soup_.size());
-    for (Trial& trial : trials) {
+    for (VisibilityTrial& trial : trials) {
       render::check_interrupt();
       const std::vector<PolygonRange> ranges = trial.way->drawn();
       const std::vector<bool> is_drawn = culler::polygons_of(ranges, soup_.size());
@@ -69,12 +69,12 @@ class Judge {
   std::size_t hidden_ = 0;
 };
 
-std::vector<Trial> prepare(const std::vector<UnpreparedWay>& ways, std::size_t frames) {
-  std::vector<Trial> trials;
+std::vector<VisibilityTrial> prepare(const std::vector<UnpreparedWay>& ways, std::size_t frames) {
+  std::vector<VisibilityTrial> trials;
   render::Progress progress("prepared", ways.size());
   for (const UnpreparedWay& way : ways) {
     render::check_interrupt();
-    Trial trial;
+    VisibilityTrial trial;
     const ProcessorTime time(ProcessorTime::Of::process);
     trial.way = way.prepare();
     trial.result.prepare_ms = time.milliseconds();
@@ -89,11 +89,11 @@ std::vector<Trial> prepare(const std::vector<UnpreparedWay>& ways, std::size_t f
 
 /// Each way culls the frame, beginning with another one from frame to frame and from round to round: whoever comes later
 /// finds caches warm or cold.
-void cull_frame(std::vector<Trial>& trials, std::size_t i, std::size_t frame, const culler::Camera& camera,
+void cull_frame(std::vector<VisibilityTrial>& trials, std::size_t i, std::size_t frame, const culler::Camera& camera,
                 std::size_t round) {
   for (std::size_t k = 0; k < trials.size(); ++k) {
     render::check_interrupt();
-    Trial& trial = trials[(k + i + round) % trials.size()];
+    VisibilityTrial& trial = trials[(k + i + round) % trials.size()];
     trial.way->move_to(frame);
     const ProcessorTime time(ProcessorTime::Of::thread);
     trial.way->cull(camera);
@@ -103,11 +103,11 @@ void cull_frame(std::vector<Trial>& trials, std::size_t i, std::size_t frame, co
 
 /// Every way culls all frames in every round. After the first round, which is judged and warms up, times count.
 void cull_in_rounds(const Subject& subject, const VisibilityOptions& options, const std::vector<std::size_t>& frames,
-                    std::vector<Trial>& trials, Judge& judge) {
+                    std::vector<VisibilityTrial>& trials, Judge& judge) {
   render::Progress progress("frame", frames.size() * (options.repetitions + 1));
   std::size_t done = 0;
   for (std::size_t round = 0; round <= options.repetitions; ++round) {
-    for (Trial& trial : trials) trial.way->restart();
+    for (VisibilityTrial& trial : trials) trial.way->restart();
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const culler::Camera camera = subject.path.camera(frames[i], aspect(options.walk));
       cull_frame(trials, i, frames[i], camera, round);
@@ -115,11 +115,11 @@ void cull_in_rounds(const Subject& subject, const VisibilityOptions& options, co
       progress.update(++done);
     }
     if (round > 0) continue;
-    for (Trial& trial : trials) std::ranges::for_each(trial.cull_ms, [](auto& times) { times.clear(); });
+    for (VisibilityTrial& trial : trials) std::ranges::for_each(trial.cull_ms, [](auto& times) { times.clear(); });
   }
 }
 
-WayResult summarise(Trial& trial, std::size_t hidden) {
+WayResult summarise(VisibilityTrial& trial, std::size_t hidden) {
   WayResult& result = trial.result;
   const auto frames = static_cast<double>(trial.cull_ms.size());
   for (const std::vector<double>& times : trial.cull_ms) {
@@ -150,10 +150,10 @@ VisibilityResult measure_visibility(const Subject& subject, const VisibilityOpti
     result.rivals.push_back(rival.project);
     ways.insert(ways.end(), rival.ways.begin(), rival.ways.end());
   }
-  std::vector<Trial> trials = prepare(ways, frames.size());
+  std::vector<VisibilityTrial> trials = prepare(ways, frames.size());
   Judge judge(tree.soup(), options.walk);
   cull_in_rounds(subject, options, frames, trials, judge);
-  for (Trial& trial : trials) result.ways.push_back(summarise(trial, judge.hidden()));
+  for (VisibilityTrial& trial : trials) result.ways.push_back(summarise(trial, judge.hidden()));
   result.in_view = result.ways.front().drawn;
   result.hidden = static_cast<double>(judge.hidden()) / static_cast<double>(frames.size());
   return result;
