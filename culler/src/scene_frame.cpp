@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -15,10 +14,10 @@
 #include "cover_descent.h"
 #include "drawn_groups.h"
 #include "object_listing.h"
-#include "occlude/kernel/validity.h"
 #include "packed_descent.h"
 #include "placed.h"
 #include "prepared_mesh.h"
+#include "run_parts.h"
 
 namespace occlude::culler {
 namespace {
@@ -201,19 +200,13 @@ class SceneFrame {
     }
   }
 
-  /// Lists them by the executor. A part whose thread rounds otherwise is left to the calling thread.
+  /// Lists them by the executor.
   void list_parts() {
     const Executor this_thread;
     const Executor& executor = options_.executor == nullptr ? this_thread : *options_.executor;
     divide(4 * executor.threads());
-    const auto try_part = [&](std::size_t i) {
-      if (kernel::check_rounding() == kernel::Refusal::none) list(memory_.parts[i]);
-    };
-    executor.run(memory_.parts.size(), std::cref(try_part));
-    for (Part& part : memory_.parts) {
-      if (!part.is_listed) list(part);
-      add(part.listing);
-    }
+    run_parts(executor, std::span(memory_.parts), [&](Part& part) { list(part); });
+    for (Part& part : memory_.parts) add(part.listing);
     memory_.parts.clear();  // they refer to this frame
   }
 
@@ -222,7 +215,6 @@ class SceneFrame {
       if (i + 1 < part.groups.size()) prefetch(objects_.group(part.groups[i + 1].group));
       part.listing.list(objects_.group(part.groups[i].group), part.groups[i].across);
     }
-    part.is_listed = true;
   }
 
   /// Lists all objects that take part, whatever was found.

@@ -31,7 +31,7 @@ struct SceneView::Memory {
   struct Part {
     std::span<const SeenGroup> groups;
     ObjectListing listing;
-    bool is_listed = false;
+    bool is_done = false;
   };
 
   SceneResult result;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <new>
 #include <span>
 #include <vector>
 
@@ -16,7 +14,7 @@
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/executor.h"
-#include "occlude/kernel/validity.h"
+#include "run_parts.h"
 #include "traverse.h"
 
 namespace occlude::culler {
@@ -62,11 +60,7 @@ class TraversalInParts {
     if (parts_.put_off.size == 0) return;
     try {
       for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
-      const auto try_part = [&](std::size_t i) { try_to_traverse(subtrees()[i]); };
-      executor->run(parts_.put_off.size, std::cref(try_part));
-      for (PutOffSubtree& subtree : subtrees()) {
-        if (!subtree.is_done) traverse(subtree);
-      }
+      run_parts(*executor, subtrees(), [&](PutOffSubtree& subtree) { traverse(subtree); });
       join();
     } catch (...) {
       draw_all();
@@ -99,21 +93,11 @@ class TraversalInParts {
     subtree.is_done = false;
   }
 
-  /// On any thread. One that rounds otherwise, or has no memory, leaves the subtree to the calling thread.
-  void try_to_traverse(PutOffSubtree& subtree) const {
-    if (kernel::check_rounding() != kernel::Refusal::none) return;
-    try {
-      traverse(subtree);
-    } catch (const std::bad_alloc&) {
-      // It is not done.
-    }
-  }
   void traverse(PutOffSubtree& subtree) const {
     subtree.found.drawn.clear();
     subtree.found.culled.clear();
     subtree.found.stats = {};
     Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, subtree.found, subtree.memory).run(subtree);
-    subtree.is_done = true;
   }
 
   void draw_all() {

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "bounds.h"
 #include "cover_triangles.h"
 #include "forged_parts.h"
 #include "frames.h"
@@ -248,24 +249,18 @@ TEST(Parts, RefuseTreesDeeperThanAStack) {
   const auto with_chain = [&](U32 levels) {  // of one polygon each, and what is left
     ForgedParts forged(sound);
     const auto order = forged.get<U32>("order");
-    std::vector<HierarchyNode> nodes;
-    const auto node = [&](U32 first, U32 count, U32 right) {
-      kernel::Aabb box = soup.box(order[first]);
-      for (U32 p = first; p < first + count; ++p) {
-        const kernel::Aabb other = soup.box(order[p]);
-        for (int axis = 0; axis < 3; ++axis) {
-          box.min[axis] = std::min(box.min[axis], other.min[axis]);
-          box.max[axis] = std::max(box.max[axis], other.max[axis]);
-        }
-      }
-      nodes.push_back({box, first, count, right});
-    };
     const auto count = static_cast<U32>(soup.size());
-    for (U32 level = 0; level < levels; ++level) {
-      node(level, count - level, 2 * level + 2);
-      node(level, 1, 0);
+    std::vector<kernel::Aabb> boxes_from(count);  // of a polygon and all after it
+    for (U32 p = count; p-- > 0;) {
+      boxes_from[p] = soup.box(order[p]);
+      if (p + 1 < count) grow(boxes_from[p], boxes_from[p + 1]);
     }
-    node(levels, count - levels, 0);
+    std::vector<HierarchyNode> nodes;
+    for (U32 level = 0; level < levels; ++level) {
+      nodes.push_back({boxes_from[level], level, count - level, 2 * level + 2});
+      nodes.push_back({soup.box(order[level]), level, 1, 0});
+    }
+    nodes.push_back({boxes_from[levels], levels, count - levels, 0});
     forged.set("nodes", nodes);
     for (const std::string& name : std::vector<std::string>(forged.names())) {
       if (Culler::method_of(name)) forged.erase(name);
