@@ -55,25 +55,33 @@ void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const Cull
   memory.result.margin = ShadowMargin(memory.view, options.margin);
 }
 
-/// Culls by frusta, as in the paper. `occluders` may be null if options.occluders is 0. REQUIRES: begin_frame() was called.
+/// Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
+/// frusta. What hid something in earlier frames comes first (4, criterion 3).
+inline void choose_occluders(const OccluderSet& occluders, const CullOptions& options, View::Memory& memory) {
+  OccluderChoice choice(occluders, memory.view, options, memory);
+  const bool is_coherent = options.objective.coherence != 0;
+  choice.sort_candidates();
+  if (is_coherent) choice.take_proven();
+  if (is_coherent) choice.take_untried();
+  choice.take_best();
+  if (is_coherent) choice.take_probes();
+  if (options.unions) choice.pair_neighbours();
+}
+
+/// Culls by frusta, as in the paper. `occluders` may be null if options.occluders is 0. What is thrown leaves a result that
+/// draws everything. REQUIRES: begin_frame() was called.
 inline void cull_by_frusta(const Hierarchy& hierarchy, const NodeBlocks& blocks, const OccluderSet* occluders,
                            const CullOptions& options, View::Memory& memory) {
-  // Section 4.2: of the list of the eye's region, those in view are sorted by the objective, and the best n_occ get shadow
-  // frusta. What hid something in earlier frames comes first (4, criterion 3).
-  if (options.occluders > 0) {
-    OccluderChoice choice(*occluders, memory.view, options, memory);
-    const bool is_coherent = options.objective.coherence != 0;
-    choice.sort_candidates();
-    if (is_coherent) choice.take_proven();
-    if (is_coherent) choice.take_untried();
-    choice.take_best();
-    if (is_coherent) choice.take_probes();
-    if (options.unions) choice.pair_neighbours();
-  }
+  try {
+    if (options.occluders > 0) choose_occluders(*occluders, options, memory);
 
-  // Section 5: one descent of the tree culls by the half-spaces and by the shadows, and draws.
-  const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
-  traverse(blocks, hierarchy, occluders, unwatched, options, memory);
+    // Section 5: one descent of the tree culls by the half-spaces and by the shadows, and draws.
+    const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
+    traverse(blocks, hierarchy, occluders, unwatched, options, memory);
+  } catch (...) {
+    memory.draw_all(hierarchy.soup().all());
+    throw;
+  }
 
   // For the next frame: what each occluder hid, and what each probe would have hidden.
   memory.history.record(occluders == nullptr ? 0 : occluders->size(), memory.result.occluders, memory.probes);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 #include "bounds.h"
 #include "each_bit.h"
+#include "run_parts.h"
 #include "seen_occluders.h"
 #include "shadow_rule.h"
 #include "solid_angle.h"
@@ -38,6 +40,10 @@ constexpr std::size_t kPool = 64;
 /// through the city, Utrecht, the castle and Sponza together.
 constexpr double kNear = 0.8, kNeighbour = 10;
 
+/// A list is scored in parts of at least so many occluders, which take about 20 us, several times what it takes to wake a
+/// thread. A thread that comes late finds that others have done most of its parts.
+constexpr std::size_t kLeastOfPart = 1024, kPartsOfThread = 4;
+
 /// Calls take(candidate) for candidates, best first, until it returns false. Few are taken, so they are not all sorted.
 template <class Take>
 void for_best_first(std::vector<Candidate>& candidates, const Take& take) {
@@ -66,6 +72,9 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   const std::size_t candidates = std::max({occluders.lists().longest(), remembered, kPool});
   memory.order.reserve(candidates, all);
   memory.candidates.reserve(candidates);
+  const std::size_t longest = occluders.lists().longest(), parts = std::min(most_parts(), longest / kLeastOfPart);
+  if (memory.list_parts.size() < parts) memory.list_parts.resize(parts);
+  for (ListPart& part : memory.list_parts) part.candidates.reserve(longest / std::max<std::size_t>(parts, 1) + 1);
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
   memory.directions.reserve(std::min(all, options.occluders));
@@ -85,33 +94,63 @@ OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.tak
 
 void OccluderChoice::sort_candidates() {
   const OccluderLists::List listed = occluders_.lists().list(view_.eye);
-  const Objective& objective = options_.objective;
-  std::vector<Candidate>& candidates = memory_.candidates;
-  candidates.clear();
-  const auto listed_at = [&](std::size_t i) { return listed.occluders[i]; };
-  for_each_in_view(listed.occluders.size(), listed_at, [&](std::size_t i, double size) {
-    double score = weighted(size, objective.solid_angle);
-    if (!listed.hidden.empty()) score *= weighted(1 + double{listed.hidden[i]}, objective.depth_complexity);
-    candidates.push_back({score, listed.occluders[i]});
-  });
-  memory_.order.update(candidates, occluders_.size());
+  memory_.candidates.clear();
+  find_candidates(listed);
+  memory_.order.update(memory_.candidates, occluders_.size());
   CullStats& stats = memory_.result.stats;
   stats.potential_occluders = listed.occluders.size();
-  stats.occluders_in_view = candidates.size();
+  stats.occluders_in_view = memory_.candidates.size();
   stats.sort_kept = memory_.order.kept();
   stats.sort_moves = memory_.order.moves();
 }
 
-/// Calls visit(i, size) for each of `count` occluders that is in view, with how large it looks. occluder_at(i) is its
-/// number.
+/// Scores those of the list that are in view, a long list in parts, in the order of the list.
+void OccluderChoice::find_candidates(const OccluderLists::List& listed) {
+  const std::size_t count = listed.occluders.size();
+  const std::size_t parts = std::min(most_parts(), count / kLeastOfPart);
+  if (parts <= 1) return find_candidates(listed, 0, count, memory_.candidates);
+  const std::span<ListPart> all = std::span(memory_.list_parts).first(parts);
+  for (std::size_t i = 0; i < parts; ++i) {
+    all[i].first = count * i / parts;
+    all[i].end = count * (i + 1) / parts;
+    all[i].is_done = false;
+  }
+  run_parts(*options_.executor, all, [&](ListPart& part) {
+    part.candidates.clear();
+    find_candidates(listed, part.first, part.end, part.candidates);
+  });
+  for (const ListPart& part : all) {
+    memory_.candidates.insert(memory_.candidates.end(), part.candidates.begin(), part.candidates.end());
+  }
+}
+
+void OccluderChoice::find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
+                                     std::vector<Candidate>& found) const {
+  const Objective& objective = options_.objective;
+  const auto listed_at = [&](std::size_t i) { return listed.occluders[i]; };
+  for_each_in_view(first, end, listed_at, [&](std::size_t i, double size) {
+    double score = weighted(size, objective.solid_angle);
+    if (!listed.hidden.empty()) score *= weighted(1 + double{listed.hidden[i]}, objective.depth_complexity);
+    found.push_back({score, listed.occluders[i]});
+  });
+}
+
+std::size_t OccluderChoice::most_parts() const {
+  const Executor* executor = options_.executor;
+  return executor == nullptr || executor->threads() <= 1 ? 1 : kPartsOfThread * executor->threads();
+}
+
+/// Calls visit(i, size) for each of the occluders from `first` to before `end` that is in view, with how large it looks.
+/// occluder_at(i) is its number.
 template <class OccluderAt, class Visit>
-void OccluderChoice::for_each_in_view(std::size_t count, const OccluderAt& occluder_at, const Visit& visit) const {
+void OccluderChoice::for_each_in_view(std::size_t first, std::size_t end, const OccluderAt& occluder_at,
+                                      const Visit& visit) const {
   const Objective::Angle angle = options_.objective.angle;
   const bool is_area_angle = view_.is_perspective && angle == Objective::Angle::area;
   SeenOccluders seen;
-  for (std::size_t first = 0; first < count; first += SeenOccluders::kMost) {
+  for (; first < end; first += SeenOccluders::kMost) {
     seen.size = 0;
-    for (std::size_t i = first; i < std::min(count, first + SeenOccluders::kMost); ++i) seen.add(occluders_[occluder_at(i)]);
+    for (std::size_t i = first; i < std::min(end, first + SeenOccluders::kMost); ++i) seen.add(occluders_[occluder_at(i)]);
     seen.see(view_.eye, memory_.result.view);
     for_each_bit(seen.in_view, [&](std::uint32_t k) {
       const std::size_t i = first + k;
@@ -129,7 +168,7 @@ void OccluderChoice::take_proven() {
   }
   std::size_t in_view = 0;
   const auto proven_at = [&](std::size_t i) { return proven[i].occluder; };
-  for_each_in_view(proven.size(), proven_at, [&](std::size_t i, double size) {
+  for_each_in_view(0, proven.size(), proven_at, [&](std::size_t i, double size) {
     proven[in_view++] = {weighted(size, objective.solid_angle) * proven[i].score, proven[i].occluder};
   });
   proven.resize(in_view);

@@ -49,7 +49,11 @@ class OccluderChoice {
 
  private:
   template <class OccluderAt, class Visit>
-  void for_each_in_view(std::size_t count, const OccluderAt& occluder_at, const Visit& visit) const;
+  void for_each_in_view(std::size_t first, std::size_t end, const OccluderAt& occluder_at, const Visit& visit) const;
+  void find_candidates(const OccluderLists::List& listed);
+  void find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
+                       std::vector<Candidate>& found) const;
+  [[nodiscard]] std::size_t most_parts() const;
   void note_directions();
   [[nodiscard]] double goodness_near(std::uint32_t i) const;
   [[nodiscard]] glm::dvec3 direction_of(std::uint32_t i) const;

@@ -52,20 +52,15 @@ class TraversalInParts {
       : blocks_(blocks), tests_(tests), shadows_(shadows), result_(result), memory_(memory), parts_(parts) {}
 
   /// `planes` has a bit for each half-space of the view. Pairs share a budget, in the order of the tree (kMostPairWork):
-  /// where there are any, nothing is put off. What the executor throws is thrown on; everything is drawn then.
+  /// where there are any, nothing is put off. What the executor throws is thrown on.
   void run(std::uint32_t planes, const Executor* executor) {
     const bool is_alone = executor == nullptr || executor->threads() <= 1 || !result_.pairs.empty();
     set_limits(is_alone ? 0 : executor->threads());
     Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, result_, memory_).run(planes, parts_.put_off);
     if (parts_.put_off.size == 0) return;
-    try {
-      for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
-      run_parts(*executor, subtrees(), [&](PutOffSubtree& subtree) { traverse(subtree); });
-      join();
-    } catch (...) {
-      draw_all();
-      throw;
-    }
+    for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
+    run_parts(*executor, subtrees(), [&](PutOffSubtree& subtree) { traverse(subtree); });
+    join();
   }
 
  private:
@@ -98,13 +93,6 @@ class TraversalInParts {
     subtree.found.culled.clear();
     subtree.found.stats = {};
     Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, subtree.found, subtree.memory).run(subtree);
-  }
-
-  void draw_all() {
-    result_.culled.clear();
-    result_.drawn.assign(1, {0, items()});
-    result_.stats.drawn_polygons = items();
-    result_.stats.view_culled_polygons = result_.stats.shadow_culled_polygons = 0;
   }
 
   void join() {

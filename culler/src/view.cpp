@@ -92,4 +92,11 @@ void View::Memory::begin_frame(std::size_t nodes) {
   result.culled.reserve(leaves);
 }
 
+void View::Memory::draw_all(const PolygonRange& polygons) {
+  result.culled.clear();
+  result.drawn.assign(1, polygons);
+  result.stats.drawn_polygons = polygons.count;
+  result.stats.view_culled_polygons = result.stats.shadow_culled_polygons = 0;
+}
+
 }  // namespace occlude::culler

@@ -39,6 +39,13 @@ struct ShadowCaster {
   bool are_surface;                      ///< whether the parts are in the surface at which the shadow begins
 };
 
+/// A part of a list, from `first` to before `end`, and what of it is in view.
+struct ListPart {
+  std::size_t first = 0, end = 0;
+  std::vector<Candidate> candidates;
+  bool is_done = false;
+};
+
 /// The result of trying to take an occluder.
 enum class Trial : std::uint8_t { none, taken, refused };
 static_assert(Trial{} == Trial::none);
@@ -51,6 +58,7 @@ struct View::Memory {
   FollowedSilhouettes silhouettes;
 
   std::vector<Candidate> candidates;
+  std::vector<ListPart> list_parts;
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
   std::vector<OccluderDirection> directions;
@@ -79,6 +87,8 @@ struct View::Memory {
   /// or cull of a tree of this many nodes, so that no frame after the first allocates. Memory that is never written to takes
   /// only addresses.
   void begin_frame(std::size_t nodes);
+  /// Makes the result one that culls nothing of a model of these polygons. REQUIRES: begin_frame() was called.
+  void draw_all(const PolygonRange& polygons);
 };
 
 }  // namespace occlude::culler

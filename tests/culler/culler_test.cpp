@@ -353,6 +353,7 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
 struct Walk {
   std::vector<std::size_t> found;
   std::size_t put_off = 0;  ///< subtrees
+  std::size_t scored = 0;   ///< parts of lists
 };
 Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options) {
   options.executor = &executor;
@@ -370,7 +371,10 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
     walk.found.insert(walk.found.end(), {stats.nodes_visited, stats.view_tests, stats.shadow_tests, stats.union_tests,
                                          stats.probe_tests, stats.exact_shadow_tests, stats.drawn_polygons,
                                          stats.view_culled_polygons, stats.shadow_culled_polygons});
+    walk.found.insert(walk.found.end(),
+                      {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept, stats.sort_moves});
     walk.put_off += view.memory().parts.put_off.size;
+    walk.scored += static_cast<std::size_t>(std::ranges::count_if(view.memory().list_parts, &ListPart::is_done));
   }
   return walk;
 }
@@ -388,6 +392,39 @@ TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
       EXPECT_EQ(walk.put_off > 60, executor.threads() > 1) << executor.threads() << " threads";
     }
   }
+}
+
+/// All that looks large from somewhere is listed, and scored in parts.
+TEST(Culler, AWalkWithALongListDoesNotDependOnTheExecutor) {
+  const Culler culler(random_town_of_houses(11, 12000),
+                      {.hierarchy = {.leaf_size = 4}, .lists = {.threshold = 1e-9, .regions = 1}});
+  ASSERT_GT(culler.occluders().lists().longest(), 8192U);
+  const Walk expected = walk_on(culler, Executor(), {});
+  EXPECT_EQ(expected.scored, 0U);
+  for (const Executor& executor : some_executors()) {
+    const Walk walk = walk_on(culler, executor, {});
+    EXPECT_EQ(walk.found, expected.found) << executor.threads() << " threads";
+    EXPECT_EQ(walk.scored > 60, executor.threads() > 1) << executor.threads() << " threads";
+  }
+}
+
+TEST(Culler, AFrameWhoseListIsNotScoredDrawsEverything) {
+  const Culler culler(random_town_of_houses(11, 12000), {.lists = {.threshold = 1e-9, .regions = 1}});
+  std::size_t calls = 0;
+  const Executor full(2, [&](std::size_t, const Executor::Part& part) {
+    ++calls;
+    part(0);
+    throw std::runtime_error("the queue is full");
+  });
+  View view;
+  Camera camera;
+  camera.eye = {-45, 0, 2};
+  camera.target = {0, 0, 2};
+  EXPECT_THROW(culler.cull(camera, {.executor = &full}, view), std::runtime_error);
+  EXPECT_EQ(calls, 1U);
+  EXPECT_TRUE(view.result().occluders.empty()) << "it was the list that threw";
+  EXPECT_EQ(view.result().drawn, (std::vector<PolygonRange>{culler.hierarchy().soup().all()}));
+  EXPECT_LT(culler.cull(camera, {}, view).stats.drawn_polygons, culler.hierarchy().soup().size());
 }
 
 /// Its subtrees are left to the calling thread.
