@@ -40,8 +40,8 @@ constexpr std::size_t kPool = 64;
 /// through the city, Utrecht, the castle and Sponza together.
 constexpr double kNear = 0.8, kNeighbour = 10;
 
-/// A list is scored in parts of at least so many occluders, which take about 20 us, several times what it takes to wake a
-/// thread. A thread that comes late finds that others have done most of its parts.
+/// A list is scored in parts of at least so many occluders: a short one is not worth waking a thread. A thread that comes
+/// late finds that others have done most of its parts.
 constexpr std::size_t kLeastOfPart = 1024, kPartsOfThread = 4;
 
 /// Calls take(candidate) for candidates, best first, until it returns false. Few are taken, so they are not all sorted.
@@ -72,9 +72,12 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   const std::size_t candidates = std::max({occluders.lists().longest(), remembered, kPool});
   memory.order.reserve(candidates, all);
   memory.candidates.reserve(candidates);
-  const std::size_t longest = occluders.lists().longest(), parts = std::min(most_parts(), longest / kLeastOfPart);
-  if (memory.list_parts.size() < parts) memory.list_parts.resize(parts);
-  for (ListPart& part : memory.list_parts) part.candidates.reserve(longest / std::max<std::size_t>(parts, 1) + 1);
+  // A list in fewer parts than the longest has fewer than 2 * kLeastOfPart in each.
+  const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
+  if (parts > 1) {
+    if (memory.list_parts.size() < parts) memory.list_parts.resize(parts);
+    for (ListPart& part : memory.list_parts) part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1));
+  }
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
   memory.directions.reserve(std::min(all, options.occluders));
@@ -107,8 +110,8 @@ void OccluderChoice::sort_candidates() {
 /// Scores those of the list that are in view, a long list in parts, in the order of the list.
 void OccluderChoice::find_candidates(const OccluderLists::List& listed) {
   const std::size_t count = listed.occluders.size();
-  const std::size_t parts = std::min(most_parts(), count / kLeastOfPart);
-  if (parts <= 1) return find_candidates(listed, 0, count, memory_.candidates);
+  const std::size_t parts = parts_of(count);
+  if (parts == 1) return find_candidates(listed, 0, count, memory_.candidates);
   const std::span<ListPart> all = std::span(memory_.list_parts).first(parts);
   for (std::size_t i = 0; i < parts; ++i) {
     all[i].first = count * i / parts;
@@ -135,9 +138,11 @@ void OccluderChoice::find_candidates(const OccluderLists::List& listed, std::siz
   });
 }
 
-std::size_t OccluderChoice::most_parts() const {
+/// In how many parts a list of so many is scored.
+std::size_t OccluderChoice::parts_of(std::size_t listed) const {
   const Executor* executor = options_.executor;
-  return executor == nullptr || executor->threads() <= 1 ? 1 : kPartsOfThread * executor->threads();
+  if (executor == nullptr || executor->threads() == 1) return 1;
+  return std::clamp<std::size_t>(listed / kLeastOfPart, 1, kPartsOfThread * executor->threads());
 }
 
 /// Calls visit(i, size) for each of the occluders from `first` to before `end` that is in view, with how large it looks.

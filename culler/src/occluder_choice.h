@@ -53,7 +53,7 @@ class OccluderChoice {
   void find_candidates(const OccluderLists::List& listed);
   void find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
                        std::vector<Candidate>& found) const;
-  [[nodiscard]] std::size_t most_parts() const;
+  [[nodiscard]] std::size_t parts_of(std::size_t listed) const;
   void note_directions();
   [[nodiscard]] double goodness_near(std::uint32_t i) const;
   [[nodiscard]] glm::dvec3 direction_of(std::uint32_t i) const;
