@@ -94,9 +94,13 @@ class CoverBuffer {
   /// second. The models tried take a tenth of it.
   static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
-  /// The smallest rectangle that holds all tiles of the piece that it may close or bring nearer; none if there are no such
-  /// tiles.
-  [[nodiscard]] std::optional<PixelRectangle> tiles_to_draw() const;
+  [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
+  /// Whether something with this nearness would bring a pixel of the tile nearer.
+  [[nodiscard]] bool is_nearer(int tile_x, int tile_y, float nearness) const {
+    return nearness > farthest_[tile_at(tile_x, tile_y)];
+  }
+  template <class Nearness>
+  [[nodiscard]] std::optional<PixelRectangle> tiles_within(const PixelRectangle& r, const Nearness& nearness) const;
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {

@@ -11,7 +11,7 @@ void CoverGroup::reserve(std::size_t triangles) {
   triangle_index_.reserve(triangles);
   vertices_.reserve(3 * triangles);
   triangles_.reserve(triangles);
-  next_.reserve(triangles);
+  next_.reserve(3 * triangles);
   polygons_.reserve(triangles);
   ids_.reserve(triangles);
 }
@@ -31,8 +31,9 @@ void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, con
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     CoverMesh::Triangle own{};
     for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t known = vertex_index_.size();
       own[i] = vertex_index_.number(corners[i]);
-      if (own[i] != vertices_.size()) continue;
+      if (own[i] != known) continue;
       const glm::dvec3& vertex = triangles.vertex(corners[i]);
       vertices_.push_back(stand.placement == nullptr ? vertex : to_glm(placed(*stand.placement, to_kernel(vertex))));
     }
@@ -44,7 +45,7 @@ void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, con
 }
 
 CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& stand) {
-  next_.resize(triangles_.size());
+  next_.resize(3 * triangles_.size());
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     const auto& next = triangles.next(ids_[t]);
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -55,7 +56,7 @@ CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& st
         step = triangles.next(step.side / 3)[step.side % 3];
         owner = triangle_index_.find(step.side / 3);
       }
-      next_[t][i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
+      next_[3 * t + i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
     }
   }
   return {vertices_, triangles_, next_, stand.front};

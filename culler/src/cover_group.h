@@ -41,7 +41,7 @@ class CoverGroup {
   LocalIndex vertex_index_, triangle_index_;
   std::vector<glm::dvec3> vertices_;
   std::vector<CoverMesh::Triangle> triangles_;
-  std::vector<CoverMesh::Next> next_;
+  std::vector<std::uint32_t> next_;            ///< of each side, as the mesh has it
   std::vector<std::uint32_t> polygons_, ids_;  ///< for each triangle: its polygon, and its number among all triangles
 };
 

@@ -22,6 +22,7 @@
 #include "beam_picture.h"
 #include "cover_border.h"
 #include "cover_mesh.h"
+#include "cover_outline.h"
 #include "cover_sheets.h"
 #include "cover_tile.h"
 
@@ -38,45 +39,40 @@ class CoverPiece {
   void see(const CoverMesh& mesh);
   [[nodiscard]] std::size_t sheets() const { return sheets_.size(); }
 
-  /// Finds where a sheet is in the picture. Returns false if it closes nothing.
+  /// Finds where a sheet is in the picture. Returns false if it closes nothing, or so little that it is not worth drawing.
   [[nodiscard]] bool find(std::size_t sheet);
   /// The tiles that hold all pixels which the sheet may close.
   [[nodiscard]] const PixelRectangle& tiles() const { return found_; }
   /// The sheet is nowhere nearer than this.
   [[nodiscard]] float nearest() const { return nearest_; }
 
-  /// Draws the sheet that was found into these tiles. REQUIRES: at least one tile, all of them in the picture.
-  void draw(const PixelRectangle& tiles);
-  /// The pixels of a tile that the sheet closes.
-  [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
-  /// In this tile the sheet is nowhere less near than this.
+  /// Finds how near the sheet that was found is in these tiles. REQUIRES: at least one tile, all of them in the picture.
+  void lay(const PixelRectangle& tiles);
+  /// In this tile the sheet is nowhere less near than this; infinity if it is not there. So after lay().
   [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
-  /// The work of the last draw(): the tiles of the triangles drawn.
+  /// The work of the last lay(): the tiles of the triangles.
   [[nodiscard]] std::size_t work() const { return work_; }
+  /// Draws the border of the sheet into these tiles. REQUIRES: at least one tile, all of them among those of lay().
+  void draw(const PixelRectangle& tiles);
+  /// The pixels of a tile that the sheet closes. So after draw().
+  [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
   /// A rectangle that holds a triangle of the mesh with its error; none if the triangle is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;
 
  private:
-  /// A vertex in the picture. It is not set for a vertex before the near plane.
-  struct Vertex {
-    Corner corner;
-    float nearness;  ///< a lower bound
-  };
-  /// What is drawn of a triangle: a convex loop.
-  struct Outline;
-
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
-  [[nodiscard]] Vertex vertex(const Seen& seen) const;
+  [[nodiscard]] CoverVertex vertex(const Seen& seen) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
-  [[nodiscard]] Vertex cut(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] Outline outline(const CoverMesh::Triangle& triangle) const;
+  [[nodiscard]] CoverVertex cut(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const;
   void clear(const PixelRectangle& tiles);
-  void take(std::uint32_t triangle);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
-  void lay_depth(const CoverMesh::Triangle& triangle, const Outline& outline);
-  void lay(int tile_x, int tile_y, float nearness);
+  [[nodiscard]] bool is_within(const CoverOutline::Extent& extent) const;
+  void lay(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
+  void lay(const PixelRectangle& tiles, float nearness);
+  void lower(int tile_x, int tile_y, float nearness);
   void draw_sides(std::uint32_t triangle);
-  [[nodiscard]] bool is_taken(std::uint32_t triangle) const { return taken_[triangle] == piece_; }
+  [[nodiscard]] bool is_in_sheet(std::uint32_t triangle) const { return sheet_of_[triangle] == laid_sheets_; }
   [[nodiscard]] bool is_first(std::uint32_t side) const;
   void draw_edge(std::uint32_t from, std::uint32_t to, int degree);
   void draw_cut(const CoverMesh::Triangle& triangle, int degree);
@@ -85,20 +81,21 @@ class CoverPiece {
   std::vector<double> slopes_x_, slopes_y_;  ///< of the rays along the borders of tiles
   double reach_ = 0;                         ///< as SeenPlane takes it
   CoverMesh mesh_;
-  std::vector<Seen> seen_;  ///< the vertices
-  std::vector<Vertex> vertices_;
-  std::vector<std::int8_t> signs_;  ///< of each triangle: 1, 0 if it hides nothing, or -1 if it is turned over
+  std::vector<Seen> seen_;             ///< the vertices
+  std::vector<CoverVertex> vertices_;  ///< not set for those before the near plane
+  std::vector<std::int8_t> signs_;     ///< of each triangle: 1, 0 if it hides nothing, or -1 if it is turned over
   CoverSheets sheets_;
   std::span<const std::uint32_t> sheet_;  ///< the triangles of the sheet that was found
-  std::vector<std::uint32_t> taken_;      ///< for each triangle, the last piece_ that it was drawn for
+  std::vector<CoverOutline> outlines_;    ///< of these
+  std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of laid_sheets_ that it was laid for
   bool is_cut_ = false;
-  PixelRectangle found_{};      ///< tiles
-  PixelRectangle rectangle_{};  ///< pixels that are drawn
+  PixelRectangle found_{};  ///< tiles
+  PixelRectangle laid_{};   ///< pixels
   float nearest_ = 0;
   std::size_t work_ = 0;
 
   int tiles_across_ = 0;
-  std::uint32_t piece_ = 0;  ///< counts the sheets drawn of the mesh
+  std::uint32_t laid_sheets_ = 0;  ///< counts those of the mesh
   CoverBorder border_;
   std::vector<std::uint64_t> closed_;  ///< of each tile
   std::vector<float> nearness_;

@@ -8,6 +8,7 @@ namespace occlude::culler {
 
 void CoverSheets::reserve(std::size_t triangles) {
   sets_.reserve(triangles);
+  is_inner_.reserve(3 * triangles);
   sheet_of_.reserve(triangles);
   triangles_.reserve(triangles);
   begins_.reserve(triangles + 1);
@@ -17,6 +18,7 @@ void CoverSheets::reserve(std::size_t triangles) {
 void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs) {
   const auto count = static_cast<std::uint32_t>(signs.size());
   sets_.reset(count);
+  is_inner_.assign(3 * std::size_t{count}, 0);
   for (std::uint32_t side = 0; side < 3 * count; ++side) join_ring(mesh, signs, side);
   // Orders sheets by their first triangles, and the triangles of a sheet by number.
   sheet_of_.assign(count, 0);
@@ -50,7 +52,9 @@ void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> 
   if (mesh.next_of(second) == first) {
     const std::uint32_t a = first / 3, b = second / 3;
     const bool is_along = mesh.triangles[a][first % 3] == mesh.triangles[b][second % 3];
-    if (signs[a] * signs[b] == (is_along ? -1 : 1)) join(a, b);
+    if (signs[a] * signs[b] != (is_along ? -1 : 1)) return;
+    is_inner_[first] = is_inner_[second] = 1;
+    join(a, b);
     return;
   }
   std::array<std::uint32_t, kMostInRing> ring{};

@@ -28,11 +28,11 @@ using Mask = hn::Mask<FloatTag>;
 constexpr FloatTag kFloats;
 constexpr IntegerTag kIntegers;
 
-/// The numbers of at most `most` among `count` numbers, as bits. REQUIRES: count is a multiple of eight, at most 64.
-template <int count>
-HWY_INLINE std::uint64_t at_most(const float* numbers, float most) {
+/// A bit for each of the numbers from `first` to before `end` that is at most `most`: bit i for number i. REQUIRES: `first`
+/// and `end` are multiples of eight, at most 64, and first < end.
+HWY_INLINE std::uint64_t at_most(const float* numbers, float most, std::size_t first, std::size_t end) {
   std::uint64_t result = 0;
-  for (std::size_t i = 0; i < count; i += hn::Lanes(kFloats)) {
+  for (std::size_t i = first; i < end; i += hn::Lanes(kFloats)) {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFloats, hn::Le(hn::LoadU(kFloats, numbers + i), hn::Set(kFloats, most)), bits);
     result |= std::uint64_t{bits[0]} << i;
@@ -46,11 +46,12 @@ HWY_INLINE std::uint64_t from_to(int first, int end) {
   return below(end) & ~below(first);
 }
 
-/// The bits of a row of a tile, in each row from `first` to before `end`.
-HWY_INLINE std::uint64_t in_rows(std::uint64_t row, int first, int end) {
-  const int rows = std::min(end, kTile) - std::max(first, 0);
+/// How many pixels of a tile have a nearness of at most `most`, of those in the columns of a mask and in rows from `first`
+/// to before `end`.
+HWY_INLINE int open_in_tile(const float* pixels, float most, std::uint64_t columns, int first, int end) {
   constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101;
-  return (row * kEachRow >> (kTile * (kTile - rows))) << (kTile * std::max(first, 0));
+  const auto at = [](int row) { return static_cast<std::size_t>(row) * kTile; };
+  return std::popcount(at_most(pixels, most, at(first), at(end)) & columns * kEachRow);
 }
 
 int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
@@ -58,14 +59,14 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
   const int first = r.x0 / kTile, end = (r.x1 + kTile - 1) / kTile;
   int found = 0;
   for (int ty = r.y0 / kTile; ty * kTile < r.y1; ++ty) {
+    const int row0 = std::max(r.y0 - ty * kTile, 0), row1 = std::min(r.y1 - ty * kTile, kTile);
     for (int tx = first; tx < end; tx += kTile) {
       const int tile = ty * picture.tiles_across + tx;
-      std::uint64_t left = at_most<kTile>(picture.farthest + tile, most) & from_to(0, end - tx);
+      std::uint64_t left = at_most(picture.farthest + tile, most, 0, kTile) & from_to(0, end - tx);
       for (; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left), x = (tx + i) * kTile;
-        const std::uint64_t asked = in_rows(from_to(r.x0 - x, r.x1 - x), r.y0 - ty * kTile, r.y1 - ty * kTile);
         const float* const pixels = picture.nearness + (tile + i) * static_cast<int>(kTilePixels);
-        found += std::popcount(at_most<kTilePixels>(pixels, most) & asked);
+        found += open_in_tile(pixels, most, from_to(r.x0 - x, r.x1 - x), row0, row1);
         if (found >= enough) return found;
       }
     }

@@ -48,8 +48,8 @@ class NodeTests {
     if (alone == 0) return;
     for_each_bit(which, [&](std::uint32_t plane) {
       for_each_bit(alone, [&](std::uint32_t i) {
-        const kernel::Relation relation = hierarchy_.ask(
-            block.node[i], [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
+        const kernel::Relation relation =
+            ask(block, i, [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
         const auto bit = static_cast<NodeBlock::Bits>(1U << i);
         if (relation == kernel::Relation::outside) relations[plane].outside |= bit;
         if (relation == kernel::Relation::inside) relations[plane].inside |= bit;
@@ -74,14 +74,14 @@ class NodeTests {
   kernel::Decision shadow(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
     const bool holds_part = this->holds_part(occluder, block, i);
     if (holds_part && is_surface(occluder)) return {kernel::Relation::partial, kernel::Stage::filter};
-    return hierarchy_.ask(block.node[i], [&](const auto& box) {
+    return ask(block, i, [&](const auto& box) {
       return decide_cull(*frusta_[occluder], box, {options_.arithmetic, options_.test}, shrunk_[occluder],
                          [&] { return holds_part; });
     });
   }
 
   bool may_cull(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
-    return hierarchy_.ask(block.node[i], [&](const auto& box) {
+    return ask(block, i, [&](const auto& box) {
       return is_cull(*frusta_[occluder], box, shrunk_[occluder], [&] { return holds_part(occluder, block, i); });
     });
   }
@@ -89,7 +89,7 @@ class NodeTests {
   /// A probe hides nothing, so its answer may be approximate: neither the margin nor its own parts are considered.
   kernel::Decision probe(std::uint32_t probe, const NodeBlock& block, std::uint32_t i) const {
     if (is_surface(probe) && holds_part(probe, block, i)) return {kernel::Relation::partial, kernel::Stage::filter};
-    return hierarchy_.ask(block.node[i], [&](const auto& box) {
+    return ask(block, i, [&](const auto& box) {
       return decide_cull(*frusta_[probe], box, {.arithmetic = options_.arithmetic}, ShadowMargin());
     });
   }
@@ -99,7 +99,7 @@ class NodeTests {
   }
 
   kernel::Decision pair(std::uint32_t first, std::uint32_t second, const NodeBlock& block, std::uint32_t i) const {
-    return hierarchy_.ask(block.node[i], [&](const auto& box) {
+    return ask(block, i, [&](const auto& box) {
       return decide_cull(kernel::ShadowUnion{*frusta_[first], *frusta_[second]}, box, Asked{}, frame_.margin,
                          [&] { return holds_part(first, block, i) || holds_part(second, block, i); });
     });
@@ -110,6 +110,11 @@ class NodeTests {
   }
 
  private:
+  /// Returns question(box) of the volume of a node. The block is at hand where the node of the hierarchy may be far.
+  template <class Question>
+  decltype(auto) ask(const NodeBlock& block, std::uint32_t i, const Question& question) const {
+    return (block.oriented >> i & 1U) == 0 ? question(block.boxes.box(i)) : hierarchy_.ask(block.node[i], question);
+  }
   /// Whether a part of the occluder is in the node.
   [[nodiscard]] bool holds_part(std::uint32_t frustum, const NodeBlock& block, std::uint32_t i) const {
     const auto parts = casters_[frustum].parts;
