@@ -64,7 +64,7 @@ class CoverBuffer {
   [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
   [[nodiscard]] bool hides(const Footprint& box) const;
   /// Those of the asked boxes that are hidden.
-  [[nodiscard]] kernel::BoxBits hidden(const SeenBoxes& boxes, kernel::BoxBits asked) const {
+  [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked) const {
     return culler::hidden(tile_picture(), boxes, asked);
   }
   /// Why the box is not hidden; `none` if it is.

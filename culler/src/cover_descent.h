@@ -103,6 +103,7 @@ class CoverDescent {
     Batch batch;
     gather(visit, kLevels, batch);
     batch.boxes.see(buffer_.box_picture());
+    const kernel::BoxBits hidden = buffer_.hidden(batch.boxes, batch.boxes.all());
     std::array<std::uint8_t, SeenBoxes::kMost> order{};
     for (std::uint8_t i = 0; i < batch.boxes.size; ++i) {
       std::size_t k = i;
@@ -110,7 +111,7 @@ class CoverDescent {
       order[k] = i;
     }
     for (const std::uint8_t i : std::span(order).first(batch.boxes.size)) {
-      decide(batch.visits[i], buffer_.footprint(batch.boxes, i));
+      decide(batch, i, (hidden >> i & 1U) != 0);
     }
   }
 
@@ -147,19 +148,32 @@ class CoverDescent {
     return true;
   }
 
-  void decide(const Visit& visit, const CoverBuffer::Footprint& footprint) {
+  /// Decides about a node of the batch, and whether it was hidden when the batch was gathered. What is hidden stays so, and
+  /// in a subtree of few items nothing is closed before it is left.
+  void decide(const Batch& batch, std::size_t i, bool was_hidden) {
+    const Visit& visit = batch.visits[i];
     ++stats_.cover_tests;
-    const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_few = this->is_few(visit.node);
-    const bool is_closing = sought_ == Sought::worth_closing;
+    if (was_hidden) {
+      cull_({visit.node, Culled::By::cover});
+    } else {
+      decide(visit, batch.boxes, i);
+    }
+    if (is_few(visit.node) && !visit.is_part) join_();
+  }
+
+  void decide(const Visit& visit, const SeenBoxes& boxes, std::size_t i) {
+    const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
+    const Visit below{visit.node, visit.across, visit.is_part || is_few(visit.node)};
+    if (visit.is_part && !is_leaf && !is_closing) return visit_below(below);
+    const CoverBuffer::Footprint footprint = buffer_.footprint(boxes, i);
     const int worth = worth_closing(), open = buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
     if (open == 0 && footprint.is_in_picture) return cull_({visit.node, Culled::By::cover});
     if (is_closing && open < worth) return;
     if (is_leaf) {
       see_(SeenNode{visit.node, visit.across, footprint, open >= worth});
     } else {
-      visit_below({visit.node, visit.across, visit.is_part || is_few});
+      visit_below(below);
     }
-    if (is_few && !visit.is_part) join_();
   }
 
   /// Through how many pixels a leaf must be seen to be worth drawing.

@@ -2,8 +2,10 @@
 // The state of a frame by cover of a model: what it draws and what it culls.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "cover_descent.h"
@@ -11,6 +13,7 @@
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "radix_sort.h"
+#include "seen_boxes.h"
 #include "view_memory.h"
 
 namespace occlude::culler {
@@ -40,19 +43,32 @@ class CoverFrame {
   template <class Cull>
   void finish(const Cull& cull) {
     radix_sort(memory_.seen, memory_.seen_room, nodes_.size(), &SeenLeaf::leaf);
-    for (const auto& [leaf, footprint] : memory_.seen) {
-      ++memory_.result.stats.cover_tests;
-      if (memory_.cover.buffer.hides(footprint)) {
-        cull({leaf, Culled::By::cover});
-      } else {
-        draw(nodes_[leaf]);
-      }
+    const std::span<const SeenLeaf> seen = memory_.seen;
+    for (std::size_t first = 0; first < seen.size(); first += BoxPixels::kMost) {
+      finish(seen.subspan(first, std::min(BoxPixels::kMost, seen.size() - first)), cull);
     }
     // Nodes are numbered depth-first, so this is the order of their items.
     radix_sort(memory_.result.culled, memory_.culled_room, nodes_.size(), &Culled::node);
   }
 
  private:
+  /// Draws or culls a few leaves. REQUIRES: at most BoxPixels::kMost.
+  template <class Cull>
+  void finish(std::span<const SeenLeaf> leaves, const Cull& cull) {
+    constexpr float kUnknown = std::numeric_limits<float>::infinity();
+    BoxPixels boxes;
+    for (const auto& [leaf, at] : leaves) boxes.add(at.pixels, at.is_in_picture ? at.most : kUnknown);
+    memory_.result.stats.cover_tests += leaves.size();
+    const kernel::BoxBits hidden = memory_.cover.buffer.hidden(boxes, boxes.all());
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if ((hidden >> i & 1U) != 0) {
+        cull({leaves[i].leaf, Culled::By::cover});
+      } else {
+        draw(nodes_[leaves[i].leaf]);
+      }
+    }
+  }
+
   void draw(const HierarchyNode& leaf) {
     memory_.result.stats.drawn_polygons += leaf.count;
     append_range(memory_.result.drawn, {leaf.first, leaf.count});

@@ -77,7 +77,7 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
 /// Several boxes, of which a few numbers often tell.
 class Boxes {
  public:
-  Boxes(const TilePicture& picture, const SeenBoxes& boxes, std::size_t first)
+  Boxes(const TilePicture& picture, const BoxPixels& boxes, std::size_t first)
       : picture_(picture),
         most_(hn::LoadU(kFloats, &boxes.most[first])),
         x0_(hn::LoadU(kIntegers, &boxes.x0[first])),
@@ -161,7 +161,7 @@ HWY_INLINE unsigned bits_of(Mask mask) {
 }
 
 /// Those of the asked boxes, a lane each from `first`, that are hidden.
-HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const SeenBoxes& boxes, std::size_t first, unsigned asked) {
+HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& boxes, std::size_t first, unsigned asked) {
   const Boxes several(picture, boxes, first);
   const std::uint8_t bits[8] = {static_cast<std::uint8_t>(asked)};
   const Mask in_picture = hn::And(several.in_picture(), hn::LoadMaskBits(kFloats, bits));
@@ -186,9 +186,9 @@ HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const SeenBoxes& bo
   return hidden;
 }
 
-kernel::BoxBits hidden(const TilePicture& picture, const SeenBoxes& boxes, kernel::BoxBits asked) {
+kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
   unsigned hidden = 0;
-  for (std::size_t first = 0; first < SeenBoxes::kMost; first += hn::Lanes(kFloats)) {
+  for (std::size_t first = 0; first < boxes.size; first += hn::Lanes(kFloats)) {
     hidden |= hidden_lanes(picture, boxes, first, unsigned{asked} >> first) << first;
   }
   return static_cast<kernel::BoxBits>(hidden);
@@ -224,7 +224,7 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
   return HWY_DYNAMIC_DISPATCH(open_pixels)(picture, r, most, enough);
 }
 
-kernel::BoxBits hidden(const TilePicture& picture, const SeenBoxes& boxes, kernel::BoxBits asked) {
+kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
   return HWY_DYNAMIC_DISPATCH(hidden)(picture, boxes, asked);
 }
 

@@ -29,7 +29,7 @@ struct TilePicture {
 /// at `enough`.
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
 /// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch.
-[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const SeenBoxes& boxes, kernel::BoxBits asked);
+[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked);
 /// Raises the pixels of the mask to `nearness` unless they are nearer already. Returns the least nearness of all pixels of
 /// the tile.
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness);

@@ -195,7 +195,8 @@ BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
 
 void SeenBoxes::see(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(see)(picture, *this); }
 
-SeenBoxes::SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block) : size(kMost) {
+SeenBoxes::SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block) {
+  size = kMost;
   HWY_DYNAMIC_DISPATCH(see_block)(picture, block, *this);
 }
 

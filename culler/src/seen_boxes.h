@@ -30,12 +30,31 @@ class BoxPicture {
   float wider_x = 0, wider_y = 0;  ///< the margin
 };
 
-/// At most eight boxes, and what is known of them in a picture. Each array has a value for each box.
-struct SeenBoxes {
+/// Where at most eight boxes are in a picture. Each array has a value for each box.
+struct BoxPixels {
   static constexpr std::size_t kMost = kernel::BoxBlock::kBoxes;
   using Floats = std::array<float, kMost>;
   using Integers = std::array<std::int32_t, kMost>;
 
+  std::size_t size = 0;
+  Integers x0, y0, x1, y1;  ///< the pixels that it touches, with the margin, as BeamPicture::pixels()
+  /// No point of the box is nearer. Infinity if that or the position of the box is unknown, for example of one that
+  /// reaches before the near plane.
+  Floats most;
+
+  void add(const PixelRectangle& pixels, float nearest) {
+    x0[size] = pixels.x0;
+    y0[size] = pixels.y0;
+    x1[size] = pixels.x1;
+    y1[size] = pixels.y1;
+    most[size++] = nearest;
+  }
+  /// A bit for each box.
+  [[nodiscard]] kernel::BoxBits all() const { return static_cast<kernel::BoxBits>((1U << size) - 1); }
+};
+
+/// At most eight boxes, and what is known of them in a picture.
+struct SeenBoxes : BoxPixels {
   SeenBoxes() : low{}, high{} {}
   /// All boxes of a block, of which everything is known.
   SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block);
@@ -47,18 +66,13 @@ struct SeenBoxes {
     }
     ++size;
   }
-  /// Computes the members below that follow `low` and `high`.
+  /// Computes all other members.
   void see(const BoxPicture& picture);
 
-  std::size_t size = 0;
   alignas(32) std::array<Floats, 3> low, high;  ///< relative to the eye, rounded to nearest
 
   Floats low_x, low_y, high_x, high_y;  ///< the positions between which the whole box lies, with its error
-  Integers x0, y0, x1, y1;              ///< the pixels that it touches, with the margin, as BeamPicture::pixels()
-  /// No point of the box is nearer. Infinity if that or the position of the box is unknown, for example of one that
-  /// reaches before the near plane.
-  Floats most;
-  Floats distance;  ///< orders boxes from front to back; a heuristic
+  Floats distance;                      ///< orders boxes from front to back; a heuristic
 };
 
 }  // namespace occlude::culler
