@@ -76,7 +76,7 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
 [[nodiscard]] inline double least(const glm::dvec3& normal, const kernel::Vec3& origin, const kernel::Aabb& box) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    sum += normal[axis] * ((normal[axis] > 0 ? box.min : box.max)[axis] - origin[axis]);
+    sum += std::min(normal[axis] * (box.min[axis] - origin[axis]), normal[axis] * (box.max[axis] - origin[axis]));
   }
   return sum;
 }

@@ -330,7 +330,7 @@ class Traversal {
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
     visit(blocks_[here.block.below[i]], below);
-    holding_.resize(holding);
+    while (holding_.size() > holding) holding_.pop_back();
   }
   /// What straddles a node, in a stack from `begin` on.
   Active active_below(const Visit& here, std::uint32_t i, std::vector<ActiveShadows>& stack, std::size_t begin) const {
