@@ -82,6 +82,7 @@ class NodeBlocks {
                                              const Checkpoint& checkpoint = {});
 
   [[nodiscard]] const NodeBlock& operator[](std::uint32_t i) const { return blocks_[i]; }
+  [[nodiscard]] std::size_t size() const { return blocks_.size(); }
   /// A hint that block i comes.
   void prefetch(std::uint32_t i) const {
     for (std::size_t byte = 0; byte < sizeof(NodeBlock); byte += alignof(NodeBlock)) {

@@ -21,6 +21,7 @@
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/overlap.h"
 #include "view_planes.h"
+#include "zeros.h"
 
 namespace occlude::culler {
 
@@ -61,14 +62,24 @@ struct alignas(64) PutOffSubtree {
   std::size_t drawn = 0, culled = 0;  ///< lengths of the lists of the traversal that put it off, at that moment
   TraversalMemory memory;
   CullResult found;
-  bool is_done = false;
 };
 
-/// The subtrees that a traversal puts off: at most `limit`, of `least` to `most` items each. Their memory is reused.
+/// A subtree that a traversal has not put off whole, because there was too much work in it.
+struct DividedSubtree {
+  std::uint32_t block;     ///< the block below its root
+  std::size_t first, end;  ///< the subtrees in it that were put off instead
+  std::size_t work;        ///< what the traversal did there itself
+};
+
+/// The subtrees that a traversal puts off: at most `limit`, of `least` to `most` items each, in which the last traversal had
+/// work of at most `most_work`. Their memory is reused.
 struct PutOffSubtrees {
   std::uint32_t least = 0, most = 0;
   std::size_t limit = 0, size = 0;
   std::vector<PutOffSubtree> subtrees;  ///< may be longer than `size`
+  std::size_t most_work = 0;
+  Zeros<std::uint32_t> work;            ///< for each block, of the last traversal that put off or divided the subtree there
+  std::vector<DividedSubtree> divided;  ///< at most `limit`
 };
 
 template <class Tests>
@@ -322,9 +333,19 @@ class Traversal {
     });
   }
 
-  /// Visits the block below a node with what straddles the node, or puts the node off.
+  /// Visits the block below a node with what straddles the node, or puts the node off, whole or in parts.
   void enter(const Visit& here, std::uint32_t i) {
-    if (may_put_off(here.block.count[i])) return put_off(here, i);
+    if (!may_put_off(here.block.count[i])) return enter_below(here, i);
+    if (put_off_->work[here.block.below[i]] <= put_off_->most_work || put_off_->divided.size() == put_off_->limit) {
+      return put_off(here, i);
+    }
+    DividedSubtree divided{here.block.below[i], put_off_->size, 0, result_.stats.nodes_visited};
+    enter_below(here, i);
+    divided.end = put_off_->size;
+    divided.work = result_.stats.nodes_visited - divided.work;
+    put_off_->divided.push_back(divided);
+  }
+  void enter_below(const Visit& here, std::uint32_t i) {
     blocks_.prefetch(here.block.below[i]);
     const Active below = active_below(here, i, active_, here.active.end);
     const std::size_t holding = holding_.size();

@@ -427,6 +427,29 @@ TEST(Culler, AFrameWhoseListIsNotScoredDrawsEverything) {
   EXPECT_LT(culler.cull(camera, {}, view).stats.drawn_polygons, culler.hierarchy().soup().size());
 }
 
+/// Where little is in view, most of it may be in one of the subtrees that are put off by size.
+TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
+  const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
+  const Executor executor = Executor::own_threads(2);
+  CullOptions options;
+  options.executor = &executor;
+  View view, alone;
+  Camera camera;
+  camera.eye = {40, 5, 2};
+  camera.target = {41, 5, 2};
+  camera.far = 8;
+  for (int frame = 0; frame < 3; ++frame) {
+    const CullResult& found = culler.cull(camera, options, view);
+    EXPECT_EQ(found.drawn, culler.cull(camera, {}, alone).drawn);
+    const PutOffSubtrees& put_off = view.memory().parts.put_off;
+    std::size_t most = 0;
+    for (const PutOffSubtree& subtree : std::span(put_off.subtrees).first(put_off.size)) {
+      most = std::max(most, subtree.found.stats.nodes_visited);
+    }
+    EXPECT_EQ(most <= found.stats.nodes_visited / (kSharesOfThread * executor.threads()), frame > 0) << most;
+  }
+}
+
 /// Its subtrees are left to the calling thread.
 TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
@@ -435,7 +458,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
     asked += count;
-    for (std::size_t i = 0; i < count; ++i) done += view.memory().parts.put_off.subtrees[i].is_done ? 1 : 0;
+    for (std::size_t i = 0; i < count; ++i) done += view.memory().parts.turns[i].is_done ? 1 : 0;
   });
   CullOptions options;
   options.executor = &upwards;
