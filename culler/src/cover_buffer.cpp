@@ -44,38 +44,38 @@ void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
     if (!piece_.find(sheet)) continue;
     const PixelRectangle& r = piece_.tiles();
     work_ += static_cast<std::size_t>(r.x1 - r.x0) * static_cast<std::size_t>(r.y1 - r.y0);
-    if (const auto tiles = tiles_within(r, [&](int, int) { return piece_.nearest(); })) add_sheet(*tiles, id);
+    if (const auto tiles = tiles_nearer(r, [&](std::size_t) { return piece_.nearest(); })) add_sheet(*tiles, id);
   }
 }
 
 void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
   piece_.lay(tiles);
   work_ += piece_.work();
-  const auto nearness = [&](int x, int y) {
-    const float found = piece_.nearness(x, y);
-    return found < std::numeric_limits<float>::infinity() ? found : kOpen;  // where the sheet is not, it closes nothing
-  };
-  const auto left = tiles_within(tiles, nearness);
+  const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return piece_.nearness() + tile; });
   if (!left) return;
   piece_.draw(*left);
   for (int y = left->y0; y < left->y1; ++y) {
     for (int x = left->x0; x < left->x1; ++x) {
       const std::uint64_t closed = piece_.closed(x, y);
-      if (closed != 0 && is_nearer(x, y, nearness(x, y))) close(tile_at(x, y), closed, piece_.nearness(x, y), id);
+      const float nearness = piece_.nearness(x, y);
+      const std::size_t tile = tile_at(x, y);
+      if (closed != 0 && nearness > farthest_[tile] && nearness < std::numeric_limits<float>::infinity())
+        close(tile, closed, nearness, id);
     }
   }
 }
 
-/// The smallest rectangle that holds all tiles of `r` in which something with this nearness would bring a pixel nearer; none
-/// if there are no such tiles.
-template <class Nearness>
-std::optional<PixelRectangle> CoverBuffer::tiles_within(const PixelRectangle& r, const Nearness& nearness) const {
+/// The smallest rectangle that holds all tiles of `r` in which something may bring a pixel nearer; none if there are no such
+/// tiles. nearness_from(tile) is how near it is from this tile on, as nearer() takes it.
+template <class NearnessFrom>
+std::optional<PixelRectangle> CoverBuffer::tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const {
   PixelRectangle left{r.x1, r.y1, r.x0, r.y0};
   for (int y = r.y0; y < r.y1; ++y) {
-    for (int x = r.x0; x < r.x1; ++x) {
-      if (!is_nearer(x, y, nearness(x, y))) continue;
-      left = {std::min(left.x0, x), std::min(left.y0, y), std::max(left.x1, x + 1), std::max(left.y1, y + 1)};
-    }
+    const std::size_t first = tile_at(r.x0, y);
+    const auto row = std::span(farthest_).subspan(first, static_cast<std::size_t>(r.x1 - r.x0));
+    const TileRange range = nearer(row, nearness_from(first));
+    if (range.first >= range.end) continue;
+    left = {std::min(left.x0, r.x0 + range.first), std::min(left.y0, y), std::max(left.x1, r.x0 + range.end), y + 1};
   }
   if (left.x0 >= left.x1) return std::nullopt;
   return left;

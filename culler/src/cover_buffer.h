@@ -95,12 +95,8 @@ class CoverBuffer {
   static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
 
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
-  /// Whether something with this nearness would bring a pixel of the tile nearer.
-  [[nodiscard]] bool is_nearer(int tile_x, int tile_y, float nearness) const {
-    return nearness > farthest_[tile_at(tile_x, tile_y)];
-  }
-  template <class Nearness>
-  [[nodiscard]] std::optional<PixelRectangle> tiles_within(const PixelRectangle& r, const Nearness& nearness) const;
+  template <class NearnessFrom>
+  [[nodiscard]] std::optional<PixelRectangle> tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const;
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
   void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {

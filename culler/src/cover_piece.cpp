@@ -41,6 +41,7 @@ void CoverPiece::begin(const BeamPicture& picture) {
   for (int y = 0; y <= picture.height(); y += kTile) slopes_y_.push_back(picture.slope(0, y).y);
   reach_ = std::max(std::fabs(slopes_x_.front()), std::fabs(slopes_x_.back())) +
            std::max(std::fabs(slopes_y_.front()), std::fabs(slopes_y_.back()));
+  slopes_x_.resize(slopes_x_.size() + kTile);  // which lower() may read
 }
 
 void CoverPiece::reserve(std::size_t triangles) {
@@ -144,7 +145,7 @@ void CoverPiece::clear(const PixelRectangle& tiles) {
   tiles_across_ = picture_.width() / kTile;
   const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(picture_.height() / kTile);
   closed_.resize(count);
-  nearness_.resize(count);
+  nearness_.resize(count + kTile);  // of which the last are not used
   for (int y = tiles.y0; y < tiles.y1; ++y) {
     const auto row = nearness_.begin() + std::ptrdiff_t{y} * tiles_across_;
     std::fill(row + tiles.x0, row + tiles.x1, std::numeric_limits<float>::infinity());
@@ -179,7 +180,10 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
   const PixelRectangle tiles{r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
   const bool is_wide = tiles.x1 - tiles.x0 > kOfCorners, is_high = tiles.y1 - tiles.y0 > kOfCorners;
-  if (!is_wide && !is_high) return lay(tiles, outline.nearness);
+  if (!is_wide && !is_high) {
+    work_ += static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
+    return lower(tiles, outline.nearness);
+  }
   const auto& [a, b, c] = triangle;
   const SeenPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
   const bool is_large = is_wide && is_high;
@@ -195,26 +199,26 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
       x0 = std::max(pixel_at(range.low, picture_.width()) / kTile, x0);
       x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, x1);
     }
-    work_ += static_cast<std::size_t>(std::max(x1 - x0, 0));
-    const double* const slopes = slopes_x_.data();
-    const double of_rows = plane.of_rows(slopes_y_[static_cast<std::size_t>(y)], slopes_y_[static_cast<std::size_t>(y) + 1]);
-    for (int x = x0; x < x1; ++x) {
-      const double of_plane = plane.is_known() ? plane.least_nearness(of_rows, slopes[x], slopes[x + 1]) : -kNoBound;
-      lower(x, y, of_plane > outline.nearness ? rounded_down(of_plane) : outline.nearness);
+    if (x0 >= x1) continue;
+    work_ += static_cast<std::size_t>(x1 - x0);
+    if (!plane.is_known()) {
+      lower({x0, y, x1, y + 1}, outline.nearness);
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(y);
+    culler::lower(std::span(nearness_).subspan(tile_at(x0, y), static_cast<std::size_t>(x1 - x0)),
+                  &slopes_x_[static_cast<std::size_t>(x0)], plane.row(slopes_y_[at], slopes_y_[at + 1]), outline.nearness);
+  }
+}
+
+/// Lowers the nearness of these tiles.
+void CoverPiece::lower(const PixelRectangle& tiles, float nearness) {
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
+      float& tile = nearness_[tile_at(x, y)];
+      tile = std::min(tile, nearness);
     }
   }
-}
-
-void CoverPiece::lay(const PixelRectangle& tiles, float nearness) {
-  work_ += static_cast<std::size_t>(tiles.x1 - tiles.x0) * static_cast<std::size_t>(tiles.y1 - tiles.y0);
-  for (int y = tiles.y0; y < tiles.y1; ++y) {
-    for (int x = tiles.x0; x < tiles.x1; ++x) lower(x, y, nearness);
-  }
-}
-
-void CoverPiece::lower(int tile_x, int tile_y, float nearness) {
-  float& tile = nearness_[tile_at(tile_x, tile_y)];
-  tile = std::min(tile, nearness);
 }
 
 /// Draws the sides of a triangle that are border, each edge only with the first of its triangles, and the cut at the near

@@ -50,6 +50,8 @@ class CoverPiece {
   void lay(const PixelRectangle& tiles);
   /// In this tile the sheet is nowhere less near than this; infinity if it is not there. So after lay().
   [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
+  /// The same for all tiles, row by row.
+  [[nodiscard]] const float* nearness() const { return nearness_.data(); }
   /// The work of the last lay(): the tiles of the triangles.
   [[nodiscard]] std::size_t work() const { return work_; }
   /// Draws the border of the sheet into these tiles. REQUIRES: at least one tile, all of them among those of lay().
@@ -69,8 +71,7 @@ class CoverPiece {
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
   [[nodiscard]] bool is_within(const CoverOutline::Extent& extent) const;
   void lay(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
-  void lay(const PixelRectangle& tiles, float nearness);
-  void lower(int tile_x, int tile_y, float nearness);
+  void lower(const PixelRectangle& tiles, float nearness);
   void draw_sides(std::uint32_t triangle);
   [[nodiscard]] bool is_in_sheet(std::uint32_t triangle) const { return sheet_of_[triangle] == laid_sheets_; }
   [[nodiscard]] bool is_first(std::uint32_t side) const;

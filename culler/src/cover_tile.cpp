@@ -207,6 +207,50 @@ float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {
   return hn::GetLane(hn::MinOfLanes(kFloats, least));
 }
 
+/// A tile per lane. Nothing is fused, so the results do not depend on the number of lanes.
+void lower(std::span<float> nearness, const double* slopes, const PlaneRow& plane, float least) {
+  const hn::CappedTag<double, kTile> d;
+  const hn::Rebind<float, decltype(d)> to;
+  const double* const at = plane.of_x > 0 ? slopes : slopes + 1;
+  const auto zero = hn::Zero(d);
+  for (std::size_t i = 0; i < nearness.size(); i += hn::Lanes(d)) {
+    const std::size_t left = nearness.size() - i;
+    const auto x = hn::LoadU(d, at + i);
+    const auto value = hn::Add(hn::Set(d, plane.of_rows), hn::Mul(hn::Set(d, plane.of_x), x));
+    const auto bound = hn::Mul(value, hn::IfThenElse(hn::Gt(value, zero), hn::Set(d, plane.more), hn::Set(d, plane.less)));
+    // As rounded_down().
+    const auto rounding = hn::Add(hn::Mul(hn::Set(d, 0x1p-23), hn::Abs(bound)), hn::Set(d, 0x1p-149));
+    const auto found = hn::Max(hn::DemoteTo(to, hn::Sub(bound, rounding)), hn::Set(to, least));
+    const auto old = hn::LoadU(to, nearness.data() + i);
+    hn::StoreU(hn::IfThenElse(hn::FirstN(to, left), hn::Min(old, found), old), to, nearness.data() + i);
+  }
+}
+
+/// is_nearer(i, farthest) is asked about the tiles from i on.
+template <class IsNearer>
+HWY_INLINE TileRange nearer_range(std::span<const float> farthest, const IsNearer& is_nearer) {
+  TileRange range{static_cast<int>(farthest.size()), 0};
+  for (std::size_t i = 0; i < farthest.size(); i += hn::Lanes(kFloats)) {
+    const Mask tiles = hn::FirstN(kFloats, farthest.size() - i);
+    const unsigned bits = bits_of(hn::And(tiles, is_nearer(i, hn::LoadU(kFloats, farthest.data() + i))));
+    if (bits == 0) continue;
+    range.first = std::min(range.first, static_cast<int>(i) + std::countr_zero(bits));
+    range.end = static_cast<int>(i) + std::bit_width(bits);
+  }
+  return range;
+}
+
+TileRange nearer_than(std::span<const float> farthest, float nearness) {
+  return nearer_range(farthest, [&](std::size_t, Floats far) HWY_ATTR { return hn::Gt(hn::Set(kFloats, nearness), far); });
+}
+
+TileRange each_nearer(std::span<const float> farthest, const float* nearness) {
+  return nearer_range(farthest, [&](std::size_t i, Floats far) HWY_ATTR {
+    const Floats near = hn::LoadU(kFloats, nearness + i);
+    return hn::And(hn::Gt(near, far), hn::Lt(near, hn::Inf(kFloats)));
+  });
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace
 }  // namespace occlude::culler
@@ -217,6 +261,9 @@ namespace occlude::culler {
 namespace {
 HWY_EXPORT(open_pixels);
 HWY_EXPORT(hidden);
+HWY_EXPORT(lower);
+HWY_EXPORT(nearer_than);
+HWY_EXPORT(each_nearer);
 HWY_EXPORT(bring_nearer);
 }  // namespace
 
@@ -226,6 +273,18 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
 
 kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
   return HWY_DYNAMIC_DISPATCH(hidden)(picture, boxes, asked);
+}
+
+void lower(std::span<float> nearness, const double* slopes, const PlaneRow& plane, float least) {
+  HWY_DYNAMIC_DISPATCH(lower)(nearness, slopes, plane, least);
+}
+
+TileRange nearer(std::span<const float> farthest, float nearness) {
+  return HWY_DYNAMIC_DISPATCH(nearer_than)(farthest, nearness);
+}
+
+TileRange nearer(std::span<const float> farthest, const float* nearness) {
+  return HWY_DYNAMIC_DISPATCH(each_nearer)(farthest, nearness);
 }
 
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {

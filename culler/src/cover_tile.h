@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "beam_picture.h"
 #include "occlude/kernel/box_block.h"
@@ -30,6 +31,27 @@ struct TilePicture {
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
 /// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch.
 [[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked);
+/// A lower bound of the nearness of a plane along rays of a row of tiles: along (x, y, 1) it is at least v `more` if v > 0,
+/// and else v `less`, where v = of_rows + of_x x.
+struct PlaneRow {
+  double of_rows, of_x;
+  double more, less;
+};
+/// Lowers the nearness of tiles that lie side by side to that of a plane, or to `least` where the plane is not nearer. The
+/// rays of tile i are between slopes[i] and slopes[i + 1]. Here and below, numbers kTile beyond the last tile can be read,
+/// and those of `nearness` written.
+void lower(std::span<float> nearness, const double* slopes, const PlaneRow& plane, float least);
+
+/// Of tiles that lie side by side, from the first to after the last in which something may bring a pixel nearer. Empty if
+/// there are none.
+struct TileRange {
+  int first, end;
+};
+/// Something of this nearness in all of the tiles, whose pixels have at least the nearness `farthest`.
+[[nodiscard]] TileRange nearer(std::span<const float> farthest, float nearness);
+/// Something of this nearness in each. It is not in a tile where it is infinite.
+[[nodiscard]] TileRange nearer(std::span<const float> farthest, const float* nearness);
+
 /// Raises the pixels of the mask to `nearness` unless they are nearer already. Returns the least nearness of all pixels of
 /// the tile.
 float bring_nearer(float* pixels, std::uint64_t mask, float nearness);

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "beam_picture.h"
+#include "cover_tile.h"
 
 namespace occlude::culler {
 
@@ -58,12 +59,9 @@ class SeenPlane {
   /// False for the plane of a sliver and for one that is seen nearly edge-on: their errors are too large.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
-  /// The terms of the nearness that are the same for all rays between two heights.
-  [[nodiscard]] double of_rows(double low_y, double high_y) const { return constant_ + y_ * (y_ > 0 ? low_y : high_y); }
-  /// A lower bound of the nearness at which rays of the rectangle meet the plane. REQUIRES: is_known().
-  [[nodiscard]] double least_nearness(double of_rows, double low_x, double high_x) const {
-    const double value = of_rows + x_ * (x_ > 0 ? low_x : high_x);
-    return value * (value > 0 ? more_ : less_);
+  /// A lower bound of the nearness at which rays between two heights meet the plane. REQUIRES: is_known().
+  [[nodiscard]] PlaneRow row(double low_y, double high_y) const {
+    return {constant_ + y_ * (y_ > 0 ? low_y : high_y), x_, more_, less_};
   }
 
  private:

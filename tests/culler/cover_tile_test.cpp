@@ -9,7 +9,10 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
+
+#include "rounded_float.h"
 
 namespace cover_tile_test {
 
@@ -107,6 +110,61 @@ TEST_F(CoverTile, BringsNearerWhatTheMaskHas) {
     EXPECT_EQ(bring_nearer(pixels.data(), mask, nearness), std::ranges::min(expected));
     EXPECT_EQ(pixels, expected);
   }
+}
+
+/// The farthest corner or, where it is nearer, the plane at its farthest. Tiles beyond the row stay as they are.
+TEST_F(CoverTile, LowersARowToThePlane) {
+  std::uniform_real_distribution<double> number(-2, 2);
+  std::size_t of_planes = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::array<float, 32> tiles;
+    std::array<double, 33> slopes;
+    for (float& tile : tiles)
+      tile = random_() % 4 == 0 ? std::numeric_limits<float>::infinity() : static_cast<float>(number(random_));
+    slopes[0] = number(random_);
+    for (std::size_t k = 1; k < slopes.size(); ++k) slopes[k] = slopes[k - 1] + 0.05;
+    const PlaneRow plane{number(random_), number(random_), 0.9, 1.1};
+    const auto least = static_cast<float>(number(random_));
+    const auto first = static_cast<std::size_t>(pick(0, 5)), count = static_cast<std::size_t>(pick(1, 18));
+    std::array<float, 32> expected = tiles;
+    for (std::size_t k = first; k < first + count; ++k) {
+      const double value = plane.of_rows + std::min(plane.of_x * slopes[k], plane.of_x * slopes[k + 1]);
+      const float bound = std::max(rounded_down(value * (value > 0 ? plane.more : plane.less)), least);
+      of_planes += bound > least ? 1 : 0;
+      expected[k] = std::min(expected[k], bound);
+    }
+    lower(std::span(tiles).subspan(first, count), &slopes[first], plane, least);
+    EXPECT_EQ(tiles, expected) << "case " << i << ", seed " << kSeed;
+  }
+  EXPECT_GT(of_planes, 5000U);
+}
+
+TEST_F(CoverTile, FindsWhereSomethingIsNearer) {
+  std::size_t none = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::array<float, 32> farthest, nearness;
+    for (float& tile : farthest) tile = static_cast<float>(pick(0, 9));
+    for (float& tile : nearness)
+      tile = pick(0, 9) < 7 ? static_cast<float>(pick(0, 3)) : std::numeric_limits<float>::infinity();
+    const auto count = static_cast<std::size_t>(pick(1, 24));
+    const auto row = std::span<const float>(farthest).first(count);
+    const auto expect = [&](const TileRange& found, const auto& nearness_at) {
+      TileRange expected{static_cast<int>(count), 0};
+      for (int k = 0; k < static_cast<int>(count); ++k) {
+        const float near = nearness_at(static_cast<std::size_t>(k));
+        if (!(near > row[static_cast<std::size_t>(k)]) || near == std::numeric_limits<float>::infinity()) continue;
+        expected = {std::min(expected.first, k), k + 1};
+      }
+      none += expected.end == 0 ? 1 : 0;
+      EXPECT_EQ(found.first, expected.first) << "case " << i << ", seed " << kSeed;
+      EXPECT_EQ(found.end, expected.end) << "case " << i << ", seed " << kSeed;
+    };
+    const auto everywhere = static_cast<float>(pick(0, 4));
+    expect(nearer(row, everywhere), [&](std::size_t) { return everywhere; });
+    expect(nearer(row, nearness.data()), [&](std::size_t k) { return nearness[k]; });
+  }
+  EXPECT_GT(none, 100U);
+  EXPECT_LT(none, 3900U);
 }
 
 }  // namespace cover_tile_test
