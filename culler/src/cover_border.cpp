@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "cover_border.h"
+#include "cover_outline.h"
 #include "rounded_float.h"
 #include "seen_edge.h"
 
@@ -225,7 +226,17 @@ void CoverBorder::draw(const Corner& from, const Corner& to, int degree) {
   }
 }
 
+/// Each end is within its own error of where it was found, and the edge is between them.
+bool CoverBorder::may_touch(const Corner& from, const Corner& to) const {
+  CoverOutline::Extent extent;
+  extent.hold(from);
+  extent.hold(to);
+  return !(extent.high.x < pixels_.x0 || extent.low.x > pixels_.x1 || extent.high.y < pixels_.y0 ||
+           extent.low.y > pixels_.y1);
+}
+
 void CoverBorder::touch(const Corner& from, const Corner& to) {
+  if (!may_touch(from, to)) return;
   const SeenEdge edge(from, to);
   const auto part = edge.within({{static_cast<double>(pixels_.x0), static_cast<double>(pixels_.y0)},
                                  {static_cast<double>(pixels_.x1), static_cast<double>(pixels_.y1)}});

@@ -25,7 +25,8 @@ class CoverBorder {
   /// Starts an empty border in these tiles of a picture. REQUIRES: its width and height are multiples of kTile.
   void begin(const BeamPicture& picture, const PixelRectangle& tiles);
 
-  /// Draws an edge of degree d. Pixels are touched that come as near to it as the errors of its ends. Above an edge that
+  /// Draws an edge of degree d. Pixels are touched that come as near to it as the errors of its ends, if it may be in the tiles
+  /// at all. Above an edge that
   /// goes to the right the degree is d higher than below it; above one that goes to the left, d lower.
   void draw(const Corner& from, const Corner& to, int degree);
 
@@ -34,6 +35,7 @@ class CoverBorder {
   void find_closed(std::vector<std::uint64_t>& closed);
 
  private:
+  [[nodiscard]] bool may_touch(const Corner& from, const Corner& to) const;
   void touch(const Corner& from, const Corner& to);
   void turn(const Place& a, const Place& b, int degree);
 

@@ -148,8 +148,8 @@ class CoverDescent {
     return true;
   }
 
-  /// Decides about a node of the batch, and whether it was hidden when the batch was gathered. What is hidden stays so, and
-  /// in a subtree of few items nothing is closed before it is left.
+  /// Decides about a node of the batch. `was_hidden` tells whether it was hidden when the batch was gathered; what is hidden
+  /// stays so.
   void decide(const Batch& batch, std::size_t i, bool was_hidden) {
     const Visit& visit = batch.visits[i];
     ++stats_.cover_tests;
@@ -164,6 +164,8 @@ class CoverDescent {
   void decide(const Visit& visit, const SeenBoxes& boxes, std::size_t i) {
     const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
     const Visit below{visit.node, visit.across, visit.is_part || is_few(visit.node)};
+    // What is seen in a subtree of few items closes pixels when the descent leaves it, so the answer of the batch still holds.
+    // What is worth closing may be drawn at once.
     if (visit.is_part && !is_leaf && !is_closing) return visit_below(below);
     const CoverBuffer::Footprint footprint = buffer_.footprint(boxes, i);
     const int worth = worth_closing(), open = buffer_.open(footprint, is_leaf || is_closing ? worth : 1);

@@ -36,7 +36,7 @@ struct CoverOutline {
     static constexpr double kNone = std::numeric_limits<double>::infinity();
   };
 
-  std::array<Corner, 4> corners;  ///< the near plane may cut one off
+  std::array<Corner, 4> corners{};  ///< the near plane may cut one off
   std::size_t count = 0;
   Extent extent;
   float nearness = std::numeric_limits<float>::infinity();  ///< no corner has less

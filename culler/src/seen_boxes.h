@@ -66,7 +66,7 @@ struct SeenBoxes : BoxPixels {
     }
     ++size;
   }
-  /// Computes all other members.
+  /// Computes all members but `size`, `low` and `high`.
   void see(const BoxPicture& picture);
 
   alignas(32) std::array<Floats, 3> low, high;  ///< relative to the eye, rounded to nearest

@@ -71,14 +71,14 @@ struct DividedSubtree {
   std::size_t work;        ///< what the traversal did there itself
 };
 
-/// The subtrees that a traversal puts off: at most `limit`, of `least` to `most` items each, in which the last traversal had
-/// work of at most `most_work`. Their memory is reused.
+/// The subtrees that a traversal puts off: at most `limit`, of `least` to `most` items each. Where it is known to have more
+/// than `most_work`, what is below a subtree is put off instead. Their memory is reused.
 struct PutOffSubtrees {
   std::uint32_t least = 0, most = 0;
   std::size_t limit = 0, size = 0;
   std::vector<PutOffSubtree> subtrees;  ///< may be longer than `size`
   std::size_t most_work = 0;
-  Zeros<std::uint32_t> work;            ///< for each block, of the last traversal that put off or divided the subtree there
+  Zeros<std::uint32_t> work;            ///< for each block, when a traversal last put off or divided the subtree there; or 0
   std::vector<DividedSubtree> divided;  ///< at most `limit`
 };
 
@@ -336,14 +336,14 @@ class Traversal {
   /// Visits the block below a node with what straddles the node, or puts the node off, whole or in parts.
   void enter(const Visit& here, std::uint32_t i) {
     if (!may_put_off(here.block.count[i])) return enter_below(here, i);
-    if (put_off_->work[here.block.below[i]] <= put_off_->most_work || put_off_->divided.size() == put_off_->limit) {
-      return put_off(here, i);
-    }
-    DividedSubtree divided{here.block.below[i], put_off_->size, 0, result_.stats.nodes_visited};
+    std::vector<DividedSubtree>& divided = put_off_->divided;
+    const bool is_too_much = put_off_->work[here.block.below[i]] > put_off_->most_work;
+    if (!is_too_much || divided.size() == put_off_->limit) return put_off(here, i);
+    const std::size_t at = divided.size(), before = result_.stats.nodes_visited;
+    divided.push_back({here.block.below[i], put_off_->size, 0, 0});
     enter_below(here, i);
-    divided.end = put_off_->size;
-    divided.work = result_.stats.nodes_visited - divided.work;
-    put_off_->divided.push_back(divided);
+    divided[at].end = put_off_->size;
+    divided[at].work = result_.stats.nodes_visited - before;
   }
   void enter_below(const Visit& here, std::uint32_t i) {
     blocks_.prefetch(here.block.below[i]);

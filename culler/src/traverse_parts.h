@@ -31,8 +31,8 @@ inline constexpr std::uint32_t kLeastPutOff = 32, kLeastLargest = 8 * kLeastPutO
 /// In a small tree it is at most 160 KiB for each thread.
 inline constexpr std::size_t kMostPutOffOfThread = 4 * kPutOffOfThread;
 
-/// Of the work of a frame, each thread has two subtrees at least: one in which there was more than that in the last frame is
-/// divided. In the city of ten million, where the eye is in one of the subtrees by size, that one had 73 % of the work.
+/// A subtree is divided where its work was more than the share of one of so many for each thread, of the last frame's. In the
+/// city of ten million, where the eye is in one of the subtrees by size, that one had 73 % of the work.
 inline constexpr std::size_t kSharesOfThread = 2;
 
 /// A subtree in the order in which they are traversed: the one with the most work in the last frame first.
@@ -69,11 +69,13 @@ class TraversalInParts {
     const bool is_alone = executor == nullptr || executor->threads() <= 1 || !result_.pairs.empty();
     set_limits(is_alone ? 0 : executor->threads());
     Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, result_, memory_).run(planes, parts_.put_off);
-    if (parts_.put_off.size == 0) return;
-    for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
-    take_turns();
-    run_parts(*executor, std::span(parts_.turns), [&](SubtreeTurn& turn) { traverse(*turn.subtree); });
-    join();
+    if (is_alone) return;
+    if (parts_.put_off.size > 0) {
+      for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
+      take_turns();
+      run_parts(*executor, std::span(parts_.turns), [&](SubtreeTurn& turn) { traverse(*turn.subtree); });
+      join();
+    }
     note_work(executor->threads());
   }
 
