@@ -25,9 +25,9 @@ class CoverBorder {
   /// Starts an empty border in these tiles of a picture. REQUIRES: its width and height are multiples of kTile.
   void begin(const BeamPicture& picture, const PixelRectangle& tiles);
 
-  /// Draws an edge of degree d. Pixels are touched that come as near to it as the errors of its ends, if it may be in the tiles
-  /// at all. Above an edge that
-  /// goes to the right the degree is d higher than below it; above one that goes to the left, d lower.
+  /// Draws an edge of degree d. Pixels are touched that come as near to it as the errors of its ends, if it may be in the
+  /// tiles at all. Above an edge that goes to the right the degree is d higher than below it; above one that goes to the
+  /// left, d lower.
   void draw(const Corner& from, const Corner& to, int degree);
 
   /// Finds the closed pixels of the tiles: those that the border does not touch and whose degree is not 0. REQUIRES: the

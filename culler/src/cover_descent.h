@@ -164,8 +164,8 @@ class CoverDescent {
   void decide(const Visit& visit, const SeenBoxes& boxes, std::size_t i) {
     const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
     const Visit below{visit.node, visit.across, visit.is_part || is_few(visit.node)};
-    // What is seen in a subtree of few items closes pixels when the descent leaves it, so the answer of the batch still holds.
-    // What is worth closing may be drawn at once.
+    // What is seen in a subtree of few items closes pixels when the descent leaves it, so the answer of the batch still
+    // holds. What is worth closing may be drawn at once.
     if (visit.is_part && !is_leaf && !is_closing) return visit_below(below);
     const CoverBuffer::Footprint footprint = buffer_.footprint(boxes, i);
     const int worth = worth_closing(), open = buffer_.open(footprint, is_leaf || is_closing ? worth : 1);

@@ -31,8 +31,8 @@ inline constexpr std::uint32_t kLeastPutOff = 32, kLeastLargest = 8 * kLeastPutO
 /// In a small tree it is at most 160 KiB for each thread.
 inline constexpr std::size_t kMostPutOffOfThread = 4 * kPutOffOfThread;
 
-/// A subtree is divided where its work was more than the share of one of so many for each thread, of the last frame's. In the
-/// city of ten million, where the eye is in one of the subtrees by size, that one had 73 % of the work.
+/// The work of the last frame in so many shares for each thread: a subtree that had more than one share is divided. In the
+/// city of ten million the eye is in one of the subtrees by size, and that one had 73 % of the work.
 inline constexpr std::size_t kSharesOfThread = 2;
 
 /// A subtree in the order in which they are traversed: the one with the most work in the last frame first.

@@ -66,8 +66,8 @@ TEST(View, AllocatesNothingByCoverEither) {
   EXPECT_GT(view.result().stats.cover_groups, 0U);
 }
 
-/// With an executor, not when the paths are walked again and again. A frame divides subtrees by what earlier frames found, so
-/// from some time on they are the same each time.
+/// With an executor, not when the paths are walked again and again. A frame divides subtrees by what earlier frames found,
+/// so from some time on they are the same each time.
 TEST(View, AllocatesNothingForSubtreesAsManyAsBefore) {
   const Culler culler(random_town_of_houses(31, 3000), {.hierarchy = {.leaf_size = 4}});
   const auto one_after_another = [](std::size_t count, const Executor::Part& part) {
