@@ -235,7 +235,7 @@ HWY_INLINE TileRange nearer_range(std::span<const float> farthest, const IsNeare
     const unsigned bits = bits_of(hn::And(tiles, is_nearer(i, hn::LoadU(kFloats, farthest.data() + i))));
     if (bits == 0) continue;
     range.first = std::min(range.first, static_cast<int>(i) + std::countr_zero(bits));
-    range.end = static_cast<int>(i) + std::bit_width(bits);
+    range.end = static_cast<int>(i) + static_cast<int>(std::bit_width(bits));
   }
   return range;
 }
