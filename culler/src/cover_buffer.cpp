@@ -131,7 +131,7 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
   for (int y = r.y0; y < r.y1; ++y) {
     std::uint32_t last = kNone;
     for (int x = r.x0; x < r.x1; ++x) {
-      const auto tile = static_cast<std::size_t>(y / kTile * tiles_across_ + x / kTile);
+      const std::size_t tile = tile_at(x / kTile, y / kTile);
       const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
       const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
                                  {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};

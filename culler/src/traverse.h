@@ -78,7 +78,8 @@ struct PutOffSubtrees {
   std::size_t limit = 0, size = 0;
   std::vector<PutOffSubtree> subtrees;  ///< may be longer than `size`
   std::size_t most_work = 0;
-  Zeros<std::uint32_t> work;            ///< for each block, when a traversal last put off or divided the subtree there; or 0
+  /// For each block, the nodes visited in the subtree there when it was last put off or divided; 0 if it never was.
+  Zeros<std::uint32_t> work;
   std::vector<DividedSubtree> divided;  ///< at most `limit`
 };
 
