@@ -12,7 +12,6 @@ void CoverGroup::reserve(std::size_t triangles) {
   vertices_.reserve(3 * triangles);
   triangles_.reserve(triangles);
   next_.reserve(3 * triangles);
-  polygons_.reserve(triangles);
   ids_.reserve(triangles);
 }
 
@@ -21,45 +20,49 @@ void CoverGroup::clear() {
   triangle_index_.clear();
   vertices_.clear();
   triangles_.clear();
-  polygons_.clear();
   ids_.clear();
+  own_ = 0;
 }
 
 void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand) {
   for (std::uint32_t t = triangles.first(polygon); t < triangles.first(polygon + 1); ++t) {
-    const CoverMesh::Triangle& corners = triangles.corners(t);
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
-    CoverMesh::Triangle own{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t known = vertex_index_.size();
-      own[i] = vertex_index_.number(corners[i]);
-      if (own[i] != known) continue;
-      const glm::dvec3& vertex = triangles.vertex(corners[i]);
-      vertices_.push_back(stand.placement == nullptr ? vertex : to_glm(placed(*stand.placement, to_kernel(vertex))));
-    }
-    triangle_index_.number(t);
-    triangles_.push_back(own);
-    polygons_.push_back(polygon);
-    ids_.push_back(t);
+    add_triangle(triangles, t, stand);
   }
+  own_ = ids_.size();
+}
+
+/// Adds a triangle if its corners are three points.
+void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id, const CoverStand& stand) {
+  const CoverMesh::Triangle& corners = triangles.corners(id);
+  if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
+  CoverMesh::Triangle own{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t known = vertex_index_.size();
+    own[i] = vertex_index_.number(corners[i]);
+    if (own[i] != known) continue;
+    const glm::dvec3& vertex = triangles.vertex(corners[i]);
+    vertices_.push_back(stand.placement == nullptr ? vertex : to_glm(placed(*stand.placement, to_kernel(vertex))));
+  }
+  triangle_index_.number(id);
+  triangles_.push_back(own);
+  ids_.push_back(id);
 }
 
 CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& stand) {
   next_.resize(3 * triangles_.size());
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    const auto& next = triangles.next(ids_[t]);
     for (std::uint32_t i = 0; i < 3; ++i) {
       // Follows the ring to the next side of a triangle of the group. Without another one, that is the side itself.
-      RingStep step = next[i];
+      RingStep step = triangles.next(3 * ids_[t] + i);
       std::uint32_t owner = triangle_index_.find(step.side / 3);
       while (owner == LocalIndex::kNone && step.is_of_two == 0) {
-        step = triangles.next(step.side / 3)[step.side % 3];
+        step = triangles.next(step.side);
         owner = triangle_index_.find(step.side / 3);
       }
       next_[3 * t + i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
     }
   }
-  return {vertices_, triangles_, next_, stand.front};
+  return {vertices_, triangles_, next_, own_, stand.front};
 }
 
 }  // namespace occlude::culler

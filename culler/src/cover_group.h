@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polygons that are drawn into a cover buffer together.
+// Triangles that are drawn into a cover buffer together.
 #pragma once
 
 #include <cstddef>
@@ -21,28 +21,44 @@ struct CoverStand {
   CoverMesh::Front front = CoverMesh::Front::both;
 };
 
-/// Builds the mesh of a few polygons.
+/// Builds the mesh of a few polygons, and of triangles that share edges with them.
 class CoverGroup {
  public:
   /// Reserves memory for this many triangles.
   void reserve(std::size_t triangles);
-  /// Forgets all polygons.
+  /// Forgets all triangles.
   void clear();
   /// REQUIRES: the polygon was not added since clear(); `triangles` and `stand` are the same in all calls since then.
   void add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand = {});
+  /// Adds the triangles that share an edge with those of the polygons and for which take(triangle) is true, which it must
+  /// not be of any in the group. REQUIRES: as add(), whose calls are done.
+  template <class Take>
+  void add_neighbours(const CoverTriangles& triangles, const CoverStand& stand, const Take& take) {
+    for (std::size_t t = 0; t < own_; ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t side = 3 * ids_[t] + i;
+        for (RingStep step = triangles.next(side); step.side != side; step = triangles.next(step.side)) {
+          if (take(step.side / 3)) add_triangle(triangles, step.side / 3, stand);
+        }
+      }
+    }
+  }
   [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
 
   /// The mesh of all that was added. It is valid until the next call of clear() or add().
   [[nodiscard]] CoverMesh mesh(const CoverTriangles& triangles, const CoverStand& stand = {});
-  /// For each triangle of the mesh, its polygon.
-  [[nodiscard]] std::span<const std::uint32_t> polygons() const { return polygons_; }
+  /// For each triangle of the mesh, its number among all triangles.
+  [[nodiscard]] std::span<const std::uint32_t> ids() const { return ids_; }
 
  private:
+  void add_triangle(const CoverTriangles& triangles, std::uint32_t id, const CoverStand& stand);
+
   LocalIndex vertex_index_, triangle_index_;
   std::vector<glm::dvec3> vertices_;
   std::vector<CoverMesh::Triangle> triangles_;
-  std::vector<std::uint32_t> next_;            ///< of each side, as the mesh has it
-  std::vector<std::uint32_t> polygons_, ids_;  ///< for each triangle: its polygon, and its number among all triangles
+  std::vector<std::uint32_t> next_;  ///< of each side, as the mesh has it
+  std::vector<std::uint32_t> ids_;
+  std::size_t own_ = 0;  ///< triangles of polygons, which are the first
 };
 
 }  // namespace occlude::culler

@@ -29,10 +29,10 @@ CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, d
 void CoverPainter::use(const CoverSource& source) {
   source_ = &source;
   if (++memory_.stamp == 0) {
-    memory_.polygon_stamps = {};
+    memory_.stamps = {};
     memory_.stamp = 1;
   }
-  memory_.polygon_stamps.grow(source.triangles.size());
+  memory_.stamps.grow(source.triangles.size());
 }
 
 bool CoverPainter::may_draw() const {
@@ -55,22 +55,21 @@ bool CoverPainter::join() {
     const HierarchyNode& node = source_->nodes[leaf];
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->stand);
   }
-  for (const std::uint32_t leaf : memory_.taken) add_around(leaf);
   memory_.taken.clear();
-  for (const std::uint32_t p : group.polygons()) memory_.polygon_stamps[p] = memory_.stamp;
+  group.add_neighbours(source_->triangles, source_->stand, [&](std::uint32_t triangle) { return take_drawn(triangle); });
+  for (const std::uint32_t triangle : group.ids()) memory_.stamps[triangle] = memory_.stamp;
   ++stats_.cover_groups;
-  stats_.cover_triangles += group.polygons().size();
+  stats_.cover_triangles += group.ids().size();
   memory_.buffer.add(group.mesh(source_->triangles, source_->stand), ++groups_);
   return true;
 }
 
-/// Adds the polygons around a leaf that were drawn before.
-void CoverPainter::add_around(std::uint32_t leaf) {
-  for (const std::uint32_t p : source_->triangles.around(leaf)) {
-    if (memory_.polygon_stamps[p] != memory_.stamp) continue;
-    memory_.group.add(source_->triangles, p, source_->stand);
-    memory_.polygon_stamps[p] = 0;  // so that it is added only once
-  }
+/// Whether a triangle was drawn. The next call says that it was not, so that it is added only once.
+bool CoverPainter::take_drawn(std::uint32_t triangle) {
+  std::uint32_t& stamp = memory_.stamps[triangle];
+  if (stamp != memory_.stamp) return false;
+  stamp = 0;
+  return true;
 }
 
 }  // namespace occlude::culler

@@ -28,11 +28,11 @@ struct CoverSource {
 
 /// What is kept from frame to frame, so that only the first allocates.
 struct CoverMemory {
-  CoverBuffer buffer;                   ///< what the last frame closed
-  CoverGroup group;                     ///< what is being drawn into it
-  Zeros<std::uint32_t> polygon_stamps;  ///< for each polygon, the last source that drew it
-  std::uint32_t stamp = 0;              ///< of the source
-  std::vector<std::uint32_t> taken;     ///< leaves whose polygons are drawn next
+  CoverBuffer buffer;                ///< what the last frame closed
+  CoverGroup group;                  ///< what is being drawn into it
+  Zeros<std::uint32_t> stamps;       ///< for each triangle, the last source that drew it
+  std::uint32_t stamp = 0;           ///< of the source
+  std::vector<std::uint32_t> taken;  ///< leaves whose polygons are drawn next
 };
 
 class CoverPainter {
@@ -44,16 +44,18 @@ class CoverPainter {
   void use(const CoverSource& source);
   /// Keeps the polygons of a leaf of the source for join().
   void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
-  /// Draws the kept polygons into the coarse picture, together with the polygons of the source that were drawn before and
-  /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
-  /// group that was drawn has the number groups().
+  /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
+  /// share an edge with them, so that no seam between them stays open. Returns false if none were kept or no more may be
+  /// drawn. Else the group that was drawn has the number groups().
   bool join();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
+  /// Those of the source.
+  [[nodiscard]] const CoverTriangles& triangles() const { return source_->triangles; }
   /// Whether more may be drawn.
   [[nodiscard]] bool may_draw() const;
 
  private:
-  void add_around(std::uint32_t leaf);
+  bool take_drawn(std::uint32_t triangle);
 
   const CoverSource* source_ = nullptr;
   CoverOptions options_;

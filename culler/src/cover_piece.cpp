@@ -78,6 +78,7 @@ void CoverPiece::see(const CoverMesh& mesh) {
 
 bool CoverPiece::find(std::size_t sheet) {
   sheet_ = sheets_[sheet];
+  if (sheet_.front() >= mesh_.fresh) return false;
   outlines_.clear();
   CoverOutline::Extent all;
   double area = 0, nearest = kNoBound;

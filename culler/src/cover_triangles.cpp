@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "adjacency.h"
-#include "cover_limits.h"
 #include "for_ranges.h"
 #include "parallel_sort.h"
 
@@ -42,13 +41,13 @@ constexpr std::size_t kMostTriangles = (std::size_t{1} << 31U) / 3;
 
 /// Makes rings of sides that are in order, and have one lower corner. Calls at(i) for the first of each ring.
 template <class At>
-void join_rings(std::span<const TriangleSide> sides, std::vector<std::array<RingStep, 3>>& next, const At& at) {
+void join_rings(std::span<const TriangleSide> sides, std::vector<RingStep>& next, const At& at) {
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     at(i);
     while (end < sides.size() && end - i < kMostInRing && sides[end].high == sides[i].high) ++end;
     for (std::size_t k = i; k < end; ++k) {
-      const std::uint32_t from = sides[k].side, to = sides[k + 1 < end ? k + 1 : i].side;
-      next[from / 3][from % 3] = {to & 0x7FFFFFFFU, end - i <= 2 ? 1U : 0U};
+      const std::uint32_t to = sides[k + 1 < end ? k + 1 : i].side;
+      next[sides[k].side] = {to & 0x7FFFFFFFU, end - i <= 2 ? 1U : 0U};
     }
   }
 }
@@ -64,8 +63,8 @@ class SidesByCorner {
     ends_.pop_back();
   }
 
-  [[nodiscard]] std::vector<std::array<RingStep, 3>> rings() {
-    std::vector<std::array<RingStep, 3>> next(sides_.size() / 3);
+  [[nodiscard]] std::vector<RingStep> rings() {
+    std::vector<RingStep> next(sides_.size());
     const auto join_few = [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
         if (is_hub(v)) continue;
@@ -98,67 +97,12 @@ class SidesByCorner {
   const Checkpoint& checkpoint_;
 };
 
-/// For each vertex, the polygons that have it.
-class Incidence {
- public:
-  Incidence(SoupView soup, std::span<const std::uint32_t> weld)
-      : first_(soup.vertices.size() + 1), polygons_(soup.indices.size()) {
-    for (const std::uint32_t v : soup.indices) ++first_[weld[v] + std::size_t{1}];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t p = 0; p < soup.size(); ++p) {
-      for (const std::uint32_t v : soup.loop(p)) polygons_[next[weld[v]]++] = p;
-    }
-  }
-  [[nodiscard]] std::span<const std::uint32_t> polygons_at(std::uint32_t vertex) const {
-    return std::span(polygons_).subspan(first_[vertex], first_[vertex + std::size_t{1}] - first_[vertex]);
-  }
-
- private:
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> polygons_;
-};
-
-/// Appends the polygons around leaves.
-class Around {
- public:
-  Around(SoupView soup, std::span<const std::uint32_t> weld)
-      : soup_(soup), weld_(weld), incidence_(soup, weld), leaf_of_(soup.size(), kNone) {}
-
-  void append(const HierarchyNode& leaf, std::vector<std::uint32_t>& around) {
-    const std::uint32_t end = leaf.first + leaf.count;
-    for (std::uint32_t p = leaf.first; p < end; ++p) leaf_of_[p] = leaf.first;
-    std::size_t left = kMostAround * (soup_.first[end] - soup_.first[leaf.first] - 2 * std::size_t{leaf.count});
-    for (std::uint32_t p = leaf.first; p < end; ++p) {
-      for (const std::uint32_t v : soup_.loop(p)) {
-        const auto at_corner = incidence_.polygons_at(weld_[v]);
-        if (at_corner.size() > kMostAtCorner) continue;
-        for (const std::uint32_t other : at_corner) {
-          if (leaf_of_[other] == leaf.first || soup_.loop(other).size() > kMostSidesAround) continue;
-          if (soup_.triangles(other) > left) return;
-          left -= soup_.triangles(other);
-          leaf_of_[other] = leaf.first;
-          around.push_back(other);
-        }
-      }
-    }
-  }
-
- private:
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-
-  SoupView soup_;
-  std::span<const std::uint32_t> weld_;
-  Incidence incidence_;
-  std::vector<std::uint32_t> leaf_of_;  ///< for each polygon, the first polygon of the last leaf that it is in or around
-};
-
 }  // namespace
 
-CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode> nodes, const Checkpoint& checkpoint) {
+CoverTriangles CoverTriangles::find(SoupView soup, const Checkpoint& checkpoint) {
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-  std::vector<std::uint32_t> first, numbers(soup.vertices.size(), kNone);
+  std::vector<std::uint32_t> first, polygons, numbers(soup.vertices.size(), kNone);
   std::vector<glm::dvec3> vertices;
   std::vector<CoverMesh::Triangle> corners;
   first.reserve(soup.first.size());
@@ -166,6 +110,7 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
   const std::size_t triangles = soup.indices.size() - 2 * soup.size();
   if (triangles > kMostTriangles) throw std::length_error("more than 2^31 sides of triangles");
   corners.reserve(triangles);
+  polygons.reserve(triangles);
   const auto number = [&](std::uint32_t v) {
     std::uint32_t& n = numbers[weld[v]];
     if (n == kNone) {
@@ -178,6 +123,7 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
     first.push_back(static_cast<std::uint32_t>(corners.size()));
     const auto loop = soup.loop(p);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      polygons.push_back(p);
       corners.push_back({number(loop[0]), number(loop[i]), number(loop[i + 1])});
     }
   }
@@ -187,20 +133,9 @@ CoverTriangles CoverTriangles::find(SoupView soup, std::span<const HierarchyNode
   CoverTriangles result;
   result.next_ = SidesByCorner(corners, vertices.size(), checkpoint).rings();
   result.first_ = std::move(first);
+  result.polygons_ = std::move(polygons);
   result.vertices_ = std::move(vertices);
   result.corners_ = std::move(corners);
-  std::vector<std::uint64_t> first_around;
-  first_around.reserve(nodes.size() + 1);
-  std::vector<std::uint32_t> all_around;
-  Around around(soup, weld);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    checkpoint.at(n);
-    first_around.push_back(all_around.size());
-    if (nodes[n].is_leaf()) around.append(nodes[n], all_around);
-  }
-  first_around.push_back(all_around.size());
-  result.first_around_ = std::move(first_around);
-  result.around_ = std::move(all_around);
   return result;
 }
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The parts of the triangles of a model, and the checks of parts that are said to be those.
 #include <algorithm>
-#include <atomic>
-#include <bit>
 #include <string_view>
 
-#include "cover_limits.h"
 #include "cover_triangles.h"
-#include "for_ranges.h"
 #include "part_checks.h"
 #include "part_list.h"
 
@@ -15,8 +11,7 @@ namespace occlude::culler {
 namespace {
 
 constexpr std::string_view kCoverFirst = "cover first", kCoverVertices = "cover vertices", kCoverCorners = "cover corners",
-                           kCoverNext = "cover next", kCoverFirstAround = "cover first around",
-                           kCoverAround = "cover around";
+                           kCoverPolygons = "cover polygons", kCoverNext = "cover next";
 
 /// Whether the triangles of polygon p are its fan: their corners are the vertices of its loop, and those of a triangle with
 /// the same coordinates are the same. Each vertex is compared once.
@@ -45,8 +40,7 @@ bool is_fan(std::size_t p, SoupView soup, const Array<std::uint32_t>& first, con
 /// The rings of the sides.
 class Rings {
  public:
-  Rings(const Array<CoverMesh::Triangle>& corners, const Array<std::array<RingStep, 3>>& next)
-      : corners_(corners), next_(next) {}
+  Rings(const Array<CoverMesh::Triangle>& corners, const Array<RingStep>& next) : corners_(corners), next_(next) {}
 
   /// Whether the side is in a ring of at most kMostInRing sides along one edge, and its step says whether these are two at
   /// most.
@@ -60,7 +54,7 @@ class Rings {
   }
 
  private:
-  [[nodiscard]] RingStep step(std::uint32_t side) const { return next_[side / 3][side % 3]; }
+  [[nodiscard]] RingStep step(std::uint32_t side) const { return next_[side]; }
   [[nodiscard]] std::uint32_t from(std::uint32_t side) const { return corners_[side / 3][side % 3]; }
   [[nodiscard]] std::uint32_t to(std::uint32_t side) const { return corners_[side / 3][(side + 1) % 3]; }
   [[nodiscard]] bool are_along(std::uint32_t a, std::uint32_t b) const {
@@ -68,67 +62,26 @@ class Rings {
   }
 
   const Array<CoverMesh::Triangle>& corners_;
-  const Array<std::array<RingStep, 3>>& next_;
+  const Array<RingStep>& next_;
 };
-
-/// Finds out whether lists name a polygon twice.
-class Named {
- public:
-  /// Whether the list was not yet said to name it. REQUIRES: list < 2^32 - 1; no list names more than `most` given before.
-  bool add(std::uint64_t list, std::uint32_t polygon) {
-    const std::uint64_t key = (list + 1) << 32U | polygon;
-    for (std::size_t i = polygon * 0x9E3779B1U;; ++i) {
-      std::uint64_t& place = places_[i & (places_.size() - 1)];
-      if (place == key) return false;
-      if (place >> 32U != list + 1) {
-        place = key;
-        return true;
-      }
-    }
-  }
-  void reserve(std::size_t most) {
-    if (places_.size() < 2 * most) places_.assign(std::bit_ceil(2 * most), 0);
-  }
-
- private:
-  std::vector<std::uint64_t> places_;
-};
-
-/// Whether `around` can be around a leaf: other polygons, each once, within the limits of find().
-bool are_around(std::span<const std::uint32_t> around, std::uint64_t n, const HierarchyNode& leaf, SoupView soup,
-                Named& named) {
-  const std::size_t end = std::size_t{leaf.first} + leaf.count;
-  std::size_t left = kMostAround * (soup.first[end] - soup.first[leaf.first] - 2 * std::size_t{leaf.count});
-  if (around.size() > left) return false;
-  named.reserve(around.size());
-  for (const std::uint32_t p : around) {
-    if (p >= soup.size() || (p >= leaf.first && p < end) || soup.loop(p).size() > kMostSidesAround) return false;
-    if (soup.triangles(p) > left || !named.add(n, p)) return false;
-    left -= soup.triangles(p);
-  }
-  return true;
-}
 
 }  // namespace
 
 void CoverTriangles::append_parts(PartWriter& parts) const {
   parts.put(kCoverFirst, first_);
+  parts.put(kCoverPolygons, polygons_);
   parts.put(kCoverVertices, vertices_);
   parts.put(kCoverCorners, corners_);
   parts.put(kCoverNext, next_);
-  parts.put(kCoverFirstAround, first_around_);
-  parts.put(kCoverAround, around_);
 }
 
-CoverTriangles CoverTriangles::from_parts(const PartReader& parts, SoupView soup, std::span<const HierarchyNode> nodes,
-                                          const Checkpoint& checkpoint) {
+CoverTriangles CoverTriangles::from_parts(const PartReader& parts, SoupView soup, const Checkpoint& checkpoint) {
   CoverTriangles result;
   result.first_ = parts.get<std::uint32_t>(kCoverFirst);
+  result.polygons_ = parts.get<std::uint32_t>(kCoverPolygons);
   result.vertices_ = parts.get<glm::dvec3>(kCoverVertices);
   result.corners_ = parts.get<CoverMesh::Triangle>(kCoverCorners);
-  result.next_ = parts.get<std::array<RingStep, 3>>(kCoverNext);
-  result.first_around_ = parts.get<std::uint64_t>(kCoverFirstAround);
-  result.around_ = parts.get<std::uint32_t>(kCoverAround);
+  result.next_ = parts.get<RingStep>(kCoverNext);
 
   const std::size_t triangles = soup.indices.size() - 2 * soup.size();
   const auto is_polygon = [&](std::size_t p) { return is_fan(p, soup, result.first_, result.vertices_, result.corners_); };
@@ -136,27 +89,19 @@ CoverTriangles CoverTriangles::from_parts(const PartReader& parts, SoupView soup
       result.corners_.size() != triangles || !are_all(soup.size(), is_polygon, checkpoint)) {
     refuse_part(kCoverCorners, "the triangles are not those of the polygons");
   }
+  const auto is_of_its_polygon = [&](std::size_t p) {
+    const auto own =
+        std::span(result.polygons_.begin(), result.polygons_.end()).subspan(result.first_[p], soup.triangles(p));
+    return std::ranges::all_of(own, [&](std::uint32_t polygon) { return polygon == p; });
+  };
+  if (result.polygons_.size() != triangles || !are_all(soup.size(), is_of_its_polygon, checkpoint)) {
+    refuse_part(kCoverPolygons, "the triangles are of other polygons");
+  }
   const Rings rings(result.corners_, result.next_);
   const auto is_in_ring = [&](std::size_t side) { return rings.has(static_cast<std::uint32_t>(side)); };
-  if (result.next_.size() != triangles || !are_all(3 * triangles, is_in_ring, checkpoint)) {
+  if (result.next_.size() != 3 * triangles || !are_all(3 * triangles, is_in_ring, checkpoint)) {
     refuse_part(kCoverNext, "the sides are not in rings");
   }
-  if (result.first_around_.size() != nodes.size() + 1 ||
-      !are_starts(result.first_around_, result.around_.size(), checkpoint)) {
-    refuse_part(kCoverFirstAround, "it has not a range for each node");
-  }
-  std::atomic<bool> are_sound = true;
-  for_ranges(
-      nodes.size(),
-      [&](std::size_t begin, std::size_t end) {
-        Named named;
-        for (std::size_t n = begin; n < end && are_sound; ++n) {
-          const auto around = result.around(static_cast<std::uint32_t>(n));
-          if (!around.empty() && !are_around(around, n, nodes[n], soup, named)) are_sound = false;
-        }
-      },
-      checkpoint);
-  if (!are_sound) refuse_part(kCoverAround, "the polygons cannot be those around the leaves");
   return result;
 }
 

@@ -62,7 +62,7 @@ const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
 const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
   return triangles_->get([&] {
     require_rounding();
-    return CoverTriangles::find(hierarchy_.soup(), hierarchy_.nodes(), checkpoint);
+    return CoverTriangles::find(hierarchy_.soup(), checkpoint);
   });
 }
 

@@ -97,8 +97,7 @@ Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
     static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));
   }
   if (parts.has_any([](std::string_view part) { return method_of(part) == Method::cover; })) {
-    static_cast<void>(triangles_->get(
-        [&] { return CoverTriangles::from_parts(parts, hierarchy_.soup(), hierarchy_.nodes(), checkpoint); }));
+    static_cast<void>(triangles_->get([&] { return CoverTriangles::from_parts(parts, hierarchy_.soup(), checkpoint); }));
   }
 }
 

@@ -19,10 +19,10 @@ class DrawnGroups {
   void keep(const CoverPainter& painter, const CoverMemory& memory, std::uint32_t source) {
     groups_.resize(painter.groups() + std::size_t{1});
     groups_.back().source = source;
-    const auto polygons = memory.group.polygons();
-    for (std::size_t t = 0; t < polygons.size(); ++t) {
+    const auto ids = memory.group.ids();
+    for (std::size_t t = 0; t < ids.size(); ++t) {
       const auto places = memory.buffer.piece().places(t);
-      if (places) groups_.back().triangles.push_back({polygons[t], *places});
+      if (places) groups_.back().triangles.push_back({painter.triangles().polygon(ids[t]), *places});
     }
   }
 

@@ -51,7 +51,7 @@ void add(CoverBuffer& buffer, const std::vector<glm::dvec3>& vertices, const std
   PolygonSoup soup;
   soup.vertices = vertices;
   for (const Triangle& triangle : triangles) soup.add_polygon(triangle);
-  const CoverTriangles all = CoverTriangles::find(soup, {});
+  const CoverTriangles all = CoverTriangles::find(soup);
   CoverGroup group;
   for (std::uint32_t p = 0; p < soup.size(); ++p) group.add(all, p);
   if (!group.is_empty()) buffer.add(group.mesh(all));

@@ -30,7 +30,7 @@ class Quads {
 
   /// The polygons of each sheet, with the signs of the triangles in the plane.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> sheets() {
-    triangles_ = CoverTriangles::find(soup_, {});
+    triangles_ = CoverTriangles::find(soup_);
     CoverGroup group;
     for (std::uint32_t p = 0; p < soup_.size(); ++p) group.add(triangles_, p);
     const CoverMesh mesh = group.mesh(triangles_);
@@ -46,7 +46,8 @@ class Quads {
     for (std::size_t i = 0; i < sheets.size(); ++i) {
       std::vector<std::uint32_t>& polygons = result.emplace_back();
       for (const std::uint32_t t : sheets[i]) {
-        if (polygons.empty() || polygons.back() != group.polygons()[t]) polygons.push_back(group.polygons()[t]);
+        const std::uint32_t polygon = triangles_.polygon(group.ids()[t]);
+        if (polygons.empty() || polygons.back() != polygon) polygons.push_back(polygon);
       }
     }
     return result;
