@@ -122,8 +122,8 @@ class BeamPicture {
   double near_distance_ = 0;  ///< as in FrameView
 };
 
-/// The four roundings of a position, 2^-53 each, and as much again for the roundings where the position is used.
-inline constexpr double kPlaceError = 0x1p-50;
+/// The four roundings of a position, 2^-53 each, and those where it is used. The most are in CoverBorder::turn(), 40.
+inline constexpr double kPlaceError = 0x1p-47;
 
 /// Computing a bound takes a few roundings. This factor is more than their error.
 inline constexpr double kBoundRounded = 1 + 0x1p-40;

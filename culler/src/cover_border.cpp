@@ -49,7 +49,6 @@ struct EdgeColumns {
   double y, slope;
   int column0, column1;  ///< to draw
   int row0, row1;
-  std::uint8_t degree;
 };
 
 }  // namespace
@@ -116,72 +115,22 @@ void touch(const BorderTiles& tiles, const EdgePart& edge) {
   }
 }
 
-/// Changes the degree in each column, from the first pixel upwards whose middle is above the edge.
+/// Turns in each column the first pixel whose middle is above the edge.
 void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
-  const int lanes = static_cast<int>(hn::Lanes(kD));
-  const Floats half = hn::Set(kD, 0.5F), low = hn::Set(kD, static_cast<float>(edge.row0)),
-               high = hn::Set(kD, static_cast<float>(edge.row1));
-  const Floats slopes = hn::Mul(hn::Iota(kD, 0), hn::Set(kD, static_cast<float>(edge.slope)));
+  // In floats a turn could come some rows beyond the end of an edge that is millions of pixels long.
+  const hn::CappedTag<double, kTile> d;
+  const hn::Rebind<std::int32_t, decltype(d)> rows_of;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto half = hn::Set(d, 0.5), low = hn::Set(d, edge.row0), high = hn::Set(d, edge.row1);
+  const auto slopes = hn::Mul(hn::Iota(d, 0), hn::Set(d, edge.slope));
   for (int x = edge.column0; x < edge.column1; x += lanes) {
-    const Floats y = hn::Add(hn::Set(kD, static_cast<float>(edge.y + (x - edge.column0) * edge.slope)), slopes);
+    const auto y = hn::Add(hn::Set(d, edge.y + (x - edge.column0) * edge.slope), slopes);
     std::int32_t rows[kTile];
-    hn::StoreU(hn::ConvertTo(kDi, clamp(hn::Add(y, half), low, high)), kDi, rows);
+    hn::StoreU(hn::DemoteTo(rows_of, hn::Min(hn::Max(hn::Add(y, half), low), high)), rows_of, rows);
     for (int i = 0; i < std::min(lanes, edge.column1 - x); ++i) {
       if (rows[i] >= edge.row1) continue;
       const int column = x + i;
-      std::uint8_t& turned = tiles.at(column / kTile, rows[i] / kTile)
-                                 .turns[static_cast<std::size_t>(rows[i] % kTile)][static_cast<std::size_t>(column % kTile)];
-      turned = static_cast<std::uint8_t>(turned + edge.degree);
-    }
-  }
-}
-
-using BytesTag = hn::CappedTag<std::uint8_t, kTile>;
-
-/// A bit for each degree that is not 0.
-HWY_INLINE std::uint64_t nonzero(hn::Vec<BytesTag> degrees) {
-  const BytesTag d;
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(d, hn::Ne(degrees, hn::Zero(d)), bits);
-  return bits[0];
-}
-
-/// The closed pixels of a tile into which nothing of the border was drawn: those whose degree is not 0, the same in each
-/// row.
-std::uint64_t close(const std::uint8_t* degrees) {
-  const BytesTag d;
-  std::uint64_t row = 0;
-  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) row |= nonzero(hn::LoadU(d, degrees + i)) << i;
-  return row * 0x0101010101010101U;
-}
-
-/// The closed pixels of a tile that the border was drawn into: those it does not touch whose degree is not 0. Adds the turns
-/// of each row to the degrees.
-std::uint64_t close(const BorderTile& tile, std::uint8_t* degrees) {
-  const BytesTag d;
-  std::uint64_t closed = 0;
-  for (std::size_t i = 0; i < kTile; i += hn::Lanes(d)) {
-    auto sums = hn::LoadU(d, degrees + i);
-    for (std::size_t row = 0; row < kTile; ++row) {
-      sums = hn::Add(sums, hn::LoadU(d, tile.turns[row].data() + i));
-      closed |= nonzero(sums) << (row * kTile + i);
-    }
-    hn::StoreU(sums, d, degrees + i);
-  }
-  return closed & ~tile.touched;
-}
-
-/// Goes through the tiles row by row, from below.
-void find_closed(const BorderTiles& tiles, const PixelRectangle& r, std::uint8_t* degrees, std::uint64_t* closed) {
-  for (int y = r.y0; y < r.y1; ++y) {
-    for (int x = r.x0; x < r.x1; ++x) {
-      const BorderTile& tile = tiles.tiles[y * tiles.across + x];
-      std::uint64_t& bits = closed[y * tiles.across + x];
-      if (tile.border == tiles.border) {
-        bits = close(tile, degrees + x * kTile);
-      } else {
-        bits = close(degrees + x * kTile);
-      }
+      tiles.at(column / kTile, rows[i] / kTile).turned ^= std::uint64_t{1} << (rows[i] % kTile * kTile + column % kTile);
     }
   }
 }
@@ -196,11 +145,16 @@ namespace occlude::culler {
 namespace {
 HWY_EXPORT(touch);
 HWY_EXPORT(turn);
-HWY_EXPORT(find_closed);
+
+/// The pixels with an odd number of turns among them and those below them.
+std::uint64_t turned_below(std::uint64_t turned) {
+  for (int rows = 1; rows < kTile; rows *= 2) turned ^= turned << (rows * kTile);
+  return turned;
+}
 
 constexpr double kLeastRise = 0x1p-20;
-/// Edges that are steeper or farther away are limited to this. They separate the same pixels.
-constexpr double kMost = 0x1p100;
+/// Slopes and heights are limited to this, so that sums stay finite. No edge in a picture is that steep or that far away.
+constexpr double kMost = 0x1p1000;
 }  // namespace
 
 void CoverBorder::begin(const BeamPicture& picture, const PixelRectangle& tiles) {
@@ -212,17 +166,17 @@ void CoverBorder::begin(const BeamPicture& picture, const PixelRectangle& tiles)
   const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(height_ / kTile);
   if (++border_ == 0 || drawn_.size() != count) {
     drawn_.assign(count, {});
-    degrees_.resize(static_cast<std::size_t>(width_));
+    enclosed_.resize(static_cast<std::size_t>(tiles_across_));
     border_ = 1;
   }
 }
 
-void CoverBorder::draw(const Corner& from, const Corner& to, int degree) {
+void CoverBorder::draw(const Corner& from, const Corner& to) {
   touch(from, to);
   if (from.place.x <= to.place.x) {
-    turn(from.place, to.place, degree);
+    turn(from.place, to.place);
   } else {
-    turn(to.place, from.place, -degree);
+    turn(to.place, from.place);
   }
 }
 
@@ -257,8 +211,9 @@ void CoverBorder::touch(const Corner& from, const Corner& to) {
     rounded_up(error), rounded_up(wide), row0, row1, static_cast<float>(pixels_.x0), static_cast<float>(pixels_.x1)});
 }
 
-/// Turns the columns whose middle is beyond a.x and not beyond b.x.
-void CoverBorder::turn(const Place& a, const Place& b, int degree) {
+/// Turns the columns whose middle is beyond a.x and not beyond b.x. Their heights round ten times, by 2^-53 of what is below
+/// 4 times the height of the farther end. The errors of the ends include that.
+void CoverBorder::turn(const Place& a, const Place& b) {
   const double run = b.x - a.x;
   if (!(run > 0)) return;
   const auto first_from = [&](double x) { return std::clamp(first_middle(x, width_), pixels_.x0, pixels_.x1); };
@@ -267,13 +222,23 @@ void CoverBorder::turn(const Place& a, const Place& b, int degree) {
   const double slope = std::clamp((b.y - a.y) / run, -kMost, kMost);
   const double y = std::clamp(a.y + (column0 + 0.5 - a.x) * slope, -kMost, kMost);
   HWY_DYNAMIC_DISPATCH(turn)
-  ({drawn_.data(), tiles_across_, border_},
-   {y, slope, column0, column1, pixels_.y0, pixels_.y1, static_cast<std::uint8_t>(degree)});
+  ({drawn_.data(), tiles_across_, border_}, {y, slope, column0, column1, pixels_.y0, pixels_.y1});
 }
 
+/// Goes through the tiles row by row, from below.
 void CoverBorder::find_closed(std::vector<std::uint64_t>& closed) {
-  std::fill(degrees_.begin() + pixels_.x0, degrees_.begin() + pixels_.x1, 0);
-  HWY_DYNAMIC_DISPATCH(find_closed)({drawn_.data(), tiles_across_, border_}, tiles_, degrees_.data(), closed.data());
+  std::fill(enclosed_.begin() + tiles_.x0, enclosed_.begin() + tiles_.x1, 0);
+  for (int y = tiles_.y0; y < tiles_.y1; ++y) {
+    for (int x = tiles_.x0; x < tiles_.x1; ++x) {
+      const auto at = static_cast<std::size_t>(y * tiles_across_ + x);
+      const BorderTile& tile = drawn_[at];
+      std::uint8_t& below = enclosed_[static_cast<std::size_t>(x)];
+      const bool is_drawn = tile.border == border_;
+      const std::uint64_t enclosed = (0x0101010101010101U * below) ^ (is_drawn ? turned_below(tile.turned) : 0);
+      closed[at] = is_drawn ? enclosed & ~tile.touched : enclosed;
+      below = static_cast<std::uint8_t>(enclosed >> (kTilePixels - kTile));
+    }
+  }
 }
 
 }  // namespace occlude::culler

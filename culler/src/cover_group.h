@@ -21,7 +21,7 @@ struct CoverStand {
   CoverMesh::Front front = CoverMesh::Front::both;
 };
 
-/// Builds the mesh of a few polygons, and of triangles that share edges with them.
+/// Builds the mesh of a few polygons, and of triangles that touch them.
 class CoverGroup {
  public:
   /// Reserves memory for this many triangles.
@@ -30,12 +30,15 @@ class CoverGroup {
   void clear();
   /// REQUIRES: the polygon was not added since clear(); `triangles` and `stand` are the same in all calls since then.
   void add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand = {});
-  /// Adds the triangles that share an edge with those of the polygons and for which take(triangle) is true, which it must
-  /// not be of any in the group. REQUIRES: as add(), whose calls are done.
+  /// Adds the triangles that have a corner in common with the polygons, are connected with them by edges at such corners,
+  /// and for which take(triangle) is true, which it must not be of any in the group. REQUIRES: as add(), whose calls are
+  /// done.
   template <class Take>
   void add_neighbours(const CoverTriangles& triangles, const CoverStand& stand, const Take& take) {
-    for (std::size_t t = 0; t < own_; ++t) {
+    const std::uint32_t own_vertices = vertex_index_.size();
+    for (std::size_t t = 0; t < ids_.size(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) {
+        if (triangles_[t][i] >= own_vertices && triangles_[t][(i + 1) % 3] >= own_vertices) continue;
         const std::uint32_t side = 3 * ids_[t] + i;
         for (RingStep step = triangles.next(side); step.side != side; step = triangles.next(step.side)) {
           if (take(step.side / 3)) add_triangle(triangles, step.side / 3, stand);

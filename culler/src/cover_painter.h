@@ -45,8 +45,8 @@ class CoverPainter {
   /// Keeps the polygons of a leaf of the source for join().
   void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
   /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
-  /// share an edge with them, so that no seam between them stays open. Returns false if none were kept or no more may be
-  /// drawn. Else the group that was drawn has the number groups().
+  /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
+  /// group that was drawn has the number groups().
   bool join();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
   /// Those of the source.

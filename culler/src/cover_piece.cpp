@@ -222,36 +222,36 @@ void CoverPiece::lower(const PixelRectangle& tiles, float nearness) {
   }
 }
 
-/// Draws the sides of a triangle that are border, each edge only with the first of its triangles, and the cut at the near
-/// plane.
+/// Draws the sides of a triangle that are border, and the cut at the near plane.
 void CoverPiece::draw_sides(std::uint32_t triangle) {
   const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
-  const auto sign_of = [&](std::uint32_t t) { return is_in_sheet(t) ? signs_[t] : 0; };
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t side = 3 * triangle + i;
-    if (sheets_.is_inner(side) || !is_first(side)) continue;
-    if (const int count = degree(mesh_, side, sign_of); count != 0) draw_edge(corners[i], corners[(i + 1) % 3], count);
+    if (!sheets_.is_inner(side) && is_border(side)) draw_edge(corners[i], corners[(i + 1) % 3]);
   }
-  if (is_cut_) draw_cut(corners, signs_[triangle]);
+  if (is_cut_) draw_cut(corners);
 }
 
-/// Whether the side is the first of its ring among those of the sheet.
-bool CoverPiece::is_first(std::uint32_t side) const {
+/// Whether an odd number of triangles of the sheet share the edge of a side, and the side is the first of theirs.
+bool CoverPiece::is_border(std::uint32_t side) const {
+  bool is_odd = true;
   for (std::uint32_t other = mesh_.next_of(side); other != side; other = mesh_.next_of(other)) {
-    if (other < side && is_in_sheet(other / 3)) return false;
+    if (!is_in_sheet(other / 3)) continue;
+    if (other < side) return false;
+    is_odd = !is_odd;
   }
-  return true;
+  return is_odd;
 }
 
-void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to, int degree) {
-  if (!is_cut_) return border_.draw(vertices_[from].corner, vertices_[to].corner, degree);
+void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to) {
+  if (!is_cut_) return border_.draw(vertices_[from].corner, vertices_[to].corner);
   if (is_before(from) && is_before(to)) return;
   const auto end = [&](std::uint32_t vertex) { return (is_before(vertex) ? cut(from, to) : vertices_[vertex]).corner; };
-  border_.draw(end(from), end(to), degree);
+  border_.draw(end(from), end(to));
 }
 
 /// The cut of a triangle is border: it leads from where the loop leaves the drawn part back to where the loop returns.
-void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle, int degree) {
+void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle) {
   Corner leaves{}, returns{};
   bool is_cut = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -260,7 +260,7 @@ void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle, int degree) {
     is_cut = true;
     (is_before(b) ? leaves : returns) = cut(a, b).corner;
   }
-  if (is_cut) border_.draw(leaves, returns, degree);
+  if (is_cut) border_.draw(leaves, returns);
 }
 
 }  // namespace occlude::culler

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Draws meshes into the coarse picture: which pixels they close, and how near they are there.
 //
-// Triangles that look clockwise are turned over. The degree of a ray is the number of triangles of a set that it then meets.
-// It changes only where a ray crosses the border of the set: the edges along which its triangles go more often one way than
-// the other, and the cuts of triangles at the near plane. All rays of a pixel that the border does not touch have the degree
-// of the ray in its middle. If that is not 0, all of them meet the set. Only the border is drawn. So it does not matter for
-// correctness which triangles are in the set, which way they are turned and whether they overlap: a bad choice can leave a
-// pixel open, but never close a wrong one.
+// Whether a ray meets an odd number of triangles of a set changes only where it crosses the border of the set: the edges
+// that an odd number of its triangles share, and the cuts of triangles at the near plane. All rays of a pixel that the
+// border does not touch are in this as the ray in its middle. If that meets an odd number, all of them meet the set. Only
+// the border is drawn. So it does not matter for correctness which triangles are in the set and whether they overlap: a bad
+// choice can leave a pixel open, but never close a wrong one.
 //
 // Meshes are therefore drawn sheet by sheet. The triangles of a sheet are connected across edges that, as seen, have a
 // triangle on either side. A sheet has no fold and no inner border, and its depth is its own.
@@ -74,9 +73,9 @@ class CoverPiece {
   void lower(const PixelRectangle& tiles, float nearness);
   void draw_sides(std::uint32_t triangle);
   [[nodiscard]] bool is_in_sheet(std::uint32_t triangle) const { return sheet_of_[triangle] == laid_sheets_; }
-  [[nodiscard]] bool is_first(std::uint32_t side) const;
-  void draw_edge(std::uint32_t from, std::uint32_t to, int degree);
-  void draw_cut(const CoverMesh::Triangle& triangle, int degree);
+  [[nodiscard]] bool is_border(std::uint32_t side) const;
+  void draw_edge(std::uint32_t from, std::uint32_t to);
+  void draw_cut(const CoverMesh::Triangle& triangle);
 
   BeamPicture picture_;
   std::vector<double> slopes_x_, slopes_y_;  ///< of the rays along the borders of tiles

@@ -12,18 +12,6 @@
 
 namespace occlude::culler {
 
-/// How many more triangles along the edge of a side go its way than the other way, each counted with sign_of(triangle).
-template <class SignOf>
-[[nodiscard]] int degree(const CoverMesh& mesh, std::uint32_t side, const SignOf& sign_of) {
-  const auto from = [&](std::uint32_t s) { return mesh.triangles[s / 3][s % 3]; };
-  int sum = sign_of(side / 3);
-  for (std::uint32_t other = mesh.next_of(side); other != side; other = mesh.next_of(other)) {
-    const int sign = sign_of(other / 3);
-    sum += from(other) == from(side) ? sign : -sign;
-  }
-  return sum;
-}
-
 /// Divides a mesh into sheets. Two triangles that share an edge are connected if, as seen, they are on either side of it. If
 /// several are on one side, each is connected with one of the other side. A triangle of sign 0 is in no sheet.
 class CoverSheets {

@@ -120,6 +120,7 @@ CoverTriangles CoverTriangles::find(SoupView soup, const Checkpoint& checkpoint)
     return n;
   };
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    checkpoint.at(p);
     first.push_back(static_cast<std::uint32_t>(corners.size()));
     const auto loop = soup.loop(p);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {

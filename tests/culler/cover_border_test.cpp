@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Borders in the coarse picture: what an edge may touch is touched and little more, and degrees are winding numbers.
+// Borders in the coarse picture: what an edge may touch is touched and little more, and the rest is closed where the border
+// encloses it.
 #include "cover_border.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -68,7 +70,8 @@ class Edges {
   Place last_{};
 };
 
-/// All pixels are closed except those that an edge of degree 0 touches. So the pixels that stay open are the touched ones.
+/// All pixels are closed except those that an edge touches which is drawn twice and so turns nothing. So the pixels that
+/// stay open are the touched ones.
 TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   Edges edges;
   CoverBorder border;
@@ -78,9 +81,10 @@ TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   for (int i = 0; i < 400; ++i) {
     const Corner a{edges.place(), i % 3 == 0 ? 0.25 : 1e-9}, b{edges.place(), 1e-9};
     border.begin(picture, all);
-    // An edge below the picture that goes to the right gives degree 1 everywhere.
-    border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9}, 1);
-    border.draw(a, b, 0);
+    // Everything is above an edge below the picture.
+    border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9});
+    border.draw(a, b);
+    border.draw(b, a);
     const auto closed = closed_by(border);
     const double error = std::max(a.error, b.error);
     for (int y = 0; y < kHeight; ++y) {
@@ -100,7 +104,7 @@ TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   EXPECT_GT(near, 2000U);
 }
 
-TEST(CoverBorder, DegreesAreWindingNumbers) {
+TEST(CoverBorder, ClosesWhatItEnclosesAnOddNumberOfTimes) {
   Edges edges;
   CoverBorder border;
   const BeamPicture picture = cover_border_test::picture();
@@ -110,27 +114,55 @@ TEST(CoverBorder, DegreesAreWindingNumbers) {
     for (Corner& corner : loop) corner = {edges.place(), 1e-9};
     const PixelRectangle tiles = i % 2 == 0 ? PixelRectangle{0, 0, 6, 4} : PixelRectangle{1, 1, 5, 3};
     border.begin(picture, tiles);
-    const int degree = i % 3 == 0 ? 255 : 1;
-    for (std::size_t k = 0; k < loop.size(); ++k) border.draw(loop[k], loop[(k + 1) % loop.size()], degree);
+    for (std::size_t k = 0; k < loop.size(); ++k) border.draw(loop[k], loop[(k + 1) % loop.size()]);
     const auto closed = closed_by(border);
     for (int y = tiles.y0 * kTile; y < tiles.y1 * kTile; ++y) {
       for (int x = tiles.x0 * kTile; x < tiles.x1 * kTile; ++x) {
-        int winding = 0;
+        bool is_enclosed = false;
         bool is_touched = false;
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const Place &a = loop[k].place, &b = loop[(k + 1) % loop.size()].place;
           is_touched = is_touched || distance(a, b, x, y) < 1e-2;
           const double side = (b.x - a.x) * (y + 0.5 - a.y) - (b.y - a.y) * (x + 0.5 - a.x);
-          if (a.x <= x + 0.5 && b.x > x + 0.5 && side > 0) ++winding;
-          if (b.x <= x + 0.5 && a.x > x + 0.5 && side < 0) --winding;
+          const bool is_above =
+              (a.x <= x + 0.5 && b.x > x + 0.5 && side > 0) || (b.x <= x + 0.5 && a.x > x + 0.5 && side < 0);
+          is_enclosed = is_enclosed != is_above;
         }
         if (is_touched) continue;
-        EXPECT_EQ(has(closed, x, y), winding != 0) << i << ": " << x << " " << y;
-        closed_pixels += winding != 0;
+        EXPECT_EQ(has(closed, x, y), is_enclosed) << i << ": " << x << " " << y;
+        closed_pixels += is_enclosed;
       }
     }
   }
   EXPECT_GT(closed_pixels, 5000U);
+}
+
+/// An edge may come from millions of pixels below, and end just beyond the middle of a column. The column turns there and
+/// not some pixels above, where nothing is touched.
+TEST(CoverBorder, SteepEdgesTurnWhereTheyEnd) {
+  std::mt19937 random(11);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  CoverBorder border;
+  const BeamPicture picture = cover_border_test::picture();
+  const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
+  std::size_t closed_pixels = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double rise = std::exp2(uniform(10, 45)), beyond = uniform(1, 4) / rise;
+    const int column = static_cast<int>(random() % 40);
+    const double error = 1e-9 + 0x1p-47 * rise;  // no corner that far away has less
+    const Corner a{{column - uniform(0, 8), -rise}, error}, b{{column + 0.5 + beyond, uniform(2, 20)}, error},
+        c{{b.place.x - uniform(-20, 20), b.place.y + uniform(0, 1e-3)}, error};
+    border.begin(picture, all);
+    border.draw(a, b);
+    border.draw(b, c);
+    border.draw(c, a);
+    const auto closed = closed_by(border);
+    for (int y = static_cast<int>(b.place.y) + 2; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) EXPECT_FALSE(has(closed, x, y)) << i << ": " << x << " " << y;
+    }
+    for (const std::uint64_t tile : closed) closed_pixels += static_cast<std::size_t>(std::popcount(tile));
+  }
+  EXPECT_GT(closed_pixels, 10000U);
 }
 
 /// What was drawn before is gone.
@@ -139,7 +171,7 @@ TEST(CoverBorder, BeginsEmpty) {
   const BeamPicture picture = cover_border_test::picture();
   const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
   border.begin(picture, all);
-  border.draw({{-1e3, -9}, 1e-9}, {{1e3, 60}, 1e-9}, 1);
+  border.draw({{-1e3, -9}, 1e-9}, {{1e3, 60}, 1e-9});
   closed_by(border);
   border.begin(picture, all);
   for (const std::uint64_t closed : closed_by(border)) EXPECT_EQ(closed, 0U);
