@@ -24,23 +24,28 @@ struct CoverStand {
 /// Builds the mesh of a few polygons, and of triangles that touch them.
 class CoverGroup {
  public:
+  /// Thousands may meet at a corner, and frames would take quadratic time. Elsewhere about one touches each.
+  static constexpr std::size_t kMostAround = 8;
+
   /// Reserves memory for this many triangles.
   void reserve(std::size_t triangles);
   /// Forgets all triangles.
   void clear();
   /// REQUIRES: the polygon was not added since clear(); `triangles` and `stand` are the same in all calls since then.
   void add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand = {});
-  /// Adds the triangles that have a corner in common with the polygons, are connected with them by edges at such corners,
-  /// and for which take(triangle) is true, which it must not be of any in the group. REQUIRES: as add(), whose calls are
-  /// done.
+  /// Adds triangles that have a corner in common with the polygons, are connected with them by edges at such corners, and
+  /// for which take(triangle) is true, which it must not be of any in the group. Adds at most kMostAround for each of the
+  /// polygons' own. REQUIRES: as add(), whose calls are done.
   template <class Take>
   void add_neighbours(const CoverTriangles& triangles, const CoverStand& stand, const Take& take) {
     const std::uint32_t own_vertices = vertex_index_.size();
+    const std::size_t most = (1 + kMostAround) * own_;
     for (std::size_t t = 0; t < ids_.size(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         if (triangles_[t][i] >= own_vertices && triangles_[t][(i + 1) % 3] >= own_vertices) continue;
         const std::uint32_t side = 3 * ids_[t] + i;
         for (RingStep step = triangles.next(side); step.side != side; step = triangles.next(step.side)) {
+          if (ids_.size() == most) return;
           if (take(step.side / 3)) add_triangle(triangles, step.side / 3, stand);
         }
       }

@@ -60,8 +60,7 @@ void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const Cull
 inline void choose_occluders(const OccluderSet& occluders, const CullOptions& options, View::Memory& memory) {
   OccluderChoice choice(occluders, memory.view, options, memory);
   const bool is_coherent = options.objective.coherence != 0;
-  choice.sort_candidates();
-  if (is_coherent) choice.take_proven();
+  choice.sort_candidates_and_take_proven();
   if (is_coherent) choice.take_untried();
   choice.take_best();
   if (is_coherent) choice.take_probes();

@@ -74,9 +74,9 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   memory.candidates.reserve(candidates);
   // A list in fewer parts than the longest has fewer than 2 * kLeastOfPart in each.
   const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
-  if (parts > 1) {
-    if (memory.list_parts.size() < parts) memory.list_parts.resize(parts);
-    for (ListPart& part : memory.list_parts) part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1));
+  if (!is_alone()) {
+    if (memory.choice_parts.size() < parts + 1) memory.choice_parts.resize(parts + 1);
+    for (ChoicePart& part : memory.choice_parts) part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1));
   }
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
@@ -95,36 +95,47 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
 
 OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.taken(); }
 
-void OccluderChoice::sort_candidates() {
+void OccluderChoice::sort_candidates_and_take_proven() {
   const OccluderLists::List listed = occluders_.lists().list(view_.eye);
+  if (!is_alone()) return begin_on_threads(listed);
   memory_.candidates.clear();
-  find_candidates(listed);
-  memory_.order.update(memory_.candidates, occluders_.size());
-  CullStats& stats = memory_.result.stats;
-  stats.potential_occluders = listed.occluders.size();
-  stats.occluders_in_view = memory_.candidates.size();
-  stats.sort_kept = memory_.order.kept();
-  stats.sort_moves = memory_.order.moves();
+  find_candidates(listed, 0, listed.occluders.size(), memory_.candidates);
+  sort(listed, memory_.candidates);
+  take_proven();
 }
 
-/// Scores those of the list that are in view, a long list in parts, in the order of the list.
-void OccluderChoice::find_candidates(const OccluderLists::List& listed) {
-  const std::size_t count = listed.occluders.size();
-  const std::size_t parts = parts_of(count);
-  if (parts == 1) return find_candidates(listed, 0, count, memory_.candidates);
-  const std::span<ListPart> all = std::span(memory_.list_parts).first(parts);
+/// One part takes what is proven, the others find candidates, in the order of the list. One that has the whole list sorts
+/// them, too.
+void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
+  const std::size_t count = listed.occluders.size(), parts = parts_of(count);
+  const std::span<ChoicePart> all = std::span(memory_.choice_parts).first(parts + 1), of_list = all.subspan(1);
   for (std::size_t i = 0; i < parts; ++i) {
-    all[i].first = count * i / parts;
-    all[i].end = count * (i + 1) / parts;
-    all[i].is_done = false;
+    of_list[i].first = count * i / parts;
+    of_list[i].end = count * (i + 1) / parts;
   }
-  run_parts(*options_.executor, all, [&](ListPart& part) {
+  for (ChoicePart& part : all) part.is_of_past = part.is_done = false;
+  all.front().is_of_past = true;
+  run_parts(*options_.executor, all, [&](ChoicePart& part) {
+    if (part.is_of_past) return take_proven();
     part.candidates.clear();
     find_candidates(listed, part.first, part.end, part.candidates);
+    if (parts == 1) sort(listed, part.candidates);
   });
-  for (const ListPart& part : all) {
+  if (parts == 1) return;
+  memory_.candidates.clear();
+  for (const ChoicePart& part : of_list) {
     memory_.candidates.insert(memory_.candidates.end(), part.candidates.begin(), part.candidates.end());
   }
+  sort(listed, memory_.candidates);
+}
+
+void OccluderChoice::sort(const OccluderLists::List& listed, std::span<const Candidate> candidates) {
+  memory_.order.update(candidates, occluders_.size());
+  CullStats& stats = memory_.result.stats;
+  stats.potential_occluders = listed.occluders.size();
+  stats.occluders_in_view = candidates.size();
+  stats.sort_kept = memory_.order.kept();
+  stats.sort_moves = memory_.order.moves();
 }
 
 void OccluderChoice::find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
@@ -140,10 +151,10 @@ void OccluderChoice::find_candidates(const OccluderLists::List& listed, std::siz
 
 /// In how many parts a list of so many is scored.
 std::size_t OccluderChoice::parts_of(std::size_t listed) const {
-  const Executor* executor = options_.executor;
-  if (executor == nullptr || executor->threads() == 1) return 1;
-  return std::clamp<std::size_t>(listed / kLeastOfPart, 1, kPartsOfThread * executor->threads());
+  if (is_alone()) return 1;
+  return std::clamp<std::size_t>(listed / kLeastOfPart, 1, kPartsOfThread * options_.executor->threads());
 }
+bool OccluderChoice::is_alone() const { return options_.executor == nullptr || options_.executor->threads() == 1; }
 
 /// Calls visit(i, size) for each of the occluders from `first` to before `end` that is in view, with how large it looks.
 /// occluder_at(i) is its number.
@@ -166,6 +177,7 @@ void OccluderChoice::for_each_in_view(std::size_t first, std::size_t end, const 
 
 void OccluderChoice::take_proven() {
   const Objective& objective = options_.objective;
+  if (objective.coherence == 0) return;
   std::vector<Candidate>& proven = memory_.candidates;
   proven.clear();
   for (const auto& [occluder, frame, hidden] : memory_.history.recent()) {

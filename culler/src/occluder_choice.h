@@ -34,10 +34,9 @@ class OccluderChoice {
   OccluderChoice(const OccluderChoice&) = delete;
   OccluderChoice& operator=(const OccluderChoice&) = delete;
 
-  /// Sorts what the region lists and is in view by the criteria that do not depend on earlier frames.
-  void sort_candidates();
-  /// Takes what hid something lately and is in view, whether or not the region lists it.
-  void take_proven();
+  /// Sorts what the region lists and is in view by the criteria that do not depend on earlier frames. At the same time
+  /// takes, unless coherence has no weight, what hid something lately and is in view, whether or not the region lists it.
+  void sort_candidates_and_take_proven();
   /// Takes candidates that were not tried in the last frames, best first, while there is room.
   void take_untried();
   /// Takes the other candidates, best first.
@@ -50,10 +49,13 @@ class OccluderChoice {
  private:
   template <class OccluderAt, class Visit>
   void for_each_in_view(std::size_t first, std::size_t end, const OccluderAt& occluder_at, const Visit& visit) const;
-  void find_candidates(const OccluderLists::List& listed);
+  void begin_on_threads(const OccluderLists::List& listed);
+  void sort(const OccluderLists::List& listed, std::span<const Candidate> candidates);
+  void take_proven();
   void find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
                        std::vector<Candidate>& found) const;
   [[nodiscard]] std::size_t parts_of(std::size_t listed) const;
+  [[nodiscard]] bool is_alone() const;
   void note_directions();
   [[nodiscard]] double goodness_near(std::uint32_t i) const;
   [[nodiscard]] glm::dvec3 direction_of(std::uint32_t i) const;

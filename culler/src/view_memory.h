@@ -39,10 +39,12 @@ struct ShadowCaster {
   bool are_surface;                      ///< whether the parts are in the surface at which the shadow begins
 };
 
-/// A part of a list, from `first` to before `end`, and what of it is in view.
-struct ListPart {
+/// What one thread does at the start of a choice: a part of a list, from `first` to before `end`, of which it finds what is
+/// in view, or what earlier frames tell.
+struct ChoicePart {
   std::size_t first = 0, end = 0;
   std::vector<Candidate> candidates;
+  bool is_of_past = false;
   bool is_done = false;
 };
 
@@ -58,7 +60,7 @@ struct View::Memory {
   FollowedSilhouettes silhouettes;
 
   std::vector<Candidate> candidates;
-  std::vector<ListPart> list_parts;
+  std::vector<ChoicePart> choice_parts;
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
   std::vector<OccluderDirection> directions;

@@ -151,6 +151,20 @@ TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
 
 /// The first frame is as good as any, and so is the one after a jump: nothing is kept from frame to frame.
 /// So many sides meet at its first corner that they are put in order apart from the others.
+/// What was drawn before is drawn again where it touches something, but not all of it that meets at one corner.
+TEST(CoverFrame, ACornerOfManyPolygonsTakesLinearTime) {
+  constexpr int kCount = 20000;
+  PolygonSoup soup;
+  const auto rim = [](int i) {
+    const double angle = 2 * std::numbers::pi * i / kCount;
+    return glm::dvec3{10, 5 * std::cos(angle), 5 * std::sin(angle)};
+  };
+  for (int i = 0; i < kCount; ++i) add(soup, {{9, 0, 0}, rim(i), rim((i + 1) % kCount)});
+  const CullStats stats = look(culler_of(soup), kCover).stats;
+  EXPECT_GT(stats.cover_triangles, 1000U);
+  EXPECT_LE(stats.cover_triangles, 9U * kCount);
+}
+
 TEST(CoverFrame, APolygonOfManySidesIsOneSheet) {
   PolygonSoup soup;
   constexpr std::uint32_t kSides = 10000;

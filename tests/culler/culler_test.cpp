@@ -353,7 +353,7 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
 struct Walk {
   std::vector<std::size_t> found;
   std::size_t put_off = 0;  ///< subtrees
-  std::size_t scored = 0;   ///< parts of lists
+  std::size_t begun = 0;    ///< parts of choices
 };
 Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options) {
   options.executor = &executor;
@@ -374,7 +374,7 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
     walk.found.insert(walk.found.end(),
                       {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept, stats.sort_moves});
     walk.put_off += view.memory().parts.put_off.size;
-    walk.scored += static_cast<std::size_t>(std::ranges::count_if(view.memory().list_parts, &ListPart::is_done));
+    walk.begun += static_cast<std::size_t>(std::ranges::count_if(view.memory().choice_parts, &ChoicePart::is_done));
   }
   return walk;
 }
@@ -400,11 +400,11 @@ TEST(Culler, AWalkWithALongListDoesNotDependOnTheExecutor) {
                       {.hierarchy = {.leaf_size = 4}, .lists = {.threshold = 1e-9, .regions = 1}});
   ASSERT_GT(culler.occluders().lists().longest(), 8192U);
   const Walk expected = walk_on(culler, Executor(), {});
-  EXPECT_EQ(expected.scored, 0U);
+  EXPECT_EQ(expected.begun, 0U);
   for (const Executor& executor : some_executors()) {
     const Walk walk = walk_on(culler, executor, {});
     EXPECT_EQ(walk.found, expected.found) << executor.threads() << " threads";
-    EXPECT_EQ(walk.scored > 60, executor.threads() > 1) << executor.threads() << " threads";
+    EXPECT_EQ(walk.begun > 60 * 8, executor.threads() > 1) << executor.threads() << " threads";
   }
 }
 
@@ -450,15 +450,18 @@ TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   }
 }
 
-/// Its subtrees are left to the calling thread.
+/// Its parts of the choice and its subtrees are left to the calling thread.
 TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
   View view;
-  std::size_t asked = 0, done = 0;
+  std::size_t calls = 0, done = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
-    asked += count;
-    for (std::size_t i = 0; i < count; ++i) done += view.memory().parts.turns[i].is_done ? 1 : 0;
+    const auto is_done = [&](std::size_t i) {
+      return calls == 0 ? view.memory().choice_parts[i].is_done : view.memory().parts.turns[i].is_done;
+    };
+    for (std::size_t i = 0; i < count; ++i) done += is_done(i) ? 1 : 0;
+    ++calls;
   });
   CullOptions options;
   options.executor = &upwards;
@@ -466,14 +469,16 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   camera.eye = {-45, 0, 2};
   camera.target = {0, 0, 2};
   const CullResult& found = culler.cull(camera, options, view);
-  EXPECT_GT(asked, 1U);
+  EXPECT_EQ(calls, 2U) << "the choice, the subtrees";
   EXPECT_EQ(done, 0U);
   EXPECT_EQ(found.drawn, culler.cull(camera).drawn);
 }
 
 TEST(Culler, AFrameWhoseExecutorThrowsDrawsEverything) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
-  const Executor full(2, [](std::size_t, const Executor::Part& part) {
+  std::size_t calls = 0;
+  const Executor full(2, [&](std::size_t count, const Executor::Part& part) {
+    if (++calls == 1) return Executor().run(count, part);  // the choice
     part(0);
     throw std::runtime_error("the queue is full");
   });
