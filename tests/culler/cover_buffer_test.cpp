@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -124,6 +125,33 @@ TEST(CoverBuffer, AHoleHidesNothing) {
   const Judge judge(looking_along_x(), square(2, 1, 3), 100);
   EXPECT_FALSE(judge.hides(cube({4, 0, 0}, 0.8)));
   EXPECT_TRUE(judge.hides(cube({4, 0, -1}, 0.2)));
+}
+
+/// Triangles that go once and an eighth round a corner are one sheet, of which three share an edge.
+TEST(CoverBuffer, AnEdgeOfThreeTrianglesIsBorder) {
+  constexpr int kRound = 8;
+  Mesh mesh;
+  const auto rim = [&](int i, double radius) {
+    const double angle = 2 * std::numbers::pi * (i + 0.1) / kRound;
+    return mesh.vertex({2, radius * std::cos(angle), radius * std::sin(angle)});
+  };
+  const std::uint32_t middle = mesh.vertex({2, 0, 0});
+  std::array<std::uint32_t, kRound> corners{};
+  for (int i = 0; i < kRound; ++i) corners[static_cast<std::size_t>(i)] = rim(i, 0.7);
+  std::vector<Triangle>& piece = mesh.pieces.emplace_back();
+  for (std::size_t i = 0; i < kRound; ++i) piece.push_back({middle, corners[i], corners[(i + 1) % kRound]});
+  piece.insert(piece.begin() + 1, {middle, corners[0], rim(1, 1)});
+  const Judge judge(looking_along_x(), mesh, 100);
+  std::size_t hidden = 0;
+  for (double y = -1.9; y < 2; y += 0.1) {
+    for (double z = -1.9; z < 2; z += 0.1) {
+      const kernel::Aabb box = cube({4, y, z}, 0.04);
+      if (!judge.hides(box)) continue;
+      ++hidden;
+      EXPECT_TRUE(judge.is_hidden(box)) << y << " " << z;
+    }
+  }
+  EXPECT_GT(hidden, 100U);
 }
 
 /// Layers add up whichever way they are turned and whatever edges they share.
