@@ -71,7 +71,10 @@ using Integers = hn::Vec<IntegerTag>;
 constexpr FloatTag kD;
 constexpr IntegerTag kDi;
 
-HWY_INLINE Floats clamp(Floats x, Floats low, Floats high) { return hn::Min(hn::Max(x, low), high); }
+template <class Numbers>
+HWY_INLINE Numbers clamp(Numbers x, Numbers low, Numbers high) {
+  return hn::Min(hn::Max(x, low), high);
+}
 HWY_INLINE Integers clamp_to_tile(Integers x) { return hn::Min(hn::Max(x, hn::Zero(kDi)), hn::Set(kDi, kTile)); }
 
 /// Touches pixels in the rows of a tile from y upwards: in each row the columns from x0 to before x1.
@@ -126,7 +129,7 @@ void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
   for (int x = edge.column0; x < edge.column1; x += lanes) {
     const auto y = hn::Add(hn::Set(d, edge.y + (x - edge.column0) * edge.slope), slopes);
     std::int32_t rows[kTile];
-    hn::StoreU(hn::DemoteTo(rows_of, hn::Min(hn::Max(hn::Add(y, half), low), high)), rows_of, rows);
+    hn::StoreU(hn::DemoteTo(rows_of, clamp(hn::Add(y, half), low, high)), rows_of, rows);
     for (int i = 0; i < std::min(lanes, edge.column1 - x); ++i) {
       if (rows[i] >= edge.row1) continue;
       const int column = x + i;
@@ -185,8 +188,7 @@ bool CoverBorder::may_touch(const Corner& from, const Corner& to) const {
   CoverOutline::Extent extent;
   extent.hold(from);
   extent.hold(to);
-  return !(extent.high.x < pixels_.x0 || extent.low.x > pixels_.x1 || extent.high.y < pixels_.y0 ||
-           extent.low.y > pixels_.y1);
+  return extent.may_meet(pixels_);
 }
 
 void CoverBorder::touch(const Corner& from, const Corner& to) {

@@ -24,7 +24,7 @@ struct CoverStand {
 /// Builds the mesh of a few polygons, and of triangles that touch them.
 class CoverGroup {
  public:
-  /// Thousands may meet at a corner, and frames would take quadratic time. Elsewhere about one touches each.
+  /// Thousands may meet at a corner. Without a limit frames would take quadratic time.
   static constexpr std::size_t kMostAround = 8;
 
   /// Reserves memory for this many triangles.

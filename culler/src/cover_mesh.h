@@ -27,8 +27,8 @@ struct CoverMesh {
   /// triangle t to the next corner. The sides along an edge form rings of at most kMostInRing sides. A side that is alone is
   /// its own next.
   std::span<const std::uint32_t> next;
-  /// So many of the triangles, the first ones, are drawn for the first time in the picture. Of the others, which touch them,
-  /// all that they hide among themselves is taken to be drawn.
+  /// So many of the triangles, the first ones, are new in the picture. The others were drawn before and touch them; a sheet
+  /// that has no new triangle is left out.
   std::size_t fresh = 0;
   Front front = Front::both;
 

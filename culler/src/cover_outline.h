@@ -32,6 +32,10 @@ struct CoverOutline {
       high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
     }
     [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
+    /// False only if it is beside the rectangle.
+    [[nodiscard]] bool may_meet(const PixelRectangle& r) const {
+      return !(high.x < r.x0 || low.x > r.x1 || high.y < r.y0 || low.y > r.y1);
+    }
 
     static constexpr double kNone = std::numeric_limits<double>::infinity();
   };

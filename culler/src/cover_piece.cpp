@@ -103,7 +103,7 @@ void CoverPiece::lay(const PixelRectangle& tiles) {
   ++laid_sheets_;
   for (std::size_t i = 0; i < sheet_.size(); ++i) {
     sheet_of_[sheet_[i]] = laid_sheets_;
-    if (is_within(outlines_[i].extent)) lay(mesh_.triangles[sheet_[i]], outlines_[i]);
+    if (outlines_[i].extent.may_meet(laid_)) lay(mesh_.triangles[sheet_[i]], outlines_[i]);
   }
 }
 
@@ -151,12 +151,6 @@ void CoverPiece::clear(const PixelRectangle& tiles) {
     const auto row = nearness_.begin() + std::ptrdiff_t{y} * tiles_across_;
     std::fill(row + tiles.x0, row + tiles.x1, std::numeric_limits<float>::infinity());
   }
-}
-
-/// Whether any of it may be in the pixels that are laid.
-bool CoverPiece::is_within(const CoverOutline::Extent& extent) const {
-  const PixelRectangle& r = laid_;
-  return extent.high.x >= r.x0 && extent.low.x <= r.x1 && extent.high.y >= r.y0 && extent.low.y <= r.y1;
 }
 
 /// 1 if the triangle looks counter-clockwise, -1 if clockwise, 0 if it is seen edge-on; up to rounding. Also 0 if it must

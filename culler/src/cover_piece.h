@@ -68,7 +68,6 @@ class CoverPiece {
   [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const;
   void clear(const PixelRectangle& tiles);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
-  [[nodiscard]] bool is_within(const CoverOutline::Extent& extent) const;
   void lay(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
   void lower(const PixelRectangle& tiles, float nearness);
   void draw_sides(std::uint32_t triangle);

@@ -2,12 +2,10 @@
 // The triangles of a soup, and which of them share edges.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string_view>
-#include <vector>
 
 #include "cover_mesh.h"
 #include "occlude/culler/array.h"

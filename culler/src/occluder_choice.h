@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
+#include <vector>
 
 #include "frame_view.h"
 #include "occlude/culler/cull_result.h"
