@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 
 namespace occlude::culler {
 namespace {
@@ -46,6 +47,18 @@ BeamPicture::BeamPicture(const FrameView& view, const Size& size, double roundin
 Seen BeamPicture::cut(const Seen& a, const Seen& b) const {
   const double share = (near_ - a.forward) / (b.forward - a.forward);
   return {a.right + share * (b.right - a.right), a.up + share * (b.up - a.up), near_};
+}
+
+double BeamPicture::turn(const Seen& a, const Seen& b, const Seen& c) const {
+  if (!is_perspective_) return (b.right - a.right) * (c.up - a.up) - (b.up - a.up) * (c.right - a.right);
+  return a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +
+         c.forward * (a.right * b.up - a.up * b.right);
+}
+
+double BeamPicture::area(const Seen& a, const Seen& b, const Seen& c) const {
+  if (std::min({a.forward, b.forward, c.forward}) < near_) return std::numeric_limits<double>::infinity();
+  const double doubled = std::fabs(turn(a, b, c) * scale_.x * scale_.y);
+  return doubled / (is_perspective_ ? 2 * a.forward * b.forward * c.forward : 2);
 }
 
 }  // namespace occlude::culler

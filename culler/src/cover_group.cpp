@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cover_group.h"
 
-#include "bounds.h"
-#include "placed.h"
-
 namespace occlude::culler {
 
 void CoverGroup::reserve(std::size_t triangles) {
@@ -40,8 +37,7 @@ void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id,
     const std::uint32_t known = vertex_index_.size();
     own[i] = vertex_index_.number(corners[i]);
     if (own[i] != known) continue;
-    const glm::dvec3& vertex = triangles.vertex(corners[i]);
-    vertices_.push_back(stand.placement == nullptr ? vertex : to_glm(placed(*stand.placement, to_kernel(vertex))));
+    vertices_.push_back(stand.place(triangles.vertex(corners[i])));
   }
   triangle_index_.number(id);
   triangles_.push_back(own);

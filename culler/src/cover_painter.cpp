@@ -14,6 +14,10 @@ int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSid
 /// allocates more.
 constexpr std::size_t kRoom = 1024;
 
+/// The polygons of a leaf that cover fewer pixels together are not worth drawing, in how many pixels ever the box of the
+/// leaf is seen.
+constexpr double kLeastArea = 4;
+
 }  // namespace
 
 CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory,
@@ -40,6 +44,23 @@ bool CoverPainter::may_draw() const {
   if (options_.ms == std::numeric_limits<double>::infinity()) return true;
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
   return taken.count() < options_.ms;
+}
+
+void CoverPainter::take(std::uint32_t leaf) {
+  if (is_worth_drawing(source_->nodes[leaf])) memory_.taken.push_back(leaf);
+}
+
+bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
+  const BeamPicture& picture = memory_.buffer.picture();
+  const auto& [nodes, triangles, stand] = *source_;
+  double area = 0;
+  for (std::uint32_t t = triangles.first(leaf.first); t < triangles.first(leaf.first + leaf.count); ++t) {
+    const auto [a, b, c] = triangles.corners(t);
+    const auto seen = [&](std::uint32_t vertex) { return picture.see(stand.place(triangles.vertex(vertex))); };
+    area += picture.area(seen(a), seen(b), seen(c));
+    if (area >= kLeastArea) return true;
+  }
+  return false;
 }
 
 bool CoverPainter::join() {

@@ -17,8 +17,6 @@
 
 namespace occlude::culler {
 
-struct Placement;
-
 /// Polygons that hide in frames by cover, in the order of a tree. Without nodes nothing hides.
 struct CoverSource {
   std::span<const HierarchyNode> nodes;
@@ -42,8 +40,8 @@ class CoverPainter {
 
   /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is taken and not joined.
   void use(const CoverSource& source);
-  /// Keeps the polygons of a leaf of the source for join().
-  void take(std::uint32_t leaf) { memory_.taken.push_back(leaf); }
+  /// Keeps the polygons of a leaf of the source for join(), unless they are too small in the picture to be worth drawing.
+  void take(std::uint32_t leaf);
   /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
   /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
   /// group that was drawn has the number groups().
@@ -55,6 +53,7 @@ class CoverPainter {
   [[nodiscard]] bool may_draw() const;
 
  private:
+  [[nodiscard]] bool is_worth_drawing(const HierarchyNode& leaf) const;
   bool take_drawn(std::uint32_t triangle);
 
   const CoverSource* source_ = nullptr;

@@ -149,15 +149,13 @@ TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
   EXPECT_EQ(look(culler, kCover).stats.shadow_culled_polygons, 200U);
 }
 
-/// The first frame is as good as any, and so is the one after a jump: nothing is kept from frame to frame.
-/// So many sides meet at its first corner that they are put in order apart from the others.
 /// What was drawn before is drawn again where it touches something, but not all of it that meets at one corner.
 TEST(CoverFrame, ACornerOfManyPolygonsTakesLinearTime) {
   constexpr int kCount = 20000;
   PolygonSoup soup;
   const auto rim = [](int i) {
     const double angle = 2 * std::numbers::pi * i / kCount;
-    return glm::dvec3{10, 5 * std::cos(angle), 5 * std::sin(angle)};
+    return glm::dvec3{10, 50 * std::cos(angle), 50 * std::sin(angle)};  // far out, or they are too small to be drawn
   };
   for (int i = 0; i < kCount; ++i) add(soup, {{9, 0, 0}, rim(i), rim((i + 1) % kCount)});
   const CullStats stats = look(culler_of(soup), kCover).stats;
@@ -165,6 +163,34 @@ TEST(CoverFrame, ACornerOfManyPolygonsTakesLinearTime) {
   EXPECT_LE(stats.cover_triangles, 9U * kCount);
 }
 
+/// Splinters from corner to corner of their box, which is seen through far more pixels than they cover.
+TEST(CoverFrame, WhatCoversFewPixelsIsNotDrawn) {
+  const auto drawn = [](double width, const Camera& camera) {
+    PolygonSoup soup;
+    for (int i = 0; i < 4; ++i) add(soup, {{10, -2, -2}, {10, 2, 2 - width * i}, {10, 2, 2 - width * (i + 1)}});
+    return culler_of(soup).cull(camera, kCover).stats.cover_triangles;
+  };
+  Camera camera;
+  camera.target = {10, 0, 0};
+  camera.aspect = 2;  // that of the picture without its border, so that pixels are square
+  // The height of 112 pixels is 2 * 10 * tan(30 degrees) units: 9.7 pixels are one unit, and the four cover 753 width pixels.
+  EXPECT_EQ(drawn(4.0 / 800, camera), 0U);
+  EXPECT_EQ(drawn(4.0 / 700, camera), 4U);
+  // What begins before the near plane is as large as it may be.
+  camera.eye = {9.5, 0, -2};
+  camera.target = {9.5, 2, 0};
+  camera.near = 1;
+  EXPECT_EQ(drawn(4.0 / 800, camera), 4U);
+  Camera parallel;
+  parallel.target = {10, 0, 0};
+  parallel.projection = Projection::orthographic;
+  parallel.aspect = 2;
+  parallel.height = 112;  // so that a pixel is a unit, and the four cover 8 width
+  EXPECT_EQ(drawn(0.45, parallel), 0U);
+  EXPECT_EQ(drawn(0.55, parallel), 4U);
+}
+
+/// So many sides meet at its first corner that they are put in order apart from the others.
 TEST(CoverFrame, APolygonOfManySidesIsOneSheet) {
   PolygonSoup soup;
   constexpr std::uint32_t kSides = 10000;
@@ -181,6 +207,7 @@ TEST(CoverFrame, APolygonOfManySidesIsOneSheet) {
   EXPECT_EQ(culler.cull(camera, kCover).stats.shadow_culled_polygons, 1U);
 }
 
+/// The first frame is as good as any, and so is the one after a jump: nothing is kept from frame to frame.
 TEST(CoverFrame, HasNoPast) {
   std::mt19937 random(7);
   const Culler culler = culler_of(random_town_of_houses(7, 1500));
