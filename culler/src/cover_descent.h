@@ -76,34 +76,36 @@ class CoverDescent {
   /// Descends from the root. `across` has a bit for each plane that may cross it.
   void run(std::uint32_t across) {
     if (tree_.nodes.empty()) return;
-    Visit root{0, across, is_few(0)};
+    Visit root{0, across};
     if (!is_in_view(root)) return;
-    visit_below(root);
-    if (root.is_part) join_();
+    if (!is_few(root.node)) return visit_below(root);
+    visit_part(root);
+    join_();
   }
 
  private:
   struct Visit {
     std::uint32_t node;
     std::uint32_t across;  ///< a bit for each plane that may cross the node
-    bool is_part;          ///< whether it is in a subtree of few items
   };
   /// Nodes that are tested together.
   struct Batch {
     std::array<Visit, SeenBoxes::kMost> visits;
     SeenBoxes boxes;
+    std::size_t groups = 0;  ///< how many had been drawn when it was tested
   };
 
   [[nodiscard]] bool is_few(std::uint32_t node) const {
     return tree_.nodes[node].is_leaf() || tree_.nodes[node].count <= kFew;
   }
 
-  /// Visits what is below a node, or the leaf itself: three levels of the tree at once, nearest first.
+  /// Visits what is below a node: three levels of the tree at once, nearest first. A subtree of few items begins a level of
+  /// its own. REQUIRES: the node has more items.
   void visit_below(const Visit& visit) {
     Batch batch;
-    gather(visit, kLevels, batch);
-    batch.boxes.see(buffer_.box_picture());
-    const kernel::BoxBits hidden = buffer_.hidden(batch.boxes, batch.boxes.all());
+    const auto is_last = [&](std::uint32_t node) { return is_few(node); };
+    gather(visit, kLevels, is_last, [&](const Visit& found) { add(found, batch); });
+    const kernel::BoxBits hidden = test(batch);
     std::array<std::uint8_t, SeenBoxes::kMost> order{};
     for (std::uint8_t i = 0; i < batch.boxes.size; ++i) {
       std::size_t k = i;
@@ -111,24 +113,60 @@ class CoverDescent {
       order[k] = i;
     }
     for (const std::uint8_t i : std::span(order).first(batch.boxes.size)) {
-      decide(batch, i, (hidden >> i & 1U) != 0);
+      const Visit& next = batch.visits[i];
+      const bool is_entered = decide(batch, i, hidden), is_part = is_few(next.node);
+      if (is_entered && !is_part) visit_below(next);
+      if (is_entered && is_part) visit_part(next);
+      if (is_part) join_();
     }
   }
 
-  /// Adds the nodes in view this many levels below. Goes into a subtree of few items only if it starts within it.
-  void gather(const Visit& visit, int levels, Batch& batch) {
-    const HierarchyNode& node = tree_.nodes[visit.node];
-    const bool is_start = levels == kLevels;
-    if (node.is_leaf() || levels == 0 || (!is_start && !visit.is_part && is_few(visit.node))) {
-      batch.visits[batch.boxes.size] = visit;
-      batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
-      return;
+  /// Visits a subtree of few items, or the leaf itself. What is seen there closes pixels when the descent leaves it, so the
+  /// order does not matter, and only the last batch need not be full.
+  void visit_part(const Visit& root) {
+    std::array<Visit, kFew> entered;  // which has room: a subtree has fewer nodes with children than items
+    std::size_t size = 0;
+    entered[size++] = root;
+    Batch batch;
+    const auto settle = [&] {
+      const kernel::BoxBits hidden = test(batch);
+      for (std::size_t i = 0; i < batch.boxes.size; ++i) {
+        if (decide(batch, i, hidden)) entered[size++] = batch.visits[i];
+      }
+      batch.boxes.size = 0;
+    };
+    const auto take = [&](const Visit& found) {
+      add(found, batch);
+      if (batch.boxes.size == SeenBoxes::kMost) settle();
+    };
+    for (std::size_t next = 0; next < size;) {
+      gather(
+          entered[next++], kLevels, [](std::uint32_t) { return false; }, take);
+      if (next == size && batch.boxes.size > 0) settle();
     }
+  }
+
+  /// Calls take(visit) for the nodes in view so many levels below, and for those above that are leaves or is_last(node).
+  template <class IsLast, class Take>
+  void gather(const Visit& visit, int levels, const IsLast& is_last, const Take& take) {
+    const HierarchyNode& node = tree_.nodes[visit.node];
+    if (node.is_leaf() || levels == 0) return take(visit);
     hwy::Prefetch(&tree_.nodes[node.right]);  // which is far from here
     for (const std::uint32_t below : {visit.node + 1, node.right}) {
-      Visit next{below, visit.across, visit.is_part};
-      if (is_in_view(next)) gather(next, levels - 1, batch);
+      Visit next{below, visit.across};
+      if (is_in_view(next)) gather(next, is_last(below) ? 0 : levels - 1, is_last, take);
     }
+  }
+
+  void add(const Visit& visit, Batch& batch) const {
+    batch.visits[batch.boxes.size] = visit;
+    batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
+  }
+  /// Those nodes of the batch that are hidden.
+  [[nodiscard]] kernel::BoxBits test(Batch& batch) const {
+    batch.boxes.see(buffer_.box_picture());
+    batch.groups = stats_.cover_groups;
+    return buffer_.hidden(batch.boxes, batch.boxes.all());
   }
 
   /// Whether the node is in view. Culls it if not.
@@ -148,34 +186,26 @@ class CoverDescent {
     return true;
   }
 
-  /// Decides about a node of the batch. `was_hidden` tells whether it was hidden when the batch was gathered; what is hidden
-  /// stays so.
-  void decide(const Batch& batch, std::size_t i, bool was_hidden) {
+  /// Decides about a node of a batch, of which these were hidden when they were tested; what is hidden stays so. Returns
+  /// whether to go below it.
+  bool decide(const Batch& batch, std::size_t i, kernel::BoxBits hidden) {
     const Visit& visit = batch.visits[i];
-    ++stats_.cover_tests;
-    if (was_hidden) {
-      cull_({visit.node, Culled::By::cover});
-    } else {
-      decide(visit, batch.boxes, i);
-    }
-    if (is_few(visit.node) && !visit.is_part) join_();
-  }
-
-  void decide(const Visit& visit, const SeenBoxes& boxes, std::size_t i) {
     const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
-    const Visit below{visit.node, visit.across, visit.is_part || is_few(visit.node)};
-    // What is seen in a subtree of few items closes pixels when the descent leaves it, so the answer of the batch still
-    // holds. What is worth closing may be drawn at once.
-    if (visit.is_part && !is_leaf && !is_closing) return visit_below(below);
-    const CoverBuffer::Footprint footprint = buffer_.footprint(boxes, i);
-    const int worth = worth_closing(), open = buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
-    if (open == 0 && footprint.is_in_picture) return cull_({visit.node, Culled::By::cover});
-    if (is_closing && open < worth) return;
-    if (is_leaf) {
-      see_(SeenNode{visit.node, visit.across, footprint, open >= worth});
-    } else {
-      visit_below(below);
+    ++stats_.cover_tests;
+    if ((hidden >> i & 1U) != 0) {
+      cull_({visit.node, Culled::By::cover});
+      return false;
     }
+    if (!is_leaf && !is_closing && batch.groups == stats_.cover_groups) return true;  // it is still not hidden
+    const CoverBuffer::Footprint footprint = buffer_.footprint(batch.boxes, i);
+    const int worth = worth_closing(), open = buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
+    if (open == 0 && footprint.is_in_picture) {
+      cull_({visit.node, Culled::By::cover});
+      return false;
+    }
+    if (is_closing && open < worth) return false;
+    if (is_leaf) see_(SeenNode{visit.node, visit.across, footprint, open >= worth});
+    return !is_leaf;
   }
 
   /// Through how many pixels a leaf must be seen to be worth drawing.

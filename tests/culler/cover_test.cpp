@@ -173,7 +173,8 @@ TEST(CoverFrame, WhatCoversFewPixelsIsNotDrawn) {
   Camera camera;
   camera.target = {10, 0, 0};
   camera.aspect = 2;  // that of the picture without its border, so that pixels are square
-  // The height of 112 pixels is 2 * 10 * tan(30 degrees) units: 9.7 pixels are one unit, and the four cover 753 width pixels.
+  // The height of 112 pixels is 2 * 10 * tan(30 degrees) units: 9.7 pixels are one unit, and the four cover 753 width
+  // pixels.
   EXPECT_EQ(drawn(4.0 / 800, camera), 0U);
   EXPECT_EQ(drawn(4.0 / 700, camera), 4U);
   // What begins before the near plane is as large as it may be.
