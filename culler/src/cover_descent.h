@@ -57,7 +57,7 @@ class CoverDescent {
   /// A subtree has few items if it has at most this many, or is a leaf. With a smaller limit, more of what
   /// was drawn before is drawn again; with a larger one, what was seen closes pixels later. From 64 to 2,048 it makes no
   /// difference.
-  static constexpr std::uint32_t kFew = 256;
+  static constexpr std::uint32_t kFew = 512;
 
   /// A leaf that is seen through fewer pixels is not worth drawing: it shows through slits that nothing closes. With a
   /// limit of 4, frames of models would draw 50 % more triangles and cull only a few thousandths more. An occluder of a
