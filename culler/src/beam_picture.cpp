@@ -55,10 +55,13 @@ double BeamPicture::turn(const Seen& a, const Seen& b, const Seen& c) const {
          c.forward * (a.right * b.up - a.up * b.right);
 }
 
-double BeamPicture::area(const Seen& a, const Seen& b, const Seen& c) const {
-  if (std::min({a.forward, b.forward, c.forward}) < near_) return std::numeric_limits<double>::infinity();
-  const double doubled = std::fabs(turn(a, b, c) * scale_.x * scale_.y);
-  return doubled / (is_perspective_ ? 2 * a.forward * b.forward * c.forward : 2);
+double BeamPicture::area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+  const glm::dvec3 from_eye = a - eye_, normal = glm::cross(b - a, c - a);
+  const auto forward = [&](const glm::dvec3& point) { return glm::dot(point - eye_, forward_); };
+  const double p = forward(a), q = forward(b), r = forward(c);
+  if (std::min({p, q, r}) < near_) return std::numeric_limits<double>::infinity();
+  const double doubled = is_perspective_ ? glm::dot(normal, from_eye) / (p * q * r) : glm::dot(normal, forward_);
+  return std::fabs(doubled * scale_.x * scale_.y) / 2;
 }
 
 }  // namespace occlude::culler

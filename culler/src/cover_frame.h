@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 
@@ -25,7 +26,8 @@ class CoverFrame {
     const std::size_t most = memory.result.culled.capacity();  // one for each leaf at most
     memory.seen.clear();
     memory.seen.reserve(most);
-    memory.seen_room.reserve(most);
+    memory.drawn_leaves.reserve(most);
+    memory.drawn_room.reserve(most);
     memory.culled_room.reserve(most);
   }
 
@@ -42,17 +44,19 @@ class CoverFrame {
   /// puts what was drawn and culled into the order of the tree.
   template <class Cull>
   void finish(const Cull& cull) {
-    radix_sort(memory_.seen, memory_.seen_room, nodes_.size(), &SeenLeaf::leaf);
     const std::span<const SeenLeaf> seen = memory_.seen;
+    memory_.drawn_leaves.clear();
     for (std::size_t first = 0; first < seen.size(); first += BoxPixels::kMost) {
       finish(seen.subspan(first, std::min(BoxPixels::kMost, seen.size() - first)), cull);
     }
     // Nodes are numbered depth-first, so this is the order of their items.
+    radix_sort(memory_.drawn_leaves, memory_.drawn_room, nodes_.size(), std::identity());
     radix_sort(memory_.result.culled, memory_.culled_room, nodes_.size(), &Culled::node);
+    for (const std::uint32_t leaf : memory_.drawn_leaves) draw(nodes_[leaf]);
   }
 
  private:
-  /// Draws or culls a few leaves. REQUIRES: at most BoxPixels::kMost.
+  /// Culls a few leaves, or keeps them to be drawn. REQUIRES: at most BoxPixels::kMost.
   template <class Cull>
   void finish(std::span<const SeenLeaf> leaves, const Cull& cull) {
     constexpr float kUnknown = std::numeric_limits<float>::infinity();
@@ -64,7 +68,7 @@ class CoverFrame {
       if ((hidden >> i & 1U) != 0) {
         cull({leaves[i].leaf, Culled::By::cover});
       } else {
-        draw(nodes_[leaves[i].leaf]);
+        memory_.drawn_leaves.push_back(leaves[i].leaf);
       }
     }
   }

@@ -56,8 +56,8 @@ bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
   double area = 0;
   for (std::uint32_t t = triangles.first(leaf.first); t < triangles.first(leaf.first + leaf.count); ++t) {
     const auto [a, b, c] = triangles.corners(t);
-    const auto seen = [&](std::uint32_t vertex) { return picture.see(stand.place(triangles.vertex(vertex))); };
-    area += picture.area(seen(a), seen(b), seen(c));
+    const auto at = [&](std::uint32_t vertex) { return stand.place(triangles.vertex(vertex)); };
+    area += picture.area(at(a), at(b), at(c));
     if (area >= kLeastArea) return true;
   }
   return false;

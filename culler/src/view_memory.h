@@ -75,8 +75,8 @@ struct View::Memory {
   PartsMemory parts;
 
   CoverMemory cover;
-  std::vector<SeenLeaf> seen;       ///< leaves that a frame by cover has not culled so far
-  std::vector<SeenLeaf> seen_room;  ///< to sort them
+  std::vector<SeenLeaf> seen;                           ///< leaves that a frame by cover has not culled so far
+  std::vector<std::uint32_t> drawn_leaves, drawn_room;  ///< those that it draws, and room to sort them
   std::vector<Culled> culled_room;
 
   /// Fills `planes` with the view of the result.
