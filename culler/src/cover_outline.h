@@ -18,6 +18,15 @@ struct CoverVertex {
   float nearness;  ///< a lower bound
 };
 
+/// What a frame draws of a triangle: a convex loop, because the near plane may cut a corner off. None of it if it is empty.
+struct CoverLoop {
+  std::array<CoverVertex, 4> vertices;
+  std::size_t count = 0;
+
+  void add(const CoverVertex& vertex) { vertices[count++] = vertex; }
+};
+
+/// Where a loop is in the picture.
 struct CoverOutline {
   /// The smallest upright rectangle around positions and their errors.
   struct Extent {
@@ -40,25 +49,23 @@ struct CoverOutline {
     static constexpr double kNone = std::numeric_limits<double>::infinity();
   };
 
-  std::array<Corner, 4> corners{};  ///< the near plane may cut one off
-  std::size_t count = 0;
   Extent extent;
+  double area = 0;                                          ///< in pixels, up to rounding
   float nearness = std::numeric_limits<float>::infinity();  ///< no corner has less
 
-  void hold(const CoverVertex& vertex) {
-    corners[count++] = vertex.corner;
-    extent.hold(vertex.corner);
-    nearness = std::min(nearness, vertex.nearness);
+  explicit CoverOutline(const CoverLoop& loop) {
+    for (std::size_t i = 0; i < loop.count; ++i) {
+      extent.hold(loop.vertices[i].corner);
+      nearness = std::min(nearness, loop.vertices[i].nearness);
+      if (i >= 2) area += area_of(loop.vertices[0], loop.vertices[i - 1], loop.vertices[i]);
+    }
+    area = std::fabs(area);
   }
 
-  /// In pixels, up to rounding.
-  [[nodiscard]] double area() const {
-    double doubled = 0;
-    for (std::size_t i = 2; i < count; ++i) {
-      const Place &a = corners[0].place, &b = corners[i - 1].place, &c = corners[i].place;
-      doubled += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    }
-    return std::fabs(doubled) / 2;
+ private:
+  static double area_of(const CoverVertex& first, const CoverVertex& second, const CoverVertex& third) {
+    const Place &a = first.corner.place, &b = second.corner.place, &c = third.corner.place;
+    return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
   }
 };
 

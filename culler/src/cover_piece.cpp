@@ -88,7 +88,7 @@ bool CoverPiece::find(std::size_t sheet) {
   for (const std::uint32_t t : sheet_) {
     const CoverOutline& outline = outlines_.emplace_back(this->outline(mesh_.triangles[t]));
     all.hold(outline.extent);
-    area += outline.area();
+    area += outline.area;
     for (const std::uint32_t v : mesh_.triangles[t]) nearest = std::min(nearest, seen_[v].forward);
   }
   if (all.is_empty() || pixels_inside(area, all) < kLeastClosed) return false;
@@ -125,18 +125,18 @@ CoverVertex CoverPiece::cut(std::uint32_t a, std::uint32_t b) const {
   return vertex(picture_.cut(seen_[from], seen_[to]));
 }
 
-CoverOutline CoverPiece::outline(const CoverMesh::Triangle& triangle) const {
-  CoverOutline outline;
+CoverLoop CoverPiece::loop(const CoverMesh::Triangle& triangle) const {
+  CoverLoop loop;
   if (!is_cut_) {
-    for (const std::uint32_t i : triangle) outline.hold(vertices_[i]);
-    return outline;
+    for (const std::uint32_t i : triangle) loop.add(vertices_[i]);
+    return loop;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
-    if (!is_before(a)) outline.hold(vertices_[a]);
-    if (is_before(a) != is_before(b)) outline.hold(cut(a, b));
+    if (!is_before(a)) loop.add(vertices_[a]);
+    if (is_before(a) != is_before(b)) loop.add(cut(a, b));
   }
-  return outline;
+  return loop;
 }
 
 std::optional<PlaceRectangle> CoverPiece::places(std::size_t triangle) const {
@@ -182,14 +182,15 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
   const SeenPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
   const bool is_large = across > kOfWholeRows && up > kOfWholeRows;
   std::array<SeenEdge, 4> edges;
-  for (std::size_t i = 0; is_large && i < outline.count; ++i) {
-    edges[i] = {outline.corners[i], outline.corners[i + 1 < outline.count ? i + 1 : 0]};
+  const CoverLoop loop = is_large ? this->loop(triangle) : CoverLoop();
+  for (std::size_t i = 0; i < loop.count; ++i) {
+    edges[i] = {loop.vertices[i].corner, loop.vertices[i + 1 < loop.count ? i + 1 : 0].corner};
   }
   for (int y = tiles.y0; y < tiles.y1; ++y) {
     int x0 = tiles.x0, x1 = tiles.x1;
     if (is_large) {
       SeenEdge::Range range;
-      for (std::size_t i = 0; i < outline.count; ++i) range.hold(edges[i].between(y * kTile, (y + 1) * kTile));
+      for (std::size_t i = 0; i < loop.count; ++i) range.hold(edges[i].between(y * kTile, (y + 1) * kTile));
       x0 = std::max(pixel_at(range.low, picture_.width()) / kTile, x0);
       x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, x1);
     }

@@ -65,7 +65,8 @@ class CoverPiece {
   [[nodiscard]] CoverVertex vertex(const Seen& seen) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] CoverVertex cut(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const;
+  [[nodiscard]] CoverLoop loop(const CoverMesh::Triangle& triangle) const;
+  [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const { return CoverOutline(loop(triangle)); }
   void clear(const PixelRectangle& tiles);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
   void lay(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
