@@ -123,17 +123,27 @@ void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
   // In floats a turn could come some rows beyond the end of an edge that is millions of pixels long.
   const hn::CappedTag<double, kTile> d;
   const hn::Rebind<std::int32_t, decltype(d)> rows_of;
+  const hn::Rebind<std::uint32_t, decltype(d)> shifts_of;
+  const hn::Rebind<std::uint64_t, decltype(d)> bits_of;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto half = hn::Set(d, 0.5), low = hn::Set(d, edge.row0), high = hn::Set(d, edge.row1);
   const auto slopes = hn::Mul(hn::Iota(d, 0), hn::Set(d, edge.slope));
-  for (int x = edge.column0; x < edge.column1; x += lanes) {
+  for (int x = edge.column0, end = x; x < edge.column1; x = end) {
+    end = std::min({x + lanes, (x & -kTile) + kTile, edge.column1});  // of columns of one tile
     const auto y = hn::Add(hn::Set(d, edge.y + (x - edge.column0) * edge.slope), slopes);
-    std::int32_t rows[kTile];
-    hn::StoreU(hn::DemoteTo(rows_of, clamp(hn::Add(y, half), low, high)), rows_of, rows);
-    for (int i = 0; i < std::min(lanes, edge.column1 - x); ++i) {
-      if (rows[i] >= edge.row1) continue;
-      const int column = x + i;
-      tiles.at(column / kTile, rows[i] / kTile).turned ^= std::uint64_t{1} << (rows[i] % kTile * kTile + column % kTile);
+    const auto rows = hn::DemoteTo(rows_of, clamp(hn::Add(y, half), low, high));
+    std::int32_t row[kTile] = {};
+    hn::StoreU(rows, rows_of, row);
+    const auto in_tile = hn::ShiftLeft<kTileBits>(hn::And(rows, hn::Set(rows_of, kTile - 1)));
+    const auto shifts = hn::And(hn::Add(in_tile, hn::Iota(rows_of, x % kTile)), hn::Set(rows_of, kTilePixels - 1));
+    std::uint64_t bits[kTile] = {};
+    hn::StoreU(hn::Shl(hn::Set(bits_of, 1), hn::PromoteTo(bits_of, hn::BitCast(shifts_of, shifts))), bits_of, bits);
+    for (int i = 0; i < end - x;) {
+      // Rows rise or fall, so few tiles have them all.
+      const int tile = row[i] / kTile;
+      std::uint64_t turned = 0;
+      for (; i < end - x && row[i] / kTile == tile; ++i) turned ^= bits[i];
+      if (tile < edge.row1 / kTile) tiles.at(x / kTile, tile).turned ^= turned;
     }
   }
 }

@@ -19,7 +19,9 @@ void CoverSheets::part(const CoverMesh& mesh, std::span<const std::int8_t> signs
   const auto count = static_cast<std::uint32_t>(signs.size());
   sets_.reset(count);
   is_inner_.assign(3 * std::size_t{count}, 0);
-  for (std::uint32_t side = 0; side < 3 * count; ++side) join_ring(mesh, signs, side);
+  for (std::uint32_t side = 0; side < 3 * count; ++side) {
+    if (mesh.next_of(side) > side) join_ring(mesh, signs, side);  // else it is alone, or not the first
+  }
   // Orders sheets by their first triangles, and the triangles of a sheet by number.
   sheet_of_.assign(count, 0);
   begins_.assign(1, 0);
@@ -45,10 +47,9 @@ void CoverSheets::join(std::uint32_t triangle, std::uint32_t other) {
   sets_.join(std::min(a, b), std::max(a, b));
 }
 
-/// Joins the triangles of a ring two by two. Does so only when `first` is the first side of the ring.
+/// Joins the triangles of a ring of several two by two. Does so only when `first` is the first side of the ring.
 void CoverSheets::join_ring(const CoverMesh& mesh, std::span<const std::int8_t> signs, std::uint32_t first) {
   const std::uint32_t second = mesh.next_of(first);
-  if (second <= first) return;  // alone, or not the first
   if (mesh.next_of(second) == first) {
     const std::uint32_t a = first / 3, b = second / 3;
     const bool is_along = mesh.triangles[a][first % 3] == mesh.triangles[b][second % 3];
