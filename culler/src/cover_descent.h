@@ -57,7 +57,7 @@ class CoverDescent {
   /// A subtree has few items if it has at most this many, or is a leaf. With a smaller limit, more of what
   /// was drawn before is drawn again; with a larger one, what was seen closes pixels later. From 64 to 2,048 it makes no
   /// difference.
-  static constexpr std::uint32_t kFew = 512;
+  static constexpr std::uint32_t kFew = 256;
 
   /// A leaf that is seen through fewer pixels is not worth drawing: it shows through slits that nothing closes. With a
   /// limit of 4, frames of models would draw 50 % more triangles and cull only a few thousandths more. An occluder of a
@@ -94,6 +94,12 @@ class CoverDescent {
     SeenBoxes boxes;
     std::size_t groups = 0;  ///< how many had been drawn when it was tested
   };
+  /// A subtree of few items: the nodes that the descent enters there, and the next ones to be tested.
+  struct Part {
+    std::array<Visit, kFew> entered;  ///< which has room: a subtree has fewer nodes with children than items
+    std::size_t size = 0;             ///< of `entered`
+    Batch batch;
+  };
 
   [[nodiscard]] bool is_few(std::uint32_t node) const {
     return tree_.nodes[node].is_leaf() || tree_.nodes[node].count <= kFew;
@@ -103,8 +109,7 @@ class CoverDescent {
   /// its own. REQUIRES: the node has more items.
   void visit_below(const Visit& visit) {
     Batch batch;
-    const auto is_last = [&](std::uint32_t node) { return is_few(node); };
-    gather(visit, kLevels, is_last, [&](const Visit& found) { add(found, batch); });
+    gather(visit, kLevels, batch, nullptr);
     const kernel::BoxBits hidden = test(batch);
     std::array<std::uint8_t, SeenBoxes::kMost> order{};
     for (std::uint8_t i = 0; i < batch.boxes.size; ++i) {
@@ -124,44 +129,39 @@ class CoverDescent {
   /// Visits a subtree of few items, or the leaf itself. What is seen there closes pixels when the descent leaves it, so the
   /// order does not matter, and only the last batch need not be full.
   void visit_part(const Visit& root) {
-    std::array<Visit, kFew> entered;  // which has room: a subtree has fewer nodes with children than items
-    std::size_t size = 0;
-    entered[size++] = root;
-    Batch batch;
-    const auto settle = [&] {
-      const kernel::BoxBits hidden = test(batch);
-      for (std::size_t i = 0; i < batch.boxes.size; ++i) {
-        if (decide(batch, i, hidden)) entered[size++] = batch.visits[i];
-      }
-      batch.boxes.size = 0;
-    };
-    const auto take = [&](const Visit& found) {
-      add(found, batch);
-      if (batch.boxes.size == SeenBoxes::kMost) settle();
-    };
-    for (std::size_t next = 0; next < size;) {
-      gather(
-          entered[next++], kLevels, [](std::uint32_t) { return false; }, take);
-      if (next == size && batch.boxes.size > 0) settle();
+    Part part;
+    part.entered[part.size++] = root;
+    for (std::size_t next = 0; next < part.size;) {
+      gather(part.entered[next++], kLevels, part.batch, &part);
+      if (next == part.size && part.batch.boxes.size > 0) settle(part);
     }
   }
+  /// Decides about the batch, and empties it.
+  void settle(Part& part) {
+    const kernel::BoxBits hidden = test(part.batch);
+    for (std::size_t i = 0; i < part.batch.boxes.size; ++i) {
+      if (decide(part.batch, i, hidden)) part.entered[part.size++] = part.batch.visits[i];
+    }
+    part.batch.boxes.size = 0;
+  }
 
-  /// Calls take(visit) for the nodes in view so many levels below, and for those above that are leaves or is_last(node).
-  template <class IsLast, class Take>
-  void gather(const Visit& visit, int levels, const IsLast& is_last, const Take& take) {
+  /// Adds the nodes in view so many levels below, and leaves above them, to a batch. In a part, settles it when it is full;
+  /// elsewhere, goes into no subtree of few items.
+  void gather(const Visit& visit, int levels, Batch& batch, Part* part) {
     const HierarchyNode& node = tree_.nodes[visit.node];
-    if (node.is_leaf() || levels == 0) return take(visit);
+    if (node.is_leaf() || levels == 0) {
+      batch.visits[batch.boxes.size] = visit;
+      batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
+      if (part != nullptr && batch.boxes.size == SeenBoxes::kMost) settle(*part);
+      return;
+    }
     hwy::Prefetch(&tree_.nodes[node.right]);  // which is far from here
     for (const std::uint32_t below : {visit.node + 1, node.right}) {
       Visit next{below, visit.across};
-      if (is_in_view(next)) gather(next, is_last(below) ? 0 : levels - 1, is_last, take);
+      if (is_in_view(next)) gather(next, part == nullptr && is_few(below) ? 0 : levels - 1, batch, part);
     }
   }
 
-  void add(const Visit& visit, Batch& batch) const {
-    batch.visits[batch.boxes.size] = visit;
-    batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
-  }
   /// Those nodes of the batch that are hidden.
   [[nodiscard]] kernel::BoxBits test(Batch& batch) const {
     batch.boxes.see(buffer_.box_picture());

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cover_group.h"
 
+#include "bounds.h"
+#include "placed.h"
+
 namespace occlude::culler {
+
+glm::dvec3 CoverStand::place(const glm::dvec3& vertex) const {
+  return placement == nullptr ? vertex : to_glm(placed(*placement, to_kernel(vertex)));
+}
 
 void CoverGroup::reserve(std::size_t triangles) {
   vertex_index_.reserve(triangles);  // meshes have fewer vertices than triangles, and a small table is a fast one

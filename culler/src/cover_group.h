@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "bounds.h"
 #include "cover_mesh.h"
 #include "cover_triangles.h"
 #include "local_index.h"
-#include "placed.h"
 
 namespace occlude::culler {
+
+struct Placement;
 
 /// How polygons stand in a scene: where, and which of their sides hide.
 struct CoverStand {
@@ -21,9 +21,7 @@ struct CoverStand {
   CoverMesh::Front front = CoverMesh::Front::both;
 
   /// Where a vertex of theirs is in the scene.
-  [[nodiscard]] glm::dvec3 place(const glm::dvec3& vertex) const {
-    return placement == nullptr ? vertex : to_glm(placed(*placement, to_kernel(vertex)));
-  }
+  [[nodiscard]] glm::dvec3 place(const glm::dvec3& vertex) const;
 };
 
 /// Builds the mesh of a few polygons, and of triangles that touch them.

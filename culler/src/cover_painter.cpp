@@ -46,17 +46,17 @@ bool CoverPainter::may_draw() const {
   return taken.count() < options_.ms;
 }
 
-void CoverPainter::take(std::uint32_t leaf) {
-  if (is_worth_drawing(source_->nodes[leaf])) memory_.taken.push_back(leaf);
+void CoverPainter::take(const SeenNode& leaf) {
+  if (is_worth_drawing(source_->nodes[leaf.node])) memory_.taken.push_back({leaf.node, leaf.footprint.most});
 }
 
 bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
   const BeamPicture& picture = memory_.buffer.picture();
-  const auto& [nodes, triangles, stand] = *source_;
+  const CoverTriangles& triangles = source_->triangles;
   double area = 0;
   for (std::uint32_t t = triangles.first(leaf.first); t < triangles.first(leaf.first + leaf.count); ++t) {
     const auto [a, b, c] = triangles.corners(t);
-    const auto at = [&](std::uint32_t vertex) { return stand.place(triangles.vertex(vertex)); };
+    const auto at = [&](std::uint32_t vertex) { return source_->stand.place(triangles.vertex(vertex)); };
     area += picture.area(at(a), at(b), at(c));
     if (area >= kLeastArea) return true;
   }
@@ -72,7 +72,11 @@ bool CoverPainter::join() {
   }
   CoverGroup& group = memory_.group;
   group.clear();
-  for (const std::uint32_t leaf : memory_.taken) {
+  // Nearest first, so that a sheet behind another one of the group need not be drawn. Equal ones in the order of the tree.
+  std::ranges::sort(memory_.taken, [](const auto& a, const auto& b) {
+    return a.nearness != b.nearness ? a.nearness > b.nearness : a.leaf < b.leaf;
+  });
+  for (const auto& [leaf, nearness] : memory_.taken) {
     const HierarchyNode& node = source_->nodes[leaf];
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->stand);
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cover_buffer.h"
+#include "cover_descent.h"
 #include "cover_group.h"
 #include "cover_triangles.h"
 #include "occlude/culler/cull_result.h"
@@ -26,11 +27,15 @@ struct CoverSource {
 
 /// What is kept from frame to frame, so that only the first allocates.
 struct CoverMemory {
-  CoverBuffer buffer;                ///< what the last frame closed
-  CoverGroup group;                  ///< what is being drawn into it
-  Zeros<std::uint32_t> stamps;       ///< for each triangle, the last source that drew it
-  std::uint32_t stamp = 0;           ///< of the source
-  std::vector<std::uint32_t> taken;  ///< leaves whose polygons are drawn next
+  CoverBuffer buffer;           ///< what the last frame closed
+  CoverGroup group;             ///< what is being drawn into it
+  Zeros<std::uint32_t> stamps;  ///< for each triangle, the last source that drew it
+  std::uint32_t stamp = 0;      ///< of the source
+  struct Taken {
+    std::uint32_t leaf;
+    float nearness;  ///< no point of it is nearer
+  };
+  std::vector<Taken> taken;  ///< leaves whose polygons are drawn next
 };
 
 class CoverPainter {
@@ -41,7 +46,7 @@ class CoverPainter {
   /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is taken and not joined.
   void use(const CoverSource& source);
   /// Keeps the polygons of a leaf of the source for join(), unless they are too small in the picture to be worth drawing.
-  void take(std::uint32_t leaf);
+  void take(const SeenNode& leaf);
   /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
   /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
   /// group that was drawn has the number groups().

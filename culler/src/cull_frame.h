@@ -119,7 +119,7 @@ void cull_by_cover(const Hierarchy& hierarchy, const CoverTriangles& triangles, 
   CoverFrame frame(source.nodes, memory);
   const auto see = [&](const SeenNode& leaf) {
     frame.see(leaf);
-    if (leaf.is_worth_closing) painter.take(leaf.node);
+    if (leaf.is_worth_closing) painter.take(leaf);
   };
   const auto cull = [&](const Culled& culled) {
     watch.culled(culled);

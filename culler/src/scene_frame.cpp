@@ -129,7 +129,7 @@ class SceneFrame {
     const CoverSource source = occluder.mesh->prepared().source(stand);
     painter_.use(source);
     const std::uint32_t before = painter_.groups();
-    const auto see = [&](const SeenNode& leaf) { painter_.take(leaf.node); };
+    const auto see = [&](const SeenNode& leaf) { painter_.take(leaf); };
     const auto join = [&] {
       if (painter_.join()) joined(painter_, occluder);
     };
