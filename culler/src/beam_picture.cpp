@@ -49,12 +49,6 @@ Seen BeamPicture::cut(const Seen& a, const Seen& b) const {
   return {a.right + share * (b.right - a.right), a.up + share * (b.up - a.up), near_};
 }
 
-double BeamPicture::turn(const Seen& a, const Seen& b, const Seen& c) const {
-  if (!is_perspective_) return (b.right - a.right) * (c.up - a.up) - (b.up - a.up) * (c.right - a.right);
-  return a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +
-         c.forward * (a.right * b.up - a.up * b.right);
-}
-
 double BeamPicture::area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
   const glm::dvec3 from_eye = a - eye_, normal = glm::cross(b - a, c - a);
   const auto forward = [&](const glm::dvec3& point) { return glm::dot(point - eye_, forward_); };

@@ -88,9 +88,6 @@ class BeamPicture {
     const Place place = this->place(seen);
     return {place, place_error(place, seen.forward)};
   }
-  /// The determinant of three points; with parallel rays, twice the area of their triangle. Above 0 if they look
-  /// counter-clockwise, below 0 if clockwise, up to rounding.
-  [[nodiscard]] double turn(const Seen& a, const Seen& b, const Seen& c) const;
   /// How many pixels a triangle of points covers, up to rounding; infinity if it reaches before near().
   [[nodiscard]] double area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
   /// The slope of the ray through a position: how far right and up it is after a distance of 1 along the line of sight. Of a

@@ -55,8 +55,8 @@ template <class Tree, class See, class Cull, class Join>
 class CoverDescent {
  public:
   /// A subtree has few items if it has at most this many, or is a leaf. With a smaller limit, more of what
-  /// was drawn before is drawn again; with a larger one, what was seen closes pixels later. From 64 to 2,048 it makes no
-  /// difference.
+  /// was drawn before is drawn again; with a larger one, what was seen closes pixels later. With 512, large models take up
+  /// to 3 % less, but a small town 9 % more instructions.
   static constexpr std::uint32_t kFew = 256;
 
   /// A leaf that is seen through fewer pixels is not worth drawing: it shows through slits that nothing closes. With a

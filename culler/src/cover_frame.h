@@ -45,12 +45,10 @@ class CoverFrame {
   template <class Cull>
   void finish(const Cull& cull) {
     const std::span<const SeenLeaf> seen = memory_.seen;
-    memory_.drawn_leaves.resize(seen.size());
-    std::size_t drawn = 0;
+    memory_.drawn_leaves.clear();
     for (std::size_t first = 0; first < seen.size(); first += BoxPixels::kMost) {
-      finish(seen.subspan(first, std::min(BoxPixels::kMost, seen.size() - first)), cull, drawn);
+      finish(seen.subspan(first, std::min(BoxPixels::kMost, seen.size() - first)), cull);
     }
-    memory_.drawn_leaves.resize(drawn);
     // Nodes are numbered depth-first, so this is the order of their items.
     radix_sort(memory_.drawn_leaves, memory_.drawn_room, nodes_.size(), std::identity());
     radix_sort(memory_.result.culled, memory_.culled_room, nodes_.size(), &Culled::node);
@@ -60,7 +58,7 @@ class CoverFrame {
  private:
   /// Culls a few leaves, or keeps them to be drawn. REQUIRES: at most BoxPixels::kMost.
   template <class Cull>
-  void finish(std::span<const SeenLeaf> leaves, const Cull& cull, std::size_t& drawn) {
+  void finish(std::span<const SeenLeaf> leaves, const Cull& cull) {
     constexpr float kUnknown = std::numeric_limits<float>::infinity();
     BoxPixels boxes;
     for (const auto& [leaf, at] : leaves) boxes.add(at.pixels, at.is_in_picture ? at.most : kUnknown);
@@ -70,7 +68,7 @@ class CoverFrame {
       if ((hidden >> i & 1U) != 0) {
         cull({leaves[i].leaf, Culled::By::cover});
       } else {
-        memory_.drawn_leaves[drawn++] = leaves[i].leaf;
+        memory_.drawn_leaves.push_back(leaves[i].leaf);
       }
     }
   }

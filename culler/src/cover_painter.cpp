@@ -15,7 +15,8 @@ int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSid
 constexpr std::size_t kRoom = 1024;
 
 /// The polygons of a leaf that cover fewer pixels together are not worth drawing, in how many pixels ever the box of the
-/// leaf is seen.
+/// leaf is seen. With this limit the models tried draw 15 to 45 % fewer triangles, and of what is hidden they cull 0.13 %
+/// less to 1.5 % more. With 6, they cull up to 7 % less.
 constexpr double kLeastArea = 4;
 
 }  // namespace

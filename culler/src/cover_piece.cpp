@@ -161,8 +161,12 @@ void CoverPiece::clear(const PixelRectangle& tiles) {
 int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
   if (picture_.is_oblique() && std::ranges::any_of(triangle, [&](auto v) { return picture_.may_clip(mesh_.vertices[v]); }))
     return 0;
-  const double turn = picture_.turn(seen_[triangle[0]], seen_[triangle[1]], seen_[triangle[2]]);
-  return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+  const Seen &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
+  const double side = picture_.is_perspective()
+                          ? a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +
+                                c.forward * (a.right * b.up - a.up * b.right)
+                          : (b.right - a.right) * (c.up - a.up) - (b.up - a.up) * (c.right - a.right);
+  return side > 0 ? 1 : side < 0 ? -1 : 0;
 }
 
 /// Lowers the nearness of the tiles that the triangle touches. The triangle is nowhere farther than its farthest corner,
