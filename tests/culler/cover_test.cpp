@@ -177,7 +177,10 @@ TEST(CoverFrame, WhatCoversFewPixelsIsNotDrawn) {
   // pixels.
   EXPECT_EQ(drawn(4.0 / 800, camera), 0U);
   EXPECT_EQ(drawn(4.0 / 700, camera), 4U);
-  // What begins before the near plane is as large as it may be.
+  // What begins before the near plane is as large as it may be. From here the formula alone would give 1.9 pixels.
+  PolygonSoup passing;
+  for (int i = 0; i < 4; ++i) add(passing, {{-1000, 5, -2}, {10, 5, 2 - 0.002 * i}, {10, 5, 2 - 0.002 * (i + 1)}});
+  EXPECT_EQ(culler_of(passing).cull(camera, kCover).stats.cover_triangles, 4U);
   camera.eye = {9.5, 0, -2};
   camera.target = {9.5, 2, 0};
   camera.near = 1;
