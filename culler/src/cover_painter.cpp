@@ -92,9 +92,8 @@ bool CoverPainter::join() {
 
 /// Whether a triangle was drawn. The next call says that it was not, so that it is added only once.
 bool CoverPainter::take_drawn(std::uint32_t triangle) {
-  std::uint32_t& stamp = memory_.stamps[triangle];
-  if (stamp != memory_.stamp) return false;
-  stamp = 0;
+  if (memory_.stamps.get(triangle) != memory_.stamp) return false;
+  memory_.stamps[triangle] = 0;
   return true;
 }
 

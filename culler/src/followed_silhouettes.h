@@ -26,11 +26,12 @@ class FollowedSilhouettes {
 
   /// What was last seen of the shell; empty at first.
   [[nodiscard]] kernel::PolytopeSilhouette& of(std::uint32_t shell) {
-    if (place_[shell] == 0) {
-      place_[shell] = free_place() + 1;
-      followed_[place_[shell] - 1].shell = shell;
+    std::uint32_t& place = place_[shell];
+    if (place == 0) {
+      place = free_place() + 1;
+      followed_[place - 1].shell = shell;
     }
-    Followed& followed = followed_[place_[shell] - 1];
+    Followed& followed = followed_[place - 1];
     followed.is_recent = true;
     return followed.seen;
   }

@@ -261,11 +261,12 @@ bool OccluderChoice::is_full() const { return memory_.result.occluders.size() >=
 bool OccluderChoice::take(std::uint32_t i) {
   const std::uint32_t container = occluders_.container(i);
   if (container != i && take(container)) return true;
-  if (memory_.trials[i] == Trial::none) {
+  Trial& trial = memory_.trials[i];
+  if (trial == Trial::none) {
     memory_.tried.push_back(i);
-    memory_.trials[i] = is_usable(i) && add(i) ? Trial::taken : Trial::refused;
+    trial = is_usable(i) && add(i) ? Trial::taken : Trial::refused;
   }
-  return memory_.trials[i] == Trial::taken;
+  return trial == Trial::taken;
 }
 
 bool OccluderChoice::is_usable(std::uint32_t i) {

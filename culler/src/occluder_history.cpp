@@ -5,8 +5,9 @@
 
 namespace occlude::culler {
 std::optional<std::uint32_t> OccluderHistory::hidden(std::uint32_t occluder) const {
-  if (occluder >= place_.size() || place_[occluder] == 0) return std::nullopt;
-  return recent_[place_[occluder] - 1].hidden;
+  const std::uint32_t place = occluder < place_.size() ? place_.get(occluder) : 0;
+  if (place == 0) return std::nullopt;
+  return recent_[place - 1].hidden;
 }
 
 void OccluderHistory::take_down(const Occluder& occluder) {

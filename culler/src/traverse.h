@@ -338,7 +338,7 @@ class Traversal {
   void enter(const Visit& here, std::uint32_t i) {
     if (!may_put_off(here.block.count[i])) return enter_below(here, i);
     std::vector<DividedSubtree>& divided = put_off_->divided;
-    const bool is_too_much = put_off_->work[here.block.below[i]] > put_off_->most_work;
+    const bool is_too_much = put_off_->work.get(here.block.below[i]) > put_off_->most_work;
     if (!is_too_much || divided.size() == put_off_->limit) return put_off(here, i);
     const std::size_t at = divided.size(), before = result_.stats.nodes_visited;
     divided.push_back({here.block.below[i], put_off_->size, 0, 0});

@@ -4,16 +4,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace occlude::culler {
 
 /// Zeros that may be changed. The system makes a page of them when it is first touched, so what is never used costs nothing:
 /// a view has a number for each occluder of a model of millions, and uses some thousand.
+///
+/// What was never written to is not read either. Linux would map a page of zeros there, and replace it when it is written
+/// to. For that it interrupts all threads of the program: in a virtual machine with a busy thread it took 1 ms each time.
 template <class T>
 class Zeros {
  public:
@@ -21,36 +26,55 @@ class Zeros {
 
   Zeros() = default;
   ~Zeros() = default;
-  Zeros(Zeros&& other) noexcept : elements_(std::move(other.elements_)), size_(std::exchange(other.size_, 0)) {}
+  Zeros(Zeros&& other) noexcept { *this = std::move(other); }
   Zeros& operator=(Zeros&& other) noexcept {
     elements_ = std::move(other.elements_);
     size_ = std::exchange(other.size_, 0);
+    written_ = std::exchange(other.written_, {});
     return *this;
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] T& operator[](std::size_t i) { return elements_[i]; }
-  [[nodiscard]] const T& operator[](std::size_t i) const { return elements_[i]; }
+  /// REQUIRES: i < size(). To change one is to write to it.
+  [[nodiscard]] T get(std::size_t i) const { return is_written(i / kOfPage) ? elements_[i] : T{}; }
+  [[nodiscard]] T& operator[](std::size_t i) {
+    if (!is_written(i / kOfPage)) write(i / kOfPage);
+    return elements_[i];
+  }
 
   /// Has at least so many elements from now on. Those that were there stay.
   void grow(std::size_t size) {
     if (size <= size_) return;
-    size = std::max(size, 2 * size_);
-    Elements grown(static_cast<T*>(std::calloc(size, sizeof(T))));
-    if (!grown) throw std::bad_alloc();
-    std::copy_n(elements_.get(), size_, grown.get());
-    elements_ = std::move(grown);
-    size_ = size;
+    Zeros grown(std::max(size, 2 * size_));
+    for (std::size_t page = 0; page * kOfPage < size_; ++page) {
+      if (is_written(page)) std::copy_n(&elements_[page * kOfPage], size_of(page), &grown[page * kOfPage]);
+    }
+    *this = std::move(grown);
   }
 
  private:
   struct Free {
     void operator()(T* elements) const { std::free(elements); }
   };
-  using Elements = std::unique_ptr<T[], Free>;
+  /// Pages have 4 KiB or more. These need not begin where those of the system do.
+  static constexpr std::size_t kOfPage = 4096 / sizeof(T), kBits = 64;
 
-  Elements elements_;
+  explicit Zeros(std::size_t size)
+      : elements_(static_cast<T*>(std::calloc(size, sizeof(T)))), size_(size), written_(size / kOfPage / kBits + 1) {
+    if (!elements_) throw std::bad_alloc();
+  }
+
+  [[nodiscard]] bool is_written(std::size_t page) const { return (written_[page / kBits] >> page % kBits & 1U) != 0; }
+  [[nodiscard]] std::size_t size_of(std::size_t page) const { return std::min(kOfPage, size_ - page * kOfPage); }
+  /// Writes to the one or two pages of the system there.
+  void write(std::size_t page) {
+    elements_[page * kOfPage] = elements_[page * kOfPage + size_of(page) - 1] = T{};
+    written_[page / kBits] |= std::uint64_t{1} << page % kBits;
+  }
+
+  std::unique_ptr<T[], Free> elements_;
   std::size_t size_ = 0;
+  std::vector<std::uint64_t> written_;  ///< a bit for each page
 };
 
 }  // namespace occlude::culler

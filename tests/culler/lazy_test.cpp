@@ -54,9 +54,11 @@ TEST(Zeros, StayAsTheyAreWhenThereAreMore) {
   zeros.grow(1'000'000);
   ASSERT_GE(zeros.size(), 1'000'000U);
   EXPECT_EQ(zeros[2], 7U);
-  for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros[i], 0U) << i;
+  for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros.get(i), 0U) << i;
+  for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros[i]++, 0U) << i;
+  for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros.get(i), 1U) << i;
   Zeros<std::uint32_t> moved = std::move(zeros);
-  EXPECT_EQ(moved[2], 7U);
+  EXPECT_EQ(moved.get(2), 7U);
   zeros = {};
   EXPECT_EQ(zeros.size(), 0U);
 }
