@@ -57,24 +57,24 @@ class Zeros {
     void operator()(T* elements) const { std::free(elements); }
   };
   /// Pages have 4 KiB or more. These need not begin where those of the system do.
-  static constexpr std::size_t kOfPage = 4096 / sizeof(T), kBits = 64;
+  static constexpr std::size_t kOfPage = 4096 / sizeof(T);
 
   explicit Zeros(std::size_t size)
-      : elements_(static_cast<T*>(std::calloc(size, sizeof(T)))), size_(size), written_(size / kOfPage / kBits + 1) {
+      : elements_(static_cast<T*>(std::calloc(size, sizeof(T)))), size_(size), written_(size / kOfPage + 1) {
     if (!elements_) throw std::bad_alloc();
   }
 
-  [[nodiscard]] bool is_written(std::size_t page) const { return (written_[page / kBits] >> page % kBits & 1U) != 0; }
+  [[nodiscard]] bool is_written(std::size_t page) const { return written_[page] != 0; }
   [[nodiscard]] std::size_t size_of(std::size_t page) const { return std::min(kOfPage, size_ - page * kOfPage); }
   /// Writes to the one or two pages of the system there.
   void write(std::size_t page) {
     elements_[page * kOfPage] = elements_[page * kOfPage + size_of(page) - 1] = T{};
-    written_[page / kBits] |= std::uint64_t{1} << page % kBits;
+    written_[page] = 1;
   }
 
   std::unique_ptr<T[], Free> elements_;
   std::size_t size_ = 0;
-  std::vector<std::uint64_t> written_;  ///< a bit for each page
+  std::vector<std::uint8_t> written_;  ///< whether each page is
 };
 
 }  // namespace occlude::culler
