@@ -54,14 +54,12 @@ void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
   const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return piece_.nearness() + tile; });
   if (!left) return;
   piece_.draw(*left);
+  const auto across = static_cast<std::size_t>(left->x1 - left->x0);
   for (int y = left->y0; y < left->y1; ++y) {
-    for (int x = left->x0; x < left->x1; ++x) {
-      const std::uint64_t closed = piece_.closed(x, y);
-      const float nearness = piece_.nearness(x, y);
-      const std::size_t tile = tile_at(x, y);
-      if (closed != 0 && nearness > farthest_[tile] && nearness < std::numeric_limits<float>::infinity())
-        close(tile, closed, nearness, id);
-    }
+    const std::size_t first = tile_at(left->x0, y);
+    if (!owners_.empty()) own(first, across, id);
+    bring_nearer(&nearness_[first * kTilePixels], std::span(farthest_).subspan(first, across), piece_.closed() + first,
+                 piece_.nearness() + first);
   }
 }
 
@@ -81,14 +79,16 @@ std::optional<PixelRectangle> CoverBuffer::tiles_nearer(const PixelRectangle& r,
   return left;
 }
 
-void CoverBuffer::close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id) {
-  float* const old = &nearness_[tile * kTilePixels];
-  if (!owners_.empty()) {
+/// Notes which pixels of tiles that lie side by side the piece will bring nearer.
+void CoverBuffer::own(std::size_t first, std::size_t count, std::uint32_t id) {
+  for (std::size_t tile = first; tile < first + count; ++tile) {
+    const float nearness = piece_.nearness()[tile];
+    if (nearness == std::numeric_limits<float>::infinity()) continue;  // it is not there
     for (std::size_t i = 0; i < kTilePixels; ++i) {
-      if ((pixels >> i & 1U) != 0 && nearness > old[i]) owners_[tile * kTilePixels + i] = id;
+      const std::size_t pixel = tile * kTilePixels + i;
+      if ((piece_.closed()[tile] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
     }
   }
-  farthest_[tile] = bring_nearer(old, pixels, nearness);
 }
 
 SeenBoxes CoverBuffer::seen(const kernel::Aabb& box) const {

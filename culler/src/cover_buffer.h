@@ -63,9 +63,10 @@ class CoverBuffer {
   /// from the eye than the depth of the view.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
   [[nodiscard]] bool hides(const Footprint& box) const;
-  /// Those of the asked boxes that are hidden.
-  [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked) const {
-    return culler::hidden(tile_picture(), boxes, asked);
+  /// Those of the asked boxes that are hidden. Of the boxes that are not in `in_full`, it finds only those of which a few
+  /// numbers tell. open() finds the rest.
+  [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked, kernel::BoxBits in_full) const {
+    return culler::hidden(tile_picture(), boxes, asked, in_full);
   }
   /// Why the box is not hidden; `none` if it is.
   enum class Gap { none, beyond_picture, open, not_behind };
@@ -98,7 +99,7 @@ class CoverBuffer {
   template <class NearnessFrom>
   [[nodiscard]] std::optional<PixelRectangle> tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const;
   void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
-  void close(std::size_t tile, std::uint64_t pixels, float nearness, std::uint32_t id);
+  void own(std::size_t first, std::size_t count, std::uint32_t id);
   [[nodiscard]] TilePicture tile_picture() const {
     return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
   }

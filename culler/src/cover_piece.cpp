@@ -184,29 +184,24 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
   }
   const auto& [a, b, c] = triangle;
   const SeenPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
-  const bool is_large = across > kOfWholeRows && up > kOfWholeRows;
+  const auto lower_to_plane = [&](const PixelRectangle& part) {
+    work_ += static_cast<std::size_t>(part.x1 - part.x0) * static_cast<std::size_t>(part.y1 - part.y0);
+    if (!plane.is_known()) return lower(part, outline.nearness);
+    culler::lower({nearness_.data(), tiles_across_, slopes_x_.data(), slopes_y_.data()}, part, plane.bound(),
+                  outline.nearness);
+  };
+  if (across <= kOfWholeRows || up <= kOfWholeRows) return lower_to_plane(tiles);
   std::array<SeenEdge, 4> edges;
-  const CoverLoop loop = is_large ? this->loop(triangle) : CoverLoop();
+  const CoverLoop loop = this->loop(triangle);
   for (std::size_t i = 0; i < loop.count; ++i) {
     edges[i] = {loop.vertices[i].corner, loop.vertices[i + 1 < loop.count ? i + 1 : 0].corner};
   }
   for (int y = tiles.y0; y < tiles.y1; ++y) {
-    int x0 = tiles.x0, x1 = tiles.x1;
-    if (is_large) {
-      SeenEdge::Range range;
-      for (std::size_t i = 0; i < loop.count; ++i) range.hold(edges[i].between(y * kTile, (y + 1) * kTile));
-      x0 = std::max(pixel_at(range.low, picture_.width()) / kTile, x0);
-      x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, x1);
-    }
-    if (x0 >= x1) continue;
-    work_ += static_cast<std::size_t>(x1 - x0);
-    if (!plane.is_known()) {
-      lower({x0, y, x1, y + 1}, outline.nearness);
-      continue;
-    }
-    const auto at = static_cast<std::size_t>(y);
-    culler::lower(std::span(nearness_).subspan(tile_at(x0, y), static_cast<std::size_t>(x1 - x0)),
-                  &slopes_x_[static_cast<std::size_t>(x0)], plane.row(slopes_y_[at], slopes_y_[at + 1]), outline.nearness);
+    SeenEdge::Range range;
+    for (std::size_t i = 0; i < loop.count; ++i) range.hold(edges[i].between(y * kTile, (y + 1) * kTile));
+    const int x0 = std::max(pixel_at(range.low, picture_.width()) / kTile, tiles.x0);
+    const int x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, tiles.x1);
+    if (x0 < x1) lower_to_plane({x0, y, x1, y + 1});
   }
 }
 

@@ -47,16 +47,15 @@ class CoverPiece {
 
   /// Finds how near the sheet that was found is in these tiles. REQUIRES: at least one tile, all of them in the picture.
   void lay(const PixelRectangle& tiles);
-  /// In this tile the sheet is nowhere less near than this; infinity if it is not there. So after lay().
-  [[nodiscard]] float nearness(int tile_x, int tile_y) const { return nearness_[tile_at(tile_x, tile_y)]; }
-  /// The same for all tiles, row by row.
+  /// For each tile of the picture, row by row: in those of the last lay(), the sheet is nowhere less near than this; infinity
+  /// if it is not there.
   [[nodiscard]] const float* nearness() const { return nearness_.data(); }
   /// The work of the last lay(): the tiles of the triangles.
   [[nodiscard]] std::size_t work() const { return work_; }
   /// Draws the border of the sheet into these tiles. REQUIRES: at least one tile, all of them among those of lay().
   void draw(const PixelRectangle& tiles);
-  /// The pixels of a tile that the sheet closes. So after draw().
-  [[nodiscard]] std::uint64_t closed(int tile_x, int tile_y) const { return closed_[tile_at(tile_x, tile_y)]; }
+  /// The same of the pixels that the sheet closes, in the tiles of the last draw().
+  [[nodiscard]] const std::uint64_t* closed() const { return closed_.data(); }
   /// A rectangle that holds a triangle of the mesh with its error; none if the triangle is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "cover_tile.h"
 
@@ -25,17 +26,33 @@ using Floats = hn::Vec<FloatTag>;
 using Integers = hn::Vec<IntegerTag>;
 using Mask = hn::Mask<FloatTag>;
 
+/// The pixels of one or two rows of a tile.
+using RowsTag = hn::CappedTag<float, 2 * kTile>;
+
 constexpr FloatTag kFloats;
+constexpr RowsTag kRows;
 constexpr IntegerTag kIntegers;
 
-/// A bit for each of the numbers from `first` to before `end` that is at most `most`: bit i for number i. REQUIRES: `first`
-/// and `end` are multiples of eight, at most 64, and first < end.
-HWY_INLINE std::uint64_t at_most(const float* numbers, float most, std::size_t first, std::size_t end) {
+/// The lanes of a mask as bits, of at most 16.
+template <class Tag>
+HWY_INLINE unsigned bits_of(Tag d, hn::Mask<Tag> mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, mask, bits);
+  return bits[0] | unsigned{bits[1]} << 8U;
+}
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> mask_of(Tag d, std::uint64_t lanes) {
+  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes), static_cast<std::uint8_t>(lanes >> 8U)};
+  return hn::LoadMaskBits(d, bits);
+}
+
+/// A bit for each of the numbers from `first` to before `end` that is at most `most`: bit i for number i. Those after `end`
+/// may have one, too, up to a multiple of the lanes. REQUIRES: `first` is such a multiple, and end <= 64.
+template <class Tag>
+HWY_INLINE std::uint64_t at_most(Tag d, const float* numbers, float most, std::size_t first, std::size_t end) {
   std::uint64_t result = 0;
-  for (std::size_t i = first; i < end; i += hn::Lanes(kFloats)) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(kFloats, hn::Le(hn::LoadU(kFloats, numbers + i), hn::Set(kFloats, most)), bits);
-    result |= std::uint64_t{bits[0]} << i;
+  for (std::size_t i = first; i < end; i += hn::Lanes(d)) {
+    result |= std::uint64_t{bits_of(d, hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, most)))} << i;
   }
   return result;
 }
@@ -47,11 +64,12 @@ HWY_INLINE std::uint64_t from_to(int first, int end) {
 }
 
 /// How many pixels of a tile have a nearness of at most `most`, of those in the columns of a mask and in rows from `first`
-/// to before `end`.
+/// to before `end`. REQUIRES: 0 <= first < end <= kTile.
 HWY_INLINE int open_in_tile(const float* pixels, float most, std::uint64_t columns, int first, int end) {
-  constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101;
+  constexpr std::uint64_t kEachRow = 0x0101'0101'0101'0101, kAll = ~std::uint64_t{0};
   const auto at = [](int row) { return static_cast<std::size_t>(row) * kTile; };
-  return std::popcount(at_most(pixels, most, at(first), at(end)) & columns * kEachRow);
+  const std::uint64_t rows = kAll << at(first) & kAll >> (kTilePixels - at(end));
+  return std::popcount(at_most(kRows, pixels, most, at(first) & -hn::Lanes(kRows), at(end)) & rows & columns * kEachRow);
 }
 
 int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough) {
@@ -62,7 +80,7 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
     const int row0 = std::max(r.y0 - ty * kTile, 0), row1 = std::min(r.y1 - ty * kTile, kTile);
     for (int tx = first; tx < end; tx += kTile) {
       const int tile = ty * picture.tiles_across + tx;
-      std::uint64_t left = at_most(picture.farthest + tile, most, 0, kTile) & from_to(0, end - tx);
+      std::uint64_t left = at_most(kFloats, picture.farthest + tile, most, 0, kTile) & from_to(0, end - tx);
       for (; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left), x = (tx + i) * kTile;
         const float* const pixels = picture.nearness + (tile + i) * static_cast<int>(kTilePixels);
@@ -153,31 +171,24 @@ class Boxes {
   Integers x0_, y0_, x1_, y1_;
 };
 
-/// The lanes of a mask as bits.
-HWY_INLINE unsigned bits_of(Mask mask) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(kFloats, mask, bits);
-  return bits[0];
-}
-
 /// Those of the asked boxes, a lane each from `first`, that are hidden.
-HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& boxes, std::size_t first, unsigned asked) {
+HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& boxes, std::size_t first, unsigned asked,
+                                 unsigned in_full) {
   const Boxes several(picture, boxes, first);
-  const std::uint8_t bits[8] = {static_cast<std::uint8_t>(asked)};
-  const Mask in_picture = hn::And(several.in_picture(), hn::LoadMaskBits(kFloats, bits));
+  const Mask in_picture = hn::And(several.in_picture(), mask_of(kFloats, asked));
   const Mask touching = several.touching(in_picture);
-  unsigned hidden = bits_of(hn::AndNot(touching, in_picture));  // these lie beside the picture
+  unsigned hidden = bits_of(kFloats, hn::AndNot(touching, in_picture));  // these lie beside the picture
   if (hn::AllFalse(kFloats, touching)) return hidden;
   const Mask closed_above = hn::AndNot(several.open_in_upper_corner(touching), touching);
   if (hn::AllFalse(kFloats, closed_above)) return hidden;
   const Mask closed = hn::AndNot(several.open_in_lower_corner(closed_above), closed_above);
   const Mask small = several.of_corners_alone(closed);
-  hidden |= bits_of(small);
+  hidden |= bits_of(kFloats, small);
   const Mask left = hn::AndNot(small, closed);
   if (hn::AllFalse(kFloats, left)) return hidden;
   const Mask behind_tiles = several.behind_tiles(left);
-  hidden |= bits_of(behind_tiles);
-  for (unsigned rest = bits_of(hn::AndNot(behind_tiles, left)); rest != 0; rest &= rest - 1) {
+  hidden |= bits_of(kFloats, behind_tiles);
+  for (unsigned rest = bits_of(kFloats, hn::AndNot(behind_tiles, left)) & in_full; rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(rest));
     const std::size_t i = first + lane;
     const PixelRectangle touched{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]};
@@ -186,43 +197,56 @@ HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& bo
   return hidden;
 }
 
-kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
+kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked, kernel::BoxBits in_full) {
   unsigned hidden = 0;
   for (std::size_t first = 0; first < boxes.size; first += hn::Lanes(kFloats)) {
-    hidden |= hidden_lanes(picture, boxes, first, unsigned{asked} >> first) << first;
+    hidden |= hidden_lanes(picture, boxes, first, unsigned{asked} >> first, unsigned{in_full} >> first) << first;
   }
   return static_cast<kernel::BoxBits>(hidden);
 }
 
-float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {
-  const auto near = hn::Set(kFloats, nearness);
-  auto least = hn::Set(kFloats, hwy::HighestValue<float>());
-  for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(kFloats)) {
-    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(mask >> i)};
-    const auto old = hn::LoadU(kFloats, pixels + i);
-    const auto now = hn::IfThenElse(hn::LoadMaskBits(kFloats, bits), hn::Max(old, near), old);
-    hn::StoreU(now, kFloats, pixels + i);
+/// Returns the least nearness of all pixels of the tile.
+HWY_INLINE float bring_nearer_in_tile(float* pixels, std::uint64_t mask, float nearness) {
+  const auto near = hn::Set(kRows, nearness);
+  auto least = hn::Set(kRows, hwy::HighestValue<float>());
+  for (std::size_t i = 0; i < kTilePixels; i += hn::Lanes(kRows)) {
+    const auto old = hn::LoadU(kRows, pixels + i);
+    const auto now = hn::IfThenElse(mask_of(kRows, mask >> i), hn::Max(old, near), old);
+    hn::StoreU(now, kRows, pixels + i);
     least = hn::Min(least, now);
   }
-  return hn::GetLane(hn::MinOfLanes(kFloats, least));
+  return hn::GetLane(hn::MinOfLanes(kRows, least));
+}
+
+void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t* closed, const float* nearness) {
+  for (std::size_t i = 0; i < farthest.size(); ++i) {
+    const bool is_there = closed[i] != 0 && nearness[i] < std::numeric_limits<float>::infinity();
+    if (!is_there || nearness[i] <= farthest[i]) continue;
+    farthest[i] = bring_nearer_in_tile(pixels + i * kTilePixels, closed[i], nearness[i]);
+  }
 }
 
 /// A tile per lane. Nothing is fused, so the results do not depend on the number of lanes.
-void lower(std::span<float> nearness, const double* slopes, const PlaneRow& plane, float least) {
+void lower(const TileNearness& picture, const PixelRectangle& tiles, const PlaneBound& plane, float least) {
   const hn::CappedTag<double, kTile> d;
   const hn::Rebind<float, decltype(d)> to;
-  const double* const at = plane.of_x > 0 ? slopes : slopes + 1;
-  const auto zero = hn::Zero(d);
-  for (std::size_t i = 0; i < nearness.size(); i += hn::Lanes(d)) {
-    const std::size_t left = nearness.size() - i;
-    const auto x = hn::LoadU(d, at + i);
-    const auto value = hn::Add(hn::Set(d, plane.of_rows), hn::Mul(hn::Set(d, plane.of_x), x));
-    const auto bound = hn::Mul(value, hn::IfThenElse(hn::Gt(value, zero), hn::Set(d, plane.more), hn::Set(d, plane.less)));
-    // As rounded_down().
-    const auto rounding = hn::Add(hn::Mul(hn::Set(d, 0x1p-23), hn::Abs(bound)), hn::Set(d, 0x1p-149));
-    const auto found = hn::Max(hn::DemoteTo(to, hn::Sub(bound, rounding)), hn::Set(to, least));
-    const auto old = hn::LoadU(to, nearness.data() + i);
-    hn::StoreU(hn::IfThenElse(hn::FirstN(to, left), hn::Min(old, found), old), to, nearness.data() + i);
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const double* const slopes_x = picture.slopes_x + (plane.of_x > 0 ? 0 : 1);
+  const double* const slopes_y = picture.slopes_y + (plane.of_y > 0 ? 0 : 1);
+  const auto zero = hn::Zero(d), more = hn::Set(d, plane.more), less = hn::Set(d, plane.less);
+  for (int x = tiles.x0; x < tiles.x1; x += lanes) {
+    const auto of_x = hn::Mul(hn::Set(d, plane.of_x), hn::LoadU(d, slopes_x + x));
+    const auto are_there = hn::FirstN(to, static_cast<std::size_t>(tiles.x1 - x));
+    for (int y = tiles.y0; y < tiles.y1; ++y) {
+      const auto value = hn::Add(hn::Set(d, plane.constant + plane.of_y * slopes_y[y]), of_x);
+      const auto bound = hn::Mul(value, hn::IfThenElse(hn::Gt(value, zero), more, less));
+      // As rounded_down().
+      const auto rounding = hn::Add(hn::Mul(hn::Set(d, 0x1p-23), hn::Abs(bound)), hn::Set(d, 0x1p-149));
+      const auto found = hn::Max(hn::DemoteTo(to, hn::Sub(bound, rounding)), hn::Set(to, least));
+      float* const nearness = picture.nearness + y * picture.tiles_across + x;
+      const auto old = hn::LoadU(to, nearness);
+      hn::StoreU(hn::IfThenElse(are_there, hn::Min(old, found), old), to, nearness);
+    }
   }
 }
 
@@ -232,7 +256,7 @@ HWY_INLINE TileRange nearer_range(std::span<const float> farthest, const IsNeare
   TileRange range{static_cast<int>(farthest.size()), 0};
   for (std::size_t i = 0; i < farthest.size(); i += hn::Lanes(kFloats)) {
     const Mask tiles = hn::FirstN(kFloats, farthest.size() - i);
-    const unsigned bits = bits_of(hn::And(tiles, is_nearer(i, hn::LoadU(kFloats, farthest.data() + i))));
+    const unsigned bits = bits_of(kFloats, hn::And(tiles, is_nearer(i, hn::LoadU(kFloats, farthest.data() + i))));
     if (bits == 0) continue;
     range.first = std::min(range.first, static_cast<int>(i) + std::countr_zero(bits));
     range.end = static_cast<int>(i) + static_cast<int>(std::bit_width(bits));
@@ -271,12 +295,12 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
   return HWY_DYNAMIC_DISPATCH(open_pixels)(picture, r, most, enough);
 }
 
-kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
-  return HWY_DYNAMIC_DISPATCH(hidden)(picture, boxes, asked);
+kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked, kernel::BoxBits in_full) {
+  return HWY_DYNAMIC_DISPATCH(hidden)(picture, boxes, asked, in_full);
 }
 
-void lower(std::span<float> nearness, const double* slopes, const PlaneRow& plane, float least) {
-  HWY_DYNAMIC_DISPATCH(lower)(nearness, slopes, plane, least);
+void lower(const TileNearness& picture, const PixelRectangle& tiles, const PlaneBound& plane, float least) {
+  HWY_DYNAMIC_DISPATCH(lower)(picture, tiles, plane, least);
 }
 
 TileRange nearer(std::span<const float> farthest, float nearness) {
@@ -287,8 +311,8 @@ TileRange nearer(std::span<const float> farthest, const float* nearness) {
   return HWY_DYNAMIC_DISPATCH(each_nearer)(farthest, nearness);
 }
 
-float bring_nearer(float* pixels, std::uint64_t mask, float nearness) {
-  return HWY_DYNAMIC_DISPATCH(bring_nearer)(pixels, mask, nearness);
+void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t* closed, const float* nearness) {
+  HWY_DYNAMIC_DISPATCH(bring_nearer)(pixels, farthest, closed, nearness);
 }
 
 }  // namespace occlude::culler

@@ -29,18 +29,26 @@ struct TilePicture {
 /// How many pixels of the rectangle, which may be empty, have a nearness of at most `most`. Counts tile by tile, and stops
 /// at `enough`.
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
-/// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch.
-[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked);
-/// A lower bound of the nearness of a plane along rays of a row of tiles: along (x, y, 1) it is at least v `more` if v > 0,
-/// and else v `less`, where v = of_rows + of_x x.
-struct PlaneRow {
-  double of_rows, of_x;
+/// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch. Of the
+/// boxes that are not in `in_full`, it finds only those of which a few numbers tell.
+[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked,
+                                     kernel::BoxBits in_full);
+/// A lower bound of the nearness of a plane: along the ray (x, y, 1) it is at least v `more` if v > 0, and else v `less`,
+/// where v = constant + of_y y + of_x x.
+struct PlaneBound {
+  double constant, of_x, of_y;
   double more, less;
 };
-/// Lowers the nearness of tiles that lie side by side to that of a plane, or to `least` where the plane is not nearer. The
-/// rays of tile i are between slopes[i] and slopes[i + 1]. Here and below, numbers kTile beyond the last tile can be read,
-/// and those of `nearness` written.
-void lower(std::span<float> nearness, const double* slopes, const PlaneRow& plane, float least);
+/// A number for each tile of a picture, row by row. The rays of tile (i, j) are those from slopes_x[i] to slopes_x[i + 1] and
+/// from slopes_y[j] to slopes_y[j + 1]. Here and below, numbers kTile beyond the last tile can be read, and those of
+/// `nearness` written.
+struct TileNearness {
+  float* nearness;
+  int tiles_across;
+  const double *slopes_x, *slopes_y;
+};
+/// Lowers the nearness of these tiles to that of a plane, or to `least` where the plane is not nearer.
+void lower(const TileNearness& picture, const PixelRectangle& tiles, const PlaneBound& plane, float least);
 
 /// Of tiles that lie side by side, from the first to after the last in which something may bring a pixel nearer. Empty if
 /// there are none.
@@ -52,8 +60,8 @@ struct TileRange {
 /// Something of this nearness in each. It is not in a tile where it is infinite.
 [[nodiscard]] TileRange nearer(std::span<const float> farthest, const float* nearness);
 
-/// Raises the pixels of the mask to `nearness` unless they are nearer already. Returns the least nearness of all pixels of
-/// the tile.
-float bring_nearer(float* pixels, std::uint64_t mask, float nearness);
+/// Raises pixels of tiles that lie side by side: those of the mask closed[i] of tile i to nearness[i], unless they are
+/// nearer already, or it is infinite. farthest[i] is the least nearness of all pixels of the tile.
+void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t* closed, const float* nearness);
 
 }  // namespace occlude::culler

@@ -42,32 +42,30 @@ class SeenPlane {
       n = -n;
       h = -h;
     }
-    x_ = n.x;
-    y_ = n.y;
+    bound_.of_x = n.x;
+    bound_.of_y = n.y;
     if (picture.is_perspective()) {
       // Along (x, y, 1) the nearness 1 / f is n . (x, y, 1) / h.
-      constant_ = n.z - normal_error * (reach + 1);
+      bound_.constant = n.z - normal_error * (reach + 1);
     } else {
       // The distance along a ray is f = (h - n . (x, y, 0)) / n_z, and the nearness is -f.
-      constant_ =
+      bound_.constant =
           -h - height_error - normal_error * reach - kRounded * (std::fabs(h) + (std::fabs(n.x) + std::fabs(n.y)) * reach);
     }
-    more_ = (1 - kRounded) / (std::fabs(divisor) + divisor_error);
-    less_ = (1 + kRounded) / (std::fabs(divisor) - divisor_error);
+    bound_.more = (1 - kRounded) / (std::fabs(divisor) + divisor_error);
+    bound_.less = (1 + kRounded) / (std::fabs(divisor) - divisor_error);
   }
 
   /// False for the plane of a sliver and for one that is seen nearly edge-on: their errors are too large.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
-  /// A lower bound of the nearness at which rays between two heights meet the plane. REQUIRES: is_known().
-  [[nodiscard]] PlaneRow row(double low_y, double high_y) const {
-    return {constant_ + y_ * (y_ > 0 ? low_y : high_y), x_, more_, less_};
-  }
+  /// A lower bound of the nearness at which rays meet the plane. REQUIRES: is_known().
+  [[nodiscard]] const PlaneBound& bound() const { return bound_; }
 
  private:
   static constexpr double kRounded = 0x1p-50;
 
-  double x_ = 0, y_ = 0, constant_ = 0, more_ = 0, less_ = 0;
+  PlaneBound bound_{};
   bool is_known_ = false;
 };
 

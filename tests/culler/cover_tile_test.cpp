@@ -91,49 +91,74 @@ TEST_F(CoverTile, HidesBoxesInThePictureOnly) {
     }
     boxes.size = SeenBoxes::kMost;
     const auto asked = static_cast<kernel::BoxBits>(pick(0, 255));
-    EXPECT_EQ(hidden(picture(), boxes, asked), expected & asked) << "seed " << kSeed;
+    EXPECT_EQ(hidden(picture(), boxes, asked, boxes.all()), expected & asked) << "seed " << kSeed;
+    const auto in_full = static_cast<kernel::BoxBits>(pick(0, 255));
+    const kernel::BoxBits some = hidden(picture(), boxes, asked, in_full);
+    EXPECT_EQ(some & ~(expected & asked), 0) << "seed " << kSeed;
+    EXPECT_EQ(some & in_full, expected & asked & in_full) << "seed " << kSeed;
     hidden_boxes += (expected & asked) != 0 ? 1 : 0;
   }
   EXPECT_GT(hidden_boxes, 1000U);
 }
 
-TEST_F(CoverTile, BringsNearerWhatTheMaskHas) {
+TEST_F(CoverTile, BringsNearerWhatIsClosed) {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
   for (int i = 0; i < 1000; ++i) {
-    std::array<float, kTilePixels> pixels;
+    constexpr std::size_t kTiles = 4;
+    std::array<float, kTiles * kTilePixels> pixels;
     for (float& pixel : pixels) pixel = static_cast<float>(random_() % 16);
-    const std::uint64_t mask = (std::uint64_t{random_()} << 32U | random_()) & (i % 2 == 0 ? ~std::uint64_t{0} : random_());
-    const auto nearness = static_cast<float>(random_() % 16);
-    std::array<float, kTilePixels> expected = pixels;
-    for (std::size_t k = 0; k < kTilePixels; ++k) {
-      if ((mask >> k & 1U) != 0) expected[k] = std::max(expected[k], nearness);
+    std::array<float, kTiles> nearness, farthest, expected_farthest;
+    std::array<std::uint64_t, kTiles> closed;
+    std::array<float, kTiles * kTilePixels> expected = pixels;
+    for (std::size_t t = 0; t < kTiles; ++t) {
+      closed[t] = (std::uint64_t{random_()} << 32U | random_()) & (pick(0, 1) == 0 ? ~std::uint64_t{0} : random_());
+      if (pick(0, 7) == 0) closed[t] = 0;
+      nearness[t] = pick(0, 7) == 0 ? kFar : static_cast<float>(random_() % 16);
+      const auto tile = std::span(expected).subspan(t * kTilePixels, kTilePixels);
+      farthest[t] = std::ranges::min(tile);
+      for (std::size_t k = 0; k < kTilePixels; ++k) {
+        if ((closed[t] >> k & 1U) != 0 && nearness[t] < kFar) tile[k] = std::max(tile[k], nearness[t]);
+      }
+      expected_farthest[t] = std::ranges::min(tile);
     }
-    EXPECT_EQ(bring_nearer(pixels.data(), mask, nearness), std::ranges::min(expected));
-    EXPECT_EQ(pixels, expected);
+    bring_nearer(pixels.data(), farthest, closed.data(), nearness.data());
+    EXPECT_EQ(pixels, expected) << "case " << i << ", seed " << kSeed;
+    EXPECT_EQ(farthest, expected_farthest) << "case " << i << ", seed " << kSeed;
   }
 }
 
-/// The farthest corner or, where it is nearer, the plane at its farthest. Tiles beyond the row stay as they are.
-TEST_F(CoverTile, LowersARowToThePlane) {
+/// The farthest corner or, where it is nearer, the plane at its farthest. Tiles beside the rectangle stay as they are.
+TEST_F(CoverTile, LowersTilesToThePlane) {
+  constexpr int kTiles = 24, kRows = 3;
   std::uniform_real_distribution<double> number(-2, 2);
   std::size_t of_planes = 0;
   for (int i = 0; i < 2000; ++i) {
-    std::array<float, 32> tiles;
-    std::array<double, 33> slopes;
+    std::array<float, kTiles * kRows + kTile> tiles;
     for (float& tile : tiles)
       tile = random_() % 4 == 0 ? std::numeric_limits<float>::infinity() : static_cast<float>(number(random_));
-    slopes[0] = number(random_);
-    for (std::size_t k = 1; k < slopes.size(); ++k) slopes[k] = slopes[k - 1] + 0.05;
-    const PlaneRow plane{number(random_), number(random_), 0.9, 1.1};
+    std::array<double, kTiles + 1 + kTile> slopes_x{number(random_)};
+    std::array<double, kRows + 1> slopes_y{number(random_)};
+    for (std::size_t k = 1; k < slopes_x.size(); ++k) slopes_x[k] = slopes_x[k - 1] + 0.05;
+    for (std::size_t k = 1; k < slopes_y.size(); ++k) slopes_y[k] = slopes_y[k - 1] + 0.05;
+    const PlaneBound plane{number(random_), number(random_), number(random_), 0.9, 1.1};
     const auto least = static_cast<float>(number(random_));
-    const auto first = static_cast<std::size_t>(pick(0, 5)), count = static_cast<std::size_t>(pick(1, 18));
-    std::array<float, 32> expected = tiles;
-    for (std::size_t k = first; k < first + count; ++k) {
-      const double value = plane.of_rows + std::min(plane.of_x * slopes[k], plane.of_x * slopes[k + 1]);
-      const float bound = std::max(rounded_down(value * (value > 0 ? plane.more : plane.less)), least);
-      of_planes += bound > least ? 1 : 0;
-      expected[k] = std::min(expected[k], bound);
+    const int x0 = pick(0, 5), y0 = pick(0, kRows - 1);
+    const PixelRectangle part{x0, y0, x0 + pick(1, 18), y0 + pick(1, kRows - y0)};
+    std::array<float, kTiles * kRows + kTile> expected = tiles;
+    for (int y = part.y0; y < part.y1; ++y) {
+      for (int x = part.x0; x < part.x1; ++x) {
+        const auto at = [](const auto& slopes, int k, double slope) {
+          const auto low = static_cast<std::size_t>(k);
+          return std::min(slope * slopes[low], slope * slopes[low + 1]);
+        };
+        const double value = plane.constant + at(slopes_y, y, plane.of_y) + at(slopes_x, x, plane.of_x);
+        const float bound = std::max(rounded_down(value * (value > 0 ? plane.more : plane.less)), least);
+        of_planes += bound > least ? 1 : 0;
+        float& tile = expected[static_cast<std::size_t>(y * kTiles + x)];
+        tile = std::min(tile, bound);
+      }
     }
-    lower(std::span(tiles).subspan(first, count), &slopes[first], plane, least);
+    lower({tiles.data(), kTiles, slopes_x.data(), slopes_y.data()}, part, plane, least);
     EXPECT_EQ(tiles, expected) << "case " << i << ", seed " << kSeed;
   }
   EXPECT_GT(of_planes, 5000U);
