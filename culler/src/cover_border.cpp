@@ -132,19 +132,26 @@ void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
     end = std::min({x + lanes, (x & -kTile) + kTile, edge.column1});  // of columns of one tile
     const auto y = hn::Add(hn::Set(d, edge.y + (x - edge.column0) * edge.slope), slopes);
     const auto rows = hn::DemoteTo(rows_of, clamp(hn::Add(y, half), low, high));
-    std::int32_t row[kTile] = {};
-    hn::StoreU(rows, rows_of, row);
     const auto in_tile = hn::ShiftLeft<kTileBits>(hn::And(rows, hn::Set(rows_of, kTile - 1)));
     const auto shifts = hn::And(hn::Add(in_tile, hn::Iota(rows_of, x % kTile)), hn::Set(rows_of, kTilePixels - 1));
-    std::uint64_t bits[kTile] = {};
-    hn::StoreU(hn::Shl(hn::Set(bits_of, 1), hn::PromoteTo(bits_of, hn::BitCast(shifts_of, shifts))), bits_of, bits);
-    for (int i = 0; i < end - x;) {
-      // Rows rise or fall, so few tiles have them all.
-      const int tile = row[i] / kTile;
-      std::uint64_t turned = 0;
-      for (; i < end - x && row[i] / kTile == tile; ++i) turned ^= bits[i];
+    const auto bits = hn::Shl(hn::Set(bits_of, 1), hn::PromoteTo(bits_of, hn::BitCast(shifts_of, shifts)));
+    const auto turn_in = [&](int tile, std::uint64_t turned) {
       if (tile < edge.row1 / kTile) tiles.at(x / kTile, tile).turned ^= turned;
+    };
+    const auto count = static_cast<std::size_t>(end - x);
+    const auto tile_rows = hn::ShiftRight<kTileBits>(rows);
+    const int first = hn::GetLane(tile_rows);
+    const auto are_elsewhere = hn::And(hn::FirstN(rows_of, count), hn::Ne(tile_rows, hn::Set(rows_of, first)));
+    if (hn::AllFalse(rows_of, are_elsewhere)) {
+      // The bits differ, so their sum has them all.
+      turn_in(first, hn::GetLane(hn::SumOfLanes(bits_of, hn::IfThenElseZero(hn::FirstN(bits_of, count), bits))));
+      continue;
     }
+    std::int32_t tile_of[kTile] = {};
+    std::uint64_t bit[kTile] = {};
+    hn::StoreU(tile_rows, rows_of, tile_of);
+    hn::StoreU(bits, bits_of, bit);
+    for (std::size_t i = 0; i < count; ++i) turn_in(tile_of[i], bit[i]);
   }
 }
 

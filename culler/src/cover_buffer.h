@@ -63,10 +63,9 @@ class CoverBuffer {
   /// from the eye than the depth of the view.
   [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
   [[nodiscard]] bool hides(const Footprint& box) const;
-  /// Those of the asked boxes that are hidden. Of the boxes that are not in `in_full`, it finds only those of which a few
-  /// numbers tell. open() finds the rest.
-  [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked, kernel::BoxBits in_full) const {
-    return culler::hidden(tile_picture(), boxes, asked, in_full);
+  /// Those of the asked boxes that are hidden.
+  [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked) const {
+    return culler::hidden(tile_picture(), boxes, asked);
   }
   /// Why the box is not hidden; `none` if it is.
   enum class Gap { none, beyond_picture, open, not_behind };

@@ -162,15 +162,11 @@ class CoverDescent {
     }
   }
 
-  /// Those nodes of the batch that are hidden, but not all such leaves: decide() counts the pixels of a leaf in any case.
+  /// Those nodes of the batch that are hidden.
   [[nodiscard]] kernel::BoxBits test(Batch& batch) const {
     batch.boxes.see(buffer_.box_picture());
     batch.groups = stats_.cover_groups;
-    unsigned inner = 0;
-    for (std::size_t i = 0; i < batch.boxes.size; ++i) {
-      inner |= (tree_.nodes[batch.visits[i].node].is_leaf() ? 0U : 1U) << i;
-    }
-    return buffer_.hidden(batch.boxes, batch.boxes.all(), static_cast<kernel::BoxBits>(inner));
+    return buffer_.hidden(batch.boxes, batch.boxes.all());
   }
 
   /// Whether the node is in view. Culls it if not.

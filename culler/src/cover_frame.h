@@ -63,7 +63,7 @@ class CoverFrame {
     BoxPixels boxes;
     for (const auto& [leaf, at] : leaves) boxes.add(at.pixels, at.is_in_picture ? at.most : kUnknown);
     memory_.result.stats.cover_tests += leaves.size();
-    const kernel::BoxBits hidden = memory_.cover.buffer.hidden(boxes, boxes.all(), boxes.all());
+    const kernel::BoxBits hidden = memory_.cover.buffer.hidden(boxes, boxes.all());
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       if ((hidden >> i & 1U) != 0) {
         cull({leaves[i].leaf, Culled::By::cover});

@@ -172,8 +172,7 @@ class Boxes {
 };
 
 /// Those of the asked boxes, a lane each from `first`, that are hidden.
-HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& boxes, std::size_t first, unsigned asked,
-                                 unsigned in_full) {
+HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& boxes, std::size_t first, unsigned asked) {
   const Boxes several(picture, boxes, first);
   const Mask in_picture = hn::And(several.in_picture(), mask_of(kFloats, asked));
   const Mask touching = several.touching(in_picture);
@@ -188,7 +187,7 @@ HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& bo
   if (hn::AllFalse(kFloats, left)) return hidden;
   const Mask behind_tiles = several.behind_tiles(left);
   hidden |= bits_of(kFloats, behind_tiles);
-  for (unsigned rest = bits_of(kFloats, hn::AndNot(behind_tiles, left)) & in_full; rest != 0; rest &= rest - 1) {
+  for (unsigned rest = bits_of(kFloats, hn::AndNot(behind_tiles, left)); rest != 0; rest &= rest - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(rest));
     const std::size_t i = first + lane;
     const PixelRectangle touched{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]};
@@ -197,10 +196,10 @@ HWY_INLINE unsigned hidden_lanes(const TilePicture& picture, const BoxPixels& bo
   return hidden;
 }
 
-kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked, kernel::BoxBits in_full) {
+kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
   unsigned hidden = 0;
   for (std::size_t first = 0; first < boxes.size; first += hn::Lanes(kFloats)) {
-    hidden |= hidden_lanes(picture, boxes, first, unsigned{asked} >> first, unsigned{in_full} >> first) << first;
+    hidden |= hidden_lanes(picture, boxes, first, unsigned{asked} >> first) << first;
   }
   return static_cast<kernel::BoxBits>(hidden);
 }
@@ -295,8 +294,8 @@ int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most,
   return HWY_DYNAMIC_DISPATCH(open_pixels)(picture, r, most, enough);
 }
 
-kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked, kernel::BoxBits in_full) {
-  return HWY_DYNAMIC_DISPATCH(hidden)(picture, boxes, asked, in_full);
+kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked) {
+  return HWY_DYNAMIC_DISPATCH(hidden)(picture, boxes, asked);
 }
 
 void lower(const TileNearness& picture, const PixelRectangle& tiles, const PlaneBound& plane, float least) {

@@ -29,10 +29,8 @@ struct TilePicture {
 /// How many pixels of the rectangle, which may be empty, have a nearness of at most `most`. Counts tile by tile, and stops
 /// at `enough`.
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
-/// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch. Of the
-/// boxes that are not in `in_full`, it finds only those of which a few numbers tell.
-[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked,
-                                     kernel::BoxBits in_full);
+/// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch.
+[[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked);
 /// A lower bound of the nearness of a plane: along the ray (x, y, 1) it is at least v `more` if v > 0, and else v `less`,
 /// where v = constant + of_y y + of_x x.
 struct PlaneBound {

@@ -66,7 +66,7 @@ class PackedDescent {
     if (in_view == 0) return seen;
     const SeenBoxes boxes(buffer_.box_picture(), tree_.block(at));
     stats_.cover_tests += kernel::count(in_view);
-    const BoxBits hidden = buffer_.hidden(boxes, in_view, in_view);
+    const BoxBits hidden = buffer_.hidden(boxes, in_view);
     cull(at, Culled::By::cover, hidden);
     seen.boxes = static_cast<BoxBits>(in_view & ~hidden);
     for_each_bit(seen.boxes, [&](std::uint32_t i) {
