@@ -6,6 +6,7 @@
 // depths are bounded and accounted for (beam_picture.h, cover_piece.h, seen_boxes.h).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -49,6 +50,9 @@ class CoverBuffer {
     PixelRectangle pixels;  ///< those that it touches, with the margin
     float most;             ///< no point of it is nearer
     bool is_in_picture;     ///< all of it is, and beyond the near plane
+
+    /// How many pixels it has.
+    [[nodiscard]] int size() const { return std::max(pixels.x1 - pixels.x0, 0) * std::max(pixels.y1 - pixels.y0, 0); }
   };
   [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const { return footprint(seen(box), 0); }
   /// The footprint of box i of those that were seen in box_picture().

@@ -196,9 +196,12 @@ class CoverDescent {
       cull_({visit.node, Culled::By::cover});
       return false;
     }
-    if (!is_leaf && !is_closing && batch.groups == stats_.cover_groups) return true;  // it is still not hidden
+    const bool is_tested = batch.groups == stats_.cover_groups;  // it is still not hidden
+    if (!is_leaf && !is_closing && is_tested) return true;
     const CoverBuffer::Footprint footprint = buffer_.footprint(batch.boxes, i);
-    const int worth = worth_closing(), open = buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
+    const int worth = worth_closing();
+    const bool is_too_small = is_tested && footprint.size() < worth;
+    const int open = is_too_small ? 1 : buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
     if (open == 0 && footprint.is_in_picture) {
       cull_({visit.node, Culled::By::cover});
       return false;
