@@ -20,6 +20,7 @@
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/types.h"
 #include "seen_boxes.h"
+#include "seen_node.h"
 #include "view_planes.h"
 
 namespace occlude::culler {
@@ -33,14 +34,6 @@ struct StandingBoxes {
   decltype(auto) ask(std::uint32_t node, const Question& question) const {
     return question(box(node));
   }
-};
-
-/// A leaf that is not culled.
-struct SeenNode {
-  std::uint32_t node;
-  std::uint32_t across;  ///< a bit for each plane that may cross it
-  CoverBuffer::Footprint footprint;
-  bool is_worth_closing;  ///< whether it is seen through more than a slit
 };
 
 /// What a descent looks for.
@@ -192,23 +185,23 @@ class CoverDescent {
     const Visit& visit = batch.visits[i];
     const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
     ++stats_.cover_tests;
-    if ((hidden >> i & 1U) != 0) {
-      cull_({visit.node, Culled::By::cover});
-      return false;
-    }
+    if ((hidden >> i & 1U) != 0) return cull(visit);
     const bool is_tested = batch.groups == stats_.cover_groups;  // it is still not hidden
     if (!is_leaf && !is_closing && is_tested) return true;
     const CoverBuffer::Footprint footprint = buffer_.footprint(batch.boxes, i);
     const int worth = worth_closing();
     const bool is_too_small = is_tested && footprint.size() < worth;
     const int open = is_too_small ? 1 : buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
-    if (open == 0 && footprint.is_in_picture) {
-      cull_({visit.node, Culled::By::cover});
-      return false;
-    }
+    if (open == 0 && footprint.is_in_picture) return cull(visit);
     if (is_closing && open < worth) return false;
     if (is_leaf) see_(SeenNode{visit.node, visit.across, footprint, open >= worth});
     return !is_leaf;
+  }
+
+  /// Culls a hidden node. Returns whether to go below it.
+  bool cull(const Visit& visit) {
+    cull_({visit.node, Culled::By::cover});
+    return false;
   }
 
   /// Through how many pixels a leaf must be seen to be worth drawing.

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "cover_buffer.h"
-#include "cover_descent.h"
 #include "cover_group.h"
 #include "cover_triangles.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
+#include "seen_node.h"
 #include "zeros.h"
 
 namespace occlude::culler {

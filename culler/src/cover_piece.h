@@ -47,8 +47,8 @@ class CoverPiece {
 
   /// Finds how near the sheet that was found is in these tiles. REQUIRES: at least one tile, all of them in the picture.
   void lay(const PixelRectangle& tiles);
-  /// For each tile of the picture, row by row: in those of the last lay(), the sheet is nowhere less near than this; infinity
-  /// if it is not there.
+  /// For each tile of the picture, row by row: in those of the last lay(), the sheet is nowhere less near than this;
+  /// infinity if it is not there.
   [[nodiscard]] const float* nearness() const { return nearness_.data(); }
   /// The work of the last lay(): the tiles of the triangles.
   [[nodiscard]] std::size_t work() const { return work_; }

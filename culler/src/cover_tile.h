@@ -37,8 +37,8 @@ struct PlaneBound {
   double constant, of_x, of_y;
   double more, less;
 };
-/// A number for each tile of a picture, row by row. The rays of tile (i, j) are those from slopes_x[i] to slopes_x[i + 1] and
-/// from slopes_y[j] to slopes_y[j + 1]. Here and below, numbers kTile beyond the last tile can be read, and those of
+/// A number for each tile of a picture, row by row. The rays of tile (i, j) are those from slopes_x[i] to slopes_x[i + 1]
+/// and from slopes_y[j] to slopes_y[j + 1]. Here and below, numbers kTile beyond the last tile can be read, and those of
 /// `nearness` written.
 struct TileNearness {
   float* nearness;

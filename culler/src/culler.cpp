@@ -77,8 +77,8 @@ void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
   if (method == Method::cover) {
     static_cast<void>(triangles(checkpoint));
   } else {
+    static_cast<void>(occluders(checkpoint));  // first, because it takes most memory for a while
     static_cast<void>(blocks(checkpoint));
-    static_cast<void>(occluders(checkpoint));
   }
 }
 
@@ -100,8 +100,8 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     begin_frame(hierarchy_, camera, options, memory);
     cull_by_cover(hierarchy_, triangles, options, memory);
   } else {
-    const NodeBlocks& blocks = this->blocks();
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
+    const NodeBlocks& blocks = this->blocks();
     begin_frame(hierarchy_, camera, options, memory);
     cull_by_frusta(hierarchy_, blocks, occluders, options, memory);
   }

@@ -109,7 +109,8 @@ class TraversalInParts {
   void take_turns() {
     parts_.turns.clear();
     parts_.turns.reserve(parts_.put_off.limit);
-    for (PutOffSubtree& subtree : subtrees()) parts_.turns.push_back({&subtree, parts_.put_off.work.get(subtree.block), false});
+    for (PutOffSubtree& subtree : subtrees())
+      parts_.turns.push_back({&subtree, parts_.put_off.work.get(subtree.block), false});
     std::ranges::sort(parts_.turns, [](const SubtreeTurn& a, const SubtreeTurn& b) {
       return a.work != b.work ? a.work > b.work : a.subtree < b.subtree;
     });

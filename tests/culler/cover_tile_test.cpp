@@ -105,7 +105,7 @@ TEST_F(CoverTile, BringsNearerWhatIsClosed) {
     for (float& pixel : pixels) pixel = static_cast<float>(random_() % 16);
     std::array<float, kTiles> nearness, farthest, expected_farthest;
     std::array<std::uint64_t, kTiles> closed;
-    std::array<float, kTiles * kTilePixels> expected = pixels;
+    std::array<float, kTiles* kTilePixels> expected = pixels;
     for (std::size_t t = 0; t < kTiles; ++t) {
       closed[t] = (std::uint64_t{random_()} << 32U | random_()) & (pick(0, 1) == 0 ? ~std::uint64_t{0} : random_());
       if (pick(0, 7) == 0) closed[t] = 0;
@@ -140,7 +140,7 @@ TEST_F(CoverTile, LowersTilesToThePlane) {
     const auto least = static_cast<float>(number(random_));
     const int x0 = pick(0, 5), y0 = pick(0, kRows - 1);
     const PixelRectangle part{x0, y0, x0 + pick(1, 18), y0 + pick(1, kRows - y0)};
-    std::array<float, kTiles * kRows + kTile> expected = tiles;
+    std::array<float, kTiles* kRows + kTile> expected = tiles;
     for (int y = part.y0; y < part.y1; ++y) {
       for (int x = part.x0; x < part.x1; ++x) {
         const auto at = [](const auto& slopes, int k, double slope) {
