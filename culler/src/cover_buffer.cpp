@@ -2,8 +2,6 @@
 #include "cover_buffer.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 #include "rounded_float.h"

@@ -186,11 +186,12 @@ class CoverDescent {
     const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
     ++stats_.cover_tests;
     if ((hidden >> i & 1U) != 0) return cull(visit);
-    const bool is_tested = batch.groups == stats_.cover_groups;  // it is still not hidden
-    if (!is_leaf && !is_closing && is_tested) return true;
+    const bool is_up_to_date = batch.groups == stats_.cover_groups;  // it is still not hidden: nothing was drawn since
+    if (!is_leaf && !is_closing && is_up_to_date) return true;
     const CoverBuffer::Footprint footprint = buffer_.footprint(batch.boxes, i);
     const int worth = worth_closing();
-    const bool is_too_small = is_tested && footprint.size() < worth;
+    // How many pixels are open does not matter where there are fewer than are worth drawing, and it is not hidden.
+    const bool is_too_small = is_up_to_date && footprint.size() < worth;
     const int open = is_too_small ? 1 : buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
     if (open == 0 && footprint.is_in_picture) return cull(visit);
     if (is_closing && open < worth) return false;

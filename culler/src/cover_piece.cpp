@@ -2,6 +2,7 @@
 #include "cover_piece.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

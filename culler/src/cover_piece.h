@@ -48,13 +48,14 @@ class CoverPiece {
   /// Finds how near the sheet that was found is in these tiles. REQUIRES: at least one tile, all of them in the picture.
   void lay(const PixelRectangle& tiles);
   /// For each tile of the picture, row by row: in those of the last lay(), the sheet is nowhere less near than this;
-  /// infinity if it is not there.
+  /// infinity if it is not there. Other tiles have what an earlier sheet left.
   [[nodiscard]] const float* nearness() const { return nearness_.data(); }
   /// The work of the last lay(): the tiles of the triangles.
   [[nodiscard]] std::size_t work() const { return work_; }
   /// Draws the border of the sheet into these tiles. REQUIRES: at least one tile, all of them among those of lay().
   void draw(const PixelRectangle& tiles);
-  /// The same of the pixels that the sheet closes, in the tiles of the last draw().
+  /// For each tile of the picture, row by row: in those of the last draw(), a bit for each pixel that the sheet closes.
+  /// Other tiles have what an earlier sheet left.
   [[nodiscard]] const std::uint64_t* closed() const { return closed_.data(); }
   /// A rectangle that holds a triangle of the mesh with its error; none if the triangle is in no sheet.
   [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;

@@ -19,27 +19,28 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// At most eight: the pixels of a row of a tile, or the boxes of a block.
+/// At most eight: tiles that lie side by side, or the boxes of a block.
 using FloatTag = hn::CappedTag<float, kTile>;
 using IntegerTag = hn::RebindToSigned<FloatTag>;
 using Floats = hn::Vec<FloatTag>;
 using Integers = hn::Vec<IntegerTag>;
 using Mask = hn::Mask<FloatTag>;
 
-/// The pixels of one or two rows of a tile.
+/// At most sixteen: pixels of two rows of a tile.
 using RowsTag = hn::CappedTag<float, 2 * kTile>;
 
 constexpr FloatTag kFloats;
 constexpr RowsTag kRows;
 constexpr IntegerTag kIntegers;
 
-/// The lanes of a mask as bits, of at most 16.
+/// A bit for each lane of a mask, which has at most sixteen.
 template <class Tag>
 HWY_INLINE unsigned bits_of(Tag d, hn::Mask<Tag> mask) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, mask, bits);
   return bits[0] | unsigned{bits[1]} << 8U;
 }
+/// The reverse. Bits beyond the lanes are ignored.
 template <class Tag>
 HWY_INLINE hn::Mask<Tag> mask_of(Tag d, std::uint64_t lanes) {
   const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes), static_cast<std::uint8_t>(lanes >> 8U)};

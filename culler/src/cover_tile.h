@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pixels of a tile of the coarse picture, all at once.
+// Tiles of the coarse picture and their pixels, several at once.
 #pragma once
 
 #include <cstddef>
@@ -37,15 +37,15 @@ struct PlaneBound {
   double constant, of_x, of_y;
   double more, less;
 };
-/// A number for each tile of a picture, row by row. The rays of tile (i, j) are those from slopes_x[i] to slopes_x[i + 1]
-/// and from slopes_y[j] to slopes_y[j + 1]. Here and below, numbers kTile beyond the last tile can be read, and those of
-/// `nearness` written.
+/// How near something is in each tile of a picture, row by row. The rays of tile (i, j) are those from slopes_x[i] to
+/// slopes_x[i + 1] and from slopes_y[j] to slopes_y[j + 1].
 struct TileNearness {
   float* nearness;
   int tiles_across;
   const double *slopes_x, *slopes_y;
 };
-/// Lowers the nearness of these tiles to that of a plane, or to `least` where the plane is not nearer.
+/// Lowers the nearness of these tiles to that of a plane, or to `least` where the plane is not nearer. Reads up to kTile
+/// numbers of `nearness` and slopes_x past the tiles, and stores those of `nearness` unchanged.
 void lower(const TileNearness& picture, const PixelRectangle& tiles, const PlaneBound& plane, float least);
 
 /// Of tiles that lie side by side, from the first to after the last in which something may bring a pixel nearer. Empty if
@@ -53,13 +53,15 @@ void lower(const TileNearness& picture, const PixelRectangle& tiles, const Plane
 struct TileRange {
   int first, end;
 };
-/// Something of this nearness in all of the tiles, whose pixels have at least the nearness `farthest`.
+/// Something of this nearness in all of the tiles, whose pixels have at least the nearness `farthest`. Here and below, up to
+/// kTile numbers past the tiles are read.
 [[nodiscard]] TileRange nearer(std::span<const float> farthest, float nearness);
 /// Something of this nearness in each. It is not in a tile where it is infinite.
 [[nodiscard]] TileRange nearer(std::span<const float> farthest, const float* nearness);
 
 /// Raises pixels of tiles that lie side by side: those of the mask closed[i] of tile i to nearness[i], unless they are
-/// nearer already, or it is infinite. farthest[i] is the least nearness of all pixels of the tile.
+/// nearer already, or it is infinite. farthest[i] is the least nearness of all pixels of the tile. Touches nothing past the
+/// tiles.
 void bring_nearer(float* pixels, std::span<float> farthest, const std::uint64_t* closed, const float* nearness);
 
 }  // namespace occlude::culler

@@ -77,7 +77,8 @@ void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
   if (method == Method::cover) {
     static_cast<void>(triangles(checkpoint));
   } else {
-    static_cast<void>(occluders(checkpoint));  // first, because it takes most memory for a while
+    // Occluders first: to make them takes most memory, and blocks would add to that.
+    static_cast<void>(occluders(checkpoint));
     static_cast<void>(blocks(checkpoint));
   }
 }
@@ -100,6 +101,7 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
     begin_frame(hierarchy_, camera, options, memory);
     cull_by_cover(hierarchy_, triangles, options, memory);
   } else {
+    // In the order of prepare().
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
     const NodeBlocks& blocks = this->blocks();
     begin_frame(hierarchy_, camera, options, memory);

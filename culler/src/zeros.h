@@ -17,12 +17,12 @@ namespace occlude::culler {
 /// Zeros that may be changed. The system makes a page of them when it is first touched, so what is never used costs nothing:
 /// a view has a number for each occluder of a model of millions, and uses some thousand.
 ///
-/// What was never written to is not read either. Linux would map a page of zeros there, and replace it when it is written
-/// to. For that it interrupts all threads of the program: in a virtual machine with a busy thread it took 1 ms each time.
+/// No page is read before it is written to. Otherwise Linux would map a shared page of zeros, and interrupt the program's
+/// threads to replace it at the first write: in a virtual machine with a busy thread that took 1 ms for each page.
 template <class T>
 class Zeros {
  public:
-  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 4096);
 
   Zeros() = default;
   ~Zeros() = default;
@@ -35,8 +35,9 @@ class Zeros {
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// REQUIRES: i < size(). To change one is to write to it.
+  /// Reads, and touches no page that was not written to. REQUIRES: i < size(); so below.
   [[nodiscard]] T get(std::size_t i) const { return is_written(i / kOfPage) ? elements_[i] : T{}; }
+  /// Counts as a write, even if nothing is assigned.
   [[nodiscard]] T& operator[](std::size_t i) {
     if (!is_written(i / kOfPage)) write(i / kOfPage);
     return elements_[i];
@@ -56,7 +57,7 @@ class Zeros {
   struct Free {
     void operator()(T* elements) const { std::free(elements); }
   };
-  /// Pages have 4 KiB or more. These need not begin where those of the system do.
+  /// Ours have 4 KiB, and may begin anywhere in those of the system, which have 4 KiB or more.
   static constexpr std::size_t kOfPage = 4096 / sizeof(T);
 
   explicit Zeros(std::size_t size)
@@ -66,7 +67,7 @@ class Zeros {
 
   [[nodiscard]] bool is_written(std::size_t page) const { return written_[page] != 0; }
   [[nodiscard]] std::size_t size_of(std::size_t page) const { return std::min(kOfPage, size_ - page * kOfPage); }
-  /// Writes to the one or two pages of the system there.
+  /// Writes to the page's first and last element, so to each page of the system that it lies in.
   void write(std::size_t page) {
     elements_[page * kOfPage] = elements_[page * kOfPage + size_of(page) - 1] = T{};
     written_[page] = 1;

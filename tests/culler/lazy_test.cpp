@@ -2,6 +2,10 @@
 // What is made when it is first asked for, and what is zero until it is used.
 #include "lazy.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -59,8 +63,38 @@ TEST(Zeros, StayAsTheyAreWhenThereAreMore) {
   for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros.get(i), 1U) << i;
   Zeros<std::uint32_t> moved = std::move(zeros);
   EXPECT_EQ(moved.get(2), 7U);
-  zeros = {};
-  EXPECT_EQ(zeros.size(), 0U);
+  moved = {};
+  EXPECT_EQ(moved.size(), 0U);
 }
+
+TEST(Zeros, KeepEachPageThatWasWritten) {
+  Zeros<std::uint32_t> zeros;
+  zeros.grow(5000);
+  const std::size_t last = zeros.size() - 1;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1023}, std::size_t{1024}, last})
+    zeros[i] = static_cast<std::uint32_t>(i + 1);
+  zeros.grow(20000);
+  for (std::size_t i = 0; i < zeros.size(); ++i) {
+    const bool is_written = i == 0 || i == 1023 || i == 1024 || i == last;
+    ASSERT_EQ(zeros.get(i), is_written ? i + 1 : 0) << i;
+  }
+}
+
+#ifdef __linux__
+TEST(Zeros, AreNotTouchedToBeRead) {
+  const auto faults = [] {
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    return usage.ru_minflt;
+  };
+  Zeros<std::uint32_t> zeros;
+  zeros.grow(std::size_t{1} << 24U);  // 64 MiB
+  std::uint32_t sum = zeros.get(0);
+  const long before = faults();
+  for (std::size_t i = 0; i < zeros.size(); ++i) sum += zeros.get(i);
+  EXPECT_LT(faults() - before, 8) << "even of large pages there would be 32";
+  EXPECT_EQ(sum, 0U);
+}
+#endif
 
 }  // namespace lazy_test
