@@ -163,6 +163,23 @@ TEST(CoverFrame, ACornerOfManyPolygonsTakesLinearTime) {
   EXPECT_LE(stats.cover_triangles, 9U * kCount);
 }
 
+/// With parallel rays a pixel is a unit here, and pixels end at whole numbers.
+TEST(CoverFrame, WhatIsSeenThroughFewerThanEightPixelsIsNotDrawn) {
+  Camera camera;
+  camera.target = {10, 0, 0};
+  camera.projection = Projection::orthographic;
+  camera.aspect = 2;
+  camera.height = 112;
+  const auto drawn = [&](double across, double up) {
+    PolygonSoup soup;
+    add_wall(soup, 10, 0.1, across - 0.1, 0.1, up - 0.1);
+    return culler_of(soup).cull(camera, kCover).stats.cover_triangles;
+  };
+  EXPECT_EQ(drawn(7, 1), 0U);
+  EXPECT_EQ(drawn(8, 1), 2U);
+  EXPECT_EQ(drawn(4, 2), 2U);
+}
+
 /// Splinters from corner to corner of their box, which is seen through far more pixels than they cover.
 TEST(CoverFrame, WhatCoversFewPixelsIsNotDrawn) {
   const auto drawn = [](double width, const Camera& camera) {
