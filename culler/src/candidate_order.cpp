@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "candidate_order.h"
 
-#include <algorithm>
-
 namespace occlude::culler {
 namespace {
 
@@ -12,24 +10,52 @@ constexpr std::size_t kMostMoves = 8;
 
 }  // namespace
 
+void CandidateOrder::sort(std::span<Candidate> candidates) {
+  std::sort(candidates.begin(), candidates.end(), [this](const Candidate& a, const Candidate& b) {
+    ++comparisons_;
+    return a < b;
+  });
+}
+
+/// Where more than twice as many were sorted as the frame has asked for, half as many again are sorted in the next.
+void CandidateOrder::raise_least() {
+  if (sorted_.size() > 2 * asked_) least_ = sorted_[asked_ + asked_ / 2].score;
+  asked_ = 0;
+}
+
+/// Writes each candidate to both ends, and keeps it at one: which of them cannot be foreseen, so there is no branch.
+void CandidateOrder::separate(std::span<const Candidate> candidates) {
+  good_.resize(candidates.size());
+  others_.resize(candidates.size());
+  std::size_t good = 0, others = 0;
+  for (const Candidate& candidate : candidates) {
+    good_[good] = others_[others] = candidate;
+    const bool is_good = candidate.score >= least_;
+    good += is_good ? 1 : 0;
+    others += is_good ? 0 : 1;
+  }
+  good_.resize(good);
+  others_.resize(others);
+  comparisons_ += candidates.size();
+}
+
 /// Moves the last of the sorted candidates up to its place.
 void CandidateOrder::insert_last() {
   std::size_t i = sorted_.size() - 1;
   const Candidate last = sorted_[i];
-  for (; i > 0 && last < sorted_[i - 1]; --i) {
-    sorted_[i] = sorted_[i - 1];
-    ++moves_;
-  }
+  for (; i > 0 && last < sorted_[i - 1]; --i) sorted_[i] = sorted_[i - 1];
+  moves_ += sorted_.size() - 1 - i;
   sorted_[i] = last;
 }
 
-/// Keeps the candidates that the last frame had too, with their new scores, and sorts them. Clears their entries in place_.
-void CandidateOrder::keep(std::span<const Candidate> candidates) {
+/// Keeps the good candidates that the last frame had sorted too, with their new scores, and sorts them. Clears their entries
+/// in place_.
+void CandidateOrder::keep() {
   merged_.clear();
   for (const Candidate& last : sorted_) {
     std::uint32_t& place = place_[last.occluder];
     if (place == 0) continue;
-    merged_.push_back(candidates[place - 1]);
+    merged_.push_back(good_[place - 1]);
     place = 0;
   }
   kept_ = merged_.size();
@@ -40,31 +66,40 @@ void CandidateOrder::keep(std::span<const Candidate> candidates) {
     sorted_.push_back(merged_[next]);
     insert_last();
   }
+  comparisons_ += moves_ + next;
   if (next == kept_) return;
   sorted_.insert(sorted_.end(), merged_.begin() + static_cast<std::ptrdiff_t>(next), merged_.end());
-  std::sort(sorted_.begin(), sorted_.end());
+  sort(sorted_);
+}
+
+void CandidateOrder::sort_others() {
+  sort(others_);
+  sorted_.insert(sorted_.end(), others_.begin(), others_.end());
+  others_.clear();
 }
 
 void CandidateOrder::reserve(std::size_t candidates, std::size_t occluders) {
-  for (std::vector<Candidate>* own : {&sorted_, &arrivals_, &merged_}) own->reserve(candidates);
+  for (std::vector<Candidate>* own : {&good_, &others_, &sorted_, &arrivals_, &merged_}) own->reserve(candidates);
   place_.grow(occluders);
 }
 
 void CandidateOrder::update(std::span<const Candidate> candidates, std::size_t occluders) {
   place_.grow(occluders);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    place_[candidates[i].occluder] = static_cast<std::uint32_t>(i + 1);
-  }
-  keep(candidates);
+  comparisons_ = 0;
+  raise_least();
+  separate(candidates);
+  for (std::size_t i = 0; i < good_.size(); ++i) place_[good_[i].occluder] = static_cast<std::uint32_t>(i + 1);
+  keep();
   arrivals_.clear();
-  for (const Candidate& candidate : candidates) {
+  for (const Candidate& candidate : good_) {
     std::uint32_t& place = place_[candidate.occluder];
     if (place != 0) arrivals_.push_back(candidate);
     place = 0;
   }
-  std::sort(arrivals_.begin(), arrivals_.end());
+  sort(arrivals_);
   merged_.resize(sorted_.size() + arrivals_.size());
   std::merge(sorted_.begin(), sorted_.end(), arrivals_.begin(), arrivals_.end(), merged_.begin());
+  comparisons_ += merged_.size();
   sorted_.swap(merged_);
 }
 

@@ -55,6 +55,12 @@ struct alignas(64) NodeBlock {
     for (const Parent& parent : parents) found |= (nodes >> parent.i & kernel::for_all(1)) * parent.children;
     return found;
   }
+  /// These nodes and those below them in the block.
+  [[nodiscard]] Bits with_below(Bits nodes) const {
+    unsigned found = nodes;
+    for (const Parent& parent : parents) found |= (0U - (found >> parent.i & 1U)) & parent.children;
+    return static_cast<Bits>(found);
+  }
   /// The nodes that a descent visits which enters these: the roots, and the children of nodes that it visits and enters.
   [[nodiscard]] Bits visited(Bits entered) const {
     unsigned found = roots;

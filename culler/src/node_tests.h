@@ -42,19 +42,18 @@ class NodeTests {
     memory.take_casters(occluders, options.near);
   }
 
-  void planes(std::uint32_t which, const NodeBlock& block, std::span<kernel::BlockRelation> relations) const {
-    const NodeBlock::Bits alone = is_certified() ? block.oriented : block.used;
-    kernel::relations(planes_, which, block.boxes, static_cast<NodeBlock::Bits>(block.used & ~alone), relations);
-    if (alone == 0) return;
-    for_each_bit(which, [&](std::uint32_t plane) {
-      for_each_bit(alone, [&](std::uint32_t i) {
-        const kernel::Relation relation =
-            ask(block, i, [&](const auto& box) { return kernel::relation(planes_[plane], box, options_.arithmetic); });
-        const auto bit = static_cast<NodeBlock::Bits>(1U << i);
-        if (relation == kernel::Relation::outside) relations[plane].outside |= bit;
-        if (relation == kernel::Relation::inside) relations[plane].inside |= bit;
-      });
-    });
+  kernel::BlockRelations planes(const NodeBlock& block, kernel::BoxBytes asked) const {
+    const kernel::BoxBytes alone = asked & kernel::for_all(is_certified() ? block.oriented : block.used);
+    kernel::BlockRelations relations = kernel::relations(planes_, block.boxes, asked & ~alone);
+    for (kernel::BoxBytes left = alone; left != 0; left &= left - 1) {
+      const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
+      const kernel::BoxBytes bit = kernel::BoxBytes{1} << place;
+      const kernel::Relation relation = ask(
+          block, place % 8, [&](const auto& box) { return kernel::relation(planes_[place / 8], box, options_.arithmetic); });
+      if (relation == kernel::Relation::outside) relations.outside |= bit;
+      if (relation == kernel::Relation::inside) relations.inside |= bit;
+    }
+    return relations;
   }
 
   /// What the filter cannot tell is left to shadow() and probe().

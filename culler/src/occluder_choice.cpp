@@ -2,6 +2,7 @@
 #include "occluder_choice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
@@ -44,6 +45,15 @@ constexpr double kNear = 0.8, kNeighbour = 10;
 /// late finds that others have done most of its parts.
 constexpr std::size_t kLeastOfPart = 1024, kPartsOfThread = 4;
 
+/// In how many groups so many occluders are.
+constexpr std::size_t groups_of(std::size_t occluders) {
+  return (occluders + SeenOccluders::kMost - 1) / SeenOccluders::kMost;
+}
+/// As many of the occluders as a group has.
+std::span<const std::uint32_t> first_of(std::span<const std::uint32_t> occluders) {
+  return occluders.first(std::min(SeenOccluders::kMost, occluders.size()));
+}
+
 /// Calls take(candidate) for candidates, best first, until it returns false. Few are taken, so they are not all sorted.
 template <class Take>
 void for_best_first(std::vector<Candidate>& candidates, const Take& take) {
@@ -70,13 +80,16 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   const std::size_t remembered = std::min(all, (OccluderHistory::kFrames + 1) * used);  // with those about to be forgotten
   memory.history.reserve(all, remembered);
   const std::size_t candidates = std::max({occluders.lists().longest(), remembered, kPool});
+  memory.listed.groups.reserve(groups_of(occluders.lists().longest()));
   memory.order.reserve(candidates, all);
   memory.candidates.reserve(candidates);
-  // A list in fewer parts than the longest has fewer than 2 * kLeastOfPart in each.
-  const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
+  // A list in fewer parts than the longest has fewer than 2 * kLeastOfPart in each, up to whole groups.
   if (!is_alone()) {
+    const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
     if (memory.choice_parts.size() < parts + 1) memory.choice_parts.resize(parts + 1);
-    for (ChoicePart& part : memory.choice_parts) part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1));
+    for (ChoicePart& part : memory.choice_parts) {
+      part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1) + 2 * SeenOccluders::kMost);
+    }
   }
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
@@ -93,25 +106,42 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   memory.tried.clear();
 }
 
-OccluderChoice::~OccluderChoice() { memory_.result.stats.choice_work = work_.taken(); }
+OccluderChoice::~OccluderChoice() {
+  CullStats& stats = memory_.result.stats;
+  stats.sort_kept = memory_.order.kept();
+  stats.sort_moves = memory_.order.moves();
+  stats.sort_comparisons = memory_.order.comparisons();
+  stats.choice_work = work_.taken();
+}
 
 void OccluderChoice::sort_candidates_and_take_proven() {
-  const OccluderLists::List listed = occluders_.lists().list(view_.eye);
+  const OccluderLists& lists = occluders_.lists();
+  const std::size_t region = lists.partition().region_at(view_.eye);
+  const OccluderLists::List listed = lists.list(region);
+  memory_.result.stats.potential_occluders = listed.occluders.size();
+  is_list_gathered_ = memory_.listed.region == region;
+  memory_.listed.region.reset();  // until all of it is there: a thread of the caller may throw
+  memory_.listed.groups.resize(groups_of(listed.occluders.size()));
+  begin(listed);
+  memory_.listed.region = region;
+}
+
+void OccluderChoice::begin(const OccluderLists::List& listed) {
   if (!is_alone()) return begin_on_threads(listed);
   memory_.candidates.clear();
-  find_candidates(listed, 0, listed.occluders.size(), memory_.candidates);
-  sort(listed, memory_.candidates);
+  find_candidates(listed, 0, memory_.listed.groups.size(), memory_.candidates);
+  sort(memory_.candidates);
   take_proven();
 }
 
 /// One part takes what is proven, the others find candidates, in the order of the list. One that has the whole list sorts
 /// them, too.
 void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
-  const std::size_t count = listed.occluders.size(), parts = parts_of(count);
+  const std::size_t groups = memory_.listed.groups.size(), parts = parts_of(listed.occluders.size());
   const std::span<ChoicePart> all = std::span(memory_.choice_parts).first(parts + 1), of_list = all.subspan(1);
   for (std::size_t i = 0; i < parts; ++i) {
-    of_list[i].first = count * i / parts;
-    of_list[i].end = count * (i + 1) / parts;
+    of_list[i].first = groups * i / parts;
+    of_list[i].end = groups * (i + 1) / parts;
   }
   for (ChoicePart& part : all) part.is_of_past = part.is_done = false;
   all.front().is_of_past = true;
@@ -119,34 +149,36 @@ void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
     if (part.is_of_past) return take_proven();
     part.candidates.clear();
     find_candidates(listed, part.first, part.end, part.candidates);
-    if (parts == 1) sort(listed, part.candidates);
+    if (parts == 1) sort(part.candidates);
   });
   if (parts == 1) return;
   memory_.candidates.clear();
   for (const ChoicePart& part : of_list) {
     memory_.candidates.insert(memory_.candidates.end(), part.candidates.begin(), part.candidates.end());
   }
-  sort(listed, memory_.candidates);
+  sort(memory_.candidates);
 }
 
-void OccluderChoice::sort(const OccluderLists::List& listed, std::span<const Candidate> candidates) {
+void OccluderChoice::sort(std::span<const Candidate> candidates) {
   memory_.order.update(candidates, occluders_.size());
-  CullStats& stats = memory_.result.stats;
-  stats.potential_occluders = listed.occluders.size();
-  stats.occluders_in_view = candidates.size();
-  stats.sort_kept = memory_.order.kept();
-  stats.sort_moves = memory_.order.moves();
+  memory_.result.stats.occluders_in_view = candidates.size();
 }
 
+/// Finds the candidates of the groups from `first` to before `end`, which it gathers unless they are there.
 void OccluderChoice::find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
                                      std::vector<Candidate>& found) const {
   const Objective& objective = options_.objective;
-  const auto listed_at = [&](std::size_t i) { return listed.occluders[i]; };
-  for_each_in_view(first, end, listed_at, [&](std::size_t i, double size) {
-    double score = weighted(size, objective.solid_angle);
-    if (!listed.hidden.empty()) score *= weighted(1 + double{listed.hidden[i]}, objective.depth_complexity);
-    found.push_back({score, listed.occluders[i]});
-  });
+  for (std::size_t group = first; group < end; ++group) {
+    SeenOccluders& seen = memory_.listed.groups[group];
+    const std::size_t before = group * SeenOccluders::kMost;
+    const auto occluders = first_of(listed.occluders.subspan(before));
+    if (!is_list_gathered_) seen.assign(occluders_, occluders);
+    for_each_in_view(seen, occluders, [&](std::size_t k, double size) {
+      double score = weighted(size, objective.solid_angle);
+      if (!listed.hidden.empty()) score *= weighted(1 + double{listed.hidden[before + k]}, objective.depth_complexity);
+      found.push_back({score, occluders[k]});
+    });
+  }
 }
 
 /// In how many parts a list of so many is scored.
@@ -156,23 +188,16 @@ std::size_t OccluderChoice::parts_of(std::size_t listed) const {
 }
 bool OccluderChoice::is_alone() const { return options_.executor == nullptr || options_.executor->threads() == 1; }
 
-/// Calls visit(i, size) for each of the occluders from `first` to before `end` that is in view, with how large it looks.
-/// occluder_at(i) is its number.
-template <class OccluderAt, class Visit>
-void OccluderChoice::for_each_in_view(std::size_t first, std::size_t end, const OccluderAt& occluder_at,
+/// Calls visit(k, size) for each of some occluders that is in view, with how large it looks. REQUIRES: `seen` has them.
+template <class Visit>
+void OccluderChoice::for_each_in_view(SeenOccluders& seen, std::span<const std::uint32_t> occluders,
                                       const Visit& visit) const {
   const Objective::Angle angle = options_.objective.angle;
   const bool is_area_angle = view_.is_perspective && angle == Objective::Angle::area;
-  SeenOccluders seen;
-  for (; first < end; first += SeenOccluders::kMost) {
-    seen.size = 0;
-    for (std::size_t i = first; i < std::min(end, first + SeenOccluders::kMost); ++i) seen.add(occluders_[occluder_at(i)]);
-    seen.see(view_.eye, memory_.result.view);
-    for_each_bit(seen.in_view, [&](std::uint32_t k) {
-      const std::size_t i = first + k;
-      visit(i, is_area_angle ? seen.angle[k] : seen_size(occluders_, occluder_at(i), view_, angle));
-    });
-  }
+  seen.see(view_.eye, memory_.result.view);
+  for_each_bit(seen.in_view, [&](std::uint32_t k) {
+    visit(k, is_area_angle ? seen.angle[k] : seen_size(occluders_, occluders[k], view_, angle));
+  });
 }
 
 void OccluderChoice::take_proven() {
@@ -180,15 +205,24 @@ void OccluderChoice::take_proven() {
   if (objective.coherence == 0) return;
   std::vector<Candidate>& proven = memory_.candidates;
   proven.clear();
-  for (const auto& [occluder, frame, hidden] : memory_.history.recent()) {
-    if (hidden > 0) proven.push_back({weighted(hidden, objective.coherence), occluder});
+  std::array<std::uint32_t, SeenOccluders::kMost> occluders{};
+  std::array<std::uint32_t, SeenOccluders::kMost> hidden{};
+  std::size_t count = 0;
+  const auto add_those_in_view = [&] {
+    SeenOccluders seen;
+    const auto gathered = std::span(occluders).first(std::exchange(count, 0));
+    seen.assign(occluders_, gathered);
+    for_each_in_view(seen, gathered, [&](std::size_t k, double size) {
+      proven.push_back({weighted(size, objective.solid_angle) * weighted(hidden[k], objective.coherence), occluders[k]});
+    });
+  };
+  for (const OccluderHistory::Entry& entry : memory_.history.recent()) {
+    if (entry.hidden == 0) continue;
+    occluders[count] = entry.occluder;
+    hidden[count] = entry.hidden;
+    if (++count == SeenOccluders::kMost) add_those_in_view();
   }
-  std::size_t in_view = 0;
-  const auto proven_at = [&](std::size_t i) { return proven[i].occluder; };
-  for_each_in_view(0, proven.size(), proven_at, [&](std::size_t i, double size) {
-    proven[in_view++] = {weighted(size, objective.solid_angle) * proven[i].score, proven[i].occluder};
-  });
-  proven.resize(in_view);
+  add_those_in_view();
   for_best_first(proven, [&](const Candidate& c) {
     if (is_full()) return false;
     static_cast<void>(take(c.occluder));
@@ -197,29 +231,32 @@ void OccluderChoice::take_proven() {
 }
 
 void OccluderChoice::take_untried() {
-  for (const Candidate& c : memory_.order.best_first()) {
-    if (is_full()) return;
+  memory_.order.for_best_first([&](const Candidate& c) {
+    if (is_full()) return false;
     if (!memory_.history.hidden(c.occluder)) static_cast<void>(take(c.occluder));
-  }
+    return true;
+  });
 }
 
 void OccluderChoice::take_best() {
-  for (const Candidate& c : memory_.order.best_first()) {
-    if (is_full()) return;
+  memory_.order.for_best_first([&](const Candidate& c) {
+    if (is_full()) return false;
     static_cast<void>(take(c.occluder));
-  }
+    return true;
+  });
 }
 
 void OccluderChoice::take_probes() {
   std::vector<Candidate>& pool = memory_.candidates;
   pool.clear();
   note_directions();
-  for (const Candidate& c : memory_.order.best_first()) {
-    if (pool.size() == kPool) break;
-    if (memory_.history.hidden(c.occluder)) continue;
-    const double good = 1 + kNeighbour * goodness_near(c.occluder);
+  memory_.order.for_best_first([&](const Candidate& c) {
+    if (pool.size() == kPool) return false;
+    if (memory_.history.hidden(c.occluder)) return true;
+    const double good = 1 + kNeighbour * goodness_near(direction_to(occluders_[c.occluder].centre));
     pool.push_back({c.score * weighted(good, options_.objective.coherence), c.occluder});
-  }
+    return true;
+  });
   are_probes_ = true;
   for_best_first(pool, [&](const Candidate& c) {
     if (memory_.probes.size() >= options_.probes || !work_.is_left()) return false;
@@ -229,27 +266,29 @@ void OccluderChoice::take_probes() {
 }
 
 void OccluderChoice::note_directions() {
+  const auto hidden = [&](const Occluder& o) -> double { return memory_.history.hidden(o.index).value_or(0); };
+  double most = 1;
+  for (const Occluder& o : memory_.result.occluders) most = std::max(most, hidden(o));
   memory_.directions.clear();
   for (const Occluder& o : memory_.result.occluders) {
-    memory_.directions.push_back({direction_of(o.index), static_cast<double>(memory_.history.hidden(o.index).value_or(0))});
+    memory_.directions.push_back({direction_to(occluders_[o.index].centre), hidden(o) / most});
   }
 }
 
-/// What the occluders of this frame that are near this one in the picture hid lately: the most of any, as a share of the
-/// most that any occluder of the frame hid. REQUIRES: note_directions() was called.
-double OccluderChoice::goodness_near(std::uint32_t i) const {
-  const glm::dvec3 direction = direction_of(i);
-  double near = 0, most = 1;
+/// The goodness of the best of this frame's occluders that are near this direction in the picture; 0 if none is. REQUIRES:
+/// note_directions() was called.
+double OccluderChoice::goodness_near(const glm::dvec3& direction) const {
+  double best = 0;
   for (const OccluderDirection& o : memory_.directions) {
-    most = std::max(most, o.hidden);
-    if (glm::dot(direction, o.direction) > kNear) near = std::max(near, o.hidden);
+    const int is_near = glm::dot(direction, o.direction) > kNear ? 1 : 0;
+    best = std::max(best, is_near * o.goodness);  // without a branch
   }
-  return near / most;
+  return best;
 }
 
-/// The direction from the eye to the middle of an occluder.
-glm::dvec3 OccluderChoice::direction_of(std::uint32_t i) const {
-  const glm::dvec3 v = occluders_[i].centre - view_.eye;
+/// The direction from the eye to a point.
+glm::dvec3 OccluderChoice::direction_to(const glm::dvec3& point) const {
+  const glm::dvec3 v = point - view_.eye;
   const double length = glm::length(v);
   return length > 0 ? v / length : view_.axes.forward;
 }

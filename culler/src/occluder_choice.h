@@ -49,18 +49,19 @@ class OccluderChoice {
   void pair_neighbours();
 
  private:
-  template <class OccluderAt, class Visit>
-  void for_each_in_view(std::size_t first, std::size_t end, const OccluderAt& occluder_at, const Visit& visit) const;
+  template <class Visit>
+  void for_each_in_view(SeenOccluders& seen, std::span<const std::uint32_t> occluders, const Visit& visit) const;
+  void begin(const OccluderLists::List& listed);
   void begin_on_threads(const OccluderLists::List& listed);
-  void sort(const OccluderLists::List& listed, std::span<const Candidate> candidates);
+  void sort(std::span<const Candidate> candidates);
   void take_proven();
   void find_candidates(const OccluderLists::List& listed, std::size_t first, std::size_t end,
                        std::vector<Candidate>& found) const;
   [[nodiscard]] std::size_t parts_of(std::size_t listed) const;
   [[nodiscard]] bool is_alone() const;
   void note_directions();
-  [[nodiscard]] double goodness_near(std::uint32_t i) const;
-  [[nodiscard]] glm::dvec3 direction_of(std::uint32_t i) const;
+  [[nodiscard]] double goodness_near(const glm::dvec3& direction) const;
+  [[nodiscard]] glm::dvec3 direction_to(const glm::dvec3& point) const;
   [[nodiscard]] bool is_full() const;
   bool take(std::uint32_t i);
   bool is_usable(std::uint32_t i);
@@ -73,7 +74,8 @@ class OccluderChoice {
   const CullOptions& options_;
   View::Memory& memory_;
   PlaneWork work_;
-  bool are_probes_ = false;  ///< whether what is taken is a probe
+  bool are_probes_ = false;        ///< whether what is taken is a probe
+  bool is_list_gathered_ = false;  ///< whether memory_.listed is that of the eye's region
 };
 
 }  // namespace occlude::culler

@@ -87,17 +87,18 @@ class PackedDescent {
     stats_.nodes_visited += kernel::count(left);
     if (across == 0 || left == 0) return left;
     stats_.view_tests += kernel::count(left) * static_cast<std::size_t>(std::popcount(across));
-    std::array<kernel::BlockRelation, ViewPlanes::kMostPlanes> relations;
-    kernel::relations(view_.planes, across, tree_.block(at), left, relations);
+    kernel::BoxBytes asked = 0;
+    for_each_bit(across, [&](std::uint32_t plane) { asked |= kernel::BoxBytes{left} << 8 * plane; });
+    const kernel::BlockRelations relations = kernel::relations(view_.planes, tree_.block(at), asked);
     BoxBits outside = 0;
     for_each_bit(across, [&](std::uint32_t plane) {
-      const kernel::BlockRelation& relation = relations[plane];
-      outside = static_cast<BoxBits>(outside | relation.outside);
+      const BoxBits inside = kernel::boxes_of(relations.inside, plane);
+      outside = static_cast<BoxBits>(outside | kernel::boxes_of(relations.outside, plane));
       if (at.level == 0) {
-        const auto straddling = static_cast<BoxBits>(left & ~(outside | relation.inside));
+        const auto straddling = static_cast<BoxBits>(left & ~(outside | inside));
         outside = static_cast<BoxBits>(outside | items_.beyond(first_item(at), plane, straddling));
       }
-      for_each_bit(relation.inside, [&](std::uint32_t i) { across_of[i] &= ~(std::uint32_t{1} << plane); });
+      for_each_bit(inside, [&](std::uint32_t i) { across_of[i] &= ~(std::uint32_t{1} << plane); });
     });
     cull(at, Culled::By::view, outside);
     return static_cast<BoxBits>(left & ~outside);

@@ -18,6 +18,12 @@ struct SeenOccluders {
   static constexpr std::size_t kMost = 32;
   using Doubles = std::array<double, kMost>;
 
+  /// Replaces them with these of all potential occluders. REQUIRES: at most kMost.
+  template <class Occluders>
+  void assign(const Occluders& all, std::span<const std::uint32_t> taken) {
+    size = 0;
+    for (const std::uint32_t i : taken) add(all[i]);
+  }
   void add(const PotentialOccluder& occluder);
   /// Computes the members that follow `round_area`.
   void see(const glm::dvec3& eye, std::span<const HalfSpace> view);

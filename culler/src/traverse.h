@@ -40,9 +40,9 @@ struct alignas(64) ActiveShadows {
   kernel::BoxBytes exact;              ///< nodes of which the exact stage had to answer
 };
 
-/// What is active at a block: half-spaces, a bit for each, and shadows [begin, end) of a stack.
+/// What is active at a block: half-spaces, all bits of a byte for each, and shadows [begin, end) of a stack.
 struct ActiveTests {
-  std::uint32_t planes = 0;
+  kernel::BoxBytes planes = 0;
   std::size_t begin = 0, end = 0;
 };
 
@@ -87,7 +87,7 @@ template <class Tests>
 class Traversal {
  public:
   /// `tests` has
-  /// planes(which, block, relations): the relations of half-spaces and nodes, as kernel::relations();
+  /// planes(block, asked): the relations of half-spaces and nodes, as kernel::relations();
   /// filter(block, questions, of_occluders): as kernel::conservative_filter(); the mask has the questions about occluders;
   /// shadow(frustum, block, i) and probe(frustum, block, i): a kernel::Decision about node i of a block;
   /// may_cull(frustum, block, i): whether an occluder may cull a node that is inside of its shadow;
@@ -112,7 +112,8 @@ class Traversal {
     if (put_off.limit > 0) put_off_ = &put_off;
     holding_.clear();
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders_);
-    Active active{planes, 0, 0};
+    Active active{0, 0, 0};
+    for_each_bit(planes, [&](std::uint32_t plane) { active.planes |= Bytes{0xFF} << 8 * plane; });
     for (std::uint32_t i = 0; i < occluders_ + probes_; ++i) append(active_, active, i);
     traverse(0, active, {0, blocks_[0].count[0]});
   }
@@ -132,7 +133,7 @@ class Traversal {
   struct Visit {
     const NodeBlock& block;
     const Active& active;
-    std::array<kernel::BlockRelation, ViewPlanes::kMostPlanes> planes;
+    Bytes outside = 0, crossing = 0;                              ///< of each half-space, nodes outside or straddled
     std::array<std::uint32_t, NodeBlock::kNodes> hiding, second;  ///< the occluders that hide each hidden node
     Bits out_of_view = 0, hidden = 0;                             ///< culled, or below what is
     Bits undecided = 0, undecided_probes = 0;                     ///< straddled by half-spaces or shadows, and by probes
@@ -154,6 +155,16 @@ class Traversal {
     bytes |= bytes >> 32U;
     bytes |= bytes >> 16U;
     return kernel::boxes_of(bytes | bytes >> 8U, 0);
+  }
+  /// For each of eight questions, the nodes that it or one before it has.
+  static Bytes from_first(Bytes bytes) {
+    bytes |= bytes << 8U;
+    bytes |= bytes << 16U;
+    return bytes | bytes << 32U;
+  }
+  /// The nodes that eight questions are asked about which straddle these.
+  static Bytes asked_below(const Visit& here, Bytes straddled) {
+    return kernel::for_all(here.block.roots) | here.block.children_of(straddled);
   }
   /// Calls visit(k) for each question that has this node.
   template <class Visitor>
@@ -198,17 +209,13 @@ class Traversal {
   }
 
   void ask_planes(Visit& here) {
-    const NodeBlock& block = here.block;
     if (here.active.planes == 0) return;
-    tests_.planes(here.active.planes, block, here.planes);
-    for_each_bit(here.active.planes, [&](std::uint32_t plane) {
-      const kernel::BlockRelation& relation = here.planes[plane];
-      set(here.undecided, straddling(block, relation));
-      for_each_bit(relation.outside, [&](std::uint32_t i) { set(here.out_of_view, block.subtree[i]); });
-    });
-  }
-  static Bits straddling(const NodeBlock& block, const kernel::BlockRelation& relation) {
-    return static_cast<Bits>(block.used & ~(relation.outside | relation.inside));
+    const Bytes asked = here.active.planes & kernel::for_all(here.block.used);
+    const kernel::BlockRelations relations = tests_.planes(here.block, asked);
+    here.outside = relations.outside;
+    here.crossing = asked & ~(relations.outside | relations.inside);
+    here.undecided = any(here.crossing);
+    here.out_of_view = here.block.with_below(any(here.outside));
   }
 
   void ask_shadows(Visit& here, ActiveShadows& shadows) {
@@ -226,7 +233,7 @@ class Traversal {
     tests_.filter(here.block, answers, shadows.occluders);
     const Bytes all = shadows.occluders | shadows.probes;
     shadows.partial = all & kernel::for_all(here.block.used) & ~(answers.outside | answers.inside | answers.unknown);
-    shadows.asked = all & (kernel::for_all(here.block.roots) | here.block.children_of(shadows.partial));
+    shadows.asked = all & asked_below(here, shadows.partial);
     shadows.exact = 0;
   }
 
@@ -234,10 +241,11 @@ class Traversal {
   /// node comes after those above it, and a probe after all occluders.
   void settle(Visit& here, ActiveShadows& shadows, Bytes doubtful) {
     kernel::BlockQuestions& answers = shadows.answers;
-    for (; doubtful != 0; doubtful &= doubtful - 1) {
+    while (doubtful != 0) {
       const auto place = static_cast<std::uint32_t>(std::countr_zero(doubtful)), i = place % 8;
       const Bytes bit = Bytes{1} << place;
-      if ((shadows.asked & bit) == 0 || !has(here.left(), i)) continue;
+      doubtful &= ~bit;
+      if ((shadows.asked & bit) == 0) continue;
       const std::uint32_t frustum = answers.frustum[place / 8];
       const bool is_occluder = (shadows.occluders & bit) != 0;
       const kernel::Decision found = decide(here, frustum, is_occluder, (answers.unknown & bit) != 0, i);
@@ -245,7 +253,10 @@ class Traversal {
       if (found.stage == kernel::Stage::exact) shadows.exact |= bit;
       if (found.relation == kernel::Relation::inside) {
         answers.inside |= bit;
-        if (is_occluder) hide(here, i, frustum, Culled::kNone);
+        if (is_occluder) {
+          hide(here, i, frustum, Culled::kNone);
+          doubtful &= ~kernel::for_all(here.block.subtree[i]);
+        }
       } else if (found.relation == kernel::Relation::partial) {
         shadows.partial |= bit;
         shadows.asked |= here.block.children_of(bit);
@@ -356,10 +367,7 @@ class Traversal {
   }
   /// What straddles a node, in a stack from `begin` on.
   Active active_below(const Visit& here, std::uint32_t i, std::vector<ActiveShadows>& stack, std::size_t begin) const {
-    Active below{0, begin, begin};
-    for_each_bit(here.active.planes, [&](std::uint32_t plane) {
-      below.planes |= std::uint32_t{has(straddling(here.block, here.planes[plane]), i)} << plane;
-    });
+    Active below{(here.crossing >> i & kernel::for_all(1)) * 0xFF, begin, begin};
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
       for_each_question(active_[g].partial, i, [&](std::size_t k) { append(stack, below, active_[g].answers.frustum[k]); });
     }
@@ -399,8 +407,7 @@ class Traversal {
     draw_until(here.block.first[i]);
     drawn_from_ += count;
     if (has(here.out_of_view, i)) {
-      std::uint32_t plane = 0;
-      while (!has(here.active.planes, plane) || !has(here.planes[plane].outside, i)) ++plane;
+      const auto plane = static_cast<std::uint32_t>(std::countr_zero(here.outside >> i & kernel::for_all(1))) / 8;
       result_.culled.push_back({node, Culled::By::view, plane});
       result_.stats.view_culled_polygons += count;
     } else {
@@ -427,12 +434,11 @@ class Traversal {
     CullStats& stats = result_.stats;
     Bits left = visited;
     stats.nodes_visited += kernel::count(left);
-    for_each_bit(here.active.planes, [&](std::uint32_t plane) {
-      const kernel::BlockRelation& relation = here.planes[plane];
-      const Bytes asked = here.block.roots | here.block.children_of(Bytes{straddling(here.block, relation)});
-      stats.view_tests += kernel::count(static_cast<Bits>(asked & left));
-      left = static_cast<Bits>(left & ~relation.outside);
-    });
+    if (here.active.planes != 0) {
+      const Bytes asked = here.active.planes & asked_below(here, here.crossing), culled = from_first(here.outside);
+      stats.view_tests += kernel::count(asked & kernel::for_all(left) & ~(culled << 8U));
+      left = static_cast<Bits>(left & ~kernel::boxes_of(culled, kMost - 1));
+    }
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) left = count_shadow_tests(here, active_[g], left);
     if (probes_ == 0) return;
     left = static_cast<Bits>(left & ~hidden_by_pairs);
@@ -445,19 +451,12 @@ class Traversal {
   Bits count_shadow_tests(const Visit& here, const ActiveShadows& shadows, Bits left) {
     const kernel::BlockQuestions& answers = shadows.answers;
     const Bytes asked = shadows.asked & shadows.occluders;
-    Bytes tested = asked & kernel::for_all(left);
-    if ((answers.inside & asked) != 0) {
-      tested = 0;
-      for (std::size_t k = 0; k < answers.count; ++k) {
-        const auto now = static_cast<Bits>(kernel::boxes_of(asked, k) & left);
-        tested |= Bytes{now} << 8 * k;
-        left = static_cast<Bits>(left & ~(kernel::boxes_of(answers.inside, k) & now));
-      }
-    }
+    const Bytes culled = from_first(answers.inside & asked);
+    const Bytes tested = asked & kernel::for_all(left) & ~(culled << 8U);
     result_.stats.shadow_tests += kernel::count(tested);
     if (shadows.exact != 0) result_.stats.exact_shadow_tests += kernel::count(shadows.exact & tested);
     tests_.tested(here.block, answers, tested);
-    return left;
+    return static_cast<Bits>(left & ~kernel::boxes_of(culled, kMost - 1));
   }
 
   const NodeBlocks& blocks_;

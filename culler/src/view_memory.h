@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
+#include "seen_occluders.h"
 #include "shrunk_shadow.h"
 #include "traverse_parts.h"
 #include "zeros.h"
@@ -27,10 +29,16 @@ struct SeenLeaf {
   CoverBuffer::Footprint footprint;
 };
 
-/// An occluder of a frame as seen from the eye, and what it hid lately.
+/// An occluder of a frame as seen from the eye, and what it hid lately, as a share of the most that one of them hid.
 struct OccluderDirection {
   glm::dvec3 direction;
-  double hidden;
+  double goodness;
+};
+
+/// The list of the region that the eye was in last. Most frames find the eye there again.
+struct ListedOccluders {
+  std::optional<std::size_t> region;  ///< none: of no region
+  std::vector<SeenOccluders> groups;  ///< each but the last is full
 };
 
 /// What casts a shadow.
@@ -39,8 +47,8 @@ struct ShadowCaster {
   bool are_surface;                      ///< whether the parts are in the surface at which the shadow begins
 };
 
-/// What one thread does at the start of a choice: a part of a list, from `first` to before `end`, of which it finds what is
-/// in view, or what earlier frames tell.
+/// What one thread does at the start of a choice: the groups of a list from `first` to before `end`, of which it finds what
+/// is in view, or what earlier frames tell.
 struct ChoicePart {
   std::size_t first = 0, end = 0;
   std::vector<Candidate> candidates;
@@ -56,6 +64,7 @@ struct View::Memory {
   CullResult result;
   FrameView view;  ///< of the last frame
   OccluderHistory history;
+  ListedOccluders listed;
   CandidateOrder order;
   FollowedSilhouettes silhouettes;
 

@@ -13,15 +13,13 @@ namespace occlude::culler {
 
 /// The planes of a view, at most kMostPlanes, and how boxes are held against them.
 struct ViewPlanes {
-  static constexpr std::size_t kMostPlanes = 32;
+  static constexpr std::size_t kMostPlanes = 8;
 
-  std::span<const kernel::HalfSpace> planes;
+  std::span<const kernel::HalfSpace> planes;  ///< REQUIRES: at most kMostPlanes
   kernel::Arithmetic arithmetic;
 
   /// A bit for each plane.
-  [[nodiscard]] std::uint32_t all() const {
-    return planes.size() < kMostPlanes ? (std::uint32_t{1} << planes.size()) - 1 : ~std::uint32_t{0};
-  }
+  [[nodiscard]] std::uint32_t all() const { return (std::uint32_t{1} << planes.size()) - 1; }
 };
 
 }  // namespace occlude::culler

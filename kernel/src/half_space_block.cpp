@@ -26,14 +26,14 @@ struct Known {
 };
 
 /// The answers, by the test of a single box where the filter has none.
-inline BlockRelation decided(const HalfSpace& half_space, const BoxBlock& block, BoxBits asked, Known known) {
+inline Known decided(const HalfSpace& half_space, const BoxBlock& block, BoxBits asked, Known known) {
   for (unsigned left = known.unknown & asked; left != 0; left &= left - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(left));
     const Relation relation = kernel::relation(half_space, block.box(i), Arithmetic::certified);
     known.outside |= (relation == Relation::outside ? 1U : 0U) << i;
     known.inside |= (relation == Relation::inside ? 1U : 0U) << i;
   }
-  return {static_cast<BoxBits>(known.outside & asked), static_cast<BoxBits>(known.inside & asked)};
+  return {known.outside & asked, known.inside & asked};
 }
 
 }  // namespace
@@ -78,12 +78,16 @@ HWY_INLINE Known filter(const HalfSpace& h, const BoxBlock& block) {
   return known;
 }
 
-HWY_ATTR void relations(std::span<const HalfSpace> half_spaces, std::uint32_t which, const BoxBlock& block, BoxBits asked,
-                        std::span<BlockRelation> relations) {
-  for (; which != 0; which &= which - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(which));
-    relations[i] = decided(half_spaces[i], block, asked, filter(half_spaces[i], block));
+HWY_ATTR BlockRelations relations(std::span<const HalfSpace> half_spaces, const BoxBlock& block, BoxBytes asked) {
+  BlockRelations answers;
+  for (BoxBytes left = asked; left != 0;) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left)) / 8;
+    const Known known = decided(half_spaces[k], block, boxes_of(asked, k), filter(half_spaces[k], block));
+    answers.outside |= BoxBytes{known.outside} << 8 * k;
+    answers.inside |= BoxBytes{known.inside} << 8 * k;
+    left &= ~(BoxBytes{0xFF} << 8 * k);
   }
+  return answers;
 }
 
 }  // namespace
@@ -97,9 +101,8 @@ namespace {
 HWY_EXPORT(relations);
 }  // namespace
 
-void relations(std::span<const HalfSpace> half_spaces, std::uint32_t which, const BoxBlock& block, BoxBits asked,
-               std::span<BlockRelation> relations) {
-  HWY_DYNAMIC_DISPATCH(relations)(half_spaces, which, block, asked, relations);
+BlockRelations relations(std::span<const HalfSpace> half_spaces, const BoxBlock& block, BoxBytes asked) {
+  return HWY_DYNAMIC_DISPATCH(relations)(half_spaces, block, asked);
 }
 
 }  // namespace occlude::kernel

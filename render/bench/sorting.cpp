@@ -64,13 +64,11 @@ class Counter {
 
  private:
   void add(const std::vector<Candidate>& candidates, const culler::CullStats& stats) {
-    std::vector<Candidate> arrivals;
-    std::ranges::copy_if(candidates, std::back_inserter(arrivals),
-                         [&](const Candidate& c) { return !last_.contains(c.occluder); });
     candidates_ += candidates.size();
-    arrivals_ += arrivals.size();
+    arrivals_ += static_cast<std::size_t>(
+        std::ranges::count_if(candidates, [&](const Candidate& c) { return !last_.contains(c.occluder); }));
     moves_ += stats.sort_moves;
-    comparisons_ += stats.sort_moves + stats.sort_kept + comparisons_of_sort(arrivals) + candidates.size();
+    comparisons_ += stats.sort_comparisons;
     anew_ += comparisons_of_sort(candidates);
   }
 

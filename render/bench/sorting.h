@@ -9,14 +9,14 @@
 
 namespace occlude::experiments {
 
-/// At one threshold of the lists, and so for one number of candidates. Means over the frames except the first. If the
-/// insertion sort gives up because the camera jumped, only its work until then is counted.
+/// At one threshold of the lists, and so for one number of candidates. Means over the frames except the first. Only the
+/// candidates that a frame asks for are sorted, and a few more.
 struct SortPoint {
   double threshold = 0;         ///< steradians
   double candidates = 0;        ///< listed and in view
-  double arrivals = 0;          ///< not candidates in the previous frame; they are sorted separately and merged
-  double moves = 0;             ///< total places by which the insertion sort moves the others
-  double comparisons = 0;       ///< of the whole: moves and one per other candidate, the arrivals' sort, the merge
+  double arrivals = 0;          ///< not candidates in the previous frame
+  double moves = 0;             ///< total places by which the insertion sort moves those that were sorted in that frame
+  double comparisons = 0;       ///< of the whole: one per candidate to find the good ones, and those of their sort
   double comparisons_anew = 0;  ///< of std::sort on all candidates, from the order of the list
 };
 

@@ -20,10 +20,25 @@ std::vector<std::uint32_t> occluders_of(std::span<const Candidate> candidates) {
   return result;
 }
 
-void expect_sorted(const CandidateOrder& order, std::vector<Candidate> candidates) {
+/// The best `count` candidates, or all if there are fewer.
+std::vector<Candidate> best(CandidateOrder& order, std::size_t count) {
+  std::vector<Candidate> taken;
+  if (count == 0) return taken;
+  order.for_best_first([&](const Candidate& c) {
+    taken.push_back(c);
+    return taken.size() < count;
+  });
+  return taken;
+}
+
+constexpr std::size_t kAll = 1'000'000;
+
+void expect_sorted(CandidateOrder& order, std::vector<Candidate> candidates, std::size_t count = kAll) {
   std::sort(candidates.begin(), candidates.end());
-  ASSERT_EQ(occluders_of(order.best_first()), occluders_of(candidates));
-  for (std::size_t i = 0; i < candidates.size(); ++i) ASSERT_EQ(order.best_first()[i].score, candidates[i].score);
+  candidates.resize(std::min(candidates.size(), count));
+  const std::vector<Candidate> taken = best(order, count);
+  ASSERT_EQ(occluders_of(taken), occluders_of(candidates));
+  for (std::size_t i = 0; i < candidates.size(); ++i) ASSERT_EQ(taken[i].score, candidates[i].score);
 }
 
 /// n candidates, the first of them the best.
@@ -57,18 +72,61 @@ TEST(CandidateOrder, IsWhatSortingGives) {
     expect_sorted(order, candidates);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << kSeed << ", frame " << frame;
     const auto kept = std::ranges::count_if(now, [&](std::uint32_t i) { return before.contains(i); });
-    ASSERT_EQ(order.kept(), static_cast<std::size_t>(kept));
+    ASSERT_EQ(order.kept(), static_cast<std::size_t>(kept)) << "all were asked for in the frame before";
     before = std::move(now);
   }
+}
+
+/// Frames ask for few of many candidates, for more than the frames before, for all or none, once or several times.
+TEST(CandidateOrder, IsWhatSortingGivesToFramesThatAskForAPart) {
+  constexpr std::uint32_t kSeed = 4;
+  std::mt19937 random(kSeed);
+  constexpr std::uint32_t kOccluders = 300;
+  CandidateOrder order;
+  std::vector<double> scores(kOccluders, 0);
+  std::size_t not_sorted = 0, sorted_later = 0;
+  for (int frame = 0; frame < 3000; ++frame) {
+    for (std::uint32_t i = 0; i < 20; ++i) scores[random() % kOccluders] = static_cast<double>(random() % 400);
+    std::vector<Candidate> candidates;
+    const std::size_t in_view = frame % 31 == 0 ? 0 : 20 + random() % 80;
+    for (std::uint32_t i = 0; i < kOccluders; ++i) {
+      if (random() % 100 < in_view) candidates.push_back({scores[i], i});
+    }
+    order.update(candidates, kOccluders);
+    const std::size_t comparisons = order.comparisons();
+    for (std::size_t times = random() % 3; times-- > 0;) {
+      expect_sorted(order, candidates, frame % 13 == 0 ? kAll : random() % 40);
+      ASSERT_FALSE(HasFatalFailure()) << "seed " << kSeed << ", frame " << frame;
+    }
+    ++(order.comparisons() > comparisons ? sorted_later : not_sorted);
+  }
+  EXPECT_GT(not_sorted, 1500U);
+  EXPECT_GT(sorted_later, 200U);
+}
+
+TEST(CandidateOrder, ComparesEachOfManyOnceWhereAFrameAsksForFew) {
+  constexpr std::uint32_t kMany = 4000;
+  constexpr std::size_t kFew = 100;
+  const std::vector<Candidate> candidates = descending(kMany);
+  CandidateOrder order;
+  for (int frame = 0; frame < 3; ++frame) {
+    order.update(candidates, kMany);
+    expect_sorted(order, candidates, kFew);
+  }
+  EXPECT_LE(order.kept(), 2 * kFew);
+  EXPECT_GE(order.kept(), kFew);
+  EXPECT_LE(order.comparisons(), kMany + 10 * kFew);
 }
 
 TEST(CandidateOrder, NothingMovesWhereNothingChanges) {
   std::vector<Candidate> candidates = descending(1000);
   CandidateOrder order;
   order.update(candidates, 1000);
+  static_cast<void>(best(order, kAll));
   EXPECT_EQ(order.kept(), 0U);
   EXPECT_EQ(order.moves(), 0U) << "all are new";
   order.update(candidates, 1000);
+  static_cast<void>(best(order, kAll));
   EXPECT_EQ(order.kept(), 1000U);
   EXPECT_EQ(order.moves(), 0U);
   for (Candidate& c : candidates) c.score *= 3;
@@ -80,9 +138,11 @@ TEST(CandidateOrder, MovesAreThePlacesPassed) {
   std::vector<Candidate> candidates = descending(1000);
   CandidateOrder order;
   order.update(candidates, 1000);
+  static_cast<void>(best(order, kAll));
   std::swap(candidates[500].score, candidates[501].score);
   order.update(candidates, 1000);
   EXPECT_EQ(order.moves(), 1U);
+  static_cast<void>(best(order, kAll));
   candidates[100].score = 2000;  // to the top: past the hundred before it
   order.update(candidates, 1000);
   EXPECT_EQ(order.moves(), 100U);
@@ -98,6 +158,7 @@ TEST(CandidateOrder, AJumpDoesNotCostASquare) {
   std::vector<Candidate> candidates = descending(kMany);
   CandidateOrder order;
   order.update(candidates, kMany);
+  static_cast<void>(best(order, kAll));
   for (Candidate& c : candidates) c.score = -c.score;  // insertion alone would pass 4000 * 3999 / 2 places
   order.update(candidates, kMany);
   expect_sorted(order, candidates);
@@ -108,9 +169,9 @@ TEST(CandidateOrder, AJumpDoesNotCostASquare) {
 TEST(CandidateOrder, EqualsByTheirNumber) {
   CandidateOrder order;
   order.update(std::vector<Candidate>{{1, 5}, {1, 2}, {2, 9}, {1, 3}}, 10);
-  EXPECT_EQ(occluders_of(order.best_first()), (std::vector<std::uint32_t>{9, 2, 3, 5}));
+  EXPECT_EQ(occluders_of(best(order, kAll)), (std::vector<std::uint32_t>{9, 2, 3, 5}));
   order.update(std::vector<Candidate>{{1, 9}, {1, 4}, {1, 2}}, 10);
-  EXPECT_EQ(occluders_of(order.best_first()), (std::vector<std::uint32_t>{2, 4, 9}));
+  EXPECT_EQ(occluders_of(best(order, kAll)), (std::vector<std::uint32_t>{2, 4, 9}));
 }
 
 }  // namespace candidate_order_test

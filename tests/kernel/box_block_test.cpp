@@ -28,14 +28,15 @@ struct Counts {
 };
 
 /// Expects of each asked box what relation() answers, and of the others nothing.
-void expect_same(const HalfSpace& half_space, const BoxBlock& block, BoxBits asked, const BlockRelation& answer,
-                 Counts& counts) {
-  EXPECT_EQ((answer.inside | answer.outside) & ~asked, 0) << "not asked";
-  for (unsigned i = 0; i < BoxBlock::kBoxes; ++i) {
-    if ((asked >> i & 1U) == 0) continue;
-    const Relation expected = relation(half_space, block.box(i), Arithmetic::certified);
-    EXPECT_EQ((answer.inside >> i & 1) != 0, expected == Relation::inside) << "box " << i << ", seed " << kSeed;
-    EXPECT_EQ((answer.outside >> i & 1) != 0, expected == Relation::outside) << "box " << i << ", seed " << kSeed;
+void expect_same(std::span<const HalfSpace> half_spaces, const BoxBlock& block, BoxBytes asked,
+                 const BlockRelations& answers, Counts& counts) {
+  EXPECT_EQ((answers.inside | answers.outside) & ~asked, 0U) << "not asked";
+  for (unsigned place = 0; place < 64; ++place) {
+    if ((asked >> place & 1U) == 0) continue;
+    const Relation expected = relation(half_spaces[place / 8], block.box(place % 8), Arithmetic::certified);
+    EXPECT_EQ((answers.inside >> place & 1U) != 0, expected == Relation::inside) << "place " << place << ", seed " << kSeed;
+    EXPECT_EQ((answers.outside >> place & 1U) != 0, expected == Relation::outside)
+        << "place " << place << ", seed " << kSeed;
     ++(expected == Relation::inside ? counts.inside : expected == Relation::outside ? counts.outside : counts.partial);
   }
 }
@@ -82,15 +83,14 @@ TEST_P(BoxBlockTest, AnswersAsOneByOneWhereBoxesTouch) {
     Counts counts;
     for (int round = 0; round < 3000; ++round) {
       const BoxBlock boxes = block(step);
-      std::array<HalfSpace, 6> half_spaces;
+      std::array<HalfSpace, 8> half_spaces;
       for (HalfSpace& h : half_spaces) h = {point(1), number(step)};
-      std::array<BlockRelation, 6> answers{};
-      const std::uint32_t which = random_() % 64;
-      const auto asked = static_cast<BoxBits>(round % 2 == 0 ? 0xFFU : random_() % 256);
-      relations(half_spaces, which, boxes, asked, answers);
-      for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
-        if ((which >> k & 1U) != 0) expect_same(half_spaces[k], boxes, asked, answers[k], counts);
+      BoxBytes asked = 0;
+      for (std::size_t k = 0; k < half_spaces.size(); ++k) {
+        const std::uint32_t choice = random_() % 4;
+        asked |= BoxBytes{choice == 0 ? 0U : choice == 1 ? random_() % 256 : 0xFFU} << 8 * k;
       }
+      expect_same(half_spaces, boxes, asked, relations(half_spaces, boxes, asked), counts);
     }
     EXPECT_GT(counts.inside, 1000U);
     EXPECT_GT(counts.outside, 1000U);
@@ -98,12 +98,13 @@ TEST_P(BoxBlockTest, AnswersAsOneByOneWhereBoxesTouch) {
   }
 }
 
-TEST_P(BoxBlockTest, LeavesWhatIsNotAskedAlone) {
-  const std::array<HalfSpace, 2> half_spaces{HalfSpace{{1, 0, 0}, 0}, HalfSpace{{0, 1, 0}, 0}};
-  std::array<BlockRelation, 2> answers{BlockRelation{1, 2}, BlockRelation{3, 4}};
-  relations(half_spaces, 2, block(1), 0xFF, answers);
-  EXPECT_EQ(answers[0].outside, 1);
-  EXPECT_EQ(answers[0].inside, 2);
+TEST_P(BoxBlockTest, NeedsNoHalfSpaceThatIsNotAskedAbout) {
+  const std::array<HalfSpace, 2> half_spaces{HalfSpace{{1, 0, 0}, 0}, HalfSpace{{0, 1, 0}, -4}};
+  BoxBlock boxes;
+  boxes.set(3, {{1, 5, 1}, {2, 6, 2}});
+  const BlockRelations answers = relations(half_spaces, boxes, BoxBytes{0x09} << 8);
+  EXPECT_EQ(answers.outside, BoxBytes{0x01} << 8);
+  EXPECT_EQ(answers.inside, BoxBytes{0x08} << 8);
 }
 
 TEST_P(BoxBlockTest, ReturnsTheBoxesThatWereSet) {

@@ -151,8 +151,9 @@ struct CullStats {
   /// because the filters before that stage round differently. Neither any answer nor any other number does.
   std::size_t exact_shadow_tests = 0;
   std::size_t potential_occluders = 0, occluders_in_view = 0;  ///< of the region's list: all, and those in view
-  std::size_t sort_kept = 0;                                   ///< candidates that the frame before had as well
+  std::size_t sort_kept = 0;                                   ///< sorted candidates that the frame before had sorted
   std::size_t sort_moves = 0;                                  ///< places that the insertion sort moved them by, summed
+  std::size_t sort_comparisons = 0;                            ///< of candidates
   std::size_t choice_work = 0;  ///< of choosing among the sorted, in planes of shadows: bounded (README.md, Budgets)
   std::size_t silhouette_faces = 0, silhouette_faces_asked = 0;  ///< of polytopes: all, and those asked for their side
   /// `shadow_culled` counts culls by one shadow, by a pair and by a cover.

@@ -42,17 +42,6 @@ using BoxBits = std::uint8_t;
   return (kOfNibble >> (boxes % 16 * 4) & 0xF) + (kOfNibble >> (boxes / 16 * 4) & 0xF);
 }
 
-/// Those of the asked boxes that are outside of a half-space, and those inside.
-struct BlockRelation {
-  BoxBits outside, inside;
-};
-
-/// For each bit i of `which`, sets relations[i] to what relation() answers, certified, for half-space i and each of the
-/// asked boxes. Nothing is allocated. REQUIRES (not checked): half-space i and relations[i] exist; of the half-spaces and of
-/// the asked boxes, as relation().
-void relations(std::span<const HalfSpace> half_spaces, std::uint32_t which, const BoxBlock& block, BoxBits asked,
-               std::span<BlockRelation> relations);
-
 /// For each of eight questions, boxes of a block: byte k is the BoxBits of question k.
 using BoxBytes = std::uint64_t;
 
@@ -70,6 +59,15 @@ using BoxBytes = std::uint64_t;
 [[nodiscard]] constexpr BoxBits boxes_of(BoxBytes bytes, std::size_t question) {
   return static_cast<BoxBits>(bytes >> 8 * question & 0xFF);
 }
+
+/// For each of up to eight half-spaces, those of the asked boxes that are outside of it, and those inside.
+struct BlockRelations {
+  BoxBytes outside = 0, inside = 0;
+};
+
+/// What relation() answers, certified, for half-space k and the boxes of byte k of `asked`. Nothing is allocated. REQUIRES
+/// (not checked): half-space k exists for each byte that is not 0; of the half-spaces and of the asked boxes, as relation().
+[[nodiscard]] BlockRelations relations(std::span<const HalfSpace> half_spaces, const BoxBlock& block, BoxBytes asked);
 
 /// Up to eight frusta that are asked about with the boxes of a block, and what the filter knows of the answers that
 /// conservative_certified() gives (overlap.h), for either NearBoundary. Boxes of which nothing is set are `partial`.
