@@ -11,6 +11,7 @@
 #include "box_frame.h"
 #include "certain_sign.h"
 #include "error_bounds.h"
+#include "product_difference.h"
 #include "rounded_plane.h"
 #include "running_error.h"
 #include "traced_lane.h"
@@ -173,6 +174,25 @@ Exact needed_by_refined() {
   return most;
 }
 
+/// h + t, with h = x. A product with a zero is that of zeros alone.
+TracedTerms with_tail(double x) { return {x, TracedNumber(x).tail()}; }
+
+Exact needed_by_product_differences() {
+  Exact most = 0;
+  for (const auto& [first, second] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}}) {
+    for (const double sign : {1.0, -1.0}) {
+      const TracedTerms a = with_tail(first), b = with_tail(first), c = with_tail(second), d = with_tail(sign * second);
+      const auto exact = [](const TracedTerms& x) { return TracedNumber::sum(x.high, x.low); };
+      const TracedNumber truth =
+          TracedNumber::sum(TracedNumber::product(exact(a), exact(b)), -TracedNumber::product(exact(c), exact(d)));
+      const auto [high, low, error] = kernel::product_difference<TracedNumber>(a, b, c, d);
+      const Exact off = TracedNumber::sum(TracedNumber::sum(high, low), -truth).most();
+      most = std::max(most, Exact(off / error.least() * Exact(kernel::kProductDifferenceError)));
+    }
+  }
+  return most;
+}
+
 Exact needed_by_half_spaces() {
   Exact most = 0;
   for_each_normal([&](const Vec3& n) {
@@ -318,6 +338,8 @@ std::vector<Constant> recomputed_constants() {
       {"kOffsetError", "the same, summed in any order", over_offsets(needed_in_any_order), offset_error, 1},
       {"kOffsetError", "values over oriented boxes", over_offsets(needed_by_obb), offset_error, 1},
       {"kRefinedError", "values of refined planes", needed_by_refined(), Exact(kernel::kRefinedError), 2},
+      {"kProductDifferenceError", "normals in twice the precision", needed_by_product_differences(),
+       Exact(kernel::kProductDifferenceError), 2},
       {"kHalfSpaceError", "values of half-spaces", needed_by_half_spaces(), Exact(kernel::kHalfSpaceError), 1},
   };
   std::ranges::transform(kBounds, std::back_inserter(constants), recomputed);

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "error_free.h"
+#include "product_difference.h"
 #include "running_error.h"
+#include "vector3.h"
 
 namespace occlude::kernel {
 
@@ -45,5 +47,16 @@ struct DoubleDouble {
     return {sum.high, {sum.low, low.error}};
   }
 };
+
+/// One product_difference() for each component, which is faster than the operations one by one.
+[[nodiscard]] inline Vector3<DoubleDouble> cross_of_differences(const Vector3<DoubleDouble>& a,
+                                                                const Vector3<DoubleDouble>& b) {
+  const auto minor = [](const DoubleDouble& p, const DoubleDouble& q, const DoubleDouble& r, const DoubleDouble& s) {
+    const auto terms = [](const DoubleDouble& x) { return TwoTerms{x.high, x.low.value}; };
+    const auto [high, low, error] = product_difference<double>(terms(p), terms(q), terms(r), terms(s));
+    return DoubleDouble{high, {low, error}};
+  };
+  return {minor(a.y, b.z, a.z, b.y), minor(a.z, b.x, a.x, b.z), minor(a.x, b.y, a.y, b.x)};
+}
 
 }  // namespace occlude::kernel

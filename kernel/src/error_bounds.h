@@ -140,6 +140,19 @@ inline constexpr double kCoarseReach = 0x1p60, kCoarseOffset = 0x1p110;
 inline constexpr double kRefinedError = 32 * kUnitRoundoff * kUnitRoundoff;
 static_assert(kRefinedError >= rounding_error(4 * 4 + 2 * 5 + 1) * kUnitRoundoff);
 
+/// a b - c d, in twice the precision of a double (product_difference.h). Each of the four is given as h + t, |t| <= u |h|.
+/// The products of two h and their difference are computed by error-free transformations; what these lose and what the tails
+/// add is summed in doubles. With S = |h_a h_b| + |h_c h_d|, up to second order:
+///
+///   tails    four products h t: at most 2 u S together; one product, a sum, a difference and the last sum: 2 * 4
+///   lost     of two products at most u S together, and of their difference u S; at most three additions: 2 * 3
+///   left out t_a t_b and t_c t_d: at most u^2 S
+///
+/// in units of u^2 S. S is computed with one rounding of a product, an addition and the product with the constant. The
+/// constant is rounded up to a power of two.
+inline constexpr double kProductDifferenceError = 16 * kUnitRoundoff * kUnitRoundoff;
+static_assert(kProductDifferenceError >= rounding_error(2 * 4 + 2 * 3 + 1) * kUnitRoundoff);
+
 /// Half-space value g(x) = n_x x + n_y y + n_z z + d with coefficients and coordinates given. Each product is rounded once
 /// and passes through two additions, so the sum s of the products is off by at most g(3) sum_k |n_k x_k|. The last addition,
 /// of d, rounds without a change of sign: fl(s + d) has the sign of g when it exceeds the bound. The sum of magnitudes takes

@@ -8,7 +8,7 @@ namespace occlude::kernel {
 
 int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return certified([&]<class A>(A& arithmetic) {
-    return arithmetic.sign(dot(cross(difference<A>(b, a), difference<A>(c, a)), difference<A>(d, a)));
+    return arithmetic.sign(dot(cross_of_differences(difference<A>(b, a), difference<A>(c, a)), difference<A>(d, a)));
   });
 }
 

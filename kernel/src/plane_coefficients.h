@@ -14,7 +14,7 @@ namespace occlude::kernel {
 template <class A>
 [[nodiscard]] Vector3<typename A::Number> normal(const ExactPlane& plane) {
   const auto a = difference<A>(plane.a_to, plane.a_from);
-  return plane.direct ? a : cross(a, difference<A>(plane.b_to, plane.b_from));
+  return plane.direct ? a : cross_of_differences(a, difference<A>(plane.b_to, plane.b_from));
 }
 
 template <class A>

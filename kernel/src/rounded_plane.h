@@ -15,14 +15,8 @@ struct RoundedPlane {
 
 [[nodiscard]] RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane);
 
-/// A rounded number: |true value - (high + low)| <= error, and high is the double nearest to high + low. Here and below,
-/// `Real` is double or a number type that tracks rounding errors.
-template <class Real>
-struct RoundedNumber {
-  Real high, low, error;
-};
-
-/// The bound of the plane whose coefficients are the high parts.
+/// The bound of the plane whose coefficients are the high parts. Here and below, `Real` is double or a number type that
+/// tracks rounding errors.
 template <class Real>
 [[nodiscard]] BasicFilterBound<Real> filter_bound(const Vector3<RoundedNumber<Real>>& n, const RoundedNumber<Real>& w) {
   using std::fabs;

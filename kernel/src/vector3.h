@@ -48,6 +48,12 @@ template <class Number>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// The cross product of vectors whose components are differences of given doubles.
+template <class Number>
+[[nodiscard]] Vector3<Number> cross_of_differences(const Vector3<Number>& a, const Vector3<Number>& b) {
+  return cross(a, b);
+}
+
 /// v, in the numbers of arithmetic A.
 template <class A>
 [[nodiscard]] Vector3<typename A::Number> constants(const Vec3& v) {
