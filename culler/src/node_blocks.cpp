@@ -27,19 +27,19 @@ using Bits = NodeBlock::Bits;
 Bits bit(std::uint32_t i) { return static_cast<Bits>(1U << i); }
 
 /// How a tree is divided into blocks, so that a descent visits few. The children of each node are in the block of the node
-/// or in one of their own below it. How often a block of its own is visited is taken to be proportional to the surface of
-/// the node above it (MacDonald and Booth 1990). Of all divisions this one has the least sum.
+/// or in one of their own below it. A block of its own is visited where the planes of views and shadows cross the node above
+/// it, which is taken to be as often as random planes do. Of all divisions this one has the least sum.
 class Division {
  public:
   /// The nodes of a block whose children are in it too.
   static constexpr std::size_t kParents = NodeBlock::kMostParents;
 
   explicit Division(std::span<const HierarchyNode> nodes) : nodes_(nodes), visits_(nodes.size()) {
-    const double all = half_area(nodes[0].box), scale = all > 0 ? 1 / all : 0;
+    const double all = total_width(nodes[0].box), scale = all > 0 ? 1 / all : 0;
     for (auto node = static_cast<std::uint32_t>(nodes.size()); node-- > 0;) {  // children before their parents
       if (nodes[node].is_leaf()) continue;
       Visits& visits = visits_[node];
-      visits[0] = static_cast<float>(scale * half_area(nodes[node].box)) + shared(node, kParents).visits;
+      visits[0] = static_cast<float>(scale * total_width(nodes[node].box)) + shared(node, kParents).visits;
       for (std::size_t parents = 1; parents <= kParents; ++parents) {
         visits[parents] = std::min(visits[0], shared(node, parents - 1).visits);
       }

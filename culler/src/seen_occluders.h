@@ -2,6 +2,8 @@
 // Several potential occluders at once: which of them are in view, and how large they look.
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +23,7 @@ struct SeenOccluders {
   /// Replaces them with these of all potential occluders. REQUIRES: at most kMost.
   template <class Occluders>
   void assign(const Occluders& all, std::span<const std::uint32_t> taken) {
+    for (const std::uint32_t i : taken) hwy::Prefetch(&all[i]);
     size = 0;
     for (const std::uint32_t i : taken) add(all[i]);
   }

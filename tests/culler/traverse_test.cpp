@@ -277,12 +277,12 @@ TEST(NodeBlocks, HoldTheTree) {
   EXPECT_EQ(std::ranges::count(found, 1), std::ssize(found));
 }
 
-/// The sum of the surfaces of nodes whose children are in a block of their own below them.
+/// The sum of the widths of nodes whose children are in a block of their own below them.
 double visits(const NodeBlocks& blocks, const Hierarchy& hierarchy) {
   double sum = 0;
   const auto visit = [&](const auto& self, const NodeBlock& block) -> void {
     for_each_bit(block.exits, [&](std::uint32_t i) {
-      sum += half_area(hierarchy.nodes()[block.node[i]].box);
+      sum += total_width(hierarchy.nodes()[block.node[i]].box);
       self(self, blocks[block.below[i]]);
     });
   };
@@ -308,7 +308,7 @@ double least_visits(std::span<const HierarchyNode> nodes) {
     int most = 0;
     for (const std::uint32_t i : inner) {
       if (!is_parent[i]) {
-        sum += half_area(nodes[i].box);
+        sum += total_width(nodes[i].box);
         continue;
       }
       std::size_t top = above[i];
@@ -341,13 +341,13 @@ TEST(NodeBlocks, AreVisitedAsRarelyAsCanBe) {
   }
 }
 
-/// In a block of their own the children of a node that has no surface cost nothing, and fill blocks nevertheless.
-TEST(NodeBlocks, AreFullAlsoWhereNothingHasASurface) {
+/// In a block of their own the children of a node that is a point cost nothing, and fill blocks nevertheless.
+TEST(NodeBlocks, AreFullAlsoWhereNothingHasAWidth) {
   PolygonSoup soup;
   for (int i = 0; i < 1000; ++i) {
-    std::vector<std::uint32_t> line;
-    for (int k = 0; k < 3; ++k) line.push_back(soup.add_vertex({i + 0.25 * k, 0, 0}));
-    soup.add_polygon(line);
+    std::vector<std::uint32_t> point;
+    for (int k = 0; k < 3; ++k) point.push_back(soup.add_vertex({1, 2, 3}));
+    soup.add_polygon(point);
   }
   const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1});
   const NodeBlocks blocks(hierarchy);
