@@ -62,8 +62,8 @@ inline void grow(kernel::Aabb& box, const kernel::Vec3& point) { grow(box, kerne
   return x * y + y * z + z * x;
 }
 
-/// The sum of the three edges of a non-empty box. Random planes meet convex bodies in proportion to their mean width, which for
-/// a box is half of this (Cauchy, Crofton).
+/// The sum of the three edges of a non-empty box. Random planes meet convex bodies in proportion to their mean width, which
+/// for a box is half of this (Cauchy, Crofton).
 [[nodiscard]] inline double total_width(const kernel::Aabb& box) {
   return (box.max.x - box.min.x) + (box.max.y - box.min.y) + (box.max.z - box.min.z);
 }

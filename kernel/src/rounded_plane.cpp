@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "rounded_plane.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace occlude::kernel {
+namespace {
+
+/// The power of two that brings the slope of a bound into [1/2, 1). Scaling by it is exact. Slopes lie in [2^-509, 2^257)
+/// (error_bounds.h); a smaller one is scaled as 2^-509 is.
+double scale_of(double slope) {
+  constexpr std::uint64_t kMantissa = 52, kExponentOfOne = 1023;
+  const std::uint64_t exponent = std::max(std::bit_cast<std::uint64_t>(slope) >> kMantissa, kExponentOfOne - 509);
+  return std::bit_cast<double>((2 * kExponentOfOne - 1 - exponent) << kMantissa);
+}
+
+}  // namespace
+
 RoundedPlane rounded(const PlaneCoefficients<DoubleDoubleArithmetic>& plane) {
   const auto& [n, w] = plane;
   const auto parts = [](const DoubleDouble& x) { return RoundedNumber<double>{x.high, x.low.value, x.low.error}; };
   const Vector3<RoundedNumber<double>> normal{parts(n.x), parts(n.y), parts(n.z)};
   const FilterBound bound = filter_bound(normal, parts(w)), uncertainty = refined_uncertainty(normal, parts(w));
-  int exponent = 0;
-  std::frexp(bound.slope, &exponent);
-  const double scale = std::ldexp(1.0, -exponent);  // a power of two: scaling by it is exact
+  const double scale = scale_of(bound.slope);
 
   RoundedPlane result;
   FilterPlane& filter = result.filter;
