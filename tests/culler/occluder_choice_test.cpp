@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "frames.h"
 #include "occlude/culler/culler.h"
@@ -56,6 +57,35 @@ TEST(OccluderChoice, GoesOnBehindWhatAWallHides) {
   ASSERT_EQ(frame.occluders.size(), 2U);
   EXPECT_EQ(original(culler, frame.occluders[1]), kHidden + 1);
   EXPECT_LT(frame.stats.choice_work, 2 * kChoiceWorkOfEach);
+}
+
+/// The occluders of a region's list are gathered once, as long as the eye stays there. Without coherence a frame's choice
+/// does not depend on the frames before.
+TEST(OccluderChoice, IsOfTheRegionThatTheEyeIsIn) {
+  const Culler culler(random_town_of_houses(7, 4000), {.lists = {.threshold = 1e-3, .regions = 256}});
+  CullOptions options;
+  options.objective.coherence = 0;
+  View moving;
+  const OccluderLists& lists = culler.occluders().lists();
+  std::optional<std::size_t> region;
+  std::size_t stays = 0, moves = 0;
+  for (int frame = 0; frame < 120; ++frame) {
+    Camera camera;
+    camera.eye = {frame < 60 ? frame - 30 : 90 - frame, 3, 2};
+    camera.target = camera.eye + glm::dvec3(1, 0.03 * frame - 2, 0);
+    View fresh;
+    const CullResult &here = culler.cull(camera, options, moving), &expected = culler.cull(camera, options, fresh);
+    EXPECT_EQ(here.stats.occluders_in_view, expected.stats.occluders_in_view) << "frame " << frame;
+    ASSERT_EQ(here.occluders.size(), expected.occluders.size()) << "frame " << frame;
+    for (std::size_t i = 0; i < here.occluders.size(); ++i) {
+      EXPECT_EQ(here.occluders[i].index, expected.occluders[i].index) << "frame " << frame;
+    }
+    const std::size_t now = lists.partition().region_at(camera.eye);
+    if (region) ++(now == *region ? stays : moves);
+    region = now;
+  }
+  EXPECT_GT(stays, 20U);
+  EXPECT_GT(moves, 5U);
 }
 
 /// Scores that are NaN could not be sorted.
