@@ -17,7 +17,7 @@ void CandidateOrder::sort(std::span<Candidate> candidates) {
   });
 }
 
-/// Where more than twice as many were sorted as the frame has asked for, half as many again are sorted in the next.
+/// Where more than twice as many were sorted as the frame has asked for, half as many again as that are good in the next.
 void CandidateOrder::raise_least() {
   if (sorted_.size() > 2 * asked_) least_ = sorted_[asked_ + asked_ / 2].score;
   asked_ = 0;
@@ -76,6 +76,7 @@ void CandidateOrder::sort_others() {
   sort(others_);
   sorted_.insert(sorted_.end(), others_.begin(), others_.end());
   others_.clear();
+  least_ = -kInfinity;  // too few were good
 }
 
 void CandidateOrder::reserve(std::size_t candidates, std::size_t occluders) {

@@ -24,7 +24,8 @@ struct Candidate {
 };
 
 /// A frame asks for a part of its candidates alone, so only good ones are sorted: those with a score like that of the last
-/// one that the frames before asked for. The others are sorted if a frame asks for more.
+/// one that the frames before asked for. If a frame asks for more, the others are sorted as well, and in the next frame all
+/// are good.
 class CandidateOrder {
  public:
   /// Takes the candidates of a frame and sorts the good ones. Those that the last frame had sorted start in its order.
@@ -62,8 +63,9 @@ class CandidateOrder {
 
   std::vector<Candidate> good_, others_;  ///< others_ is sorted once it is asked for, and then empty
   std::vector<Candidate> sorted_, arrivals_, merged_;
-  double least_ = -std::numeric_limits<double>::infinity();  ///< the score of a good candidate is at least this
-  std::size_t asked_ = 0;                                    ///< for how many candidates the frame has asked
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double least_ = -kInfinity;   ///< the score of a good candidate is at least this
+  std::size_t asked_ = 0;       ///< for how many candidates the frame has asked
   Zeros<std::uint32_t> place_;  ///< for each occluder, its index among the candidates plus 1, or 0
   std::size_t kept_ = 0, moves_ = 0, comparisons_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "bounds.h"
@@ -15,6 +16,7 @@
 #include "negligible.h"
 #include "occlude/kernel/validity.h"
 #include "single_precision.h"
+#include "view_planes.h"
 
 namespace occlude::culler {
 namespace {
@@ -141,6 +143,8 @@ FrameView::FrameView(const MatrixCamera& camera, double reach)
   is_oblique = !crossing || !is_across(of, *crossing);
   near = !is_oblique ? crossing->farthest + beyond : is_perspective ? beyond : -2 * depth - beyond;
 }
+
+static_assert(std::tuple_size_v<decltype(FrameView::half_spaces)> <= ViewPlanes::kMostPlanes);
 
 void FrameView::append_half_spaces(std::vector<HalfSpace>& planes) const {
   planes.insert(planes.end(), half_spaces.begin(), half_spaces.begin() + static_cast<std::ptrdiff_t>(half_space_count));

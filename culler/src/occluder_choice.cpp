@@ -108,9 +108,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
 
 OccluderChoice::~OccluderChoice() {
   CullStats& stats = memory_.result.stats;
-  stats.sort_kept = memory_.order.kept();
-  stats.sort_moves = memory_.order.moves();
-  stats.sort_comparisons = memory_.order.comparisons();
+  if (stats.occluders_in_view > 0) stats.sort_comparisons = memory_.order.comparisons();
   stats.choice_work = work_.taken();
 }
 
@@ -161,7 +159,10 @@ void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
 
 void OccluderChoice::sort(std::span<const Candidate> candidates) {
   memory_.order.update(candidates, occluders_.size());
-  memory_.result.stats.occluders_in_view = candidates.size();
+  CullStats& stats = memory_.result.stats;
+  stats.occluders_in_view = candidates.size();
+  stats.sort_kept = memory_.order.kept();
+  stats.sort_moves = memory_.order.moves();
 }
 
 /// Finds the candidates of the groups from `first` to before `end`, which it gathers unless they are there.

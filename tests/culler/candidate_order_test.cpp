@@ -118,6 +118,27 @@ TEST(CandidateOrder, ComparesEachOfManyOnceWhereAFrameAsksForFew) {
   EXPECT_LE(order.comparisons(), kMany + 10 * kFew);
 }
 
+/// What looked good from elsewhere may be better than all that is in view now.
+TEST(CandidateOrder, FindsWhatIsGoodAmongWorseCandidates) {
+  constexpr std::uint32_t kMany = 1000;
+  constexpr std::size_t kFew = 100;
+  std::vector<Candidate> candidates = descending(kMany);
+  CandidateOrder order;
+  for (int frame = 0; frame < 3; ++frame) {
+    order.update(candidates, kMany);
+    expect_sorted(order, candidates, kFew);
+  }
+  ASSERT_LT(order.kept(), kMany / 2);
+  candidates.resize(kFew + kFew / 2);
+  for (Candidate& c : candidates) c.score /= 1e6;
+  for (int frame = 0; frame < 3; ++frame) {
+    order.update(candidates, kMany);
+    expect_sorted(order, candidates, kFew);
+  }
+  EXPECT_EQ(order.kept(), candidates.size());
+  EXPECT_EQ(order.moves(), 0U);
+}
+
 TEST(CandidateOrder, NothingMovesWhereNothingChanges) {
   std::vector<Candidate> candidates = descending(1000);
   CandidateOrder order;

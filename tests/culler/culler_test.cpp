@@ -371,8 +371,8 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
     walk.found.insert(walk.found.end(), {stats.nodes_visited, stats.view_tests, stats.shadow_tests, stats.union_tests,
                                          stats.probe_tests, stats.exact_shadow_tests, stats.drawn_polygons,
                                          stats.view_culled_polygons, stats.shadow_culled_polygons});
-    walk.found.insert(walk.found.end(),
-                      {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept, stats.sort_moves});
+    walk.found.insert(walk.found.end(), {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept,
+                                         stats.sort_moves, stats.sort_comparisons});
     walk.put_off += view.memory().parts.put_off.size;
     walk.begun += static_cast<std::size_t>(std::ranges::count_if(view.memory().choice_parts, &ChoicePart::is_done));
   }
