@@ -56,16 +56,16 @@ struct alignas(64) NodeBlock {
     return found;
   }
   /// These nodes and those below them in the block.
-  [[nodiscard]] Bits with_below(Bits nodes) const {
-    unsigned found = nodes;
+  [[nodiscard]] std::uint32_t with_below(std::uint32_t nodes) const {
+    std::uint32_t found = nodes;
     for (const Parent& parent : parents) found |= (0U - (found >> parent.i & 1U)) & parent.children;
-    return static_cast<Bits>(found);
+    return found;
   }
   /// The nodes that a descent visits which enters these: the roots, and the children of nodes that it visits and enters.
-  [[nodiscard]] Bits visited(Bits entered) const {
-    unsigned found = roots;
+  [[nodiscard]] std::uint32_t visited(std::uint32_t entered) const {
+    std::uint32_t found = roots;
     for (const Parent& parent : parents) found |= (0U - ((found & entered) >> parent.i & 1U)) & parent.children;
-    return static_cast<Bits>(found);
+    return found;
   }
 };
 

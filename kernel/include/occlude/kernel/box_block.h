@@ -45,16 +45,19 @@ using BoxBits = std::uint8_t;
 /// For each of eight questions, boxes of a block: byte k is the BoxBits of question k.
 using BoxBytes = std::uint64_t;
 
-/// How many there are for all of them together.
-[[nodiscard]] constexpr std::size_t count(BoxBytes bytes) {
+/// How many there are for each of them, in its byte.
+[[nodiscard]] constexpr BoxBytes counts(BoxBytes bytes) {
   constexpr BoxBytes kOdd = 0x5555'5555'5555'5555, kPairs = 0x3333'3333'3333'3333, kNibbles = 0x0F0F'0F0F'0F0F'0F0F;
   bytes -= bytes >> 1 & kOdd;
   bytes = (bytes & kPairs) + (bytes >> 2 & kPairs);
-  bytes = (bytes + (bytes >> 4)) & kNibbles;
-  return bytes * 0x0101'0101'0101'0101 >> 56;
+  return (bytes + (bytes >> 4)) & kNibbles;
 }
-/// The same boxes for each of eight questions.
-[[nodiscard]] constexpr BoxBytes for_all(BoxBits boxes) { return boxes * BoxBytes{0x0101'0101'0101'0101}; }
+/// The sum of eight counts().
+[[nodiscard]] constexpr std::size_t total(BoxBytes counts) { return counts * 0x0101'0101'0101'0101 >> 56; }
+/// How many there are for all of them together.
+[[nodiscard]] constexpr std::size_t count(BoxBytes bytes) { return total(counts(bytes)); }
+/// The same boxes for each of eight questions. REQUIRES: `boxes` is a BoxBits.
+[[nodiscard]] constexpr BoxBytes for_all(std::uint32_t boxes) { return boxes * BoxBytes{0x0101'0101'0101'0101}; }
 /// The boxes of one of them. REQUIRES: question < 8.
 [[nodiscard]] constexpr BoxBits boxes_of(BoxBytes bytes, std::size_t question) {
   return static_cast<BoxBits>(bytes >> 8 * question & 0xFF);
