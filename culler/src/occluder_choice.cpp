@@ -2,7 +2,6 @@
 #include "occluder_choice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
@@ -48,10 +47,6 @@ constexpr std::size_t kLeastOfPart = 1024, kPartsOfThread = 4;
 /// In how many groups so many occluders are.
 constexpr std::size_t groups_of(std::size_t occluders) {
   return (occluders + SeenOccluders::kMost - 1) / SeenOccluders::kMost;
-}
-/// As many of the occluders as a group has.
-std::span<const std::uint32_t> first_of(std::span<const std::uint32_t> occluders) {
-  return occluders.first(std::min(SeenOccluders::kMost, occluders.size()));
 }
 
 /// Calls take(candidate) for candidates, best first, until it returns false. Few are taken, so they are not all sorted.
@@ -172,12 +167,14 @@ void OccluderChoice::find_candidates(const OccluderLists::List& listed, std::siz
   for (std::size_t group = first; group < end; ++group) {
     SeenOccluders& seen = memory_.listed.groups[group];
     const std::size_t before = group * SeenOccluders::kMost;
-    const auto occluders = first_of(listed.occluders.subspan(before));
-    if (!is_list_gathered_) seen.assign(occluders_, occluders);
-    for_each_in_view(seen, occluders, [&](std::size_t k, double size) {
+    const auto occluder_at = [&](std::size_t k) { return listed.occluders[before + k]; };
+    if (!is_list_gathered_) {
+      seen.assign(occluders_, std::min(SeenOccluders::kMost, listed.occluders.size() - before), occluder_at);
+    }
+    for_each_in_view(seen, occluder_at, [&](std::size_t k, double size) {
       double score = weighted(size, objective.solid_angle);
       if (!listed.hidden.empty()) score *= weighted(1 + double{listed.hidden[before + k]}, objective.depth_complexity);
-      found.push_back({score, occluders[k]});
+      found.push_back({score, occluder_at(k)});
     });
   }
 }
@@ -189,15 +186,14 @@ std::size_t OccluderChoice::parts_of(std::size_t listed) const {
 }
 bool OccluderChoice::is_alone() const { return options_.executor == nullptr || options_.executor->threads() == 1; }
 
-/// Calls visit(k, size) for each of some occluders that is in view, with how large it looks. REQUIRES: `seen` has them.
-template <class Visit>
-void OccluderChoice::for_each_in_view(SeenOccluders& seen, std::span<const std::uint32_t> occluders,
-                                      const Visit& visit) const {
+/// Calls visit(k, size) for each of these occluders that is in view, with how large it looks. occluder_at(k) is its number.
+template <class OccluderAt, class Visit>
+void OccluderChoice::for_each_in_view(SeenOccluders& seen, const OccluderAt& occluder_at, const Visit& visit) const {
   const Objective::Angle angle = options_.objective.angle;
   const bool is_area_angle = view_.is_perspective && angle == Objective::Angle::area;
   seen.see(view_.eye, memory_.result.view);
   for_each_bit(seen.in_view, [&](std::uint32_t k) {
-    visit(k, is_area_angle ? seen.angle[k] : seen_size(occluders_, occluders[k], view_, angle));
+    visit(k, is_area_angle ? seen.angle[k] : seen_size(occluders_, occluder_at(k), view_, angle));
   });
 }
 
@@ -206,24 +202,19 @@ void OccluderChoice::take_proven() {
   if (objective.coherence == 0) return;
   std::vector<Candidate>& proven = memory_.candidates;
   proven.clear();
-  std::array<std::uint32_t, SeenOccluders::kMost> occluders{};
-  std::array<std::uint32_t, SeenOccluders::kMost> hidden{};
-  std::size_t count = 0;
-  const auto add_those_in_view = [&] {
-    SeenOccluders seen;
-    const auto gathered = std::span(occluders).first(std::exchange(count, 0));
-    seen.assign(occluders_, gathered);
-    for_each_in_view(seen, gathered, [&](std::size_t k, double size) {
-      proven.push_back({weighted(size, objective.solid_angle) * weighted(hidden[k], objective.coherence), occluders[k]});
-    });
-  };
-  for (const OccluderHistory::Entry& entry : memory_.history.recent()) {
-    if (entry.hidden == 0) continue;
-    occluders[count] = entry.occluder;
-    hidden[count] = entry.hidden;
-    if (++count == SeenOccluders::kMost) add_those_in_view();
+  for (const auto& [occluder, frame, hidden] : memory_.history.recent()) {
+    if (hidden > 0) proven.push_back({weighted(hidden, objective.coherence), occluder});
   }
-  add_those_in_view();
+  std::size_t in_view = 0;
+  for (std::size_t first = 0; first < proven.size(); first += SeenOccluders::kMost) {
+    const auto occluder_at = [&](std::size_t k) { return proven[first + k].occluder; };
+    SeenOccluders seen;
+    seen.assign(occluders_, std::min(SeenOccluders::kMost, proven.size() - first), occluder_at);
+    for_each_in_view(seen, occluder_at, [&](std::size_t k, double size) {
+      proven[in_view++] = {weighted(size, objective.solid_angle) * proven[first + k].score, occluder_at(k)};
+    });
+  }
+  proven.resize(in_view);
   for_best_first(proven, [&](const Candidate& c) {
     if (is_full()) return false;
     static_cast<void>(take(c.occluder));

@@ -49,8 +49,8 @@ class OccluderChoice {
   void pair_neighbours();
 
  private:
-  template <class Visit>
-  void for_each_in_view(SeenOccluders& seen, std::span<const std::uint32_t> occluders, const Visit& visit) const;
+  template <class OccluderAt, class Visit>
+  void for_each_in_view(SeenOccluders& seen, const OccluderAt& occluder_at, const Visit& visit) const;
   void begin(const OccluderLists::List& listed);
   void begin_on_threads(const OccluderLists::List& listed);
   void sort(std::span<const Candidate> candidates);

@@ -20,12 +20,12 @@ struct SeenOccluders {
   static constexpr std::size_t kMost = 32;
   using Doubles = std::array<double, kMost>;
 
-  /// Replaces them with these of all potential occluders. REQUIRES: at most kMost.
-  template <class Occluders>
-  void assign(const Occluders& all, std::span<const std::uint32_t> taken) {
-    for (const std::uint32_t i : taken) hwy::Prefetch(&all[i]);
+  /// Replaces them with `count` of all potential occluders; occluder_at(k) is the number of one. REQUIRES: count <= kMost.
+  template <class Occluders, class OccluderAt>
+  void assign(const Occluders& all, std::size_t count, const OccluderAt& occluder_at) {
+    for (std::size_t k = 0; k < count; ++k) hwy::Prefetch(&all[occluder_at(k)]);
     size = 0;
-    for (const std::uint32_t i : taken) add(all[i]);
+    for (std::size_t k = 0; k < count; ++k) add(all[occluder_at(k)]);
   }
   void add(const PotentialOccluder& occluder);
   /// Computes the members that follow `round_area`.

@@ -41,6 +41,15 @@ void expect_sorted(CandidateOrder& order, std::vector<Candidate> candidates, std
   for (std::size_t i = 0; i < candidates.size(); ++i) ASSERT_EQ(taken[i].score, candidates[i].score);
 }
 
+/// A share, in per cent, of all occluders, with their scores.
+std::vector<Candidate> some_of(std::span<const double> scores, std::size_t share, std::mt19937& random) {
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < scores.size(); ++i) {
+    if (random() % 100 < share) candidates.push_back({scores[i], i});
+  }
+  return candidates;
+}
+
 /// n candidates, the first of them the best.
 std::vector<Candidate> descending(std::uint32_t n) {
   std::vector<Candidate> candidates;
@@ -60,13 +69,9 @@ TEST(CandidateOrder, IsWhatSortingGives) {
     const std::size_t changes = frame % 50 == 0 ? kOccluders : random() % 20;
     for (std::size_t i = 0; i < changes; ++i) scores[random() % kOccluders] = static_cast<double>(random() % 40);
     const std::size_t in_view = frame % 7 == 0 ? 0 : random() % 100;
-    std::vector<Candidate> candidates;
+    std::vector<Candidate> candidates = some_of(scores, in_view, random);
     std::set<std::uint32_t> now;
-    for (std::uint32_t i = 0; i < kOccluders; ++i) {
-      if (random() % 100 >= in_view) continue;
-      candidates.push_back({scores[i], i});
-      now.insert(i);
-    }
+    for (const Candidate& c : candidates) now.insert(c.occluder);
     std::shuffle(candidates.begin(), candidates.end(), random);
     order.update(candidates, kOccluders);
     expect_sorted(order, candidates);
@@ -87,11 +92,8 @@ TEST(CandidateOrder, IsWhatSortingGivesToFramesThatAskForAPart) {
   std::size_t not_sorted = 0, sorted_later = 0;
   for (int frame = 0; frame < 3000; ++frame) {
     for (std::uint32_t i = 0; i < 20; ++i) scores[random() % kOccluders] = static_cast<double>(random() % 400);
-    std::vector<Candidate> candidates;
     const std::size_t in_view = frame % 31 == 0 ? 0 : 20 + random() % 80;
-    for (std::uint32_t i = 0; i < kOccluders; ++i) {
-      if (random() % 100 < in_view) candidates.push_back({scores[i], i});
-    }
+    const std::vector<Candidate> candidates = some_of(scores, in_view, random);
     order.update(candidates, kOccluders);
     const std::size_t comparisons = order.comparisons();
     for (std::size_t times = random() % 3; times-- > 0;) {
