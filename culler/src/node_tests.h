@@ -153,7 +153,7 @@ void traverse(const NodeBlocks& blocks, const Hierarchy& hierarchy, const Occlud
   const ViewPlanes planes{memory.planes, options.arithmetic};
   const auto size = [](const std::vector<Occluder>& shadows) { return static_cast<std::uint32_t>(shadows.size()); };
   const ShadowCounts shadows{size(memory.result.occluders), size(memory.probes)};
-  TraversalInParts(blocks, tests, shadows, memory.result, memory.traversal, memory.parts)
+  TraversalInParts(blocks, tests, shadows, memory.result, memory.traversal, memory.parts, memory.runner)
       .run(planes.all(), options.executor);
   const std::uint32_t* hidden = memory.traversal.hidden.data();
   for (Occluder& occluder : memory.result.occluders) occluder.hidden = *hidden++;

@@ -9,7 +9,6 @@
 
 #include "bounds.h"
 #include "each_bit.h"
-#include "run_parts.h"
 #include "seen_occluders.h"
 #include "shadow_rule.h"
 #include "solid_angle.h"
@@ -43,6 +42,9 @@ constexpr double kNear = 0.8, kNeighbour = 10;
 /// A list is scored in parts of at least so many occluders: a short one is not worth waking a thread. A thread that comes
 /// late finds that others have done most of its parts.
 constexpr std::size_t kLeastOfPart = 1024, kPartsOfThread = 4;
+
+/// The shadows of so many probes are worth waking a thread: each takes a microsecond or two.
+constexpr std::size_t kLeastMade = 4;
 
 /// In how many groups so many occluders are.
 constexpr std::size_t groups_of(std::size_t occluders) {
@@ -81,6 +83,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   // A list in fewer parts than the longest has fewer than 2 * kLeastOfPart in each, up to whole groups.
   if (!is_alone()) {
     const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
+    memory.runner.reserve(std::max(parts + 1, options.probes));
     if (memory.choice_parts.size() < parts + 1) memory.choice_parts.resize(parts + 1);
     for (ChoicePart& part : memory.choice_parts) {
       part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1) + 2 * SeenOccluders::kMost);
@@ -88,6 +91,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   }
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
+  while (memory.unmade.size() < std::min(all, options.probes)) memory.unmade.emplace_back().loop.reserve(kPlanes);
   memory.directions.reserve(std::min(all, options.occluders));
   memory.tried.reserve(std::min(all, kTries * candidates));
   memory.loop.reserve(kPlanes);
@@ -136,9 +140,13 @@ void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
     of_list[i].first = groups * i / parts;
     of_list[i].end = groups * (i + 1) / parts;
   }
-  for (ChoicePart& part : all) part.is_of_past = part.is_done = false;
+  for (ChoicePart& part : all) part.is_of_past = false;
   all.front().is_of_past = true;
-  run_parts(*options_.executor, all, [&](ChoicePart& part) {
+  const auto work_of = [&](std::size_t i) {
+    return all[i].is_of_past ? kLeastOfPart : (all[i].end - all[i].first) * SeenOccluders::kMost;
+  };
+  memory_.runner.run(*options_.executor, all.size(), work_of, [&](std::size_t i) {
+    ChoicePart& part = all[i];
     if (part.is_of_past) return take_proven();
     part.candidates.clear();
     find_candidates(listed, part.first, part.end, part.candidates);
@@ -250,11 +258,13 @@ void OccluderChoice::take_probes() {
     return true;
   });
   are_probes_ = true;
-  for_best_first(pool, [&](const Candidate& c) {
-    if (memory_.probes.size() >= options_.probes || !work_.is_left()) return false;
-    static_cast<void>(take(c.occluder));
-    return true;
-  });
+  do {
+    for_best_first(pool, [&](const Candidate& c) {
+      if (memory_.probes.size() >= options_.probes || !work_.is_left()) return false;
+      static_cast<void>(take(c.occluder));
+      return true;
+    });
+  } while (!make_probes());
 }
 
 void OccluderChoice::note_directions() {
@@ -293,8 +303,8 @@ bool OccluderChoice::take(std::uint32_t i) {
   const std::uint32_t container = occluders_.container(i);
   if (container != i && take(container)) return true;
   Trial& trial = memory_.trials[i];
-  if (trial == Trial::none) {
-    memory_.tried.push_back(i);
+  if (trial == Trial::none) memory_.tried.push_back(i);
+  if (trial == Trial::none || trial == Trial::again) {
     trial = is_usable(i) && add(i) ? Trial::taken : Trial::refused;
   }
   return trial == Trial::taken;
@@ -318,8 +328,12 @@ bool OccluderChoice::is_in_shadow() {
 }
 
 bool OccluderChoice::add(std::uint32_t i) {
-  std::vector<kernel::ShadowFrustum>& spare = memory_.spare;
   const bool is_shell = occluders_.is_shell(i);
+  if (are_probes_ && !is_shell) {
+    put_off(i);
+    return true;
+  }
+  std::vector<kernel::ShadowFrustum>& spare = memory_.spare;
   const kernel::Refusal refusal =
       is_shell ? add_shell(i, spare.back()) : spare.back().assign(view_.viewpoint, memory_.loop, options_.near);
   if (refusal != kernel::Refusal::none) {
@@ -330,6 +344,50 @@ bool OccluderChoice::add(std::uint32_t i) {
   (are_probes_ ? memory_.probes : memory_.result.occluders).push_back({i, std::move(spare.back()), 0});
   spare.pop_back();
   return true;
+}
+
+/// Leaves the shadow of a probe to make_probes(). That of a shell is made at once, because silhouettes share memory.
+void OccluderChoice::put_off(std::uint32_t i) {
+  UnmadeProbe& unmade = memory_.unmade[unmade_++];
+  unmade.probe = memory_.probes.size();
+  unmade.work = work_;
+  unmade.loop.swap(memory_.loop);
+  memory_.probes.push_back({i, std::move(memory_.spare.back()), 0});
+  memory_.spare.pop_back();
+}
+
+/// Makes the shadows that were put off. Returns false if probes are to be tried again.
+bool OccluderChoice::make_probes() {
+  const std::span<UnmadeProbe> all = std::span(memory_.unmade).first(unmade_);
+  if (is_alone() || all.size() < kLeastMade) {
+    for (UnmadeProbe& unmade : all) make(unmade);
+  } else {
+    const auto work_of = [&](std::size_t i) { return all[i].loop.size(); };
+    memory_.runner.run(*options_.executor, all.size(), work_of, [&](std::size_t i) { make(all[i]); });
+  }
+  return keep_made();
+}
+
+void OccluderChoice::make(UnmadeProbe& unmade) {
+  unmade.refusal = memory_.probes[unmade.probe].frustum.assign(view_.viewpoint, unmade.loop, options_.near);
+}
+
+/// Keeps the probes before the first that the kernel refuses. Those after it are tried again: parts of it may come before
+/// them. So the probes are those that shadows made one after another would give.
+bool OccluderChoice::keep_made() {
+  const auto all = std::span(memory_.unmade).first(std::exchange(unmade_, 0));
+  const auto is_refused = [](const UnmadeProbe& unmade) { return unmade.refusal != kernel::Refusal::none; };
+  const auto refused = std::ranges::find_if(all, is_refused);
+  if (refused == all.end()) return true;
+  work_ = refused->work;
+  work_.take(PlaneWork::kExact);
+  while (memory_.probes.size() > refused->probe) {
+    Occluder& last = memory_.probes.back();
+    memory_.trials[last.index] = memory_.probes.size() == refused->probe + 1 ? Trial::refused : Trial::again;
+    memory_.spare.push_back(std::move(last.frustum));
+    memory_.probes.pop_back();
+  }
+  return false;
 }
 
 kernel::Refusal OccluderChoice::add_shell(std::uint32_t i, kernel::ShadowFrustum& frustum) {

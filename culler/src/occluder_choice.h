@@ -67,6 +67,10 @@ class OccluderChoice {
   bool is_usable(std::uint32_t i);
   bool is_in_shadow();
   bool add(std::uint32_t i);
+  void put_off(std::uint32_t i);
+  bool make_probes();
+  void make(UnmadeProbe& unmade);
+  bool keep_made();
   kernel::Refusal add_shell(std::uint32_t i, kernel::ShadowFrustum& frustum);
 
   const OccluderSet& occluders_;
@@ -76,6 +80,7 @@ class OccluderChoice {
   PlaneWork work_;
   bool are_probes_ = false;        ///< whether what is taken is a probe
   bool is_list_gathered_ = false;  ///< whether memory_.listed is that of the eye's region
+  std::size_t unmade_ = 0;         ///< how many there are
 };
 
 }  // namespace occlude::culler

@@ -17,7 +17,6 @@
 #include "packed_descent.h"
 #include "placed.h"
 #include "prepared_mesh.h"
-#include "run_parts.h"
 
 namespace occlude::culler {
 namespace {
@@ -190,6 +189,7 @@ class SceneFrame {
     const std::size_t length = (groups.size() + parts - 1) / parts;
     memory_.parts.clear();
     memory_.parts.reserve(most);
+    memory_.runner.reserve(most);
     std::size_t first_object = 0;
     for (std::size_t first = 0; first < groups.size(); first += length) {
       const auto of_part = groups.subspan(first, std::min(length, groups.size() - first));
@@ -205,7 +205,8 @@ class SceneFrame {
     const Executor this_thread;
     const Executor& executor = options_.executor == nullptr ? this_thread : *options_.executor;
     divide(4 * executor.threads());
-    run_parts(executor, std::span(memory_.parts), [&](Part& part) { list(part); });
+    const auto work_of = [&](std::size_t i) { return memory_.parts[i].groups.size(); };
+    memory_.runner.run(executor, memory_.parts.size(), work_of, [&](std::size_t i) { list(memory_.parts[i]); });
     for (Part& part : memory_.parts) add(part.listing);
     memory_.parts.clear();  // they refer to this frame
   }

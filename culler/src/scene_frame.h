@@ -14,6 +14,7 @@
 #include "object_listing.h"
 #include "occlude/culler/scene_view.h"
 #include "occlude/kernel/half_space.h"
+#include "run_parts.h"
 #include "scene_objects.h"
 #include "scene_occluders.h"
 
@@ -31,7 +32,6 @@ struct SceneView::Memory {
   struct Part {
     std::span<const SeenGroup> groups;
     ObjectListing listing;
-    bool is_done = false;
   };
 
   SceneResult result;
@@ -40,6 +40,7 @@ struct SceneView::Memory {
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
   std::vector<Part> parts;
+  PartRunner runner;
   std::unique_ptr<DrawnObject[]> room;  ///< where the parts list; memory that is never written to takes only addresses
   std::size_t room_size = 0;
 };

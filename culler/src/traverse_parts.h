@@ -35,17 +35,9 @@ inline constexpr std::size_t kMostPutOffOfThread = 4 * kPutOffOfThread;
 /// city of ten million the eye is in one of the subtrees by size, and that one had 73 % of the work.
 inline constexpr std::size_t kSharesOfThread = 2;
 
-/// A subtree in the order in which they are traversed: the one with the most work in the last frame first.
-struct SubtreeTurn {
-  PutOffSubtree* subtree;
-  std::uint32_t work;
-  bool is_done;
-};
-
 /// What the subtrees are joined from.
 struct PartsMemory {
   PutOffSubtrees put_off;
-  std::vector<SubtreeTurn> turns;
   std::vector<PolygonRange> drawn;  ///< by the traversal from the root
   std::vector<Culled> culled;
 };
@@ -60,8 +52,14 @@ class TraversalInParts {
  public:
   /// `tests` as Traversal; its calls may come from several threads at once.
   TraversalInParts(const NodeBlocks& blocks, Tests& tests, const ShadowCounts& shadows, CullResult& result,
-                   TraversalMemory& memory, PartsMemory& parts)
-      : blocks_(blocks), tests_(tests), shadows_(shadows), result_(result), memory_(memory), parts_(parts) {}
+                   TraversalMemory& memory, PartsMemory& parts, PartRunner& runner)
+      : blocks_(blocks),
+        tests_(tests),
+        shadows_(shadows),
+        result_(result),
+        memory_(memory),
+        parts_(parts),
+        runner_(runner) {}
 
   /// `planes` has a bit for each half-space of the view. Pairs share a budget, in the order of the tree (kMostPairWork):
   /// where there are any, nothing is put off. What the executor throws is thrown on.
@@ -72,8 +70,8 @@ class TraversalInParts {
     if (is_alone) return;
     if (parts_.put_off.size > 0) {
       for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
-      take_turns();
-      run_parts(*executor, std::span(parts_.turns), [&](SubtreeTurn& turn) { traverse(*turn.subtree); });
+      const auto work_of = [&](std::size_t i) { return parts_.put_off.work.get(subtrees()[i].block); };
+      runner_.run(*executor, subtrees().size(), work_of, [&](std::size_t i) { traverse(subtrees()[i]); });
       join();
     }
     note_work(executor->threads());
@@ -89,6 +87,7 @@ class TraversalInParts {
     put_off.limit = kMostPutOffOfThread * threads;
     put_off.divided.clear();
     put_off.divided.reserve(put_off.limit);
+    runner_.reserve(put_off.limit);
     if (threads > 0) put_off.work.grow(blocks_.size());
     put_off.most = kLeastLargest;
     if (threads > 0)
@@ -104,16 +103,6 @@ class TraversalInParts {
     subtree.memory.active.reserve(memory_.active.capacity());
     subtree.memory.holding.reserve(memory_.holding.capacity());
     subtree.memory.hidden.reserve(memory_.hidden.capacity());
-  }
-
-  void take_turns() {
-    parts_.turns.clear();
-    parts_.turns.reserve(parts_.put_off.limit);
-    for (PutOffSubtree& subtree : subtrees())
-      parts_.turns.push_back({&subtree, parts_.put_off.work.get(subtree.block), false});
-    std::ranges::sort(parts_.turns, [](const SubtreeTurn& a, const SubtreeTurn& b) {
-      return a.work != b.work ? a.work > b.work : a.subtree < b.subtree;
-    });
   }
 
   /// Notes for the next frame how much work there was in each subtree.
@@ -167,6 +156,7 @@ class TraversalInParts {
   CullResult& result_;
   TraversalMemory& memory_;
   PartsMemory& parts_;
+  PartRunner& runner_;
 };
 
 }  // namespace occlude::culler

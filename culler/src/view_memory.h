@@ -16,6 +16,8 @@
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
+#include "plane_work.h"
+#include "run_parts.h"
 #include "seen_occluders.h"
 #include "shrunk_shadow.h"
 #include "traverse_parts.h"
@@ -53,11 +55,18 @@ struct ChoicePart {
   std::size_t first = 0, end = 0;
   std::vector<Candidate> candidates;
   bool is_of_past = false;
-  bool is_done = false;
 };
 
-/// The result of trying to take an occluder.
-enum class Trial : std::uint8_t { none, taken, refused };
+/// A probe whose shadow is to be made, on any thread.
+struct UnmadeProbe {
+  std::size_t probe = 0;  ///< which of the probes
+  PlaneWork work{0};      ///< of the choice, before
+  std::vector<kernel::Vec3> loop;
+  kernel::Refusal refusal = kernel::Refusal::none;
+};
+
+/// The result of trying to take an occluder, which may have to be tried again.
+enum class Trial : std::uint8_t { none, taken, refused, again };
 static_assert(Trial{} == Trial::none);
 
 struct View::Memory {
@@ -77,11 +86,13 @@ struct View::Memory {
   Zeros<Trial> trials;               ///< for each occluder, what came of it
   std::vector<kernel::HalfSpace> planes;
   std::vector<Occluder> probes;                      ///< of the frame, which hide nothing
+  std::vector<UnmadeProbe> unmade;                   ///< may be longer than those that are
   std::vector<ShrunkShadow> shrunk;                  ///< for each occluder of the result, its shadow less the margin
   std::vector<const kernel::ShadowFrustum*> frusta;  ///< of the occluders, then of the probes
   std::vector<ShadowCaster> casters;                 ///< those that cast `frusta`
   TraversalMemory traversal;
   PartsMemory parts;
+  PartRunner runner;
 
   CoverMemory cover;
   std::vector<SeenLeaf> seen;                           ///< leaves that a frame by cover has not culled so far

@@ -88,6 +88,37 @@ TEST(OccluderChoice, IsOfTheRegionThatTheEyeIsIn) {
   EXPECT_GT(moves, 5U);
 }
 
+/// A wall that is seen edge-on casts no shadow. No score tells the walls apart, so they are tried in their order: one is the
+/// occluder, and the next is seen edge-on.
+TEST(OccluderChoice, WhatTheKernelRefusesIsNoProbeAndLeavesRoomForAnother) {
+  PolygonSoup soup;
+  add_wall(soup, 2, 5, 6, -1, 1);
+  add(soup, {{4, 0, -1}, {6, 0, -1}, {6, 0, 1}, {4, 0, 1}});
+  for (int i = 0; i < 6; ++i) add_wall(soup, 8 + i, 3 * i - 8, 3 * i - 6.5, -1, 1);
+  const Culler culler = listing_all(soup);
+  Camera camera;
+  camera.target = {1, 0, 0};
+  camera.fov_y_deg = 150;
+  for (const std::size_t threads : {1U, 2U}) {
+    const Executor executor = Executor::own_threads(threads);
+    CullOptions options{.occluders = 1, .probes = 5, .executor = &executor};
+    options.objective.solid_angle = 0;
+    View view;
+    const CullResult& frame = culler.cull(camera, options, view);
+    ASSERT_EQ(frame.occluders.size(), 1U);
+    EXPECT_EQ(original(culler, frame.occluders[0]), 0U);
+    ASSERT_EQ(view.memory().tried.size(), 7U);
+    EXPECT_EQ(view.memory().trials[view.memory().tried[1]], Trial::refused);
+    ASSERT_EQ(view.memory().probes.size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Occluder& probe = view.memory().probes[i];
+      EXPECT_EQ(probe.index, view.memory().tried[2 + i]);
+      EXPECT_EQ(view.memory().trials[probe.index], Trial::taken);
+      EXPECT_GT(probe.frustum.plane_count(), 0U);
+    }
+  }
+}
+
 /// Scores that are NaN could not be sorted.
 TEST(OccluderChoice, IsMadeWhateverTheWeights) {
   const double infinity = std::numeric_limits<double>::infinity();

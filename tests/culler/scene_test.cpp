@@ -940,7 +940,7 @@ TEST(Scene, AThreadThatRoundsOtherwiseDecidesNothing) {
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
     asked += count;
-    for (const auto& of_view : view.memory().parts) listed += of_view.is_done ? 1 : 0;
+    for (const PartRunner::Turn& turn : view.memory().runner.turns()) listed += turn.is_done ? 1 : 0;
   });
   const Camera camera;
   const SceneStats found = town.scene.cull(camera, {.executor = &upwards}, view).stats;
