@@ -23,6 +23,8 @@ class ObjectListing {
   /// The objects of a group that are neither hidden nor out of view. `across` has a bit for each plane of the view that may
   /// cross the group.
   void list(const ObjectGroup& group, std::uint32_t across);
+  /// Begins anew.
+  void clear() { stats_ = {}; }
   /// Lists an object.
   void draw(const DrawnObject& object) { room_[stats_.drawn++] = object; }
   /// Counts objects that are culled.

@@ -83,7 +83,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   // A list in fewer parts than the longest has fewer than 2 * kLeastOfPart in each, up to whole groups.
   if (!is_alone()) {
     const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
-    memory.runner.reserve(std::max(parts + 1, options.probes));
+    memory.runner.reserve(std::max(parts + 1, kPool));
     if (memory.choice_parts.size() < parts + 1) memory.choice_parts.resize(parts + 1);
     for (ChoicePart& part : memory.choice_parts) {
       part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1) + 2 * SeenOccluders::kMost);
@@ -91,10 +91,12 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   }
   memory.result.occluders.reserve(std::min(all, options.occluders));
   memory.probes.reserve(std::min(all, options.probes));
-  while (memory.unmade.size() < std::min(all, options.probes)) memory.unmade.emplace_back().loop.reserve(kPlanes);
+  while (memory.unmade.size() < std::min({all, options.probes, kPool})) {
+    memory.unmade.emplace_back().loop.reserve(ConvexRegions::kMostSides);
+  }
   memory.directions.reserve(std::min(all, options.occluders));
   memory.tried.reserve(std::min(all, kTries * candidates));
-  memory.loop.reserve(kPlanes);
+  memory.loop.reserve(ConvexRegions::kMostSides);
   while (memory.spare.size() < used) memory.spare.emplace_back().reserve(kPlanes);
   while (memory.shrunk.size() < std::min(all, options.occluders)) memory.shrunk.emplace_back().reserve(kPlanes);
   const ConvexShells& shells = occluders.shells();
@@ -350,7 +352,6 @@ bool OccluderChoice::add(std::uint32_t i) {
 void OccluderChoice::put_off(std::uint32_t i) {
   UnmadeProbe& unmade = memory_.unmade[unmade_++];
   unmade.probe = memory_.probes.size();
-  unmade.work = work_;
   unmade.loop.swap(memory_.loop);
   memory_.probes.push_back({i, std::move(memory_.spare.back()), 0});
   memory_.spare.pop_back();
@@ -372,22 +373,25 @@ void OccluderChoice::make(UnmadeProbe& unmade) {
   unmade.refusal = memory_.probes[unmade.probe].frustum.assign(view_.viewpoint, unmade.loop, options_.near);
 }
 
-/// Keeps the probes before the first that the kernel refuses. Those after it are tried again: parts of it may come before
-/// them. So the probes are those that shadows made one after another would give.
+/// Keeps the probes before the first that the kernel refuses. Those after it are tried again, because its parts come before
+/// them. So while work is left, the probes are those that shadows made one after another would give.
 bool OccluderChoice::keep_made() {
   const auto all = std::span(memory_.unmade).first(std::exchange(unmade_, 0));
-  const auto is_refused = [](const UnmadeProbe& unmade) { return unmade.refusal != kernel::Refusal::none; };
-  const auto refused = std::ranges::find_if(all, is_refused);
-  if (refused == all.end()) return true;
-  work_ = refused->work;
-  work_.take(PlaneWork::kExact);
-  while (memory_.probes.size() > refused->probe) {
-    Occluder& last = memory_.probes.back();
-    memory_.trials[last.index] = memory_.probes.size() == refused->probe + 1 ? Trial::refused : Trial::again;
-    memory_.spare.push_back(std::move(last.frustum));
+  std::size_t kept = memory_.probes.size();
+  for (std::size_t i = all.size(); i > 0; --i) {
+    if (all[i - 1].refusal == kernel::Refusal::none) continue;
+    kept = all[i - 1].probe;
+    work_.take(PlaneWork::kExact);
+    memory_.trials[memory_.probes[kept].index] = Trial::refused;
+  }
+  const bool are_all = kept == memory_.probes.size();
+  while (memory_.probes.size() > kept) {
+    Trial& trial = memory_.trials[memory_.probes.back().index];
+    if (trial == Trial::taken) trial = Trial::again;
+    memory_.spare.push_back(std::move(memory_.probes.back().frustum));
     memory_.probes.pop_back();
   }
-  return false;
+  return are_all;
 }
 
 kernel::Refusal OccluderChoice::add_shell(std::uint32_t i, kernel::ShadowFrustum& frustum) {

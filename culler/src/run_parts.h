@@ -17,7 +17,7 @@ namespace occlude::culler {
 
 /// Runs parts, and keeps the memory for that. Each thread has a share: consecutive parts, with about as much work as others
 /// have. It begins with what is most work, and goes on with what others have left. So while parts are much alike from frame
-/// to frame, what they read stays in the cache of one processor.
+/// to frame, and the executor gives the same call to the same thread, what they read stays in the cache of one processor.
 class PartRunner {
  public:
   /// A part, by its number.
@@ -26,9 +26,10 @@ class PartRunner {
     bool is_done;
   };
 
-  /// Calls run_part(i) for each i < count, on any threads; work_of(i) is about how much work that is. A part whose thread
-  /// rounds otherwise, or has no memory, is run by the calling thread when all have returned. What the executor throws, and
-  /// what run_part throws there, is thrown on. REQUIRES: run_part begins anew with a part that it could not finish.
+  /// Calls run_part(i) for each i < count, on any threads; work_of(i) is about how much work that is. A thread that rounds
+  /// otherwise runs nothing. What no thread runs, or had no memory for, the calling thread runs when all have returned. What
+  /// the executor throws, and what run_part throws there, is thrown on. REQUIRES: run_part begins anew with a part that it
+  /// could not finish.
   template <class WorkOf, class RunPart>
   void run(const Executor& executor, std::size_t count, const WorkOf& work_of, const RunPart& run_part) {
     divide(executor.threads(), count, work_of);

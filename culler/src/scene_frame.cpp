@@ -212,6 +212,7 @@ class SceneFrame {
   }
 
   void list(Part& part) const {
+    part.listing.clear();
     for (std::size_t i = 0; i < part.groups.size(); ++i) {
       if (i + 1 < part.groups.size()) prefetch(objects_.group(part.groups[i + 1].group));
       part.listing.list(objects_.group(part.groups[i].group), part.groups[i].across);

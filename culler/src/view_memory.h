@@ -16,7 +16,6 @@
 #include "occlude/culler/view.h"
 #include "occlude/kernel/half_space.h"
 #include "occluder_history.h"
-#include "plane_work.h"
 #include "run_parts.h"
 #include "seen_occluders.h"
 #include "shrunk_shadow.h"
@@ -60,7 +59,6 @@ struct ChoicePart {
 /// A probe whose shadow is to be made, on any thread.
 struct UnmadeProbe {
   std::size_t probe = 0;  ///< which of the probes
-  PlaneWork work{0};      ///< of the choice, before
   std::vector<kernel::Vec3> loop;
   kernel::Refusal refusal = kernel::Refusal::none;
 };

@@ -88,10 +88,10 @@ struct CullOptions {
   /// Frusta. Whether two chosen occluders that share an edge also hide together what neither hides alone. Always certified
   /// and exact, whatever `arithmetic` is.
   bool unions = false;
-  /// Frusta. On which threads candidates are sorted and the tree is traversed; nullptr: on the calling thread, as the
-  /// traversal always is where a frame has pairs. The result is the same. The executor must live until the cull returns, and
-  /// is not kept. What it throws is thrown on, and the frame draws everything then. Frames take less than a millisecond, so
-  /// its threads should wait for work without sleeping; Executor::own_threads() takes longer to start.
+  /// Frusta. On which threads candidates are sorted, shadows are made and the tree is traversed; nullptr: on the calling
+  /// thread, as the traversal always is where a frame has pairs. The result is the same. The executor must live until the
+  /// cull returns, and is not kept. What it throws is thrown on, and the frame draws everything then. Frames take less than
+  /// a millisecond, so its threads should wait for work without sleeping; Executor::own_threads() takes longer to start.
   const Executor* executor = nullptr;
 };
 
