@@ -84,7 +84,7 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const FrameView& vi
   if (!is_alone()) {
     const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
     memory.runner.reserve(std::max(parts + 1, kPool));
-    if (memory.choice_parts.size() < parts + 1) memory.choice_parts.resize(parts + 1);
+    if (memory.choice_parts.size() < parts) memory.choice_parts.resize(parts);
     for (ChoicePart& part : memory.choice_parts) {
       part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1) + 2 * SeenOccluders::kMost);
     }
@@ -133,23 +133,21 @@ void OccluderChoice::begin(const OccluderLists::List& listed) {
   take_proven();
 }
 
-/// One part takes what is proven, the others find candidates, in the order of the list. One that has the whole list sorts
-/// them, too.
+/// The first part takes what is proven, the others find candidates, in the order of the list. One that has the whole list
+/// sorts them, too.
 void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
   const std::size_t groups = memory_.listed.groups.size(), parts = parts_of(listed.occluders.size());
-  const std::span<ChoicePart> all = std::span(memory_.choice_parts).first(parts + 1), of_list = all.subspan(1);
+  const std::span<ChoicePart> of_list = std::span(memory_.choice_parts).first(parts);
   for (std::size_t i = 0; i < parts; ++i) {
     of_list[i].first = groups * i / parts;
     of_list[i].end = groups * (i + 1) / parts;
   }
-  for (ChoicePart& part : all) part.is_of_past = false;
-  all.front().is_of_past = true;
   const auto work_of = [&](std::size_t i) {
-    return all[i].is_of_past ? kLeastOfPart : (all[i].end - all[i].first) * SeenOccluders::kMost;
+    return i == 0 ? kLeastOfPart : (of_list[i - 1].end - of_list[i - 1].first) * SeenOccluders::kMost;
   };
-  memory_.runner.run(*options_.executor, all.size(), work_of, [&](std::size_t i) {
-    ChoicePart& part = all[i];
-    if (part.is_of_past) return take_proven();
+  memory_.runner.run(*options_.executor, parts + 1, work_of, [&](std::size_t i) {
+    if (i == 0) return take_proven();
+    ChoicePart& part = of_list[i - 1];
     part.candidates.clear();
     find_candidates(listed, part.first, part.end, part.candidates);
     if (parts == 1) sort(part.candidates);

@@ -48,12 +48,10 @@ struct ShadowCaster {
   bool are_surface;                      ///< whether the parts are in the surface at which the shadow begins
 };
 
-/// What one thread does at the start of a choice: the groups of a list from `first` to before `end`, of which it finds what
-/// is in view, or what earlier frames tell.
+/// A part of the start of a choice: the groups of a list from `first` to before `end`, and what is found to be in view.
 struct ChoicePart {
   std::size_t first = 0, end = 0;
   std::vector<Candidate> candidates;
-  bool is_of_past = false;
 };
 
 /// A probe whose shadow is to be made, on any thread.

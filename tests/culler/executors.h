@@ -11,16 +11,20 @@
 
 namespace occlude::culler {
 
+/// Starts a thread for each part. REQUIRES: threads > 0.
+inline Executor a_thread_for_each_part(std::size_t threads) {
+  return {threads, [](std::size_t count, const Executor::Part& part) {
+            std::vector<std::jthread> all;
+            for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
+          }};
+}
+
 /// The calling thread alone, parts in the reverse order, a thread for each part, and a thread for each processor.
 inline std::vector<Executor> some_executors() {
   const auto backwards = [](std::size_t count, const Executor::Part& part) {
     while (count > 0) part(--count);
   };
-  const auto threads = [](std::size_t count, const Executor::Part& part) {
-    std::vector<std::jthread> all;
-    for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
-  };
-  return {Executor(), Executor(5, backwards), Executor(3, threads), Executor::own_threads()};
+  return {Executor(), Executor(5, backwards), a_thread_for_each_part(3), Executor::own_threads()};
 }
 
 /// Rounds upwards while its parts run.

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <deque>
 #include <new>
-#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -57,10 +56,7 @@ TEST(PartRunner, AThreadBeginsWithTheMostWorkOfItsShareAndGoesOnWithOthers) {
 
 /// The calling thread runs what the others had no memory for.
 TEST(PartRunner, APartThatCouldNotBeFinishedIsRunAgain) {
-  const Executor threads(2, [](std::size_t count, const Executor::Part& part) {
-    std::vector<std::jthread> all;
-    for (std::size_t i = 0; i < count; ++i) all.emplace_back([&part, i] { part(i); });
-  });
+  const Executor threads = a_thread_for_each_part(2);
   const std::thread::id here = std::this_thread::get_id();
   std::atomic<std::size_t> failed = 0, done = 0;
   PartRunner runner;
@@ -78,7 +74,7 @@ TEST(PartRunner, APartThatCouldNotBeFinishedIsRunAgain) {
   EXPECT_THROW(runner.run(threads, 2, alike, fail), std::bad_alloc);
 }
 
-TEST(PartRunner, RunsOnTheCallingThreadWhatAnotherRoundsOtherwise) {
+TEST(PartRunner, RunsOnTheCallingThreadWhatNoOtherMayRun) {
   PartRunner runner;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
