@@ -5,7 +5,7 @@ namespace occlude::experiments {
 
 WaitingThreads::WaitingThreads(std::size_t threads) {
   try {
-    while (others_.size() + 1 < threads) others_.emplace_back([this] { wait_and_work(); });
+    for (std::size_t i = 1; i < threads; ++i) others_.emplace_back([this, i] { wait_and_work(i); });
   } catch (...) {
     end();
     throw;
@@ -23,11 +23,11 @@ culler::Executor WaitingThreads::executor() {
   return {others_.size() + 1, [this](std::size_t count, const culler::Executor::Part& part) { run(count, part); }};
 }
 
-void WaitingThreads::wait_and_work() {
+void WaitingThreads::wait_and_work(std::size_t thread) {
   for (std::size_t seen = 0;; ++seen) {
     while (round_ == seen) std::this_thread::yield();
     if (is_over_) return;
-    work();
+    work(thread);
     --busy_;
   }
 }
@@ -35,15 +35,14 @@ void WaitingThreads::wait_and_work() {
 void WaitingThreads::run(std::size_t count, const culler::Executor::Part& part) {
   count_ = count;
   part_ = &part;
-  next_ = 0;
   busy_ = others_.size();
   ++round_;
-  work();
+  work(0);
   while (busy_ != 0) std::this_thread::yield();
 }
 
-void WaitingThreads::work() {
-  for (std::size_t i = next_++; i < count_; i = next_++) (*part_)(i);
+void WaitingThreads::work(std::size_t thread) const {
+  for (std::size_t i = thread; i < count_; i += others_.size() + 1) (*part_)(i);
 }
 
 }  // namespace occlude::experiments

@@ -21,22 +21,22 @@ class WaitingThreads {
   WaitingThreads(const WaitingThreads&) = delete;
   WaitingThreads& operator=(const WaitingThreads&) = delete;
 
-  /// Valid while this object lives. One thread at a time may run work.
+  /// Valid while this object lives. One thread at a time may run work. Part i is run by the same thread each time.
   [[nodiscard]] culler::Executor executor();
 
  private:
   void end();
-  void wait_and_work();
+  void wait_and_work(std::size_t thread);
   void run(std::size_t count, const culler::Executor::Part& part);
-  void work();
+  void work(std::size_t thread) const;
 
-  std::size_t count_ = 0;
+  // What the calling thread writes, what others write and what nobody writes have cache lines of their own.
+  alignas(64) std::size_t count_ = 0;
   const culler::Executor::Part* part_ = nullptr;
-  bool is_over_ = false;                ///< the three are written before `round_` is
-  std::atomic<std::size_t> round_ = 0;  ///< counts what was run
-  std::atomic<std::size_t> next_ = 0;   ///< the next part
-  std::atomic<std::size_t> busy_ = 0;   ///< other threads that have not finished the round
-  std::vector<std::jthread> others_;
+  bool is_over_ = false;                           ///< the three are written before `round_` is
+  std::atomic<std::size_t> round_ = 0;             ///< counts what was run
+  alignas(64) std::atomic<std::size_t> busy_ = 0;  ///< other threads that have not finished the round
+  alignas(64) std::vector<std::jthread> others_;
 };
 
 }  // namespace occlude::experiments
