@@ -117,7 +117,11 @@ Json joined_json(const std::vector<JoinedPoint>& points) {
 Json threads_json(const std::vector<ThreadsPoint>& points) {
   Json json = Json::array();
   for (const ThreadsPoint& p : points) {
-    json.push_back({{"threads", p.threads}, {"cull_ms", p.cull_ms}, {"speedup", p.speedup}});
+    json.push_back({{"threads", p.threads},
+                    {"cull_ms", p.cull_ms},
+                    {"speedup", p.speedup},
+                    {"most_speedup", p.most_speedup},
+                    {"call_us", p.call_us}});
   }
   return json;
 }

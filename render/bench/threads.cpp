@@ -2,10 +2,13 @@
 #include "threads.h"
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <thread>
 
 #include "bench.h"
 #include "occlude/culler/culler.h"
+#include "occlude/render/stopwatch.h"
 #include "pass.h"
 #include "rounds.h"
 #include "waiting_threads.h"
@@ -16,8 +19,32 @@ namespace {
 /// A number of threads and its timings, one number per round.
 struct ThreadsTrial {
   std::size_t threads;
-  std::vector<double> cull_ms;
+  std::vector<double> cull_ms{}, at_once_ms{}, call_us{};
 };
+
+/// Milliseconds per frame of the slowest of so many passes at once.
+template <class RunPass>
+double slowest_at_once(std::size_t passes, const RunPass& run_pass) {
+  std::vector<std::future<double>> others;
+  while (others.size() + 1 < passes) others.push_back(std::async(std::launch::async, run_pass));
+  double slowest = run_pass();
+  for (std::future<double>& other : others) slowest = std::max(slowest, other.get());
+  return slowest;
+}
+
+/// Microseconds of a call that gives the threads nothing to do.
+double call_us(const culler::Executor& executor) {
+  constexpr int kCalls = 1000;
+  const render::Stopwatch clock;
+  for (int i = 0; i < kCalls; ++i) executor.run(executor.threads(), [](std::size_t) {});
+  return clock.milliseconds() * 1000 / kCalls;
+}
+
+/// The median over the rounds.
+double median_ratio(std::vector<double> numerators, const std::vector<double>& denominators) {
+  std::ranges::transform(numerators, denominators, numerators.begin(), std::divides());
+  return bench::median(numerators);
+}
 
 }  // namespace
 
@@ -27,21 +54,24 @@ std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options&
   const culler::Culler culler = make_culler(subject.soup, walk);
   const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
   std::vector<ThreadsTrial> trials;
-  for (std::size_t threads = 1; threads <= processors; threads *= 2) trials.push_back({threads, {}});
+  for (std::size_t threads = 1; threads <= processors; threads *= 2) trials.push_back({threads});
   run_in_rounds("threads", options.repetitions, trials, [&](ThreadsTrial& trial) {
+    const auto clock_ms = [&](const culler::CullOptions& cull) {
+      return pass_along(culler, subject.path, walk, cull).clock_ms;
+    };
+    trial.at_once_ms.push_back(slowest_at_once(trial.threads, [&] { return clock_ms(walk.cull); }));
     WaitingThreads waiting(trial.threads);
     const culler::Executor executor = waiting.executor();
     culler::CullOptions cull = walk.cull;
     cull.executor = &executor;
-    trial.cull_ms.push_back(pass_along(culler, subject.path, walk, cull).clock_ms);
+    trial.cull_ms.push_back(clock_ms(cull));
+    trial.call_us.push_back(call_us(executor));
   });
   std::vector<ThreadsPoint> points;
   for (const ThreadsTrial& trial : trials) {
-    std::vector<double> speedups;
-    for (std::size_t round = 0; round < trial.cull_ms.size(); ++round) {
-      speedups.push_back(trials[0].cull_ms[round] / trial.cull_ms[round]);
-    }
-    points.push_back({trial.threads, bench::median(trial.cull_ms), bench::median(speedups)});
+    const auto threads = static_cast<double>(trial.threads);
+    points.push_back({trial.threads, bench::median(trial.cull_ms), median_ratio(trials[0].cull_ms, trial.cull_ms),
+                      threads * median_ratio(trials[0].at_once_ms, trial.at_once_ms), bench::median(trial.call_us)});
   }
   return points;
 }

@@ -26,7 +26,7 @@ expect_error "--seed" "$occlude" bench kernel --seed -1
   fail "bench culler: $(cat stderr)"
 cmp -s bench.json bench/culler.json || fail "bench culler: culler.json is not what it prints"
 for member in model polygons frames options table2 methods mean culled_share speedup_limit figures_2_and_3 view_frustum_polygons figure4 knee \
-  all_three all_three_over_area_angle_at_8 sweeps entries cull_ratio sort comparisons_anew joined pictures cover_size leaves budgets threads speedup growth exponents build machine; do
+  all_three all_three_over_area_angle_at_8 sweeps entries cull_ratio sort comparisons_anew joined pictures cover_size leaves budgets threads speedup most_speedup call_us growth exponents build machine; do
   grep -q "^ *\"$member\": " bench/culler.json || fail "bench culler: no $member"
 done
 grep -q '"speedup": null' bench/culler.json || fail "bench culler --no-render: a speedup of nothing drawn"
