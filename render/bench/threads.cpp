@@ -19,17 +19,17 @@ namespace {
 /// A number of threads and its timings, one number per round.
 struct ThreadsTrial {
   std::size_t threads;
-  std::vector<double> cull_ms{}, at_once_ms{}, call_us{};
+  std::vector<double> cull_ms{}, rate_at_once{}, call_us{};
 };
 
-/// Milliseconds per frame of the slowest of so many passes at once.
+/// Frames per millisecond of so many passes at once, together. run_pass() returns its milliseconds per frame.
 template <class RunPass>
-double slowest_at_once(std::size_t passes, const RunPass& run_pass) {
+double rate_at_once(std::size_t passes, const RunPass& run_pass) {
   std::vector<std::future<double>> others;
   while (others.size() + 1 < passes) others.push_back(std::async(std::launch::async, run_pass));
-  double slowest = run_pass();
-  for (std::future<double>& other : others) slowest = std::max(slowest, other.get());
-  return slowest;
+  double rate = 1 / run_pass();
+  for (std::future<double>& other : others) rate += 1 / other.get();
+  return rate;
 }
 
 /// Microseconds of a call that gives the threads nothing to do.
@@ -59,7 +59,7 @@ std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options&
     const auto clock_ms = [&](const culler::CullOptions& cull) {
       return pass_along(culler, subject.path, walk, cull).clock_ms;
     };
-    trial.at_once_ms.push_back(slowest_at_once(trial.threads, [&] { return clock_ms(walk.cull); }));
+    trial.rate_at_once.push_back(rate_at_once(trial.threads, [&] { return clock_ms(walk.cull); }));
     WaitingThreads waiting(trial.threads);
     const culler::Executor executor = waiting.executor();
     culler::CullOptions cull = walk.cull;
@@ -69,9 +69,8 @@ std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options&
   });
   std::vector<ThreadsPoint> points;
   for (const ThreadsTrial& trial : trials) {
-    const auto threads = static_cast<double>(trial.threads);
     points.push_back({trial.threads, bench::median(trial.cull_ms), median_ratio(trials[0].cull_ms, trial.cull_ms),
-                      threads * median_ratio(trials[0].at_once_ms, trial.at_once_ms), bench::median(trial.call_us)});
+                      median_ratio(trial.rate_at_once, trials[0].rate_at_once), bench::median(trial.call_us)});
   }
   return points;
 }

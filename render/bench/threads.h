@@ -19,8 +19,8 @@ struct ThreadsPoint {
 };
 
 /// On 1, 2, 4, ... threads, as many as there are processors. Each round walks with each number once. What is gained depends
-/// on where the processors are: in one core, in cores that share a cache, or farther apart. `most_speedup` and `call_us`
-/// tell.
+/// on how fast each processor is, and on where they are: in one core, in cores that share a cache, or farther apart.
+/// `most_speedup` and `call_us` tell.
 [[nodiscard]] std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options& options);
 
 }  // namespace occlude::experiments
