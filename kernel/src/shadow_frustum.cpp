@@ -15,7 +15,10 @@ ShadowFrustum::ShadowFrustum() {
   std::construct_at(reinterpret_cast<StoredFrustum*>(stored_));
 }
 ShadowFrustum::ShadowFrustum(const ShadowFrustum& other) : ShadowFrustum() { own() = other.own(); }
-ShadowFrustum::ShadowFrustum(ShadowFrustum&& other) noexcept : ShadowFrustum() { *this = std::move(other); }
+ShadowFrustum::ShadowFrustum(ShadowFrustum&& other) noexcept {
+  std::construct_at(reinterpret_cast<StoredFrustum*>(stored_), std::move(other.own()));
+  clear(other.own());
+}
 ShadowFrustum& ShadowFrustum::operator=(const ShadowFrustum& other) {
   own() = other.own();
   return *this;
