@@ -112,9 +112,11 @@ class Traversal {
     if (put_off.limit > 0) put_off_ = &put_off;
     holding_.clear();
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders_);
-    Active active{0, 0, 0};
-    for_each_bit(planes, [&](std::uint32_t plane) { active.planes |= Bytes{0xFF} << 8 * plane; });
-    for (std::uint32_t i = 0; i < occluders_ + probes_; ++i) append(active_, active, i);
+    Bytes all_planes = 0;
+    for_each_bit(planes, [&](std::uint32_t plane) { all_planes |= Bytes{0xFF} << 8 * plane; });
+    const Active active = activated(active_, 0, all_planes, [&](const auto& append) {
+      for (std::uint32_t i = 0; i < occluders_ + probes_; ++i) append(i);
+    });
     traverse(0, active, {0, blocks_[0].count[0]});
   }
   /// Traverses a subtree that was put off. REQUIRES: the memory is that of the subtree, and there are no pairs.
@@ -172,21 +174,35 @@ class Traversal {
     }
   }
 
-  /// Appends a question to those that are active.
-  void append(std::vector<ActiveShadows>& stack, Active& active, std::uint32_t frustum) const {
-    if (active.begin == active.end || stack[active.end - 1].answers.count == kMost) {
-      if (active.end == stack.size()) stack.emplace_back();
-      ActiveShadows& added = stack[active.end++];
-      added.answers.count = 0;
-      added.occluders = added.probes = 0;
-    }
-    ActiveShadows& shadows = stack[active.end - 1];
-    const std::uint32_t k = shadows.answers.count++;
-    shadows.answers.frustum[k] = frustum;
-    const Bytes mask = Bytes{0xFF} << 8 * k, of_occluder = Bytes{0} - Bytes{frustum < occluders_};
-    shadows.occluders |= mask & of_occluder;
-    shadows.probes |= mask & ~of_occluder;
+  /// Makes shadows active from `begin` of a stack on. for_each_frustum(append) calls append(frustum) for each, those of
+  /// occluders first. What is counted stays in registers.
+  template <class ForEachFrustum>
+  Active activated(std::vector<ActiveShadows>& stack, std::size_t begin, Bytes planes,
+                   const ForEachFrustum& for_each_frustum) const {
+    std::size_t end = begin;
+    std::uint32_t count = kMost, of_occluders = 0;  // in the last
+    ActiveShadows* last = nullptr;
+    const auto complete = [&] {
+      if (last == nullptr) return;
+      last->answers.count = count;
+      last->occluders = first_bytes(of_occluders);
+      last->probes = first_bytes(count) & ~last->occluders;
+    };
+    for_each_frustum([&](std::uint32_t frustum) {
+      if (count == kMost) {
+        complete();
+        if (end == stack.size()) stack.emplace_back();
+        last = &stack[end++];
+        count = of_occluders = 0;
+      }
+      last->answers.frustum[count++] = frustum;
+      of_occluders += frustum < occluders_ ? 1 : 0;
+    });
+    complete();
+    return {planes, begin, end};
   }
+  /// All bits of the first bytes of eight.
+  static Bytes first_bytes(std::size_t count) { return count == kMost ? ~Bytes{0} : (Bytes{1} << 8 * count) - 1; }
 
   void traverse(std::uint32_t block, const Active& active, const PolygonRange& items) {
     drawn_from_ = items.first;
@@ -364,11 +380,11 @@ class Traversal {
   }
   /// What straddles a node, in a stack from `begin` on.
   Active active_below(const Visit& here, std::uint32_t i, std::vector<ActiveShadows>& stack, std::size_t begin) const {
-    Active below{(here.crossing >> i & kernel::for_all(1)) * 0xFF, begin, begin};
-    for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
-      for_each_question(active_[g].partial, i, [&](std::size_t k) { append(stack, below, active_[g].answers.frustum[k]); });
-    }
-    return below;
+    return activated(stack, begin, (here.crossing >> i & kernel::for_all(1)) * 0xFF, [&](const auto& append) {
+      for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
+        for_each_question(active_[g].partial, i, [&](std::size_t k) { append(active_[g].answers.frustum[k]); });
+      }
+    });
   }
 
   bool may_put_off(std::uint32_t count) const {

@@ -115,11 +115,15 @@ class CoarseFrame {
   FloatVector sum_[3], extent_[3], twice_reach_;
 };
 
-/// Answers the questions about the boxes in the lanes from `first` on. The answers are gathered in registers: bytes that
-/// have just been stored can be loaded as words only after a delay.
-HWY_INLINE void ask_in_floats(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t first,
-                              BlockQuestions& questions) {
+/// What is known about all questions. It is gathered in registers: what has just been stored can be loaded only after a
+/// delay.
+struct AllAnswers {
   BoxBytes outside = 0, inside = 0, unknown = 0;
+};
+
+/// Answers the questions about the boxes in the lanes from `first` on.
+HWY_INLINE void ask_in_floats(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t first,
+                              const BlockQuestions& questions, AllAnswers& all) {
   const auto frustum = [&](std::size_t k) { return stored(*frusta[questions.frustum[k]]); };
   for (std::size_t k = 0; k < questions.count;) {
     if (!frustum(k)) [[unlikely]] {
@@ -131,15 +135,12 @@ HWY_INLINE void ask_in_floats(std::span<const ShadowFrustum* const> frusta, cons
     do {
       const Answers answers = frame.answers(*frustum(k));
       const std::size_t shift = 8 * k + first;
-      outside |= BoxBytes{answers.outside} << shift;
-      inside |= BoxBytes{answers.inside} << shift;
-      unknown |= BoxBytes{answers.unknown} << shift;
+      all.outside |= BoxBytes{answers.outside} << shift;
+      all.inside |= BoxBytes{answers.inside} << shift;
+      all.unknown |= BoxBytes{answers.unknown} << shift;
       ++k;
     } while (k < questions.count && frustum(k) && frustum(k)->origin == origin);  // one eye has one origin
   }
-  questions.outside |= outside;
-  questions.inside |= inside;
-  questions.unknown |= unknown;
 }
 
 HWY_INLINE void ask_in_doubles(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block, std::size_t k,
@@ -154,11 +155,14 @@ HWY_INLINE void ask_in_doubles(std::span<const ShadowFrustum* const> frusta, con
 
 HWY_ATTR void conservative_filter(std::span<const ShadowFrustum* const> frusta, const BoxBlock& block,
                                   BlockQuestions& questions) {
-  questions.outside = questions.inside = questions.unknown = 0;
+  AllAnswers all;
   for (std::size_t first = 0; first < BoxBlock::kBoxes; first += hn::Lanes(Floats())) {
-    ask_in_floats(frusta, block, first, questions);
+    ask_in_floats(frusta, block, first, questions, all);
   }
-  for (BoxBytes left = questions.unknown; left != 0;) {
+  questions.outside = all.outside;
+  questions.inside = all.inside;
+  questions.unknown = all.unknown;
+  for (BoxBytes left = all.unknown; left != 0;) {
     const auto k = static_cast<std::size_t>(std::countr_zero(left)) / 8;
     ask_in_doubles(frusta, block, k, questions);
     left &= ~(BoxBytes{0xFF} << 8 * k);
