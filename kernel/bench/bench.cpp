@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -88,12 +89,11 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? *middle : (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-double ratio(const Measurement& subject, const Measurement& reference) {
-  std::vector<double> ratios;
-  for (std::size_t round = 0; round < subject.ns.size(); ++round) {
-    ratios.push_back(subject.ns[round] / reference.ns[round]);
-  }
-  return median(std::move(ratios));
+double median_ratio(std::vector<double> values, const std::vector<double>& references) {
+  std::ranges::transform(values, references, values.begin(), std::divides());
+  return median(std::move(values));
 }
+
+double ratio(const Measurement& subject, const Measurement& reference) { return median_ratio(subject.ns, reference.ns); }
 
 }  // namespace occlude::bench

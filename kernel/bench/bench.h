@@ -48,6 +48,9 @@ struct Result {
 /// REQUIRES: `values` is not empty.
 [[nodiscard]] double median(std::vector<double> values);
 
+/// The median of value i divided by reference i. REQUIRES: as many values as references, and not none.
+[[nodiscard]] double median_ratio(std::vector<double> values, const std::vector<double>& references);
+
 /// The median over the rounds of the time of `subject` divided by that of `reference`. REQUIRES: both have the same rounds.
 [[nodiscard]] double ratio(const Measurement& subject, const Measurement& reference);
 

@@ -44,11 +44,7 @@ SweepPoint point_of(const SweepTrial& trial, const SweepTrial& standard) {
   SweepPoint point = trial.point;
   point.preprocess_s = bench::median(trial.preprocess_s);
   point.cull_ms = bench::median(trial.cull_ms);
-  std::vector<double> ratios;
-  for (std::size_t round = 0; round < trial.cull_ms.size(); ++round) {
-    ratios.push_back(trial.cull_ms[round] / standard.cull_ms[round]);
-  }
-  point.cull_ratio = bench::median(ratios);
+  point.cull_ratio = bench::median_ratio(trial.cull_ms, standard.cull_ms);
   return point;
 }
 

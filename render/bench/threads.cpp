@@ -2,7 +2,6 @@
 #include "threads.h"
 
 #include <algorithm>
-#include <functional>
 #include <future>
 #include <thread>
 
@@ -40,12 +39,6 @@ double call_us(const culler::Executor& executor) {
   return clock.milliseconds() * 1000 / kCalls;
 }
 
-/// The median over the rounds.
-double median_ratio(std::vector<double> numerators, const std::vector<double>& denominators) {
-  std::ranges::transform(numerators, denominators, numerators.begin(), std::divides());
-  return bench::median(numerators);
-}
-
 }  // namespace
 
 std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options& options) {
@@ -69,8 +62,8 @@ std::vector<ThreadsPoint> measure_threads(const Subject& subject, const Options&
   });
   std::vector<ThreadsPoint> points;
   for (const ThreadsTrial& trial : trials) {
-    points.push_back({trial.threads, bench::median(trial.cull_ms), median_ratio(trials[0].cull_ms, trial.cull_ms),
-                      median_ratio(trial.rate_at_once, trials[0].rate_at_once), bench::median(trial.call_us)});
+    points.push_back({trial.threads, bench::median(trial.cull_ms), bench::median_ratio(trials[0].cull_ms, trial.cull_ms),
+                      bench::median_ratio(trial.rate_at_once, trials[0].rate_at_once), bench::median(trial.call_us)});
   }
   return points;
 }
