@@ -39,13 +39,21 @@ void CandidateOrder::separate(std::span<const Candidate> candidates) {
   comparisons_ += candidates.size();
 }
 
-/// Moves the last of the sorted candidates up to its place.
-void CandidateOrder::insert_last() {
-  std::size_t i = sorted_.size() - 1;
-  const Candidate last = sorted_[i];
-  for (; i > 0 && last < sorted_[i - 1]; --i) sorted_[i] = sorted_[i - 1];
-  moves_ += sorted_.size() - 1 - i;
-  sorted_[i] = last;
+/// Sorts the kept candidates: moves each of them up to its place, or, if there are too many moves, starts anew.
+void CandidateOrder::sort_kept() {
+  const std::span<Candidate> kept(sorted_);
+  std::size_t next = 0, moves = 0;
+  for (; next < kept.size() && moves <= kMostMoves * kept.size(); ++next) {
+    const Candidate candidate = kept[next];
+    std::size_t i = next;
+    for (; i > 0 && candidate < kept[i - 1]; --i) kept[i] = kept[i - 1];
+    kept[i] = candidate;
+    moves += next - i;
+  }
+  kept_ = kept.size();
+  moves_ = moves;
+  comparisons_ += moves + next;
+  if (next < kept.size()) sort(kept);
 }
 
 /// Keeps the good candidates that the last frame had sorted too, with their new scores, and sorts them. Clears their entries
@@ -58,18 +66,8 @@ void CandidateOrder::keep() {
     merged_.push_back(good_[place - 1]);
     place = 0;
   }
-  kept_ = merged_.size();
-  moves_ = 0;
-  sorted_.clear();
-  std::size_t next = 0;
-  for (; next < kept_ && moves_ <= kMostMoves * kept_; ++next) {
-    sorted_.push_back(merged_[next]);
-    insert_last();
-  }
-  comparisons_ += moves_ + next;
-  if (next == kept_) return;
-  sorted_.insert(sorted_.end(), merged_.begin() + static_cast<std::ptrdiff_t>(next), merged_.end());
-  sort(sorted_);
+  sorted_.swap(merged_);
+  sort_kept();
 }
 
 void CandidateOrder::sort_others() {

@@ -57,7 +57,7 @@ class CandidateOrder {
   void raise_least();
   void separate(std::span<const Candidate> candidates);
   void keep();
-  void insert_last();
+  void sort_kept();
   void sort_others();
   void sort(std::span<Candidate> candidates);
 

@@ -138,6 +138,7 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
       const auto k = static_cast<std::uint32_t>(std::ranges::lower_bound(taken, child) - taken.begin());
       parent.children = static_cast<Bits>(parent.children | bit(k));
       block.subtree[i] = static_cast<Bits>(block.subtree[i] | block.subtree[k]);
+      parent.below = static_cast<Bits>(parent.below | block.subtree[k]);
     }
   }
   std::ranges::reverse(std::span(block.parents).first(parents));

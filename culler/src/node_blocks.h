@@ -33,6 +33,7 @@ struct alignas(64) NodeBlock {
   struct Parent {
     std::uint8_t i = 0;
     Bits children = 0;
+    Bits below = 0;  ///< children, and what is below them in this block
   };
   /// With the children of three nodes and two of another block's, or with the root, a block is full.
   static constexpr std::size_t kMostParents = 3;
@@ -47,7 +48,7 @@ struct alignas(64) NodeBlock {
   Bits exits = 0;                                              ///< those with children in another block
   Bits probed = 0;                                             ///< those with more than kProbed items
   Bits oriented = 0;                                           ///< those whose volume is not the box
-  std::array<std::byte, 45> unused{};                          ///< so that every byte of a block has a value
+  std::array<std::byte, 42> unused{};                          ///< so that every byte of a block has a value
 
   /// The nodes of the block whose parent is one of these, for each of eight questions.
   [[nodiscard]] kernel::BoxBytes children_of(kernel::BoxBytes nodes) const {
@@ -58,14 +59,14 @@ struct alignas(64) NodeBlock {
   /// These nodes and those below them in the block.
   [[nodiscard]] std::uint32_t with_below(std::uint32_t nodes) const {
     std::uint32_t found = nodes;
-    for (const Parent& parent : parents) found |= (0U - (found >> parent.i & 1U)) & parent.children;
+    for (const Parent& parent : parents) found |= (0U - (nodes >> parent.i & 1U)) & parent.below;
     return found;
   }
   /// The nodes that a descent visits which enters these: the roots, and the children of nodes that it visits and enters.
   [[nodiscard]] std::uint32_t visited(std::uint32_t entered) const {
-    std::uint32_t found = roots;
-    for (const Parent& parent : parents) found |= (0U - ((found & entered) >> parent.i & 1U)) & parent.children;
-    return found;
+    std::uint32_t missed = 0;
+    for (const Parent& parent : parents) missed |= ((entered >> parent.i & 1U) - 1U) & parent.below;
+    return used & ~missed;
   }
 };
 
@@ -90,13 +91,18 @@ class NodeBlocks {
   [[nodiscard]] const NodeBlock& operator[](std::uint32_t i) const { return blocks_[i]; }
   [[nodiscard]] std::size_t size() const { return blocks_.size(); }
   /// A hint that block i comes.
-  void prefetch(std::uint32_t i) const {
-    for (std::size_t byte = 0; byte < sizeof(NodeBlock); byte += alignof(NodeBlock)) {
-      hwy::Prefetch(reinterpret_cast<const std::byte*>(&blocks_[i]) + byte);
+  void prefetch(std::uint32_t i) const { prefetch_bytes(&blocks_[i], sizeof(NodeBlock)); }
+  /// A hint that the boxes of the block after this one in memory come. There need not be one.
+  static void prefetch_after(const NodeBlock& block) { prefetch_bytes(&block + 1, sizeof(NodeBlock::boxes)); }
+
+ private:
+  static void prefetch_bytes(const NodeBlock* block, std::size_t bytes) {
+    const auto begin = reinterpret_cast<std::uintptr_t>(block);  // may be the end of all
+    for (std::size_t byte = 0; byte < bytes; byte += alignof(NodeBlock)) {
+      hwy::Prefetch(reinterpret_cast<const std::byte*>(begin + byte));
     }
   }
 
- private:
   Array<NodeBlock> blocks_;
 };
 

@@ -117,6 +117,7 @@ class NodeTests {
   /// Whether a part of the occluder is in the node.
   [[nodiscard]] bool holds_part(std::uint32_t frustum, const NodeBlock& block, std::uint32_t i) const {
     const auto parts = casters_[frustum].parts;
+    if (parts.size() == 1) return parts[0] - block.first[i] < block.count[i];  // most are polygons
     const auto part = std::ranges::lower_bound(parts, block.first[i]);
     return part != parts.end() && *part - block.first[i] < block.count[i];
   }

@@ -210,7 +210,9 @@ class Traversal {
     draw_until(items.first + items.count);
   }
 
+  /// Most often the first block below this one is the next in memory, and is entered.
   void visit(const NodeBlock& block, const Active& active) {
+    NodeBlocks::prefetch_after(block);
     Visit here(block, active);
     ask_planes(here);
     for (std::size_t g = active.begin; g < active.end; ++g) ask_shadows(here, active_[g]);
@@ -351,11 +353,18 @@ class Traversal {
   void descend(const Visit& here, Bits visited, Bits entered) {
     for_each_bit((visited & here.culled()) | entered, [&](std::uint32_t i) {
       if (has(entered, i)) {
+        prefetch_below_next(here, entered, i);
         enter(here, i);
       } else {
         cull(here, i);
       }
     });
+  }
+
+  /// A hint that the block below the next entered node comes. There is no branch: if there is none, the hint is for node i.
+  void prefetch_below_next(const Visit& here, Bits entered, std::uint32_t i) const {
+    const Bits after = entered & (~Bits{1} << i);
+    blocks_.prefetch(here.block.below[after != 0 ? static_cast<std::uint32_t>(std::countr_zero(after)) : i]);
   }
 
   /// Visits the block below a node with what straddles the node, or puts the node off, whole or in parts.

@@ -277,6 +277,31 @@ TEST(NodeBlocks, HoldTheTree) {
   EXPECT_EQ(std::ranges::count(found, 1), std::ssize(found));
 }
 
+/// Which nodes are below others and are visited, as their children tell.
+TEST(NodeBlocks, KnowWhatIsBelowAndVisited) {
+  const Culler culler(random_town_of_houses(kSeed, 3000));
+  const NodeBlocks blocks(culler.hierarchy());
+  const auto children = [](const NodeBlock& block, std::uint32_t nodes) -> std::uint32_t {
+    return kernel::boxes_of(block.children_of(kernel::BoxBytes{nodes}), 0);
+  };
+  std::mt19937 random(kSeed);
+  std::size_t grandchildren = 0;
+  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+    const NodeBlock& block = blocks[i];
+    const auto nodes = static_cast<std::uint32_t>(random() & block.used);
+    const auto entered = static_cast<std::uint32_t>(random() & block.used);
+    std::uint32_t below = nodes, visited = block.roots;
+    for (std::size_t level = 0; level < NodeBlock::kNodes; ++level) {
+      below |= children(block, below);
+      visited |= children(block, visited & entered);
+    }
+    EXPECT_EQ(block.with_below(nodes), below) << "block " << i << ", seed " << kSeed;
+    EXPECT_EQ(block.visited(entered), visited) << "block " << i << ", seed " << kSeed;
+    if (children(block, children(block, block.roots)) != 0) ++grandchildren;
+  }
+  EXPECT_GT(grandchildren, 10U);
+}
+
 /// The sum of the widths of nodes whose children are in a block of their own below them.
 double visits(const NodeBlocks& blocks, const Hierarchy& hierarchy) {
   double sum = 0;

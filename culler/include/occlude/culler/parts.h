@@ -24,7 +24,7 @@ struct Parts {
   std::shared_ptr<const void> keep;  ///< what the bytes are in. They are there, and stay as they are, as long as it is.
 };
 
-inline constexpr unsigned kPartsVersion = 1;
+inline constexpr unsigned kPartsVersion = 2;
 /// The bytes of each part begin at a multiple of this.
 inline constexpr std::size_t kPartAlignment = 64;
 
