@@ -210,9 +210,8 @@ class Traversal {
     draw_until(items.first + items.count);
   }
 
-  /// Most often the first block below this one is the next in memory, and is entered.
   void visit(const NodeBlock& block, const Active& active) {
-    NodeBlocks::prefetch_after(block);
+    NodeBlocks::prefetch_after(block);  // most often it is the first below this one, and is entered
     Visit here(block, active);
     ask_planes(here);
     for (std::size_t g = active.begin; g < active.end; ++g) ask_shadows(here, active_[g]);
