@@ -97,7 +97,7 @@ class NodeBlocks {
 
  private:
   static void prefetch_bytes(const NodeBlock* block, std::size_t bytes) {
-    const auto begin = reinterpret_cast<std::uintptr_t>(block);  // may be the end of all
+    const auto begin = reinterpret_cast<std::uintptr_t>(block);  // there may be no block
     for (std::size_t byte = 0; byte < bytes; byte += alignof(NodeBlock)) {
       hwy::Prefetch(reinterpret_cast<const std::byte*>(begin + byte));
     }
