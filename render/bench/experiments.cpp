@@ -17,8 +17,8 @@ render::WalkResult measure_table2(const Subject& subject, const Options& options
   const render::Stopwatch stopwatch;
   const culler::Culler culler = make_culler(subject.soup, options.walk);
   const double preprocess_s = stopwatch.seconds();
-  const render::Stage stage(culler, options.walk);
-  render::WalkResult result = walk_frames(culler, subject.path, options.walk, stage);
+  const render::Drawing drawing(culler, options.walk);
+  render::WalkResult result = walk_frames(culler, subject.path, options.walk, drawing);
   result.preprocess_s = preprocess_s;
   return result;
 }

@@ -36,8 +36,8 @@ render::WalkResult walk_by_other(const Subject& subject, const Options& options,
   if (leaf == culler::leaf_size_for(walk.cull.method)) leaf = culler::leaf_size_for(other);
   walk.cull.method = other;
   const culler::Culler culler = make_culler(subject.soup, walk);
-  const render::Stage stage(culler, walk);
-  return walk_frames(culler, subject.path, walk, stage);
+  const render::Drawing drawing(culler, walk);
+  return walk_frames(culler, subject.path, walk, drawing);
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ WalkResult walk(const culler::Culler& culler, const CameraPath& path, const Walk
                 const std::string& model_name, WalkOutput& output) {
   require_walkable(culler.hierarchy().soup().size(), model_name);
   output.add_model(culler);
-  Stage stage(culler, options);
+  Drawing drawing(culler, options);
   kernel::Operations operations;
   std::vector<culler::MissedReasons::Counts> missed;
   std::size_t witnesses = 0;
@@ -126,13 +126,13 @@ WalkResult walk(const culler::Culler& culler, const CameraPath& path, const Walk
     for (const std::string& line : lines) output.add_witness(line);
     witnesses += lines.size();
   };
-  WalkResult result = walk_frames(culler, path, options, stage, on_frame);
+  WalkResult result = walk_frames(culler, path, options, drawing, on_frame);
   result.operations = operations;
   result.missed = std::move(missed);
   result.witnesses = witnesses;
 
   if (!options.render) return result;
-  stage.renderer.reset();
+  drawing.renderer.reset();
   for (const DrawnPlate& drawn : draw_plates(culler, path, result.frames, options)) {
     output.add_plate(drawn.plate, drawn.image);
   }

@@ -114,14 +114,14 @@ class Walker {
 
 }  // namespace
 
-Stage::Stage(const culler::Culler& culler, const WalkOptions& options) {
+Drawing::Drawing(const culler::Culler& culler, const WalkOptions& options) {
   if (!options.render) return;
   context = make_offscreen_context();
   renderer = std::make_unique<SceneRenderer>(culler.hierarchy().soup(), options.width, options.height);
 }
 
-WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options, const Stage& stage,
-                       const OnFrame& on_frame) {
+WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
+                       const Drawing& drawing, const OnFrame& on_frame) {
   const std::vector<std::size_t> frames = frames_of(path, options);
   const std::size_t step = reference_step(frames.size());
   const culler::SoupView soup = culler.hierarchy().soup();
@@ -129,8 +129,8 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   result.polygons = soup.size();
   result.triangles = soup.indices.size() - 2 * soup.size();
   result.build = culler.config();
-  result.renderer = stage.description();
-  Walker walker(culler, path, options, stage.renderer.get());
+  result.renderer = drawing.description();
+  Walker walker(culler, path, options, drawing.renderer.get());
   {
     culler::View warm_up;  // the first picture includes one-time work of the renderer
     static_cast<void>(walker.frame(frames.front(), false, warm_up));

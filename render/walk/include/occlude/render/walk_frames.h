@@ -16,8 +16,8 @@
 namespace occlude::render {
 
 /// The OpenGL context and its renderer; both null if the walk does not render.
-struct Stage {
-  Stage(const culler::Culler& culler, const WalkOptions& options);
+struct Drawing {
+  Drawing(const culler::Culler& culler, const WalkOptions& options);
 
   /// The driver's own name for itself; empty without a context.
   [[nodiscard]] std::string description() const { return context ? context->description() : ""; }
@@ -36,10 +36,10 @@ struct FinishedFrame {
 /// Called after each frame.
 using OnFrame = std::function<void(const FinishedFrame& frame)>;
 
-/// Culls, draws (if the stage has a renderer) and compares the frames that the options select. Fills everything of the
+/// Culls, draws (if there is a renderer) and compares the frames that the options select. Fills everything of the
 /// result except witnesses, operations and the time of the preprocess. Shows progress. Throws InputError if there is no such
 /// frame, Interrupted on Ctrl-C.
 [[nodiscard]] WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options,
-                                     const Stage& stage, const OnFrame& on_frame = {});
+                                     const Drawing& drawing, const OnFrame& on_frame = {});
 
 }  // namespace occlude::render
