@@ -61,17 +61,27 @@ grep -qE '^mean.cull_ms .* 1.000 +1.000 +1.200 *$' stdout || fail "noise is mark
 # What is no walk.
 echo '{}' >none.json
 echo '{"mean":{"rendered_polygons":1,"cull_ms":"x"},"culled_share":0.5}' >words.json
-mkdir empty broken unsorted nameless huge
-for folder in broken unsorted nameless huge; do cp a/summary.json $folder; done
+mkdir empty broken unsorted nameless huge endless negative
+for folder in broken unsorted nameless huge endless negative; do cp a/summary.json $folder; done
 printf 'frame,cull_ms\n0,1\n1,x\n' >broken/frames.csv
 printf 'frame,cull_ms\n1,1\n0,1\n' >unsorted/frames.csv
+printf 'frame,cull_ms\n0,inf\n' >endless/frames.csv
+printf 'frame,cull_ms\n0,-1\n' >negative/frames.csv
 printf 'cull_ms\n1\n' >nameless/frames.csv
 printf 'frame,cull_ms\n1e300,1\n' >huge/frames.csv
 expect_error "none.json: not a summary of \`occlude walk\`: mean.rendered_polygons: missing" "$occlude" compare a none.json
 expect_error "words.json: not a summary of \`occlude walk\`: mean.cull_ms: expected a number" "$occlude" compare words.json a
+sed 's/"model": "good.ply"/"model": 7/' a/summary.json >number.json
+sed 's/"culled_share": [0-9.]*/"culled_share": 1.5/' a/summary.json >much.json
+sed 's/"leaf": [0-9]*/"leaf": [1]/' a/summary.json >list.json
+expect_error "number.json: not a summary of \`occlude walk\`: model: expected a text" "$occlude" compare a number.json
+expect_error "much.json: not a summary of \`occlude walk\`: culled_share: expected a number from 0 to 1" "$occlude" compare much.json a
+expect_error "list.json: not a summary of \`occlude walk\`: options.leaf: expected a whole number" "$occlude" compare a list.json
 expect_error "missing" "$occlude" compare a missing
 expect_error "empty/summary.json" "$occlude" compare a empty
 expect_error "broken/frames.csv:3: 'x' is not a number" "$occlude" compare a broken
+expect_error "endless/frames.csv:2: 'inf' is not a number" "$occlude" compare a endless
+expect_error "negative/frames.csv:2: '-1' is negative" "$occlude" compare a negative
 expect_error "unsorted/frames.csv:3: frames do not ascend" "$occlude" compare unsorted a
 expect_error "huge/frames.csv:2: the frame is not a whole number" "$occlude" compare a huge
 expect_error "nameless/frames.csv:1: no column" "$occlude" compare a nameless

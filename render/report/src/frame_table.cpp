@@ -26,11 +26,12 @@ std::vector<std::string> cells_of(std::string_view line) {
   }
 }
 
+/// A finite number; nothing if the cell is none.
 std::optional<double> number(const std::string& cell) {
   double value = 0;
   const char* const end = cell.data() + cell.size();
   const auto [next, error] = std::from_chars(cell.data(), end, value);
-  return error == std::errc() && next == end ? std::optional(value) : std::nullopt;
+  return error == std::errc() && next == end && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 bool is_frame(double number) { return number >= 0 && number <= 0x1p53 && number == std::floor(number); }
@@ -59,6 +60,7 @@ FrameTable::FrameTable(const std::filesystem::path& file) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::optional<double> value = number(cells[i]);
       if (!value) fail(lines, fmt::format("'{}' is not a number", cells[i]));
+      if (*value < 0) fail(lines, fmt::format("'{}' is negative", cells[i]));
       columns[i]->push_back(*value);
     }
     const std::vector<double>& numbers = frames();

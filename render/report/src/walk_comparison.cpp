@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/walk_comparison.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,10 +27,13 @@ constexpr double kLeastChangeOfTime = 0.05;
 
 enum class Better { neither, less, more };
 enum class Kind { fault, count, time };
+/// What a member of summary.json may be, beside null.
+enum class Type { text, flag, whole, amount, share, size };
 
 /// A figure of summary.json, and how frames.csv has it: a column, the ratio of two, or `1 - ratio`; or not at all.
 struct Figure {
   const char* name;
+  Type type = Type::amount;
   Better better = Better::neither;
   Kind kind = Kind::count;
   const char* column = nullptr;
@@ -37,39 +42,76 @@ struct Figure {
 };
 
 constexpr auto kFigures = std::to_array<Figure>({
-    {"mean.view_frustum_polygons", Better::neither, Kind::count, "view_frustum_polygons"},
-    {"mean.rendered_polygons", Better::less, Kind::count, "rendered_polygons"},
-    {"mean.visible_polygons", Better::neither, Kind::count, "visible_polygons"},
-    {"mean.hidden_polygons"},
-    {"culled_share", Better::more, Kind::count, "rendered_polygons", "view_frustum_polygons", true},
-    {"culled_share_of_hidden", Better::more},
-    {"mean.occluders", Better::neither, Kind::count, "occluders"},
-    {"mean.candidates", Better::neither, Kind::count, "candidates"},
-    {"mean.sort_moves", Better::neither, Kind::count, "sort_moves"},
-    {"mean.cull_ms", Better::less, Kind::time, "cull_ms"},
-    {"mean.witness_ms", Better::less, Kind::time},
-    {"mean.frame_ms", Better::less, Kind::time, "frame_ms"},
-    {"mean.frame_ms_view_frustum_only", Better::neither, Kind::time, "view_frustum_frame_ms"},
-    {"mean.frame_ms_visible_only", Better::neither, Kind::time, "visible_frame_ms"},
-    {"speedup", Better::more, Kind::time, "view_frustum_frame_ms", "frame_ms"},
-    {"speedup_limit.polygons"},
-    {"speedup_limit.visible"},
-    {"wrong_pixels", Better::less, Kind::fault},
-    {"wrong_pixels_explained_by_snapping"},
-    {"false_culls", Better::less, Kind::fault},
-    {"witnesses"},
-    {"operations.tests"},
-    {"operations.dot_per_test"},
-    {"operations.scalar_per_test"},
-    {"operations.vector_per_test"},
-    {"operations.cross_per_test"},
-    {"preprocess_s", Better::less, Kind::time},
+    {"mean.view_frustum_polygons", Type::amount, Better::neither, Kind::count, "view_frustum_polygons"},
+    {"mean.rendered_polygons", Type::amount, Better::less, Kind::count, "rendered_polygons"},
+    {"mean.visible_polygons", Type::amount, Better::neither, Kind::count, "visible_polygons"},
+    {"mean.hidden_polygons", Type::amount},
+    {"culled_share", Type::share, Better::more, Kind::count, "rendered_polygons", "view_frustum_polygons", true},
+    {"culled_share_of_hidden", Type::amount, Better::more},
+    {"mean.occluders", Type::amount, Better::neither, Kind::count, "occluders"},
+    {"mean.candidates", Type::amount, Better::neither, Kind::count, "candidates"},
+    {"mean.sort_moves", Type::amount, Better::neither, Kind::count, "sort_moves"},
+    {"mean.cull_ms", Type::amount, Better::less, Kind::time, "cull_ms"},
+    {"mean.witness_ms", Type::amount, Better::less, Kind::time},
+    {"mean.frame_ms", Type::amount, Better::less, Kind::time, "frame_ms"},
+    {"mean.frame_ms_view_frustum_only", Type::amount, Better::neither, Kind::time, "view_frustum_frame_ms"},
+    {"mean.frame_ms_visible_only", Type::amount, Better::neither, Kind::time, "visible_frame_ms"},
+    {"speedup", Type::amount, Better::more, Kind::time, "view_frustum_frame_ms", "frame_ms"},
+    {"speedup_limit.polygons", Type::amount},
+    {"speedup_limit.visible", Type::amount},
+    {"wrong_pixels", Type::whole, Better::less, Kind::fault},
+    {"wrong_pixels_explained_by_snapping", Type::whole},
+    {"false_culls", Type::whole, Better::less, Kind::fault},
+    {"witnesses", Type::whole},
+    {"operations.tests", Type::whole},
+    {"operations.dot_per_test", Type::amount},
+    {"operations.scalar_per_test", Type::amount},
+    {"operations.vector_per_test", Type::amount},
+    {"operations.cross_per_test", Type::amount},
+    {"preprocess_s", Type::amount, Better::less, Kind::time},
+});
+
+/// What tells how and where it was measured.
+struct Condition {
+  const char* name;
+  Type type;
+};
+
+constexpr auto kConditions = std::to_array<Condition>({
+    {"model", Type::text},
+    {"polygons", Type::whole},
+    {"triangles", Type::whole},
+    {"frames", Type::whole},
+    {"method", Type::text},
+    {"options.size", Type::size},
+    {"options.cover_size", Type::size},
+    {"options.cover_triangles", Type::whole},
+    {"options.budget_ms", Type::amount},
+    {"options.leaf", Type::whole},
+    {"options.occluders", Type::whole},
+    {"options.probes", Type::whole},
+    {"options.solid_angle", Type::text},
+    {"options.weights.solid_angle", Type::amount},
+    {"options.weights.depth_complexity", Type::amount},
+    {"options.weights.coherence", Type::amount},
+    {"options.pixel_margin", Type::amount},
+    {"options.near", Type::text},
+    {"options.arithmetic", Type::text},
+    {"options.test", Type::text},
+    {"options.bounds", Type::text},
+    {"options.shapes", Type::text},
+    {"options.regions", Type::text},
+    {"options.unions", Type::flag},
+    {"options.preprocess", Type::text},
+    {"machine.processor", Type::text},
+    {"machine.threads", Type::whole},
+    {"machine.renderer", Type::text},
+    {"machine.compiler", Type::text},
 });
 
 /// The member that a dotted name means; null if there is none.
 const nlohmann::json* member(const nlohmann::json& object, const std::string& name) {
   const std::size_t dot = name.find('.');
-  if (!object.is_object()) return nullptr;
   const auto found = object.find(name.substr(0, dot));
   if (found == object.end()) return nullptr;
   return dot == std::string::npos ? &*found : member(*found, name.substr(dot + 1));
@@ -77,8 +119,7 @@ const nlohmann::json* member(const nlohmann::json& object, const std::string& na
 
 std::optional<double> number(const nlohmann::json& summary, const std::string& name) {
   const nlohmann::json* const value = member(summary, name);
-  const std::optional<double> number = value ? number_of(*value) : std::nullopt;
-  return number && std::isfinite(*number) ? number : std::nullopt;
+  return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
 }
 
 /// The members of an object by dotted names; those of objects within it too.
@@ -213,6 +254,42 @@ ComparedFigure compare(const Figure& figure, const WalkReading& a, const WalkRea
   throw InputError(file.string() + ": not a summary of `occlude walk`: " + why);
 }
 
+bool is_text(const nlohmann::json& value) { return value.is_string(); }
+bool is_flag(const nlohmann::json& value) { return value.is_boolean(); }
+bool is_whole(const nlohmann::json& value) { return value.is_number_unsigned(); }
+bool is_amount(const nlohmann::json& value) { return value.is_number() && value.get<double>() >= 0; }
+bool is_share(const nlohmann::json& value) { return is_amount(value) && value.get<double>() <= 1; }
+bool is_size(const nlohmann::json& value) {
+  return value.is_array() && value.size() == 2 && std::ranges::all_of(value, is_whole);
+}
+
+/// Whether a value is of the type, and what to call it.
+struct TypeTest {
+  bool (*is)(const nlohmann::json& value);
+  const char* name;
+};
+
+/// In the order of Type.
+constexpr std::array<TypeTest, 6> kTypeTests{{{is_text, "a text"},
+                                              {is_flag, "true or false"},
+                                              {is_whole, "a whole number"},
+                                              {is_amount, "a number that is not negative"},
+                                              {is_share, "a number from 0 to 1"},
+                                              {is_size, "two whole numbers"}}};
+
+/// Refuses a member of another type, and one within what is no object.
+void require(const std::filesystem::path& file, const nlohmann::json& summary, const std::string& name, Type type) {
+  for (std::size_t dot = name.find('.'); dot != name.npos; dot = name.find('.', dot + 1)) {
+    const std::string around = name.substr(0, dot);
+    const nlohmann::json* const value = member(summary, around);
+    if (!value) return;
+    if (!value->is_object()) refuse(file, around + ": expected an object");
+  }
+  const nlohmann::json* const value = member(summary, name);
+  const TypeTest& test = kTypeTests[static_cast<std::size_t>(type)];
+  if (value && !value->is_null() && !test.is(*value)) refuse(file, fmt::format("{}: expected {}", name, test.name));
+}
+
 }  // namespace
 
 WalkReading read_walk(const std::filesystem::path& place) {
@@ -221,10 +298,8 @@ WalkReading read_walk(const std::filesystem::path& place) {
   keep_input(file);
   WalkReading reading{printable(place.string()), read_json(file), std::nullopt};
   if (!reading.summary.is_object()) refuse(file, "expected a JSON object");
-  for (const Figure& figure : kFigures) {
-    const nlohmann::json* const value = member(reading.summary, figure.name);
-    if (value && !value->is_null() && !number_of(*value)) refuse(file, std::string(figure.name) + ": expected a number");
-  }
+  for (const Condition& condition : kConditions) require(file, reading.summary, condition.name, condition.type);
+  for (const Figure& figure : kFigures) require(file, reading.summary, figure.name, figure.type);
   for (const char* name : {"mean.rendered_polygons", "mean.cull_ms", "culled_share"}) {
     if (!number(reading.summary, name)) refuse(file, std::string(name) + ": missing");
   }
