@@ -84,10 +84,10 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   return "unknown command '" + word + "'" + did_you_mean(word, commands_of(app));
 }
 
-/// What is wrong with a word that no command takes; `error` if there is no such word.
-std::string fault_of(const CLI::App& app, const std::string& error) {
+/// What is wrong with a word that no command takes; none if there is no such word.
+std::optional<std::string> unknown_word(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
-  if (words.empty()) return app.get_subcommands().empty() ? error : fault_of(*app.get_subcommands().back(), error);
+  if (words.empty()) return app.get_subcommands().empty() ? std::nullopt : unknown_word(*app.get_subcommands().back());
   const std::string word = words.front().substr(0, words.front().find('='));
   if (!word.starts_with('-')) {
     return commands_of(app).empty() ? "'" + word + "' is one argument too many" : unknown_command(app, word);
@@ -215,8 +215,9 @@ std::string run_program(const Program& program, int argc, char** argv, const std
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
-      throw render::InputError(fault_of(app, error.what()) + " (see " + full_name(named(app)) + " --help)");
+    const std::optional<std::string> fault = unknown_word(app);
+    if (fault || error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success)) {
+      throw render::InputError(fault.value_or(error.what()) + " (see " + full_name(named(app)) + " --help)");
     }
     std::ostringstream text;
     app.exit(error, text, text);

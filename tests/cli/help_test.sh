@@ -29,6 +29,10 @@ expect_error "unknown option '--pth': did you mean '--path'? (see occlude walk -
 expect_error "unknown option '--frmaes': did you mean '--frames'?" "$occlude" walk good.ply --path path.json --out out --frmaes=0:2
 expect_error "'more' is one argument too many" "$occlude" walk good.ply more --path path.json --out out
 expect_error "unknown command 'frobnicate' (see occlude --help)" "$occlude" frobnicate
+expect_error "unknown command 'wlak': did you mean 'walk'? (see occlude --help)" "$occlude" wlak --help
+expect_error "unknown command 'kernal': did you mean 'kernel'? (see occlude bench --help)" "$occlude" bench kernal --help
+expect_error "unknown command 'frobnicate'" "$occlude" frobnicate --version
+expect_error "unknown option '--pth': did you mean '--path'?" "$occlude" walk --pth --help
 expect_error "'$(printf 'y%.0s' $(seq 500))' (see" "$occlude" "$(printf 'y%.0s' $(seq 500))"
 
 # --quiet: nothing but errors, warnings and JSON that is asked for.
@@ -76,13 +80,15 @@ completed() { # completed WORDS...: what completes the last word
 expect_error "--completion" "$occlude" help --completion fish
 
 # Colours are for terminals, unless NO_COLOR is set.
-if command -v script >/dev/null; then
+if ! command -v script >/dev/null; then
+  echo "No script: colours are not tried"
+elif ! script -qec true /dev/null </dev/null >/dev/null 2>&1; then
+  echo "No pseudo-terminal can be made here: colours are not tried"
+else
   on_terminal() { env -u NO_COLOR TERM=xterm "$1" script -qec "'$occlude' wlak" /dev/null </dev/null; }
   [[ $(on_terminal A=) == *$'\e[31mocclude:\e[0m unknown'* ]] || fail "no colour on a terminal"
   [[ $(on_terminal NO_COLOR=1) != *$'\e'* ]] || fail "colour with NO_COLOR"
   [[ $(on_terminal TERM=dumb) != *$'\e'* ]] || fail "colour on a terminal that has none"
-else
-  echo "No script: colours are not tried"
 fi
 
 for command in "classify" "fuzz" "validate" "walk" "why" "preprocess" "bench culler" "bench rivals" "bench all"; do
