@@ -4,8 +4,9 @@
 #include <time.h>
 
 #include <atomic>
-#include <system_error>
-#include <thread>
+#include <new>
+
+#include "occlude/culler/parallel.h"
 
 namespace occlude::fuzz {
 namespace {
@@ -17,10 +18,12 @@ double core_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// An exception from an experiment is a finding.
+/// An exception from an experiment is a finding, unless it is for want of memory.
 void run_one(const Experiment& experiment, std::uint64_t seed, Report& report) {
   try {
     experiment.run(seed, report);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     ++report.tally.disagreements;
     report.findings.push_back({"exception", error.what()});
@@ -45,15 +48,10 @@ std::vector<Report> run(const Campaign& campaign, std::span<const Experiment> ex
       add(own[experiment], std::move(group));
     }
   };
-  {
-    std::vector<std::jthread> others;
-    try {
-      for (unsigned t = 1; t < campaign.jobs; ++t) others.emplace_back(work, std::ref(reports[t]));
-    } catch (const std::system_error&) {
-      // The system has no more threads. Fewer threads give the same result.
-    }
-    work(reports[0]);
-  }
+  // Fewer threads than there are jobs give the same result.
+  const culler::Checkpoint on_own_threads(culler::Executor::own_threads(campaign.jobs));
+  culler::parallel_for(
+      campaign.jobs, [&](std::size_t job) { work(reports[job]); }, on_own_threads);
   std::vector<Report> whole(experiments.size());
   for (std::vector<Report>& own : reports) {
     for (std::size_t e = 0; e < whole.size(); ++e) add(whole[e], std::move(own[e]));

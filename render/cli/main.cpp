@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "occlude/oracle/memory.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
@@ -108,6 +109,7 @@ int main(int argc, char** argv) {
   occlude::render::hold_standard_streams();
   occlude::render::catch_interrupts();
   occlude::render::limit_memory();
+  occlude::oracle::throw_when_memory_is_out();
   if (!occlude::render::is_first_rank()) occlude::render::be_silent();
   if (occlude::render::mpirun_has_terminal()) occlude::render::show_progress();
   const int exit_code = run_and_report(argc, argv);

@@ -45,6 +45,22 @@ expect_error "missing.jsonl" "$occlude" fuzz missing.jsonl
 echo '{"id":"x"}' >bad.jsonl
 expect_error "bad.jsonl:1: " "$occlude" fuzz bad.jsonl
 
+# With too little memory it says so, also where the libraries of exact numbers would end it, and takes that for no finding.
+with_memory() { (ulimit -v "$1" && exec timeout 60 "$occlude" "${@:2}"); }
+if with_memory 200000 --version >/dev/null 2>&1; then # a sanitizer needs more to begin with
+  least=28000
+  until with_memory $least --version >/dev/null 2>&1; do least=$((least + 500)); done
+  refused=0
+  for kib in $(seq $least 500 $((least + 12000))); do
+    with_memory $kib fuzz --cases 1 --jobs 2 --findings '' >stdout 2>stderr
+    code=$?
+    [ $code -ne 2 ] || refused=$((refused + 1))
+    [ $code -eq 0 ] || { [ $code -eq 2 ] && [ "$(wc -l <stderr)" -eq 1 ] && grep -q 'out of memory' stderr; } ||
+      fail "$kib KiB: exit $code: $(tail -n 2 stdout) $(cat stderr)"
+  done
+  [ $refused -gt 0 ] || fail "memory is not out with $least KiB"
+fi
+
 # It can be stopped while it waits for input.
 interrupt_reader "$occlude" fuzz pipe
 
