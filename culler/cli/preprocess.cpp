@@ -166,7 +166,7 @@ void preprocess(PreprocessArguments& arguments) {
     told.line += boxes.line;
     told.json["inner_boxes"] = boxes.json;
   }
-  render::check_interrupt();
+  const render::Uninterrupted together;
   if (file) file->commit();
   if (box_file) box_file->commit();
   job.finish();

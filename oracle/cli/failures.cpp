@@ -47,8 +47,8 @@ void FailureFiles::write(const Visibility& visibility, const CheckedWalk& walk, 
   for (const auto& [frame, polygons] : marked) {
     pictures_.add(picture_name(frame), buffers().picture(walk.path.camera(frame, walk.aspect), polygons));
   }
-  render::check_interrupt();
   lines_.close();
+  const render::Uninterrupted together;
   pictures_.commit();
   lines_.commit();
 }

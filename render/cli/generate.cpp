@@ -34,6 +34,7 @@ void generate(const GenerateArguments& arguments) {
   render::write_camera_path(path, city.path);
   model.close();
   path.close();
+  const render::Uninterrupted together;
   model.commit();
   path.commit();
   if (arguments.json) {

@@ -14,6 +14,7 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_limits.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/paint.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
@@ -24,6 +25,9 @@ namespace {
 
 using occlude::cli::kBadInput;
 using occlude::cli::kInterrupted;
+
+/// Of the process. A signal may end it at any time.
+int exit_code = occlude::cli::kDone;
 
 /// The command line, which a shell reads as the same words.
 std::string as_typed(int argc, char** argv) {
@@ -39,7 +43,7 @@ std::string as_typed(int argc, char** argv) {
   return occlude::render::printable(line);
 }
 
-void add_bench(occlude::cli::Command app, int& exit_code) {
+void add_bench(occlude::cli::Command app) {
   occlude::cli::Command bench = app.add_command("bench", "Measure the speed of the kernel, the culler and scenes");
   bench.require_command();
   bench.footer("Example: occlude bench kernel");
@@ -51,7 +55,7 @@ void add_bench(occlude::cli::Command app, int& exit_code) {
   occlude::cli::add_bench_all(bench, exit_code);
 }
 
-void run(int argc, char** argv, int& exit_code) {
+void run(int argc, char** argv) {
   const auto declare = [&](occlude::cli::Command app) {
     occlude::cli::add_generate(app, exit_code);
     occlude::cli::add_preprocess(app, exit_code);
@@ -63,7 +67,7 @@ void run(int argc, char** argv, int& exit_code) {
     occlude::cli::add_classify(app, exit_code);
     occlude::cli::add_validate(app, exit_code);
     occlude::cli::add_fuzz(app, exit_code);
-    add_bench(app, exit_code);
+    add_bench(app);
     occlude::cli::add_help(app, exit_code);
   };
   const std::string told = occlude::cli::run_program(
@@ -78,28 +82,32 @@ void run(int argc, char** argv, int& exit_code) {
   occlude::render::finish_printing();
 }
 
-/// Returns the exit code.
-int run_and_report(int argc, char** argv) {
-  int exit_code = occlude::cli::kDone;
+/// The line that says what went wrong.
+std::string error_line(const std::string& what) {
+  const occlude::render::Paint paint(STDERR_FILENO);
+  return fmt::format("{} {}\n", paint(occlude::render::Colour::red, "occlude:"), what);
+}
+
+void run_and_report(int argc, char** argv) {
   const auto failed = [&](int code, const std::string& what) {
     if (code != kInterrupted) occlude::render::tell_first_rank(what);
-    const occlude::render::Paint paint(STDERR_FILENO);
-    occlude::render::say(fmt::format("{} {}\n", paint(occlude::render::Colour::red, "occlude:"), what));
-    return exit_code == occlude::cli::kDone ? code : exit_code;  // a failed check stands
+    if (exit_code == occlude::cli::kDone) exit_code = code;  // a failed check stands
+    occlude::render::settle();
+    occlude::render::say(error_line(what));
   };
   try {
     occlude::render::require_stack();
-    run(argc, argv, exit_code);
-    return exit_code;
-  } catch (const occlude::render::Interrupted&) {
-    return failed(kInterrupted, "interrupted, no file written");
+    run(argc, argv);
+    occlude::render::settle();
+  } catch (const occlude::render::Interrupted& error) {
+    failed(kInterrupted, error.what());
   } catch (const std::bad_alloc&) {
     // The command line names the file that is too large.
     const std::string command = fmt::format("{}", fmt::join(argv + 1, argv + argc, " "));
     const std::string limit = occlude::render::in_mebibytes(occlude::render::memory_limit());
-    return failed(kBadInput, occlude::render::printable(fmt::format("out of memory (limit {}): {}", limit, command)));
+    failed(kBadInput, occlude::render::printable(fmt::format("out of memory (limit {}): {}", limit, command)));
   } catch (const std::exception& error) {
-    return failed(kBadInput, occlude::render::printable(error.what()));
+    failed(kBadInput, occlude::render::printable(error.what()));
   }
 }
 
@@ -107,12 +115,14 @@ int run_and_report(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occlude::render::hold_standard_streams();
-  occlude::render::catch_interrupts();
+  const bool is_first = occlude::render::is_first_rank();
+  occlude::render::catch_interrupts(exit_code, kInterrupted,
+                                    is_first ? error_line(occlude::render::Interrupted().what()) : "");
   occlude::render::limit_memory();
   occlude::oracle::throw_when_memory_is_out();
-  if (!occlude::render::is_first_rank()) occlude::render::be_silent();
+  if (!is_first) occlude::render::be_silent();
   if (occlude::render::mpirun_has_terminal()) occlude::render::show_progress();
-  const int exit_code = run_and_report(argc, argv);
+  run_and_report(argc, argv);
   occlude::render::leave_ranks();
   return exit_code;
 }

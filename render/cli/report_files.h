@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "occlude/render/interrupt.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
 
@@ -21,6 +22,7 @@ class ReportFiles {
     html_.write(html);
     json_.close();
     html_.close();
+    const render::Uninterrupted together;
     json_.commit();
     html_.commit();
   }

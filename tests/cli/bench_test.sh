@@ -50,6 +50,8 @@ expect_error "missing.ply" "$occlude" bench culler missing.ply --path path.json 
 expect_error "file" "$occlude" bench culler good.ply --path path.json --out file/out
 interrupt INT "$occlude" bench culler --polygons 20000 --no-render --out benchmarks
 [ ! -e benchmarks ] || fail "Ctrl-C left a folder"
+interrupt TERM "$occlude" bench culler --polygons 20000 --only table2 --out benchmarks
+[ ! -e benchmarks ] || fail "SIGTERM left a folder"
 
 # bench scene: everything is there, and what was checked is right.
 small=(--objects 20000 --streamed 5000 --moving 500 --moving-occluders 20 --frames 12 --settling 4 --check-every 4)

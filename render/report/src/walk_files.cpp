@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/render/progress.h"
+#include "occlude/render/interrupt.h"
 
 namespace occlude::render {
 namespace {
@@ -55,8 +55,8 @@ void WalkFiles::commit(const WalkResult& result, const Summary& summary) {
   summary_.write(json_of(summary).dump(2) + "\n");
   std::vector<OutputFile*> files{&csv_, &report_, &summary_};
   if (witness_) files.push_back(&*witness_);
-  check_interrupt();
   for (OutputFile* file : files) file->close();
+  const Uninterrupted together;
   pictures_.commit();
   for (OutputFile* file : files) file->commit();
 }

@@ -239,8 +239,8 @@ void WhyFiles::write(const ReplayedFrame& frame, const Account& account) {
   write_png(view_, plates.view);
   write_png(outside_, plates.outside);
   json_.write(to_json(frame, account));
-  check_interrupt();
   for (OutputFile* file : {&view_, &outside_, &json_}) file->close();
+  const Uninterrupted together;
   for (OutputFile* file : {&view_, &outside_, &json_}) file->commit();
 }
 

@@ -26,7 +26,7 @@ constexpr int kDone = 0, kFailed = 1, kOutOfMemory = 2;
 
 void restrict_self(const ChildLimits& limits) {
   // The child must not run the handlers of its parent.
-  for (const int signal : {SIGINT, SIGTERM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGXCPU}) {
     std::signal(signal, SIG_DFL);
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails

@@ -7,12 +7,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
 #include "occlude/render/errors.h"
-#include "occlude/render/progress.h"
+#include "occlude/render/interrupt.h"
 
 namespace occlude::render {
 namespace fs = std::filesystem;
@@ -22,11 +21,15 @@ namespace {
 constexpr std::size_t kBlock = 1U << 16U;
 
 /// Creates a file with an unused name in the folder. The name is short: that of the output may have the longest length.
-std::pair<int, fs::path> make_temporary(const fs::path& folder) {
+std::pair<int, std::optional<Leftover>> make_temporary(const fs::path& folder) {
   for (unsigned number = 0;; ++number) {
-    fs::path file = folder / fmt::format(".occlude.tmp-{}-{}", getpid(), number);
-    const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return {descriptor, std::move(file)};
+    const fs::path file = folder / fmt::format(".occlude.tmp-{}-{}", getpid(), number);
+    int descriptor = -1;
+    std::optional<Leftover> made = Leftover::make(file, [&] {
+      descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      return descriptor >= 0;
+    });
+    if (made || errno != EEXIST) return {descriptor, std::move(made)};
   }
 }
 
@@ -36,7 +39,9 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), place_(path_) {
   if (place_.is_device()) {
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    std::tie(descriptor_, temporary_) = make_temporary(place_.path().parent_path());
+    auto [descriptor, temporary] = make_temporary(place_.path().parent_path());
+    descriptor_ = descriptor;
+    if (temporary) temporary_.emplace(std::move(*temporary));
   }
   if (descriptor_ < 0) fail("cannot create", errno);
   if (place_.permissions()) fchmod(descriptor_, *place_.permissions());
@@ -44,7 +49,6 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), place_(path_) {
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
 void OutputFile::write(std::string_view text) {
@@ -63,9 +67,9 @@ void OutputFile::close() {
 
 void OutputFile::commit() {
   if (descriptor_ >= 0) close();
-  if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), place_.path().c_str()) != 0) fail("cannot create", errno);
-  temporary_.clear();
+  if (!temporary_) return;
+  if (!temporary_->rename_to(place_.path())) fail("cannot create", errno);
+  temporary_.reset();
 }
 
 void OutputFile::flush() {

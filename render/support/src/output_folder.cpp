@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "occlude/render/errors.h"
 
@@ -20,23 +21,23 @@ std::vector<fs::path> with_parents(const fs::path& folder) {
   return folders;
 }
 
-void remove_empty(const std::vector<fs::path>& folders) {
-  std::error_code not_empty;
-  std::for_each(folders.rbegin(), folders.rend(), [&](const fs::path& folder) { fs::remove(folder, not_empty); });
-}
-
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& path) {
   for (const fs::path& folder : with_parents(path)) {
     std::error_code error;
-    if (fs::create_directory(folder, error)) made_.push_back(folder);
+    std::optional<Leftover> made = Leftover::make(folder, [&] { return fs::create_directory(folder, error); });
+    if (made) made_.push_back(std::move(*made));
     if (!error) continue;
-    remove_empty(made_);
+    remove_empty();
     throw InputError(fmt::format("{}: cannot create the folder: {}", path.string(), error.message()));
   }
 }
 
-OutputFolder::~OutputFolder() { remove_empty(made_); }
+OutputFolder::~OutputFolder() { remove_empty(); }
+
+void OutputFolder::remove_empty() {
+  while (!made_.empty()) made_.pop_back();
+}
 
 }  // namespace occlude::render

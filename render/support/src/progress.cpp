@@ -4,27 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
-
 #include "occlude/render/console.h"
-#include "occlude/render/errors.h"
 
 namespace occlude::render {
 namespace {
 
 bool reaches_terminal = false;
-
-std::atomic<bool> interrupted = false;  // read by all threads
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may interrupt a read");
-
-extern "C" void on_interrupt(int) { interrupted = true; }
-
-bool is_ignored(int signal) {
-  struct sigaction action {};
-  sigaction(signal, nullptr, &action);
-  return action.sa_handler == SIG_IGN;
-}
 
 }  // namespace
 
@@ -60,18 +45,6 @@ void Watch::operator()(std::size_t done, std::size_t total) {
   check_interrupt();
   if (!progress_) progress_.emplace(label_, total);
   progress_->update(done);
-}
-
-void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = on_interrupt;  // without SA_RESTART, so that a waiting read returns
-  for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) sigaction(signal, &action, nullptr);
-  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // nohup
-  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
-}
-
-void check_interrupt() {
-  if (interrupted) throw Interrupted();
 }
 
 }  // namespace occlude::render

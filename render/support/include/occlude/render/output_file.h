@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "occlude/render/interrupt.h"
 #include "occlude/render/output_place.h"
 
 namespace occlude::render {
@@ -37,7 +39,7 @@ class OutputFile {
 
   std::filesystem::path path_;
   OutputPlace place_;
-  std::filesystem::path temporary_;  ///< empty for a device, and after commit()
+  std::optional<Leftover> temporary_;  ///< none for a device, and after commit()
   int descriptor_ = -1;
   std::string buffer_;
 };

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "occlude/render/interrupt.h"
+
 namespace occlude::render {
 
 /// Creates the folder and its parents. The destructor removes those that it created and that are still empty.
@@ -17,8 +19,10 @@ class OutputFolder {
   OutputFolder& operator=(const OutputFolder&) = delete;
 
  private:
+  void remove_empty();
+
   /// The folders created, the outermost first.
-  std::vector<std::filesystem::path> made_;
+  std::vector<Leftover> made_;
 };
 
 }  // namespace occlude::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A progress line on stderr, and Ctrl-C.
+// A progress line on stderr.
 #pragma once
 
 #include <chrono>
@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+
+#include "occlude/render/interrupt.h"
 
 namespace occlude::render {
 
@@ -44,12 +46,5 @@ class Watch {
   std::string label_;
   std::optional<Progress> progress_;
 };
-
-/// From now on Ctrl-C (and SIGTERM, SIGHUP, the limit of `ulimit -t`) only sets a flag. A closed pipe and the limit of
-/// `ulimit -f` become write errors.
-void catch_interrupts();
-
-/// Throws Interrupted if the flag is set. Long work calls this between steps.
-void check_interrupt();
 
 }  // namespace occlude::render
