@@ -51,11 +51,20 @@ struct Summary {
   ordered_json json;
 };
 
+/// Throws PartError unless there are so many numbers, each the mean of how many polygons something hides.
+void require_hidden(const std::vector<float>& hidden, std::uint64_t count, std::size_t polygons) {
+  render::require_part(hidden.size() == count, "its numbers are not as many as its regions list occluders");
+  const auto is_mean = [most = static_cast<float>(polygons)](float mean) { return mean >= 0 && mean <= most; };
+  render::require_part(std::ranges::all_of(hidden, is_mean), "something hides fewer polygons than none, or more than all");
+}
+
 /// Samples the regions in parts. Returns `hidden` of OccluderLists::Stored, on the first rank; the others have only helped.
 std::vector<float> sample(render::Job& job, const culler::Culler& culler, const culler::SampleConfig& samples) {
   constexpr std::size_t kParts = 256;
   culler.prepare(culler::Method::frusta, render::check_interrupt);
-  const std::size_t regions = culler.occluders().lists().partition().regions();
+  const culler::OccluderLists& lists = culler.occluders().lists();
+  const std::size_t polygons = culler.hierarchy().soup().size();
+  const std::size_t regions = lists.partition().regions();
   const std::size_t of_part = (regions + kParts - 1) / kParts;
   render::Progress progress("region", regions);
   std::vector<float> hidden;
@@ -67,14 +76,19 @@ std::vector<float> sample(render::Job& job, const culler::Culler& culler, const 
   };
   const auto work = [&](const std::string& part) {
     const auto first = render::Unpacker(part).get<std::size_t>();
+    render::require_part(first < regions, "a region that there is not");
     return render::Packer()
         .put(culler::sample_regions(culler, samples, first, end_of(first), render::check_interrupt))
         .bytes();
   };
   const auto take = [&](const std::string& result) {
-    const std::vector<float> part = render::Unpacker(result).list<float>();
+    render::Unpacker unpacker(result);
+    const std::vector<float> part = unpacker.list<float>();
+    unpacker.finish();
+    const std::size_t end = end_of(taken);
+    require_hidden(part, lists.stored().first[end] - lists.stored().first[taken], polygons);
     hidden.insert(hidden.end(), part.begin(), part.end());
-    progress.update(taken = end_of(taken));
+    progress.update(taken = end);
   };
   job.run({next, work, take});
   return hidden;

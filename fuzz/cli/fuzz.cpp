@@ -151,11 +151,14 @@ class Rounds {
  private:
   std::optional<std::string> next() {
     if (begun_ >= campaign_.rounds || !watch_.go_on(findings_)) return std::nullopt;
-    fuzz::Campaign part = campaign_;
-    part.seed += begun_;
-    part.rounds = std::min(of_part_, campaign_.rounds - begun_);
+    const fuzz::Campaign part = part_from(begun_);
     begun_ += part.rounds;
     return render::Packer().put(part.seed).put(part.rounds).bytes();
+  }
+
+  /// The part that begins with this round.
+  [[nodiscard]] fuzz::Campaign part_from(std::uint64_t round) const {
+    return {campaign_.seed + round, std::min(of_part_, campaign_.rounds - round), campaign_.jobs};
   }
 
   [[nodiscard]] std::string work(const std::string& input) const {
@@ -163,6 +166,7 @@ class Rounds {
     fuzz::Campaign campaign = campaign_;
     campaign.seed = part.get<std::uint64_t>();
     campaign.rounds = part.get<std::uint64_t>();
+    part.finish();
     const std::vector<fuzz::Report> reports =
         fuzz::run(campaign, experiments_, [this](std::uint64_t findings) { return watch_.go_on(findings); });
     render::check_interrupt();  // then the part is not whole
@@ -170,12 +174,13 @@ class Rounds {
   }
 
   void take(const std::string& result) {
-    std::vector<fuzz::Report> part = unpack(result);
+    const fuzz::Campaign asked = part_from(taken_);
+    std::vector<fuzz::Report> part = unpack(result, asked, experiments_);
     for (std::size_t i = 0; i < reports_.size(); ++i) {
       findings_ += part[i].tally.disagreements;
       fuzz::add(reports_[i], std::move(part[i]));
     }
-    taken_ = std::min(taken_ + of_part_, campaign_.rounds);
+    taken_ += asked.rounds;
     progress_.update(is_timed_ ? static_cast<std::size_t>(watch_.seconds()) : taken_);
   }
 
@@ -315,6 +320,7 @@ void fuzz_command(const FuzzArguments& a, int& exit_code) {
     out->write(to_json(results));
     out->commit();
   }
+  render::finish_printing();
   job.finish();
 }
 

@@ -21,16 +21,17 @@ bool is_picture(const std::string& name) { return name.starts_with("failure_") &
 
 }  // namespace
 
-std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness) {
+std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness,
+                     const SeenText& seen) {
   return fmt::format("frame {}: polygon {} is culled and shows {}: {}", failure.frame, hierarchy.original(failure.polygon),
-                     failure.where, witness(failure.frame, failure.witness));
+                     seen(failure.frame), witness(failure.frame, failure.witness));
 }
 
 FailureFiles::FailureFiles(const std::filesystem::path& folder)
     : folder_(folder), lines_(folder / "failures.jsonl"), pictures_(folder, is_picture) {}
 
 void FailureFiles::write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness,
-                         const std::function<ItemBuffers&()>& buffers) {
+                         const SeenText& seen, const std::function<ItemBuffers&()>& buffers) {
   const culler::Hierarchy& hierarchy = walk.culler.hierarchy();
   std::map<std::size_t, std::vector<culler::PolygonRange>> marked;
   for (const FalseCull& failure : visibility.false_culls) {
@@ -39,7 +40,7 @@ void FailureFiles::write(const Visibility& visibility, const CheckedWalk& walk, 
     const nlohmann::ordered_json line{
         {"frame", failure.frame},
         {"polygon", hierarchy.original(failure.polygon)},
-        {"shows", failure.where},
+        {"shows", seen(failure.frame)},
         {"witness", witness(failure.frame, failure.witness)},
         {"picture", has_picture ? nlohmann::ordered_json(picture_name(failure.frame)) : nlohmann::ordered_json()}};
     lines_.write(line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');

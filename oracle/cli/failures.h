@@ -19,8 +19,12 @@ namespace occlude::cli {
 /// The text of a frame's witness with this number, or its place in a file.
 using WitnessText = std::function<std::string(std::size_t frame, std::size_t number)>;
 
+/// How a frame's false culls were seen.
+using SeenText = std::function<std::string(std::size_t frame)>;
+
 /// One line about a false cull.
-[[nodiscard]] std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness);
+[[nodiscard]] std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness,
+                                   const SeenText& seen);
 
 /// Writes failures.jsonl, with a line for each false cull that a check names. For each of the first frames that have one, it
 /// also writes a picture of the whole model with these polygons in red.
@@ -29,7 +33,7 @@ class FailureFiles {
   /// Throws InputError for a folder that cannot be written to.
   explicit FailureFiles(const std::filesystem::path& folder);
 
-  void write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness,
+  void write(const Visibility& visibility, const CheckedWalk& walk, const WitnessText& witness, const SeenText& seen,
              const std::function<ItemBuffers&()>& buffers);
 
  private:

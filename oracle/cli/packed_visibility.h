@@ -13,7 +13,8 @@ namespace occlude::cli {
 [[nodiscard]] CulledSets unpack_culled(const std::string& bytes);
 
 [[nodiscard]] std::string pack(const Visibility& visibility);
-[[nodiscard]] Visibility unpack_visibility(const std::string& bytes);
+/// Of the frames of this part of a walk. Throws render::PartError where it cannot be.
+[[nodiscard]] Visibility unpack_visibility(const std::string& bytes, const CheckedWalk& walk, const CulledSets& part);
 
 /// Adds the frames of `part` behind those of `whole`.
 void append(Visibility& whole, Visibility&& part);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -130,7 +131,8 @@ class WitnessesAnew final : public Witnesses {
       culling_.append_witnesses(lines_, frames_[begun_++]);
     }
     const std::size_t number = ++line_;
-    return Place{std::move(lines_[number - 1]), fmt::format("frame {}", frames_[begun_ - 1]), number};
+    const std::size_t frame = frames_[begun_ - 1];
+    return Place{std::move(lines_[number - 1]), fmt::format("frame {}", frame), number, frame};
   }
   void show_progress() override { progress_.update(begun_); }
 
@@ -143,56 +145,56 @@ class WitnessesAnew final : public Witnesses {
   std::size_t begun_ = 0, line_ = 0;
 };
 
-std::string pack(const std::vector<Place>& places) {
+std::string pack_lines(const std::vector<Place>& places) {
   render::Packer packer;
-  for (const Place& place : places) packer.put(place.line).put(place.name).put(place.number);
+  for (const Place& place : places) packer.put(place.line);
   return packer.bytes();
 }
 
-std::vector<Place> unpack_places(const std::string& bytes) {
-  std::vector<Place> places;
-  for (render::Unpacker unpacker(bytes); !unpacker.is_empty();) {
-    std::string line = unpacker.text(), name = unpacker.text();
-    places.push_back({std::move(line), std::move(name), unpacker.get<std::size_t>()});
-  }
-  return places;
+std::vector<std::string> unpack_lines(const std::string& bytes) {
+  std::vector<std::string> lines;
+  for (render::Unpacker unpacker(bytes); !unpacker.is_empty();) lines.push_back(unpacker.text());
+  return lines;
 }
 
 /// Proves the witnesses of a part. The result has an entry for each line, up to the first that is not a witness.
-std::string prove(const proof::Prover& prover, const std::vector<Place>& places) {
+std::string prove(const proof::Prover& prover, const std::vector<std::string>& lines) {
   struct Verdict {
     proof::Proof proof;
     std::string unreadable;
   };
-  std::vector<Verdict> verdicts(places.size());
+  std::vector<Verdict> verdicts(lines.size());
   const auto prove_one = [&](std::size_t i) {
     try {
-      verdicts[i].proof = prover.prove(places[i].line);
+      verdicts[i].proof = prover.prove(lines[i]);
     } catch (const cases::LineError& error) {
       verdicts[i].unreadable = error.what();
     }
   };
-  culler::parallel_for(places.size(), prove_one, render::check_interrupt);
+  culler::parallel_for(lines.size(), prove_one, render::check_interrupt);
   render::Packer packer;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto& [proof, unreadable] = verdicts[i];
-    const std::string& fault = unreadable.empty() ? proof.failure : unreadable;
-    packer.put(!unreadable.empty()).put(fault.empty() ? "" : fmt::format("{}: {}", places[i].name, fault));
+  for (const auto& [proof, unreadable] : verdicts) {
+    packer.put(!unreadable.empty()).put(unreadable.empty() ? proof.failure : unreadable);
     if (!unreadable.empty()) break;
-    packer.put(proof.frame).put(CulledRun{proof.first, proof.count, places[i].number});
+    packer.put(proof.frame).put(proof.first).put(proof.count);
   }
   return packer.bytes();
 }
+
+/// Frames of the path, and triangles of the model.
+struct Extent {
+  std::size_t frames, triangles;
+};
 
 /// The proofs of all witnesses, and what they cull.
 class Proving {
  public:
   /// The first failure is reported at once and sets the exit code to 1.
-  explicit Proving(int& exit_code) : exit_code_(exit_code) {}
+  Proving(Extent extent, int& exit_code) : extent_(extent), exit_code_(exit_code) {}
 
   /// Throws InputError for a line that is not a witness. The outcome does not depend on who does the parts.
   void run(render::Job& job, const proof::Prover& prover, Witnesses& witnesses) {
-    job.run({[&] { return next(witnesses); }, [&](const std::string& part) { return prove(prover, unpack_places(part)); },
+    job.run({[&] { return next(witnesses); }, [&](const std::string& part) { return prove(prover, unpack_lines(part)); },
              [&](const std::string& result) {
                take(result);
                witnesses.show_progress();
@@ -203,61 +205,99 @@ class Proving {
   std::size_t proved = 0, failed = 0;
 
  private:
-  [[nodiscard]] static std::optional<std::string> next(Witnesses& witnesses) {
+  /// What is left of a place once its line is dealt.
+  struct Asked {
+    std::string name;
+    std::size_t number;
+    std::optional<std::size_t> frame;
+  };
+
+  [[nodiscard]] std::optional<std::string> next(Witnesses& witnesses) {
     std::vector<Place> places;
     for (std::size_t bytes = 0; places.size() < kBatch && bytes < kBatchBytes; bytes += places.back().line.size()) {
       std::optional<Place> place = witnesses.next();
       if (!place) break;
       places.push_back(std::move(*place));
     }
-    return places.empty() ? std::nullopt : std::optional(pack(places));
+    if (places.empty()) return std::nullopt;
+    asked_.emplace_back();
+    for (const Place& place : places) asked_.back().push_back({place.name, place.number, place.frame});
+    return pack_lines(places);
   }
 
   void take(const std::string& result) {
-    for (render::Unpacker unpacker(result); !unpacker.is_empty();) {
-      const bool is_unreadable = unpacker.get<bool>();
-      const std::string fault = unpacker.text();
-      if (is_unreadable) throw render::InputError(fault);
-      const auto frame = unpacker.get<std::size_t>();
-      const auto run = unpacker.get<CulledRun>();
-      if (run.count != 0) culled[frame].push_back(run);
-      count(fault);
-    }
+    render::Unpacker unpacker(result);
+    for (const Asked& asked : asked_.front()) take(unpacker, asked);
+    unpacker.finish();
+    asked_.pop_front();
   }
 
-  void count(const std::string& fault) {
+  void take(render::Unpacker& unpacker, const Asked& asked) {
+    const bool is_unreadable = unpacker.flag();
+    const std::string fault = unpacker.text();
+    if (is_unreadable) {
+      render::require_part(!fault.empty(), "a line is no witness for no reason");
+      unpacker.finish();
+      throw render::InputError(fmt::format("{}: {}", asked.name, fault));
+    }
+    const auto frame = unpacker.get<std::size_t>(), first = unpacker.get<std::size_t>(), count = unpacker.get<std::size_t>();
+    render::require_part(frame == asked.frame.value_or(frame) && frame < extent_.frames,
+                         "a witness is of another frame than asked for");
+    render::require_part(count <= extent_.triangles && first <= extent_.triangles - count,
+                         "a witness culls triangles that the model does not have");
+    if (count != 0) culled[frame].push_back({first, count, asked.number});
+    add(fault, asked);
+  }
+
+  void add(const std::string& fault, const Asked& asked) {
     if (fault.empty()) {
       ++proved;
     } else if (failed++ == 0) {
       exit_code_ = kCheckFailed;
-      render::say(render::printable(fault) + "\n");
+      render::say(render::printable(fmt::format("{}: {}", asked.name, fault)) + "\n");
     }
   }
 
+  Extent extent_;
   int& exit_code_;
+  std::deque<std::vector<Asked>> asked_;  ///< of the parts that are not taken yet
 };
 
 /// Few frames, because each may take a second.
 constexpr std::size_t kFramesOfPart = 4;
 
 /// What shows in the frames of `culled`.
-Visibility check_visibility(render::Job& job, const CulledSets& culled,
+Visibility check_visibility(render::Job& job, const CulledSets& culled, const CheckedWalk& walk,
                             const std::function<Visibility(const CulledSets&)>& check) {
   Visibility all;
   render::Progress progress("visibility, frame", culled.size());
-  auto at = culled.begin();
-  const auto next = [&]() -> std::optional<std::string> {
-    if (at == culled.end()) return std::nullopt;
+  const auto part_at = [&](CulledSets::const_iterator& at) {
     CulledSets part;
     while (at != culled.end() && part.size() < kFramesOfPart) part.insert(*at++);
-    return pack(part);
+    return part;
+  };
+  auto begun = culled.begin(), taken = culled.begin();
+  const auto next = [&]() -> std::optional<std::string> {
+    if (begun == culled.end()) return std::nullopt;
+    return pack(part_at(begun));
   };
   const auto take = [&](const std::string& result) {
-    append(all, unpack_visibility(result));
+    append(all, unpack_visibility(result, walk, part_at(taken)));
     progress.update(all.frames.size());
   };
   job.run({next, [&](const std::string& part) { return pack(check(unpack_culled(part))); }, take});
   return all;
+}
+
+/// Throws PartError unless the counts can be those of a frame by this method in which so many polygons do not show.
+void require_counts(const culler::MissedReasons::Counts& counts, culler::Method method, std::size_t hidden) {
+  std::size_t left = counts.missed;
+  for (std::size_t r = 0; r < culler::kMissedReasons; ++r) {
+    const std::size_t most = is_of(static_cast<culler::Missed>(r), method) ? left : 0;
+    render::require_part(counts.reasons[r] <= most, "its reasons are of more polygons than were missed");
+    left -= counts.reasons[r];
+  }
+  render::require_part(counts.missed <= hidden, "more polygons were missed than are hidden");
 }
 
 /// Counts on the reference frames of `visibility`.
@@ -278,14 +318,19 @@ render::MissedCounts count_missed(render::Job& job, const Walked& walked, const 
   const auto work = [&](const std::string& part) {
     render::Unpacker unpacker(part);
     const auto frame = unpacker.get<std::size_t>();
+    const std::vector<bool> shows = unpacker.bits();
+    unpacker.finish();
     const culler::CullResult& culled = culling.cull(frame);
     const culler::MissedReasons reasons(walked.culler, culling.camera(frame), walked.options.cull, culled);
-    return render::Packer()
-        .put(culler::MissedReasons::count(reasons.answers(unpacker.bits(), render::check_interrupt)))
-        .bytes();
+    return render::Packer().put(culler::MissedReasons::count(reasons.answers(shows, render::check_interrupt))).bytes();
   };
   const auto take = [&](const std::string& result) {
-    missed.counts += render::Unpacker(result).get<culler::MissedReasons::Counts>();
+    render::Unpacker unpacker(result);
+    const auto counts = unpacker.get<culler::MissedReasons::Counts>();
+    unpacker.finish();
+    const FrameVisibility& frame = *references[missed.frames];
+    require_counts(counts, missed.method, frame.shows.size() - frame.visible);
+    missed.counts += counts;
     progress.update(++missed.frames);
   };
   job.run({next, work, take});
@@ -362,7 +407,7 @@ void validate(ValidateArguments& arguments, int& exit_code) {
 
   const proof::Prover prover(hierarchy,
                              {path.frames, [&](std::size_t frame) { return path.camera(frame, checked.aspect); }});
-  Proving proving(exit_code);
+  Proving proving({path.frames, hierarchy.first_triangle(hierarchy.soup().size())}, exit_code);
   if (is_anew) {
     WitnessesAnew anew(walked, proving.culled);
     proving.run(job, prover, anew);
@@ -380,7 +425,7 @@ void validate(ValidateArguments& arguments, int& exit_code) {
     return made ? *made : made.emplace(hierarchy.soup(), options.width, options.height);
   };
   if (!result.is_exact) result.sizes = buffers().sizes();
-  result.visibility = check_visibility(job, proving.culled, [&](const CulledSets& culled) {
+  result.visibility = check_visibility(job, proving.culled, checked, [&](const CulledSets& culled) {
     return result.is_exact ? check_exactly(checked, culled) : check_rendered(checked, culled, buffers());
   });
   if (is_anew) result.missed = count_missed(job, walked, result.visibility);
@@ -389,10 +434,14 @@ void validate(ValidateArguments& arguments, int& exit_code) {
   if (!passed(result)) exit_code = kCheckFailed;
   arguments.json ? render::print(to_json(result)) : render::tell(to_text(result));
   const WitnessText witness = is_anew ? witnesses_anew(walked, result.visibility) : witnesses_of(arguments.witness);
+  const SeenText seen = [&](std::size_t frame) {
+    return result.is_exact ? "in exact arithmetic" : "in " + buffers().describe(turns.turn(frame));
+  };
   if (!result.visibility.false_culls.empty()) {
-    render::say(describe(result.visibility.false_culls.front(), hierarchy, witness) + "\n");
+    render::say(describe(result.visibility.false_culls.front(), hierarchy, witness, seen) + "\n");
   }
-  if (files) files->write(result.visibility, checked, witness, buffers);
+  if (files) files->write(result.visibility, checked, witness, seen, buffers);
+  render::finish_printing();
   job.finish();
 }
 

@@ -14,8 +14,6 @@
 namespace occlude::cli {
 namespace {
 
-constexpr std::size_t kNamed = 64;
-
 std::vector<bool> shown(const std::vector<std::uint32_t>& pixels) {
   std::vector<bool> result;
   for (const std::uint32_t count : pixels) result.push_back(count != 0);
@@ -29,7 +27,7 @@ std::vector<bool> in_view(const culler::Culler& culler, const culler::Camera& ca
 
 /// Adds the counts of a frame. `pixels` is the number of pixels in which each polygon shows.
 void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const std::vector<CulledRun>& culled,
-         const std::vector<bool>& drawn, const std::vector<std::uint32_t>& pixels, const std::string& where) {
+         const std::vector<bool>& drawn, const std::vector<std::uint32_t>& pixels) {
   FrameVisibility& counts = result.frames.emplace_back();
   counts.frame = frame;
   const std::vector<bool> viewed = in_view(walk.culler, walk.path.camera(frame, walk.aspect));
@@ -44,7 +42,7 @@ void add(Visibility& result, const CheckedWalk& walk, std::size_t frame, const s
     if (is_drawn) continue;
     counts.wrong_pixels += pixels[p];
     if (counts.false_culls++ < kNamed) {
-      result.false_culls.push_back({frame, p, witness_of(walk.culler.hierarchy(), culled, p), where});
+      result.false_culls.push_back({frame, p, witness_of(walk.culler.hierarchy(), culled, p)});
     }
   }
   if (walk.turns.is_reference(frame)) counts.shows = shown(pixels);
@@ -76,7 +74,7 @@ Visibility check_exactly(const CheckedWalk& walk, const CulledSets& culled) {
   Visibility result;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto& [frame, runs] = frames[i];
-    add(result, walk, frame, *runs, drawn_polygons(hierarchy, *runs), shows[i], "in exact arithmetic");
+    add(result, walk, frame, *runs, drawn_polygons(hierarchy, *runs), shows[i]);
   }
   return result;
 }
@@ -93,7 +91,7 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
     for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), std::span(&all, 1)).pixels) {
       if (p != render::kNothing) ++pixels[p];
     }
-    add(result, walk, frame, runs, drawn_polygons(hierarchy, runs), pixels, "in " + buffers.describe(turn));
+    add(result, walk, frame, runs, drawn_polygons(hierarchy, runs), pixels);
   }
   return result;
 }

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "culled_sets.h"
@@ -30,12 +29,14 @@ struct FalseCull {
   std::size_t frame = 0;
   std::uint32_t polygon = 0;  ///< its index in the tree
   std::size_t witness = 0;    ///< the number of the line that culls it
-  std::string where;          ///< how it was seen
 };
+
+/// False culls of a frame that are named, and not only counted.
+inline constexpr std::size_t kNamed = 64;
 
 struct Visibility {
   std::vector<FrameVisibility> frames;
-  std::vector<FalseCull> false_culls;  ///< the first 64 of each frame
+  std::vector<FalseCull> false_culls;  ///< the first kNamed of each frame
 };
 
 /// The walk whose frames are checked.

@@ -14,7 +14,8 @@ namespace occlude::cli {
 /// A witness and where it comes from.
 struct Place {
   std::string line, name;
-  std::size_t number;  ///< the number of its line, from 1
+  std::size_t number;                     ///< the number of its line, from 1
+  std::optional<std::size_t> frame = {};  ///< if it is known before the line is read
 };
 
 /// The lines that are not blank. The first is read at once, because it tells the tree; so a pipe will do. Throws InputError

@@ -7,9 +7,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "dealer.h"
@@ -93,9 +95,9 @@ TEST(Dealer, PutsResultsInOrderThatComeInAnother) {
   const Stage stage = doubling.stage();
   Dealer dealer(stage, 0, nullptr);
   const auto first = dealer.next(), second = dealer.next();
-  dealer.accept(second->number, "2");
+  dealer.accept(second->number, "2", 0);
   EXPECT_TRUE(doubling.results.empty());
-  dealer.accept(first->number, "0");
+  dealer.accept(first->number, "0", 1);
   EXPECT_EQ(doubling.results, (std::vector{0, 2}));
 }
 
@@ -104,7 +106,7 @@ TEST(Dealer, ServesManyThreads) {
   const Stage stage = doubling.stage();
   Dealer dealer(stage, 0, nullptr);
   const auto work = [&] {
-    while (const auto part = dealer.next()) dealer.accept(part->number, std::to_string(2 * std::stoi(part->input)));
+    while (const auto part = dealer.next()) dealer.accept(part->number, std::to_string(2 * std::stoi(part->input)), 0);
   };
   {
     std::vector<std::jthread> threads;
@@ -122,6 +124,78 @@ TEST(Dealer, DealsNothingAfterAFailure) {
   dealer.fail(std::make_exception_ptr(std::runtime_error("first")));
   EXPECT_FALSE(dealer.next());
   EXPECT_THROW(dealer.finish(), std::runtime_error);
+}
+
+/// What the dealer fails with.
+std::string failure(Dealer& dealer) {
+  try {
+    dealer.finish();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// One part, whose result must be "right".
+Stage one_part(bool& is_begun) {
+  return {[&] { return std::exchange(is_begun, true) ? std::nullopt : std::optional<std::string>("input"); },
+          [](const std::string&) { return "right"; },
+          [](const std::string& result) { require_part(result == "right", "it is not right"); }};
+}
+
+TEST(Dealer, SaysWhoseResultIsWrong) {
+  bool is_begun = false;
+  const Stage stage = one_part(is_begun);
+  Dealer dealer(stage, 0, nullptr);
+  dealer.accept(dealer.next()->number, "wrong", 3);
+  EXPECT_EQ(failure(dealer), "rank 3: not the result of this part: it is not right");
+}
+
+TEST(Dealer, RefusesAResultThatIsNotAwaited) {
+  for (const bool is_known : {false, true}) {
+    bool is_begun = false;
+    const Stage stage = one_part(is_begun);
+    Dealer dealer(stage, 0, nullptr);
+    const auto part = dealer.next();
+    if (is_known) dealer.accept(part->number, "right", 1);
+    dealer.accept(is_known ? part->number : part->number + 1, "right", 1);
+    EXPECT_EQ(failure(dealer), "rank 1: a result of a part that it was not given");
+  }
+}
+
+TEST_F(KeptJob, NamesThePartThatIsForged) {
+  KeptParts kept(parts_, 1, false);
+  kept.keep({0, 0}, "input", "wrong");
+  bool is_begun = false;
+  const Stage stage = one_part(is_begun);
+  Dealer dealer(stage, 0, &kept);
+  EXPECT_FALSE(dealer.next());
+  EXPECT_EQ(failure(dealer), parts_ + "/part-0-000000: not the result of this part: it is not right");
+}
+
+TEST_F(KeptJob, RefusesFilesThatAreNoParts) {
+  KeptParts kept(parts_, 1, false);
+  kept.keep({0, 0}, "input", "result");
+  const fs::path file = parts_ + "/part-0-000000";
+  const auto refusal = [&] {
+    try {
+      (void)kept.find({0, 0}, "input");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  fs::resize_file(file, std::uintmax_t{3} << 30U);
+  EXPECT_EQ(refusal(), file.string() + ": cannot read: it is larger than 256 MiB");
+  fs::remove(file);
+  fs::create_directory(file);
+  EXPECT_EQ(refusal(), file.string() + ": cannot read: it is a directory");
+  fs::remove(file);
+  fs::create_symlink("/dev/zero", file);
+  EXPECT_EQ(refusal(), file.string() + ": cannot read: it is not a regular file");
+  fs::remove(file);
+  fs::create_symlink("nothing", file);
+  EXPECT_EQ(refusal(), file.string() + ": cannot read: No such file or directory");
 }
 
 TEST_F(KeptJob, GoesOnWithWhatIsFinished) {
@@ -176,7 +250,38 @@ TEST(Packing, ReadsBackWhatItWrote) {
   EXPECT_EQ(unpacker.bits(), bits);
   EXPECT_TRUE(unpacker.bits().empty());
   EXPECT_TRUE(unpacker.is_empty());
-  EXPECT_THROW((void)unpacker.get<char>(), std::logic_error);
+  unpacker.finish();
+  EXPECT_THROW((void)unpacker.get<char>(), PartError);
+}
+
+/// What reading these bytes throws.
+template <class Read>
+std::string refusal_of(const std::string& bytes, Read&& read) {
+  Unpacker unpacker(bytes);
+  try {
+    read(unpacker);
+  } catch (const PartError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Packing, RefusesWhatNobodyPacked) {
+  const auto bits = [](Unpacker& unpacker) { (void)unpacker.bits(); };
+  const auto list = [](Unpacker& unpacker) { (void)unpacker.list<double>(); };
+  const auto text = [](Unpacker& unpacker) { (void)unpacker.text(); };
+  const auto flag = [](Unpacker& unpacker) { (void)unpacker.flag(); };
+  // Nothing of this size is allocated.
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  for (const std::uint64_t size : {kMost, kMost - 7, kMost / 2, std::uint64_t{9}}) {
+    EXPECT_EQ(refusal_of(Packer().put(size).put(std::string("x")).bytes(), bits), "flags are not as many as it says");
+    EXPECT_EQ(refusal_of(Packer().put(size).put('x').bytes(), text), "it ends too early");
+    EXPECT_EQ(refusal_of(Packer().put(size).put('x').bytes(), list), "it ends too early");
+  }
+  EXPECT_EQ(refusal_of(Packer().put(std::string(9, 'x')).bytes(), list), "a list ends within a value");
+  EXPECT_EQ(refusal_of("\2", flag), "a flag is neither 0 nor 1");
+  EXPECT_EQ(refusal_of("\1x", [](Unpacker& unpacker) { (void)unpacker.flag(), unpacker.finish(); }),
+            "it goes on where it should end");
 }
 
 }  // namespace job_test

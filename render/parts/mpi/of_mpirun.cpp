@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -48,6 +49,7 @@ void initialise() {
 }
 
 void send(int rank, int tag, const std::string& bytes = {}) {
+  if (bytes.size() > std::numeric_limits<int>::max()) throw InputError("mpirun: a part is larger than MPI can send");
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, rank, tag, MPI_COMM_WORLD);
 }
 
@@ -111,12 +113,17 @@ class Counter {
  private:
   /// Returns whether there was a part to give.
   bool answer(const Message& asked) {
-    Unpacker message(asked.bytes);
-    if (message.get<StageKey>() != key_) {
-      fail(asked, "it has other input, or another program, than the first rank");
-    } else if (!message.is_empty()) {
-      const auto number = message.get<std::uint64_t>();
-      dealer_.accept(number, message.text());
+    try {
+      Unpacker message(asked.bytes);
+      if (message.get<StageKey>() != key_) {
+        fail(asked, "it has other input, or another program, than the first rank");
+      } else if (!message.is_empty()) {
+        const auto number = message.get<std::uint64_t>();
+        dealer_.accept(number, message.text(), static_cast<std::size_t>(asked.rank));
+        message.finish();
+      }
+    } catch (const PartError& error) {
+      fail(asked, error.what());
     }
     const std::optional<Dealer::Part> part = dealer_.next();
     if (part) {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dealer.h"
 
+#include <fmt/format.h>
+
 #include <utility>
+
+#include "occlude/render/errors.h"
+#include "occlude/render/packing.h"
 
 namespace occlude::render {
 
@@ -12,12 +17,15 @@ std::optional<Dealer::Part> Dealer::next() {
   return part;
 }
 
-void Dealer::accept(std::uint64_t number, const std::string& result) {
+void Dealer::accept(std::uint64_t number, const std::string& result, std::size_t rank) {
   const std::lock_guard lock(mutex_);
   attempt([&] {
-    take(number, result);
-    // A result that shows bad input is not kept: take() has thrown.
-    if (kept_ != nullptr) kept_->keep({stage_number_, number}, inputs_.extract(number).mapped(), result);
+    const auto input = inputs_.extract(number);
+    const std::string place = fmt::format("rank {}", rank);
+    if (input.empty()) throw InputError(place + ": a result of a part that it was not given");
+    take(number, {result, place});
+    // A result that cannot be taken is not kept: take() has thrown.
+    if (kept_ != nullptr) kept_->keep({stage_number_, number}, input.mapped(), result);
   });
 }
 
@@ -34,9 +42,12 @@ void Dealer::finish() {
 std::optional<Dealer::Part> Dealer::next_not_kept() {
   while (std::optional<std::string> input = stage_.next()) {
     const std::uint64_t number = dealt_++;
-    if (kept_ == nullptr) return Part{number, std::move(*input)};
+    if (kept_ == nullptr) {
+      inputs_[number];
+      return Part{number, std::move(*input)};
+    }
     if (std::optional<std::string> result = kept_->find({stage_number_, number}, *input)) {
-      take(number, std::move(*result));
+      take(number, {std::move(*result), kept_->file_of({stage_number_, number}).string()});
       continue;
     }
     inputs_[number] = *input;
@@ -45,11 +56,16 @@ std::optional<Dealer::Part> Dealer::next_not_kept() {
   return std::nullopt;
 }
 
-void Dealer::take(std::uint64_t number, std::string result) {
+void Dealer::take(std::uint64_t number, Result result) {
   waiting_[number] = std::move(result);
   while (!waiting_.empty() && waiting_.begin()->first == taken_) {
     ++taken_;
-    stage_.take(waiting_.extract(waiting_.begin()).mapped());
+    const Result first = waiting_.extract(waiting_.begin()).mapped();
+    try {
+      stage_.take(first.bytes);
+    } catch (const PartError& error) {
+      throw InputError(fmt::format("{}: not the result of this part: {}", first.place, error.what()));
+    }
   }
 }
 

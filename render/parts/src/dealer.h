@@ -28,16 +28,20 @@ class Dealer {
 
   /// The next part that is not kept; none when all are dealt, or after a failure.
   [[nodiscard]] std::optional<Part> next();
-  /// The result of a part that next() gave.
-  void accept(std::uint64_t number, const std::string& result);
+  /// The result of a part that next() gave, by a rank.
+  void accept(std::uint64_t number, const std::string& result, std::size_t rank);
   void fail(std::exception_ptr failure);
 
   /// Throws the first failure. Call this when all parts that were dealt are accepted.
   void finish();
 
  private:
+  struct Result {
+    std::string bytes, place;  ///< where the bytes are from
+  };
+
   std::optional<Part> next_not_kept();
-  void take(std::uint64_t number, std::string result);
+  void take(std::uint64_t number, Result result);
   /// Calls work() unless something failed; what it throws is the failure.
   template <class Work>
   void attempt(Work&& work);
@@ -48,8 +52,8 @@ class Dealer {
   std::mutex mutex_;
   std::exception_ptr failure_;
   std::uint64_t dealt_ = 0, taken_ = 0;
-  std::map<std::uint64_t, std::string> inputs_;   ///< of parts under way, if parts are kept
-  std::map<std::uint64_t, std::string> waiting_;  ///< results for which an earlier one is missing
+  std::map<std::uint64_t, std::string> inputs_;  ///< of parts under way; empty unless parts are kept
+  std::map<std::uint64_t, Result> waiting_;      ///< results for which an earlier one is missing
 };
 
 }  // namespace occlude::render

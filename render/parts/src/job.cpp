@@ -53,7 +53,7 @@ void Job::run_first(const Stage& stage, unsigned number) {
     const Helpers helpers(dealer, {key_, number});
     while (const std::optional<Dealer::Part> part = dealer.next()) {
       try {
-        dealer.accept(part->number, stage.work(part->input));
+        dealer.accept(part->number, stage.work(part->input), 0);
       } catch (...) {
         dealer.fail(std::current_exception());
       }

@@ -18,9 +18,20 @@ namespace occlude::render {
 namespace fs = std::filesystem;
 namespace {
 
+/// Of the file "job", which has one line.
+constexpr std::uint64_t kMostJob = std::uint64_t{1} << 20U;
+/// Of a part: in the lists of 256 parts of a preprocess are 2^30 numbers at the most, 16 MiB a part; in a part of a
+/// validation the polygons that show in four frames, 25 MB for 50 million of them. Lists may be of very different lengths.
+constexpr std::uint64_t kMostPart = std::uint64_t{256} << 20U;
+
 std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
 std::string digest_of(std::string_view bytes) { return hex(Digest().add(bytes).value()); }
+
+/// The first line of a part.
+std::string head_of(const std::string& input, std::string_view result) {
+  return digest_of(input) + " " + digest_of(result) + "\n";
+}
 
 /// The first line of the file "job".
 std::string job_line(std::uint64_t key) { return "occlude parts " + hex(key) + "\n"; }
@@ -28,6 +39,12 @@ std::string job_line(std::uint64_t key) { return "occlude parts " + hex(key) + "
 /// Also what a killed process left of a file that it was writing.
 bool is_ours(const std::string& name) {
   return name == "job" || name.starts_with("part-") || name.starts_with(".occlude.tmp-");
+}
+
+/// Whether there is anything of this name. What cannot be read says so when it is read.
+bool is_there(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(file, error));
 }
 
 std::vector<fs::path> files_of(const fs::path& folder) {
@@ -51,13 +68,13 @@ void write(const fs::path& file, std::string_view head, std::string_view rest = 
 KeptParts::KeptParts(fs::path folder, std::uint64_t key, bool resume) : folder_(std::move(folder)) {
   const fs::path job = folder_ / "job";
   const std::string name = folder_.string();
-  const bool has_job = fs::exists(job);
+  const bool has_job = is_there(job);
   if (has_job && !resume) {
     throw InputError(name + ": has finished parts of an earlier run; go on with --resume, or remove the folder");
   }
   if (!has_job && resume) throw InputError(name + ": has no parts of an earlier run, so --resume cannot go on");
   if (has_job) {
-    if (read_input(job) != job_line(key)) {
+    if (read_input(job, kMostJob) != job_line(key)) {
       throw InputError(name + ": has parts of another run: other options, input or program");
     }
     return;
@@ -75,21 +92,23 @@ KeptParts::~KeptParts() {
 
 std::optional<std::string> KeptParts::find(PartNumber number, const std::string& input) {
   const fs::path file = file_of(number);
-  if (!fs::exists(file)) return std::nullopt;
-  const std::string bytes = read_input(file);
-  const std::string wanted = digest_of(input) + " ";
-  if (!bytes.starts_with(wanted)) return std::nullopt;
-  const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1);
-  std::string result = bytes.substr(end + 1);
-  if (bytes.substr(wanted.size(), end - wanted.size()) != digest_of(result)) {
+  if (!is_there(file)) return std::nullopt;
+  std::string bytes = read_input(file, kMostPart);
+  if (!bytes.starts_with(digest_of(input) + " ")) return std::nullopt;
+  const std::string_view result = std::string_view(bytes).substr(std::min(bytes.find('\n'), bytes.size() - 1) + 1);
+  const std::size_t head = bytes.size() - result.size();
+  if (bytes.compare(0, head, head_of(input, result)) != 0) {
     throw InputError(file.string() + ": damaged; remove it, and --resume makes it again");
   }
   ++count_;
-  return result;
+  bytes.erase(0, head);
+  return bytes;
 }
 
 void KeptParts::keep(PartNumber number, const std::string& input, const std::string& result) {
-  write(file_of(number), digest_of(input) + " " + digest_of(result) + "\n", result);
+  const std::string head = head_of(input, result);
+  if (head.size() + result.size() > kMostPart) return;  // it would not be read
+  write(file_of(number), head, result);
   ++count_;
 }
 

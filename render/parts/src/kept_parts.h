@@ -26,15 +26,15 @@ class KeptParts {
 
   /// The result of a part that was kept for this input. Throws InputError, naming the file, if it is damaged.
   [[nodiscard]] std::optional<std::string> find(PartNumber number, const std::string& input);
+  /// Keeps a result, unless it is too large to be read again.
   void keep(PartNumber number, const std::string& input, const std::string& result);
   void remove();
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-
- private:
   [[nodiscard]] std::filesystem::path file_of(PartNumber number) const;
 
+ private:
   std::filesystem::path folder_;
   std::uint64_t count_ = 0;  ///< parts that this run has found or kept
 };

@@ -19,7 +19,8 @@ struct Stage {
   std::function<std::optional<std::string>()> next;
   /// The result for an input. Called on the main thread of any rank, on each rank in the order of the parts.
   std::function<std::string(const std::string& input)> work;
-  /// Takes the results in the order of the parts. Called as next() is, and never at the same time.
+  /// Takes the results in the order of the parts. Called as next() is, and never at the same time. A result may come from
+  /// another process or from disk: throws PartError unless it can be that of its input.
   std::function<void(const std::string& result)> take;
 };
 
