@@ -97,6 +97,7 @@ void run_and_report(int argc, char** argv) {
   };
   try {
     occlude::render::require_stack();
+    occlude::render::follow_mpirun();
     run(argc, argv);
     occlude::render::settle();
   } catch (const occlude::render::Interrupted& error) {

@@ -15,6 +15,10 @@ namespace occlude::render {
 /// Whether the standard error of mpirun, to which it copies that of the ranks, is a terminal.
 [[nodiscard]] bool mpirun_has_terminal();
 
+/// From now on the end of mpirun interrupts this process, as Ctrl-C does. Does nothing without mpirun. REQUIRES: interrupts
+/// are caught.
+void follow_mpirun();
+
 /// Of a helper that cannot go on: the first rank will fail with this message. Does nothing on the first rank.
 void tell_first_rank(const std::string& fault);
 
