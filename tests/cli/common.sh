@@ -89,7 +89,9 @@ await() {
   fail "waited in vain for: $*"
 }
 
-has_begun() { [ -n "$(find . -name '.occlude*')" ]; } # the command has begun an output
+has_leftovers() { [ -n "$(find . -name '.occlude*')" ]; }
+# has_begun PROCESS: it has begun an output here, which has no name yet, or a temporary one.
+has_begun() { ls -l "/proc/$1/fd" 2>/dev/null | grep -qE "$here/(.*/)?(#[0-9]+ \(deleted\)|\.occlude\.tmp-.*)\$"; }
 
 # interrupt SIGNAL COMMAND...: sends SIGNAL to COMMAND once it has begun an output. Expects exit code 130 and nothing left of
 # the output.
@@ -97,12 +99,12 @@ interrupt() {
   local signal=$1 status
   shift
   "$@" >stdout 2>stderr &
-  await has_begun
+  await has_begun $!
   kill -"$signal" $!
   wait $!
   status=$?
   [ $status -eq 130 ] || fail "exit code $status after SIG$signal: $*: $(cat stderr)"
-  ! has_begun || fail "SIG$signal leaves $(find . -name '.occlude*'): $*"
+  ! has_leftovers || fail "SIG$signal leaves $(find . -name '.occlude*'): $*"
 }
 
 # interrupt_reader COMMAND...: sends SIGINT to COMMAND while it waits for input from the pipe `pipe`. Expects exit code 130.

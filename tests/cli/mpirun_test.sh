@@ -14,7 +14,6 @@ long=(fuzz --family lattice --cases 500000 --jobs 1 --findings '')
 "$occlude" "${long[@]}" --parts kept --out killed.json >/dev/null 2>stderr &
 await has_parts kept
 { kill -KILL $! && wait $!; } 2>/dev/null
-rm -f .occlude.tmp-*
 has_parts kept || fail "no parts are kept"
 expect_error "kept: has finished parts of an earlier run; go on with --resume" "$occlude" "${long[@]}" --parts kept
 expect_error "kept: has parts of another run" "$occlude" "${long[@]}" --seed 2 --parts kept --resume
@@ -138,7 +137,6 @@ for victim in 0 1; do
   wait $! && fail "rank $victim was killed, and mpirun succeeds"
   [ $victim -eq 0 ] || grep -q 'finished parts are in occlude_fuzz_parts: --resume goes on' stderr || fail "rank $victim: $(cat stderr)"
   [ ! -e killed.json ] || fail "rank $victim was killed, and there is a result"
-  rm -f .occlude.tmp-*
   has_parts occlude_fuzz_parts || fail "rank $victim was killed, and no parts are kept"
   ranks 3 "$occlude" "${long[@]}" --resume --out resumed.json >/dev/null 2>stderr || fail "--resume: $(cat stderr)"
   cmp -s <(without_times one.json) <(without_times resumed.json) || fail "rank $victim was killed, and --resume gives another result"

@@ -237,7 +237,7 @@ exit_code 2 bash -c '"$@" 1>&- 2>&- <&-' bash "$occlude" classify -
 
 # A full disk and a limit of the size of files: the error says so, and nothing is left behind.
 nothing_left() {
-  ! has_begun || fail "left behind by $*: $(find . -name '.occlude*')"
+  ! has_leftovers || fail "left behind by $*: $(find . -name '.occlude*')"
 }
 [ ! -e /dev/full ] || for options in "walk good.ply --path path.json --size 64x36 --no-render --out out --witness /dev/full" \
   "walk good.ply --path path.json --size 64x36 --no-render --out out --cases /dev/full" \
@@ -286,7 +286,7 @@ for signal in INT TERM HUP XCPU; do
   [ -z "$(ls | grep stopped)" ] || fail "SIG$signal leaves $(ls | grep stopped)"
 done
 (trap '' HUP && exec "$occlude" walk city.ply --path city.json --frames 0:20 --out nohup --no-render) >stdout 2>stderr &
-await has_begun
+await has_begun $!
 kill -HUP $!
 wait $! || fail "a hangup ended what was to survive it: $(cat stderr)"
 mkfifo pipe

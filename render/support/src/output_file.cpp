@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -20,17 +21,17 @@ namespace {
 /// With blocks of this size the cost of a system call is negligible.
 constexpr std::size_t kBlock = 1U << 16U;
 
-/// Creates a file with an unused name in the folder. The name is short: that of the output may have the longest length.
-std::pair<int, std::optional<Leftover>> make_temporary(const fs::path& folder) {
-  for (unsigned number = 0;; ++number) {
-    const fs::path file = folder / fmt::format(".occlude.tmp-{}-{}", getpid(), number);
-    int descriptor = -1;
-    std::optional<Leftover> made = Leftover::make(file, [&] {
-      descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      return descriptor >= 0;
-    });
-    if (made || errno != EEXIST) return {descriptor, std::move(made)};
-  }
+/// The name by which the system finds an open file that has none.
+std::string link_to(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
+/// Opens a file in the folder that has no name: nothing is left of it, however the process ends. Not every file system has
+/// such files; then errno is EOPNOTSUPP.
+int open_nameless(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+  if (descriptor < 0 || access(link_to(descriptor).c_str(), F_OK) == 0) return descriptor;
+  ::close(descriptor);
+  errno = EOPNOTSUPP;  // without /proc it could not be given a name
+  return -1;
 }
 
 }  // namespace
@@ -39,9 +40,8 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)), place_(path_) {
   if (place_.is_device()) {
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    auto [descriptor, temporary] = make_temporary(place_.path().parent_path());
-    descriptor_ = descriptor;
-    if (temporary) temporary_.emplace(std::move(*temporary));
+    descriptor_ = open_nameless(place_.path().parent_path());
+    if (descriptor_ < 0 && errno == EOPNOTSUPP) open_named();
   }
   if (descriptor_ < 0) fail("cannot create", errno);
   if (place_.permissions()) fchmod(descriptor_, *place_.permissions());
@@ -62,6 +62,7 @@ void OutputFile::write(std::string_view text) {
 
 void OutputFile::close() {
   flush();
+  if (!place_.is_device() && !temporary_) give_name();
   if (::close(std::exchange(descriptor_, -1)) != 0) fail("cannot write", errno);
 }
 
@@ -70,6 +71,29 @@ void OutputFile::commit() {
   if (!temporary_) return;
   if (!temporary_->rename_to(place_.path())) fail("cannot create", errno);
   temporary_.reset();
+}
+
+void OutputFile::open_named() {
+  make_temporary([this](const char* name) {
+    descriptor_ = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    return descriptor_ >= 0;
+  });
+}
+
+void OutputFile::give_name() {
+  make_temporary([this](const char* name) {
+    return linkat(AT_FDCWD, link_to(descriptor_).c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+  });
+  if (!temporary_) fail("cannot create", errno);
+}
+
+void OutputFile::make_temporary(const std::function<bool(const char* name)>& make) {
+  for (unsigned number = 0; !temporary_; ++number) {
+    const fs::path file = place_.path().parent_path() / fmt::format(".occlude.tmp-{}-{}", getpid(), number);
+    std::optional<Leftover> made = Leftover::make(file, [&] { return make(file.c_str()); });
+    if (!made && errno != EEXIST) return;
+    if (made) temporary_.emplace(std::move(*made));
+  }
 }
 
 void OutputFile::flush() {

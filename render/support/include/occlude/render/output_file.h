@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +13,8 @@
 
 namespace occlude::render {
 
-/// A file that is written under a temporary name in the same folder and renamed by commit(). Without commit() it is removed.
+/// A file that is written without a name, or under a temporary one where the file system has only files with names. close()
+/// gives it a temporary name in the same folder, and commit() the final one. Without commit() it is removed.
 /// A symbolic link stays a link, to the new file. A device or pipe (/dev/stdout) is written directly.
 /// Throws InputError, naming the file, when it cannot be created or written, and Interrupted when Ctrl-C ends a write that
 /// waits.
@@ -33,13 +35,18 @@ class OutputFile {
   void commit();
 
  private:
+  void open_named();
+  void give_name();
+  /// Gives the file an unused name in the folder by make(name), which returns false and sets errno if it cannot. The name is
+  /// short: that of the output may have the longest length.
+  void make_temporary(const std::function<bool(const char* name)>& make);
   void flush();
   void send(std::string_view text) const;
   [[noreturn]] void fail(const char* what, int error) const;
 
   std::filesystem::path path_;
   OutputPlace place_;
-  std::optional<Leftover> temporary_;  ///< none for a device, and after commit()
+  std::optional<Leftover> temporary_;  ///< none while it has no name, for a device, and after commit()
   int descriptor_ = -1;
   std::string buffer_;
 };
