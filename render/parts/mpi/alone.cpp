@@ -19,6 +19,8 @@ void help(StageKey, const std::function<std::string(const std::string&)>&) { req
 
 void tell_first_rank(const std::string&) {}
 
+void interrupt_ranks() {}
+
 void leave_ranks() {}
 
 }  // namespace occlude::render

@@ -68,7 +68,7 @@ bool mpirun_has_terminal() {
   return target.starts_with("/dev/pts/") || target.starts_with("/dev/tty");
 }
 
-// A process is not told by the system that mpirun has ended (PR_SET_PDEATHSIG): that speaks of the thread that started it.
+// The system can tell a process that its parent has ended (PR_SET_PDEATHSIG), but then means the thread that started it.
 void follow_mpirun() {
   if (!is_of_mpirun()) return;
   start_undisturbed([parent = getppid()] { interrupt_after(parent); });

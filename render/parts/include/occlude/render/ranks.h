@@ -22,6 +22,9 @@ void follow_mpirun();
 /// Of a helper that cannot go on: the first rank will fail with this message. Does nothing on the first rank.
 void tell_first_rank(const std::string& fault);
 
+/// Of a rank that was interrupted: interrupts others that listen. mpirun takes a second to tell them.
+void interrupt_ranks();
+
 /// The end of every rank that was not interrupted: helpers wait for the first rank.
 void leave_ranks();
 
