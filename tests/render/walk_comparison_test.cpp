@@ -20,19 +20,24 @@ namespace walk_comparison_test {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const fs::path kFile = fs::temp_directory_path() / ("occlude_walk_comparison_" + std::to_string(getpid()) + ".json");
+/// What is read is kept for an input until the process ends. Removed before, it would lend its number to another test's
+/// file.
+struct SummaryFile {
+  ~SummaryFile() { fs::remove(path); }
+  const fs::path path = fs::temp_directory_path() / ("occlude_walk_comparison_" + std::to_string(getpid()) + ".json");
+};
+
+const SummaryFile file;
 
 /// What read_walk() says of the summary.
 std::string failure(const Json& summary) {
-  std::ofstream(kFile) << summary;
-  std::string failure = "no error";
+  std::ofstream(file.path) << summary;
   try {
-    static_cast<void>(read_walk(kFile));
+    static_cast<void>(read_walk(file.path));
   } catch (const InputError& error) {
-    failure = error.what();
+    return error.what();
   }
-  fs::remove(kFile);
-  return failure;
+  return "no error";
 }
 
 /// A summary that has all members.
@@ -79,7 +84,8 @@ TEST(WalkComparison, RefusesAValueOfAnotherType) {
       Json forged = summary;
       forged[Json::json_pointer(name)] = wrong;
       const std::string text = failure(forged);
-      EXPECT_TRUE(text.starts_with(kFile.string() + ": not a summary of `occlude walk`: " + dotted(name) + ": expected "))
+      EXPECT_TRUE(
+          text.starts_with(file.path.string() + ": not a summary of `occlude walk`: " + dotted(name) + ": expected "))
           << name << " " << wrong << ": " << text;
     }
   }
