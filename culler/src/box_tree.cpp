@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <numeric>
 
@@ -32,15 +33,22 @@ struct Builder {
 
   double centre(std::uint32_t item, int axis) const { return boxes[item].min[axis] / 2 + boxes[item].max[axis] / 2; }
 
-  /// Appends the subtree over order[first, first + count).
-  void build(std::uint32_t first, std::uint32_t count) {
+  /// Appends the subtree over order[first, first + count), with at most so many levels below its root.
+  /// REQUIRES: halving takes no more.
+  void build(std::uint32_t first, std::uint32_t count, std::uint32_t levels) {
     const std::size_t self = nodes.size();
     nodes.push_back({.box = bounds(boxes, std::span(order).subspan(first, count)), .first = first, .count = count});
     if (count <= leaf_size) return;
-    const std::uint32_t left = partition(first, count);
-    build(first, left);
+    const std::uint32_t left = levels_of_halving(count) < levels ? partition(first, count) : count / 2;
+    build(first, left, levels - 1);
     nodes[self].right = static_cast<std::uint32_t>(nodes.size());
-    build(first + left, count - left);
+    build(first + left, count - left, levels - 1);
+  }
+
+  /// How many levels there are below a node of so many items where each node has half of those above it, rounded up or down,
+  /// and a leaf has one.
+  static std::uint32_t levels_of_halving(std::uint32_t count) {
+    return static_cast<std::uint32_t>(std::bit_width(count - 1));
   }
 
   struct Split {
@@ -136,7 +144,8 @@ BoxTree BoxTree::build(std::span<const Aabb> boxes, std::uint32_t leaf_size, con
   std::iota(tree.order.begin(), tree.order.end(), 0U);
   std::vector<std::uint32_t> spare;
   spare.reserve(boxes.size());
-  Builder{boxes, tree.order, tree.nodes, spare, leaf_size, checkpoint}.build(0, static_cast<std::uint32_t>(boxes.size()));
+  Builder builder{boxes, tree.order, tree.nodes, spare, leaf_size, checkpoint};
+  builder.build(0, static_cast<std::uint32_t>(boxes.size()), kMostLevels);
   return tree;
 }
 

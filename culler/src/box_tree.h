@@ -18,7 +18,8 @@ struct BoxTree {
   std::vector<HierarchyNode> nodes;
 
   /// The tree of items with these boxes. Leaves have at most `leaf_size` items each. Splits top-down where the surface area
-  /// heuristic (Goldsmith and Salmon 1987) estimates the least cost. REQUIRES: there is a box, leaf_size > 0.
+  /// heuristic (Goldsmith and Salmon 1987) estimates the least cost, and in halves where there would be more than
+  /// kMostLevels levels otherwise. REQUIRES: there is a box, leaf_size > 0.
   [[nodiscard]] static BoxTree build(std::span<const kernel::Aabb> boxes, std::uint32_t leaf_size,
                                      const Checkpoint& checkpoint = {});
 };

@@ -30,8 +30,6 @@ PolygonSoup checked(PolygonSoup soup) {
   return soup;
 }
 
-Space space_of(const Hierarchy& hierarchy) { return {hierarchy.nodes()[0].box, hierarchy.nodes()}; }
-
 }  // namespace
 
 Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& checkpoint)
@@ -55,7 +53,7 @@ Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occ
 const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
   return occluders_->get([&] {
     require_rounding();
-    return OccluderSet::build(hierarchy_.shared_soup(), space_of(hierarchy_), config_.occluders, config_.lists, checkpoint);
+    return OccluderSet::build(hierarchy_.shared_soup(), Space::of(hierarchy_), config_.occluders, config_.lists, checkpoint);
   });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A culler to parts, and from them.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -57,6 +58,19 @@ bool is_of_occluders(std::string_view part) {
   return part != NodeBlocks::kPart && Culler::method_of(part) == Method::frusta;
 }
 
+/// Throws std::invalid_argument where lists that are to be made would take more bytes than the model has, so that a few
+/// bytes cannot ask for any amount of work. As many regions and entries as by default may always be: they take 130 MiB at
+/// most.
+void require_lists_within(std::uint64_t bytes, const OccluderLists::Config& config, const Space& space) {
+  const OccluderLists::Config few;
+  constexpr std::size_t kBytesOfRegion = 2 * sizeof(Partition::Cell), kBytesOfEntry = sizeof(std::uint32_t);
+  const auto made = [&](double regions) { return Partition::most_regions(config.kind, space, regions); };
+  if (made(config.regions) > std::max(made(few.regions), static_cast<double>(bytes / kBytesOfRegion)))
+    refuse_part(kCullerConfig, "it asks for more regions than its bytes could hold");
+  if (config.entries > std::max<std::uint64_t>(few.entries, bytes / kBytesOfEntry))
+    refuse_part(kCullerConfig, "it asks for longer lists than its bytes could hold");
+}
+
 /// What keeps the parts of a culler: a copy of it, and its settings as they are stored.
 struct Kept {
   Culler culler;
@@ -92,6 +106,8 @@ Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
       triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
   if (parts.has_any(is_of_occluders)) {
     static_cast<void>(occluders_->get([&] { return OccluderSet::from_parts(parts, hierarchy_.shared_soup(), checkpoint); }));
+  } else {
+    require_lists_within(parts.bytes(), config_.lists, Space::of(hierarchy_));
   }
   if (parts.has_any([](std::string_view part) { return part == NodeBlocks::kPart; })) {
     static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));

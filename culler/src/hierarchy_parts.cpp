@@ -43,12 +43,8 @@ bool is_permutation(const Array<std::uint32_t>& order, std::size_t size) {
   return order.size() == size;
 }
 
-/// Every split of build() leaves at most 15/16 of the extent along an axis on either side. Coordinates that are not equal
-/// differ by at least 2^-152 and at most 2^101. So there are at most 3 ln 2^253 / ln(16/15) levels of such splits, and 32
-/// levels of halving. The traversal takes some hundred bytes of stack for each level.
-constexpr std::uint32_t kDeepest = 8192;
-
-/// Whether the nodes are depth-first and divide `count` polygons among them, so that no node has none.
+/// Whether the nodes are depth-first and divide `count` polygons among them, so that no node has none. Throws
+/// std::invalid_argument if they are deeper than kMostLevels.
 bool are_tree(std::span<const HierarchyNode> nodes, std::size_t count) {
   /// A subtree that is still to come: its polygons, its depth, and the node whose right child it is, or kNoParent.
   struct Pending {
@@ -65,7 +61,8 @@ bool are_tree(std::span<const HierarchyNode> nodes, std::size_t count) {
     if (node.first != at.first || node.count != at.count) return false;
     if (at.parent != kNoParent && nodes[at.parent].right != i) return false;
     if (node.is_leaf()) continue;
-    if (at.depth == kDeepest || i + 1 == nodes.size()) return false;
+    if (at.depth == kMostLevels) refuse_depth(kTreeNodes);
+    if (i + 1 == nodes.size()) return false;
     const std::uint32_t left = nodes[i + 1].count;
     if (left == 0 || left >= at.count) return false;
     pending.push_back({at.first + left, at.count - left, at.depth + 1, i});

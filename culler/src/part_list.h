@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "occlude/culler/array.h"
+#include "occlude/culler/hierarchy.h"
 #include "occlude/culler/parts.h"
 
 namespace occlude::culler {
@@ -21,6 +22,11 @@ namespace occlude::culler {
 /// Throws std::invalid_argument about a part that cannot be used.
 [[noreturn]] inline void refuse_part(std::string_view name, const std::string& reason) {
   throw std::invalid_argument("part \"" + std::string(name) + "\": " + reason);
+}
+
+/// The same about a tree of more than kMostLevels levels.
+[[noreturn]] inline void refuse_depth(std::string_view name) {
+  refuse_part(name, "the tree is deeper than " + std::to_string(kMostLevels) + " levels");
 }
 
 /// Appends parts.
@@ -60,6 +66,12 @@ class PartReader {
   }
   /// What the elements are in.
   [[nodiscard]] const std::shared_ptr<const void>& keep() const { return parts_.keep; }
+  /// The bytes of all parts of the model, those that are left out with them.
+  [[nodiscard]] std::uint64_t bytes() const {
+    std::uint64_t bytes = parts_.left_out;
+    for (const Part& part : parts_.parts) bytes += part.bytes.size();
+    return bytes;
+  }
   /// Whether there is a part of a name such as is_such(name) says.
   template <class IsSuch>
   [[nodiscard]] bool has_any(const IsSuch& is_such) const {

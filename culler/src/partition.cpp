@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/partition.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -15,16 +17,24 @@ namespace {
 
 constexpr std::string_view kSpaceBox = "space", kSpaceCells = "cells";
 
-/// Whether they are cells in depth-first order, each a region or divided by a plane.
+/// Whether they are cells in depth-first order, each a region or divided by a plane. Throws std::invalid_argument if they
+/// are deeper than kMostLevels.
 bool are_tree(std::span<const Partition::Cell> cells) {
-  std::vector<std::size_t> upper;  // cells that are still to come
+  struct Pending {
+    std::size_t cell;
+    std::uint32_t depth;
+  };
+  std::vector<Pending> upper;  // cells that are still to come
+  std::uint32_t depth = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto& [plane, axis, next] = cells[i];
     if (axis > 2 || !std::isfinite(plane)) return false;
     if (!cells[i].is_region()) {
-      upper.push_back(next);
+      if (depth == kMostLevels) refuse_depth(kSpaceCells);
+      upper.push_back({next, ++depth});
     } else if (i + 1 < cells.size()) {
-      if (upper.empty() || upper.back() != i + 1) return false;
+      if (upper.empty() || upper.back().cell != i + 1) return false;
+      depth = upper.back().depth;
       upper.pop_back();
     }
   }
@@ -37,6 +47,11 @@ Partition Partition::make(Kind kind, const Space& space, double regions, const C
   if (!can_have(regions)) throw std::invalid_argument("a partition cannot have so many regions");
   PartitionCells made = kind == Kind::grid ? cells_of_grid(space.box, regions) : cells_of_tree(space, regions, checkpoint);
   return {made.box, std::move(made.cells)};
+}
+
+double Partition::most_regions(Kind kind, const Space& space, double regions) {
+  if (kind == Kind::grid) return regions_of_grid(space.box, regions);
+  return std::min(regions, static_cast<double>(std::max<std::size_t>(space.nodes.size(), 1)));
 }
 
 void Partition::append_parts(PartWriter& parts) const {

@@ -37,6 +37,8 @@ struct Divided {
   Part lower, upper;
 };
 
+/// How many cubes cells_of_grid() makes.
+[[nodiscard]] double regions_of_grid(const kernel::Aabb& space, double regions);
 [[nodiscard]] PartitionCells cells_of_grid(const kernel::Aabb& space, double regions);
 [[nodiscard]] PartitionCells cells_of_tree(const Space& space, double regions, const Checkpoint& checkpoint);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <stdexcept>
@@ -57,6 +58,8 @@ class ForgedParts {
     elements_.erase(elements_.begin() + i);
     bytes_.erase(bytes_.begin() + i);
   }
+  std::uint64_t left_out = 0;  ///< Parts::left_out
+
   [[nodiscard]] std::vector<std::byte>& bytes(std::string_view name) { return bytes_[number(name)]; }
   [[nodiscard]] std::size_t element(std::string_view name) const { return elements_[number(name)]; }
 
@@ -94,7 +97,7 @@ class ForgedParts {
       std::vector<Line>& lines = kept->lines.emplace_back(bytes.size() / sizeof(Line) + 1);
       if (!bytes.empty()) std::memcpy(lines.data(), bytes.data(), bytes.size());
     }
-    Parts parts{{}, kept};
+    Parts parts{{}, kept, left_out};
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const auto bytes = std::as_bytes(std::span(kept->lines[i])).first(bytes_[i].size());
       parts.parts.push_back({kept->names[i], elements_[i], bytes});

@@ -160,6 +160,27 @@ TEST(Hierarchy, CoincidingPolygonsAreSplitAllTheSame) {
   check(soup, Hierarchy::build(soup, {.leaf_size = 4}), 4);
 }
 
+/// The most nodes on a way from the root, less one.
+std::uint32_t levels_of(std::span<const Hierarchy::Node> nodes) {
+  std::vector<std::uint32_t> level(nodes.size());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (!nodes[n].is_leaf()) level[n + 1] = level[nodes[n].right] = level[n] + 1;
+  }
+  return *std::ranges::max_element(level);
+}
+
+/// Walls that come nearer and nearer to each other. They are so large that all splits seem to cost the same, and each takes
+/// one of them from the rest.
+TEST(Hierarchy, NoTreeIsDeeperThanAStack) {
+  PolygonSoup soup;
+  for (double x = 1; x > 0x1p-90; x *= 0.9) add_wall(soup, -x, -0x1p90, 0x1p90, -0x1p90, 0x1p90);
+  ASSERT_GT(soup.size(), 2 * kMostLevels);
+  const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1});
+  check(soup, hierarchy, 1);
+  EXPECT_EQ(levels_of(hierarchy.nodes()), kMostLevels);
+  EXPECT_LT(levels_of(Hierarchy::build(random_town(7, 3000), {.leaf_size = 1}).nodes()), 32U) << "as deep as by halving";
+}
+
 TEST(Hierarchy, ExtremeCoordinates) {
   PolygonSoup soup;
   for (int i = 0; i < 200; ++i) add_wall(soup, (i % 2 ? 1 : -1) * 0x1p100, i, i + 1, 0, 0x1p100);

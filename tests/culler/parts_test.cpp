@@ -267,9 +267,60 @@ TEST(Parts, RefuseTreesDeeperThanAStack) {
     }
     return forged.refusal();
   };
-  EXPECT_EQ(with_chain(1000), "") << "some hundred levels are none too many";
-  EXPECT_EQ(with_chain(8192), "");
-  EXPECT_EQ(with_chain(8193), "part \"nodes\": it is not a tree of these polygons");
+  EXPECT_EQ(with_chain(kMostLevels), "");
+  for (const U32 levels : {kMostLevels + 1, U32{8192}, U32{19999}}) {
+    EXPECT_EQ(with_chain(levels), "part \"nodes\": the tree is deeper than 256 levels");
+  }
+}
+
+/// Cells of as many levels below the first, each with a region on its lower or its upper side.
+std::vector<Partition::Cell> chain_of_cells(U32 levels, bool is_lower_region) {
+  std::vector<Partition::Cell> cells(2 * std::size_t{levels} + 1);
+  for (U32 i = 0; i < levels; ++i) {
+    cells[is_lower_region ? 2 * i : i] = {static_cast<double>(i), i % 3, is_lower_region ? 2 * i + 2 : 2 * levels - i};
+  }
+  return cells;
+}
+
+TEST(Parts, RefuseCellsDeeperThanAStack) {
+  const Culler sound(varied_town(100), kConfigs[0]);
+  for (const bool is_lower_region : {false, true}) {
+    const auto with_levels = [&](U32 levels) {
+      ForgedParts forged(sound);
+      forged.set("cells", chain_of_cells(levels, is_lower_region));
+      forged.set("list first", std::vector<U64>(std::size_t{levels} + 2));
+      forged.set("listed", std::vector<U32>{});
+      forged.set("hidden", std::vector<float>{});
+      return forged.refusal();
+    };
+    EXPECT_EQ(with_levels(kMostLevels), "");
+    EXPECT_EQ(with_levels(kMostLevels + 1), "part \"cells\": the tree is deeper than 256 levels");
+    EXPECT_EQ(with_levels(100000), "part \"cells\": the tree is deeper than 256 levels");
+  }
+}
+
+/// A model of a few bytes whose lists are left out asks for no more of them than these bytes, or a default, could hold.
+TEST(Parts, AskForNoMoreListsThanTheyCouldHold) {
+  const std::string regions = "part \"config\": it asks for more regions than its bytes could hold",
+                    entries = "part \"config\": it asks for longer lists than its bytes could hold";
+  const OccluderLists::Config few;
+  const auto refusal = [&](Kind kind, double regions_wanted, U64 entries_wanted, U64 left_out) {
+    ForgedParts forged(Culler(varied_town(100), small_config(Bounds::aabb, kind)));
+    for (const std::string& name : std::vector<std::string>(forged.names())) {
+      if (Culler::method_of(name) == Method::frusta) forged.erase(name);
+    }
+    forged.edit<double>("config", [&](auto& numbers) { numbers[3] = regions_wanted; });
+    forged.edit<U64>("config", [&](auto& numbers) { numbers[4] = entries_wanted; });
+    forged.left_out = left_out;
+    return forged.refusal();
+  };
+  EXPECT_EQ(refusal(Kind::grid, few.regions, few.entries, 0), "");
+  EXPECT_EQ(refusal(Kind::grid, 0x1p30, few.entries, 0), regions);
+  EXPECT_EQ(refusal(Kind::grid, 1e6, few.entries, 0), regions);
+  EXPECT_EQ(refusal(Kind::grid, 1e6, few.entries, 100'000'000), "") << "the cells themselves may be left out";
+  EXPECT_EQ(refusal(Kind::tree, 0x1p30, few.entries, 0), "") << "there are no more than nodes";
+  EXPECT_EQ(refusal(Kind::grid, few.regions, few.entries + 1, 0), entries);
+  EXPECT_EQ(refusal(Kind::grid, few.regions, few.entries + 1, 200'000'000), "");
 }
 
 TEST_F(ForgedPart, OfOrientedBoxes) {

@@ -85,7 +85,10 @@ class OpenStore {
     std::vector<std::uint64_t> hashes;
     for (const StoreSection& section : table_) {
       const std::string_view name(section.name.data());
-      if (culler::Culler::method_of(name).value_or(method) != method) continue;
+      if (culler::Culler::method_of(name).value_or(method) != method) {
+        parts.left_out += section.bytes;
+        continue;
+      }
       parts.parts.push_back({name, section.element, bytes().subspan(section.offset, section.bytes)});
       sections.push_back(parts.parts.back().bytes);
       hashes.push_back(section.hash);

@@ -42,8 +42,9 @@ class Culler {
   /// twentieth of the time. Everything that a wrong cull could come of is checked on all processors, and
   /// std::invalid_argument thrown, with the part and the reason, if it cannot be of these polygons. Parts may come from
   /// anywhere:
-  /// 1. No parts lead out of bounds, or to more memory than several times their size. What is left out takes what its making
-  ///    takes.
+  /// 1. No parts lead out of bounds, or to more memory than several times their size. Trees have at most kMostLevels levels.
+  ///    What is left out takes what its making takes. Where lists are left out, settings are refused that ask for more
+  ///    regions or entries than the bytes of the model (with Parts::left_out) could hold, and more than the default.
   /// 2. Nothing visible is culled, whatever they are, as long as oriented boxes hold their polygons. This alone is not
   ///    checked, and concerns Bounds::obb alone.
   /// 3. What is heuristics may be anything: the lists, and what is known of occluders.

@@ -22,6 +22,8 @@ struct Space {
   kernel::Aabb box;
   /// A hierarchy of what stands in it. Without nodes it is taken for empty.
   std::span<const HierarchyNode> nodes = {};
+
+  [[nodiscard]] static Space of(const Hierarchy& model) { return {model.nodes()[0].box, model.nodes()}; }
 };
 
 /// Regions are the leaves of a binary tree of cells. The first cell is a box that holds the space. A cell that is no region
@@ -64,6 +66,9 @@ class Partition {
   /// unless it can_have() so many, and what `checkpoint` throws. REQUIRES: kernel::check(space.box) == Refusal::none, and
   /// space.box holds the nodes.
   [[nodiscard]] static Partition make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint = {});
+
+  /// How many regions make() makes: of a grid so many, of a tree no more. Takes no time.
+  [[nodiscard]] static double most_regions(Kind kind, const Space& space, double regions);
 
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -22,6 +23,7 @@ struct Part {
 struct Parts {
   std::vector<Part> parts;
   std::shared_ptr<const void> keep;  ///< what the bytes are in. They are there, and stay as they are, as long as it is.
+  std::uint64_t left_out = 0;        ///< bytes of the parts that the model has beside these
 };
 
 inline constexpr unsigned kPartsVersion = 2;
