@@ -11,7 +11,7 @@ import zipfile
 
 FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.stl", "gltf": "a.gltf", "glb": "a.glb",
          "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "cases": "a.jsonl", "witnesses": "a.jsonl",
-         "preprocess": "a.store"}
+         "preprocess": "a.store", "store": "a.store"}
 SOUND = "sound"  # what is done to a file to which nothing is done
 IMPORTED = ("stl", "gltf", "glb", "collada", "3mf")
 JSON = ("path", "cases", "witnesses")
@@ -178,7 +178,7 @@ def make_seeds(occlude, folder):
             "stl": [stl_ascii(), stl_binary()], "gltf": [gltf()], "glb": [glb()], "collada": [collada()],
             "3mf": [pack_3mf(lambda model: model.write(model_3mf()))], "path": [json.dumps(PATH, indent=1).encode()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
-            "preprocess": [(folder / "model.store").read_bytes()]}
+            "preprocess": [(folder / "model.store").read_bytes()], "store": [(folder / "model.store").read_bytes()]}
 
 
 # ---- Damage to a sound file ----
@@ -587,12 +587,16 @@ def repacked(random, package):
 class Maker:
     """Hostile files of one format."""
 
-    def __init__(self, name, seeds, folder):
-        self.name, self.seeds, self.folder = name, seeds, folder
+    def __init__(self, name, seeds, folder, forger):
+        self.name, self.seeds, self.folder, self.forger = name, seeds, folder, forger
         self.damages = DAMAGES + [with_other_value] * 6 if name in JSON + ("gltf",) else DAMAGES
 
     def write(self, random, file):
         """Writes one; returns what was done, in a word or two."""
+        if self.name == "store":  # with right hashes, which Python cannot compute
+            seed = str(random.randrange(1 << 64))
+            return subprocess.run([self.forger, "--write", seed, file], check=True, capture_output=True,
+                                  text=True).stdout.strip()
         if random.random() < 0.25:
             kind, data = BOMBS[self.name](random)
         else:

@@ -98,7 +98,7 @@ class Trial:
 
     def __init__(self, name, arguments, seeds, scratch):
         self.name, self.arguments, self.scratch = name, arguments, scratch
-        self.maker = formats.Maker(name, seeds, scratch)
+        self.maker = formats.Maker(name, seeds, scratch, arguments.forger)
         self.codes, self.faults = {}, 0
         self.memory = self.seconds = (0, "")
         self.largest = 0
@@ -144,10 +144,12 @@ def main():
     parser.add_argument("--format", nargs="+", choices=formats.FILES, default=list(formats.FILES))
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", help="folder for the files that something is wrong with")
+    parser.add_argument("--forger", help="fuzz/harness/forged_stores (fuzz/forged_stores beside the command)")
     parser.add_argument("--no-limits", action="store_true",
                         help="no limits of memory and time, for builds that need more")
     arguments = parser.parse_args()
     occlude = os.path.abspath(arguments.occlude)
+    arguments.forger = os.path.abspath(arguments.forger or os.path.join(os.path.dirname(occlude), "fuzz", "forged_stores"))
     print("| format | largest file, MiB | most memory, MiB | longest, s | exit codes: files | wrong |\n" + "|---" * 6 + "|")
     faults = 0
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ProcessPoolExecutor(arguments.jobs) as runners:

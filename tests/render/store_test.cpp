@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "harness/rehashed.h"
+#include "harness/store_parts.h"
 #include "occlude/render/city.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/model_io.h"
@@ -227,6 +229,34 @@ TEST_F(StoreTest, TablesThatLieAreRefused) {
               table.resize(1);
             }),
             "the file ends too early, at byte " + std::to_string(bytes_.size()));
+}
+
+/// A few bytes cannot ask for any amount of work, whatever their settings are.
+TEST_F(StoreTest, ListsThatItCouldNotHoldAreRefused) {
+  const auto forged = [&](double regions) {
+    return refusal([&](std::string& bytes) {
+      harness::StoreParts parts(std::as_bytes(std::span(bytes)));
+      std::vector<double> config = parts["config"].get<double>();
+      config[3] = regions;
+      parts["config"].set(config);
+      std::erase_if(parts.parts, [](const auto& part) { return culler::Culler::method_of(part.name) == Method::frusta; });
+      const std::vector<std::byte> store = parts.store();
+      bytes.assign(reinterpret_cast<const char*>(store.data()), store.size());
+    });
+  };
+  EXPECT_EQ(forged(0x1p30), "part \"config\": it asks for more regions than its bytes could hold");
+  EXPECT_EQ(forged(32768), "");
+}
+
+/// What is not read for frames by cover is in the file all the same.
+TEST_F(StoreTest, ManyRegionsAreReadForFramesByEitherMethod) {
+  const culler::Culler many(city_.soup, {.lists = {.regions = 200'000}});
+  OutputFile output(other());
+  write_store(output, many);
+  output.commit();
+  for (const Method method : {Method::frusta, Method::cover}) {
+    EXPECT_EQ(read_store(other(), method).config().lists.regions, 200'000);
+  }
 }
 
 /// With the right hashes the contents decide. tests/culler/parts_test.cpp has more of these.
