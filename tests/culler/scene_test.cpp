@@ -993,6 +993,47 @@ TEST(Scene, AViewReachesAsFarAsWhatIsThere) {
   EXPECT_EQ(offsets(scene), offsets(near));
 }
 
+/// Groups that are joined, or built anew without their empty places, leave theirs to groups that come. Each does so once,
+/// however often it is noted as small or as loose: two groups in one place would be one.
+TEST(Scene, NoTwoGroupsTakeThePlaceOfOne) {
+  std::mt19937 random(kSeed);
+  Scene scene;
+  std::set<std::uint32_t> there;  // slots
+  const auto add_tile = [&](std::size_t count) {
+    std::vector<Box> boxes;
+    while (boxes.size() < count) boxes.push_back(random_box(random));
+    std::vector<ObjectId> ids(count);
+    scene.add(boxes, {}, ids);
+    for (const ObjectId id : ids) there.insert(id.slot);
+    scene.update();
+    return ids;
+  };
+  SceneView view;
+  const auto expect_all_drawn = [&] {
+    const Camera from_above{
+        .eye = {0, 0, 99}, .target = {0, 0, 0}, .up = {0, 1, 0}, .projection = Projection::orthographic, .height = 200};
+    std::set<std::uint32_t> drawn;
+    for (const DrawnObject& object : scene.cull(from_above, {}, view).drawn) drawn.insert(object.id.slot);
+    ASSERT_EQ(drawn, there);
+  };
+  std::vector<std::vector<ObjectId>> small;
+  for (int i = 0; i < 12; ++i) small.push_back(add_tile(40));
+  // All become loose, more than an update builds anew. Those that it does are noted as small a second time; so many are
+  // then that all are joined, while the others still wait.
+  for (const std::vector<ObjectId>& tile : small) {
+    for (std::size_t i = 0; i < 30; ++i) {
+      scene.remove(tile[i]);
+      there.erase(tile[i].slot);
+    }
+  }
+  scene.update();
+  expect_all_drawn();
+  for (int i = 0; i < 16; ++i) {
+    add_tile(70);
+    expect_all_drawn();
+  }
+}
+
 TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
   std::mt19937 random(kSeed);
   Scene scene;
