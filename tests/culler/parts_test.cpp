@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -225,6 +227,18 @@ TEST_F(ForgedPart, OfTheTree) {
   EXPECT_EQ(change([](auto& nodes) { nodes[1].count = 0; }), tree);
   EXPECT_EQ(change([](auto& nodes) { nodes[1].count = nodes[0].count; }), tree);
   EXPECT_EQ(change([](auto& nodes) { nodes.clear(); }), tree);
+  // A child without polygons, on the left or on the right, in a tree that is right in all else.
+  const kernel::Aabb box = sound_.get<HierarchyNode>("nodes")[0].box;
+  const HierarchyNode root{box, 0, polygons_, 2}, all{box, 0, polygons_, 0}, none{empty_box(), 0, 0, 0},
+      none_left{empty_box(), polygons_, 0, 0};
+  for (const std::vector<HierarchyNode>& nodes : {std::vector{root, none, all}, {root, all, none_left}}) {
+    ForgedParts forged(sound_);
+    forged.set("nodes", nodes);
+    for (const std::string& name : sound_.names()) {
+      if (Culler::method_of(name)) forged.erase(name);
+    }
+    EXPECT_EQ(forged.refusal(), tree);
+  }
 }
 
 /// A box that is too small by the least that a double can be would let visible polygons be culled.
@@ -505,6 +519,32 @@ TEST_F(ForgedPart, OfTheNodeBlocks) {
       }
     }
   }
+  // A node from elsewhere beside the children of another, in a block that is right in all else.
+  const U32 last = nodes - 1;
+  const HierarchyNode& leaf = culler_.hierarchy().nodes()[last];
+  const auto parent = static_cast<U32>(std::ranges::find(culler_.hierarchy().nodes(), last, &HierarchyNode::right) -
+                                       culler_.hierarchy().nodes().begin());
+  std::size_t with_another = 0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const auto size = static_cast<U32>(std::popcount(all[i].used));
+    const auto taken = std::span(all[i].node).first(size);
+    if (size == NodeBlock::kNodes || taken.back() == last || std::ranges::find(taken, parent) != taken.end()) continue;
+    ++with_another;
+    EXPECT_EQ(change(i,
+                     [&](NodeBlock& b) {
+                       const auto bit = static_cast<NodeBlock::Bits>(1U << size);
+                       b.boxes.set(size, leaf.box);
+                       b.node[size] = last;
+                       b.first[size] = leaf.first;
+                       b.count[size] = leaf.count;
+                       b.subtree[size] = bit;
+                       b.used |= bit;
+                       b.roots |= bit;
+                     }),
+              blocks)
+        << i;
+  }
+  EXPECT_GT(with_another, 0U);
 }
 
 TEST_F(ForgedPart, OfTheCover) {
@@ -533,10 +573,43 @@ TEST_F(ForgedPart, OfTheCover) {
       next.begin());
   ASSERT_LT(paired, sides);
   EXPECT_EQ(with("cover next", paired, paired | kOfTwo), rings) << "a ring that is not entered again";
+  std::vector<U32> alone;
+  for (U32 s = 0; s < sides; ++s) {
+    if (next[s] == (s | kOfTwo)) alone.push_back(s);
+  }
+  ASSERT_GT(alone.size(), 1U);
+  EXPECT_EQ((refusal<U32>("cover next", [&](auto& all) { std::swap(all[alone.front()], all[alone.back()]); })), rings)
+      << "a ring of two edges";
 
   const auto of = sound_.get<U32>("cover polygons");
   for (std::size_t t = 0; t < of.size(); t += 31) EXPECT_EQ(with("cover polygons", t, of[t] + 1), polygons);
   EXPECT_EQ((refusal<U32>("cover polygons", [](auto& all) { all.pop_back(); })), polygons);
+}
+
+/// A triangle with a corner twice covers nothing and is not drawn. In a store it must not have another vertex in the same
+/// place, with which it would be.
+TEST(Parts, RefuseATriangleWithTwoVerticesInOnePlace) {
+  using glm::dvec3;
+  const dvec3 a{50, 0, 0}, b{50, 1, 0};
+  const std::array<std::vector<dvec3>, 3> loops{{{a, a, b}, {a, b, b}, {a, b, a}}};  // side i leads nowhere
+  for (std::size_t i = 0; i < 3; ++i) {
+    PolygonSoup soup = varied_town(20);
+    add(soup, loops[i]);
+    ForgedParts forged{Culler(soup, kConfigs[0])};
+    auto corners = forged.get<CoverMesh::Triangle>("cover corners");
+    const auto t = static_cast<std::size_t>(
+        std::ranges::find_if(corners, [&](const auto& c) { return c[i] == c[(i + 1) % 3]; }) - corners.begin());
+    ASSERT_LT(t, corners.size());
+    auto vertices = forged.get<dvec3>("cover vertices");
+    vertices.push_back(vertices[corners[t][i]]);
+    corners[t][std::max<std::size_t>(i, 1)] = static_cast<U32>(vertices.size() - 1);
+    forged.set("cover corners", corners);
+    forged.set("cover vertices", vertices);
+    forged.edit<U32>("cover next", [&](auto& next) {  // no two of its sides are along one edge
+      for (std::size_t side = 3 * t; side < 3 * t + 3; ++side) next[side] = static_cast<U32>(side) | 0x80000000U;
+    });
+    EXPECT_EQ(forged.refusal(), "part \"cover corners\": the triangles are not those of the polygons") << i;
+  }
 }
 
 /// Whatever bytes change, the parts are refused, or what they cull by frusta is in a shadow.
