@@ -11,12 +11,15 @@
 #include <cstdlib>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <iostream>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bounds.h"
@@ -237,13 +240,19 @@ Made some_camera(std::mt19937& random, std::optional<Kind> wanted = std::nullopt
   return made;
 }
 
-/// The last point that shows on the way from one that shows to one that does not.
-dvec3 touching(const MatrixCamera& camera, dvec3 shown, dvec3 hidden) {
+/// The last point of a set on the way from one in it to one that is not.
+template <class IsIn>
+dvec3 last_in(const IsIn& is_in, dvec3 in, dvec3 out) {
   for (;;) {
-    const dvec3 middle = 0.5 * (shown + hidden);
-    if (middle == shown || middle == hidden) return shown;
-    (shows(camera, middle) ? shown : hidden) = middle;
+    const dvec3 middle = 0.5 * (in + out);
+    if (middle == in || middle == out) return in;
+    (is_in(middle) ? in : out) = middle;
   }
+}
+
+/// The last point that shows on the way from one that shows to one that does not.
+dvec3 touching(const MatrixCamera& camera, const dvec3& shown, const dvec3& hidden) {
+  return last_in([&](const dvec3& p) { return shows(camera, p); }, shown, hidden);
 }
 
 double reach(const dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
@@ -260,6 +269,11 @@ std::vector<dvec3> shown_points(std::mt19937& random, const Made& made, std::siz
     if (!shows(made.camera, beside)) points.push_back(touching(made.camera, point, beside));
   }
   return points;
+}
+
+bool keeps(const HalfSpace& h, const dvec3& p) {
+  return kernel::relation(to_kernel(h), kernel::Aabb{to_kernel(p), to_kernel(p)}, kernel::Arithmetic::certified) !=
+         kernel::Relation::outside;
 }
 
 TEST(MatrixCamera, NothingShownIsBeyondAHalfSpace) {
@@ -281,9 +295,7 @@ TEST(MatrixCamera, NothingShownIsBeyondAHalfSpace) {
       ASSERT_NEAR(glm::length(h.normal), 1, 1e-12);
       double least = std::numeric_limits<double>::infinity();
       for (const dvec3& p : points) {
-        ASSERT_NE(kernel::relation(to_kernel(h), kernel::Aabb{to_kernel(p), to_kernel(p)}, kernel::Arithmetic::certified),
-                  kernel::Relation::outside)
-            << made.name << ", camera " << i;
+        ASSERT_TRUE(keeps(h, p)) << made.name << ", camera " << i;
         least = std::min(least, glm::dot(h.normal, p) + h.offset);
       }
       // The error of this sum is far below the margin, except far away.
@@ -296,6 +308,43 @@ TEST(MatrixCamera, NothingShownIsBeyondAHalfSpace) {
     EXPECT_GT(seen[kind], static_cast<int>(kMatrices / 2)) << "kind " << kind;
     EXPECT_GT(tight[kind], static_cast<int>(kMatrices / 10)) << "kind " << kind;
   }
+}
+
+/// The camera with its eye moved by e.
+MatrixCamera moved_by(const MatrixCamera& camera, const dvec3& e) {
+  MatrixCamera moved = camera;
+  for (int row = 0; row < 4; ++row) {
+    for (int axis = 0; axis < 3; ++axis) moved.matrix[3][row] -= camera.matrix[axis][row] * e[axis];
+  }
+  return moved;
+}
+
+/// Where the eye is far from the origin, and the model small and next to it, it is the coordinates of the eye that rounding
+/// moves planes by, also planes that pass the origin.
+TEST(MatrixCamera, SidesHoldNextToAnEyeThatIsFarAway) {
+  std::mt19937 random(9);
+  constexpr double kDepth = 1e-7;
+  int asked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Made made = some_camera(random, i % 2 == 0 ? Kind::finite : Kind::infinite);
+    const int row = i / 2 % 2;
+    const double sign = i / 4 % 2 == 0 ? 1 : -1;
+    // From the origin far along a ray of one side of the picture.
+    const double x = row == 0 ? -sign : uniform(random, -1, 1), y = row == 1 ? -sign : uniform(random, -1, 1);
+    const dvec3 ray = made.place(x, y, 1e4) - made.place(x, y, 0);
+    const MatrixCamera camera = moved_by(made.camera, ray - made.place(x, y, 0));
+    const dvec3 eye = camera.eye();
+    std::vector<HalfSpace> planes;
+    append_view_frustum(camera, kDepth, planes);
+    const auto is_in = [&](const dvec3& p) { return side(camera, row, sign, 1, p) >= 0; };
+    const dvec3 a = eye + some_vector(random, kDepth / 3), b = eye + some_vector(random, kDepth / 3);
+    if (is_in(a) == is_in(b)) continue;
+    ++asked;
+    ASSERT_TRUE(keeps(planes.at(static_cast<std::size_t>(2 * row + (sign > 0 ? 0 : 1))),
+                      is_in(a) ? last_in(is_in, a, b) : last_in(is_in, b, a)))
+        << made.name << ", camera " << i;
+  }
+  EXPECT_GT(asked, 500);
 }
 
 /// The eye, or the direction, of a camera in higher precision where the machine has it.
@@ -511,6 +560,27 @@ TEST(MatrixCamera, NothingShownInSinglePrecisionIsBeyondAHalfSpace) {
   EXPECT_GT(beyond, kMatrices / 20) << "that do not show in real numbers";
 }
 
+/// The depth of parallel rays changes little over a small model. Then single precision rounds it by what it is at the eye.
+TEST(MatrixCamera, NothingShownOfASmallModelIsBeyondTheNearPlaneOfParallelRays) {
+  std::mt19937 random(10);
+  int beyond = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Made made = some_camera(random, std::array{Kind::parallel, Kind::parallel_reversed, Kind::sheared}[i % 3]);
+    const double range = made.far - made.near;
+    const dvec3 eye = made.camera.eye(), inwards = made.place(0, 0, 1) - made.place(0, 0, 0);
+    const dvec3 near_eye = eye + some_vector(random, 1e-4 * range);
+    const auto is_shown = [&](const dvec3& p) { return shows(made.camera, p); };
+    const dvec3 border = last_in(is_shown, near_eye + 1e-3 * range * inwards, near_eye - 1e-3 * range * inwards);
+    const dvec3 p = border - uniform(random, 0, 1e-7) * range * inwards;
+    if (!is_shown(border) || is_shown(p) || !shows_in_floats(made.camera, p)) continue;
+    ++beyond;
+    std::vector<HalfSpace> planes;
+    append_view_frustum(made.camera, reach(p - eye), planes);
+    for (const HalfSpace& h : planes) ASSERT_TRUE(keeps(h, p)) << made.name << ", camera " << i;
+  }
+  EXPECT_GT(beyond, 100);
+}
+
 TEST(MatrixCamera, KnowsHowFarItsEyeMayBeOff) {
   std::mt19937 random(6);
   int off = 0;
@@ -531,6 +601,47 @@ TEST(MatrixCamera, KnowsHowFarItsEyeMayBeOff) {
     off += distance > 0x1p-12 * view.moved ? 1 : 0;
   }
   EXPECT_GT(off, 1000);
+}
+
+/// Parallel rays may meet after all, very far away: w may change by as much as single numbers may. The farther eyes are from
+/// the middle one, the more their rays are turned.
+TEST(MatrixCamera, KnowsHowMuchRaysAreTurnedThatAreNearlyParallel) {
+  using Vector = Sight::Vector;
+  std::mt19937 random(11);
+  int turned = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto [right, up, forward] = some_turn(random);
+    const double size = std::ldexp(1, 72 + static_cast<int>(random() % 20));
+    const dvec3 w = 0.99 * 0x1p-106 * some_vector(random);
+    std::array<double, 16> numbers{};
+    const auto set = [&](std::size_t row, const dvec3& normal, double constant) {
+      for (std::size_t k = 0; k < 3; ++k) numbers[4 * row + k] = normal[static_cast<int>(k)];
+      numbers[4 * row + 3] = constant;
+    };
+    set(0, right / size, 0);
+    set(1, up / size, 0);
+    set(2, forward / size, 0);
+    set(3, w, 1);
+    MatrixCamera camera = MatrixCamera::from_rows(numbers.data(), ClipDepth::zero_to_w, Nearer::less);
+    camera.eye_radius = i % 4 == 0 ? 0 : std::ldexp(size, static_cast<int>(random() % 8));
+    ASSERT_EQ(fault(camera), "");
+    const FrameView view(camera, size);
+    ASSERT_FALSE(view.is_perspective);
+    // From a point of the model to another along a ray of some eye: as far aside as points may be moved.
+    const auto value = [&](int row, const Vector& p) {
+      const auto at = [&](int column) { return Sight::Real{camera.matrix[column][row]}; };
+      return at(0) * p.x + at(1) * p.y + at(2) * p.z + at(3);
+    };
+    const dvec3 point = some_vector(random, size / 3), eye = camera.eye_radius * glm::normalize(some_vector(random));
+    const Vector p = Vector(point) - Vector(eye), n(w);
+    const Vector ray = glm::normalize(glm::cross(Vector(right / size) * value(3, p) - value(0, p) * n,
+                                                 Vector(up / size) * value(3, p) - value(1, p) * n)),
+                 sight(view.axes.forward);
+    const Sight::Real aside = Sight::Real{size} * glm::length(ray - glm::dot(ray, sight) / glm::dot(sight, sight) * sight);
+    ASSERT_LE(aside, 2 * view.moved) << "camera " << i;
+    turned += aside > view.moved / 16 ? 1 : 0;
+  }
+  EXPECT_GT(turned, 200);
 }
 
 /// A shadow less what an eye that may be elsewhere takes away holds boxes that are in the shadow from all these eyes.
@@ -599,15 +710,6 @@ TEST(MatrixCamera, CullsInAnOffCentrePicture) {
     EXPECT_EQ(frame.culled.size(), 2U) << "the third is beside the picture";
     EXPECT_EQ(hidden_in(frame), 1U);
   }
-}
-
-/// The camera with its eye moved by e.
-MatrixCamera moved_by(const MatrixCamera& camera, const dvec3& e) {
-  MatrixCamera moved = camera;
-  for (int row = 0; row < 4; ++row) {
-    for (int axis = 0; axis < 3; ++axis) moved.matrix[3][row] -= camera.matrix[axis][row] * e[axis];
-  }
-  return moved;
 }
 
 TEST(MatrixCamera, NothingVisibleFromAnyOfItsEyesIsCulled) {
@@ -693,6 +795,27 @@ TEST(MatrixCamera, CullsAsTheCameraDoes) {
 /// A camera at the origin that looks along +x, up is z: w = x. The rows are those of x, y, z, w.
 std::array<double, 16> along_x(double depth_slope, double depth_constant) {
   return {0, -1, 0, 0, 0, 0, 1, 0, depth_slope, 0, 0, depth_constant, 1, 0, 0, 0};
+}
+
+/// A cover closes pixels of a border too, where boxes may reach beyond the camera's picture: as many again in the smallest
+/// coarse picture. What hides is not clipped there either.
+TEST(MatrixCamera, NothingHidesBeforeTheNearPlaneInABorder) {
+  std::mt19937 random(12);
+  std::array<int, 2> across{};
+  for (std::size_t i = 0; i < 8000; ++i) {
+    const Made made = some_camera(random, i % 2 == 0 ? Kind::oblique : Kind::sheared);
+    const FrameView view(made.camera, made.far);
+    if (view.is_oblique) continue;
+    ++across[i % 2];
+    const glm::dmat3 along = glm::inverse(glm::transpose(glm::dmat3(view.axes.right, view.axes.up, view.axes.forward)));
+    for (const auto& [x, y] : {std::pair{-2, -2}, {-2, 2}, {2, -2}, {2, 2}}) {
+      const double depth = view.is_perspective ? view.near : 1;
+      const dvec3 p = view.eye + along * dvec3(x * view.half_width * depth, y * view.half_height * depth, view.near);
+      ASSERT_FALSE(view.may_clip(p)) << made.name << ", camera " << i;
+    }
+  }
+  EXPECT_GT(across[0], 100);
+  EXPECT_GT(across[1], 20);
 }
 
 /// A wall before the near plane hides nothing, one beyond hides, whichever way depth runs.
