@@ -268,7 +268,8 @@ void SceneObjects::empty_group(std::uint32_t group) {
 void SceneObjects::join_small() {
   batch_.clear();
   for (const std::uint32_t group : small_groups_) {
-    if (groups_[group].size() == 0) continue;  // emptied since, or listed twice
+    const std::size_t size = groups_[group].size();
+    if (size == 0 || size >= kSmall) continue;  // emptied since, or listed twice; it may be a large one by now
     groups_[group].append_living(batch_);
     empty_group(group);
   }

@@ -31,6 +31,7 @@
 #include "outer_box.h"
 #include "placed.h"
 #include "scene_frame.h"
+#include "scene_objects.h"
 #include "scenes.h"
 
 namespace scene_test {
@@ -1032,6 +1033,30 @@ TEST(Scene, NoTwoGroupsTakeThePlaceOfOne) {
     add_tile(70);
     expect_all_drawn();
   }
+}
+
+/// A large group may take the place of a small one that is still to be joined with others. It is not joined.
+TEST(SceneObjects, GroupsStaySmallEnoughToBeBuiltAnew) {
+  std::mt19937 random(kSeed);
+  SceneObjects objects;
+  const auto add = [&](std::size_t count) {
+    std::vector<Box> boxes;
+    while (boxes.size() < count) boxes.push_back(random_box(random));
+    std::vector<ObjectId> ids(count);
+    objects.add(boxes, {}, ids);
+    objects.update({});
+    return ids;
+  };
+  std::vector<std::vector<ObjectId>> small;
+  for (int i = 0; i < 12; ++i) small.push_back(add(40));
+  for (const std::vector<ObjectId>& tile : small) {
+    for (const ObjectId id : tile) objects.remove(id);
+  }
+  objects.update({});
+  add(20000);
+  for (int i = 0; i < 4; ++i) add(10);
+  EXPECT_EQ(objects.seen_size(), 20040U);
+  for (std::uint32_t i = 0; i < objects.groups().size(); ++i) EXPECT_LE(objects.group(i).size(), 1024U);
 }
 
 TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
