@@ -30,7 +30,11 @@ constexpr float kSeenError = 6 * 0x1p-24F;
 // the margin, and adding 1 to find the pixel, round by 3 u of the sum of position, bound and margin. The bound is below
 // kMostError, and kBoundRounded accounts for its share. That is 8 u; the constant is 16 u.
 constexpr float kPlaceError = 0x1p-20F;
-// More than ten roundings of a bound, and of a sum of lengths.
+// It allows for 16 roundings. The bound of a distance, times this, rounds seven times: the coordinates once, their sum
+// twice, its product once, BoxPicture::moved once, the sum of these once, and the product with this factor once. The bound
+// of a position, times this again, rounds twelve times more: how far aside it is four times, the sum with the scale once,
+// the distance that divides once, the quotient, its product and the product with this factor once each, the sum of both
+// terms once, and the two sums in which it is used once each.
 constexpr float kBoundRounded = 1 + 0x1p-20F;
 // A box with a larger error, in pixels, is treated as one of unknown position.
 constexpr float kMostError = 0x1p20F;
@@ -171,6 +175,10 @@ namespace {
 HWY_EXPORT(see);
 HWY_EXPORT(see_block);
 
+/// Floats below 2^-126 round by 2^-150 whatever their size. Three coordinates, three products with an axis, the sum of the
+/// coordinates times its factor, and this bound itself do so: 8 of these. Twice that leaves room.
+constexpr double kUnderflow = 16 * 0x1p-150;
+
 std::array<float, 3> to_floats(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -189,7 +197,7 @@ BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
       width(static_cast<float>(picture.width())),
       height(static_cast<float>(picture.height())),
       near(rounded_up(picture.near())),
-      moved(rounded_up(picture.error() + picture.rounding())),
+      moved(static_cast<float>(picture.error() + picture.rounding() + kUnderflow)),
       wider_x(rounded_up(margin.x)),
       wider_y(rounded_up(margin.y)) {}
 

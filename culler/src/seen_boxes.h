@@ -26,7 +26,7 @@ class BoxPicture {
   float middle_x = 0, middle_y = 0, scale_x = 0, scale_y = 0;  ///< as in BeamPicture
   float width = 0, height = 0;
   float near = 0;                  ///< not less than the picture's
-  float moved = 0;                 ///< not less than the picture's error() and rounding() together
+  float moved = 0;                 ///< the picture's error() and rounding() together, and what floats may lose
   float wider_x = 0, wider_y = 0;  ///< the margin
 };
 

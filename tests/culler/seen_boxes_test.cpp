@@ -4,28 +4,58 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <random>
+#include <span>
+#include <vector>
+
+#include "bounds.h"
+#include "exact_picture.h"
+#include "scenes.h"
+#include "single_precision.h"
 
 namespace seen_boxes_test {
 
 using namespace occlude;
 using namespace occlude::culler;
 
-using Real = long double;
+/// Where the corners of a box may be moved to.
+std::vector<ExactSeen> corners(const BeamPicture& picture, const kernel::Aabb& box) {
+  std::vector<ExactSeen> all;
+  for (unsigned c = 0; c < 8; ++c) {
+    const glm::dvec3 corner{(c & 1U) != 0 ? box.max[0] : box.min[0], (c & 2U) != 0 ? box.max[1] : box.min[1],
+                            (c & 4U) != 0 ? box.max[2] : box.min[2]};
+    for (const ExactSeen& seen : moved(picture, exact(picture, corner))) all.push_back(seen);
+  }
+  return all;
+}
 
-struct Exact {
-  Real right, up, forward;
-};
-
-Exact exact(const BeamPicture& picture, const glm::dvec3& point) {
-  const auto along = [&](const glm::dvec3& axis) {
-    Real sum = 0;
-    for (int i = 0; i < 3; ++i) sum += Real{axis[i]} * (Real{point[i]} - Real{picture.eye()[i]});
-    return sum;
-  };
-  return {along(picture.right()), along(picture.up()), along(picture.forward())};
+/// None of these points of box k lies beyond what is known of it. Returns how far the bounds lie beyond them to the left and
+/// right at most.
+Real expect_held(const BeamPicture& picture, const SeenBoxes& boxes, std::size_t k, std::span<const ExactSeen> points) {
+  Real low_x = 1e30L, high_x = -1e30L;
+  for (const ExactSeen& point : points) {
+    const auto [x, y, nearness] = exact_place(picture, point);
+    low_x = std::min(low_x, x);
+    high_x = std::max(high_x, x);
+    EXPECT_LE(boxes.low_x[k], x);
+    EXPECT_GE(boxes.high_x[k], x);
+    EXPECT_LE(boxes.low_y[k], y);
+    EXPECT_GE(boxes.high_y[k], y);
+    if (x >= 0 && x < picture.width()) {
+      EXPECT_TRUE(boxes.x0[k] <= x && x < boxes.x1[k]) << "pixels";
+    }
+    if (y >= 0 && y < picture.height()) {
+      EXPECT_TRUE(boxes.y0[k] <= y && y < boxes.y1[k]) << "pixels";
+    }
+    EXPECT_GE(boxes.most[k], nearness);
+    EXPECT_GT(point.forward, picture.near());
+  }
+  return std::max(low_x - boxes.low_x[k], boxes.high_x[k] - high_x);
 }
 
 class SeenBoxesTest : public testing::TestWithParam<Projection> {
@@ -54,7 +84,7 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
     camera.aspect = uniform(0.5, 2);
     if (!fault(camera).empty()) continue;
     const double depth = 3 * away + 300;
-    const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : 1e-6);
+    const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : kSinglePrecision * depth);
     const BoxPicture boxes(picture, {0, 0});
     SeenBoxes batch;
     std::vector<kernel::Aabb> asked;
@@ -81,34 +111,78 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
       EXPECT_EQ(alone.y1[0], batch.y1[k]);
       if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
       ++known;
-      Real low_x = 1e30L, high_x = -1e30L;
-      for (unsigned c = 0; c < 8; ++c) {
-        const Exact seen =
-            exact(picture, {(c & 1U) ? asked[k].max[0] : asked[k].min[0], (c & 2U) ? asked[k].max[1] : asked[k].min[1],
-                            (c & 4U) ? asked[k].max[2] : asked[k].min[2]});
-        EXPECT_GT(seen.forward, picture.near());
-        const Real shrink = picture.is_perspective() ? 1 / seen.forward : 1;
-        const Real x = picture.middle().x + picture.scale().x * seen.right * shrink;
-        const Real y = picture.middle().y + picture.scale().y * seen.up * shrink;
-        low_x = std::min(low_x, x);
-        high_x = std::max(high_x, x);
-        EXPECT_LE(batch.low_x[k], x);
-        EXPECT_GE(batch.high_x[k], x);
-        EXPECT_LE(batch.low_y[k], y);
-        EXPECT_GE(batch.high_y[k], y);
-        if (x >= 0 && x < 512) {
-          EXPECT_TRUE(batch.x0[k] <= x && x < batch.x1[k]) << "pixels";
-        }
-        if (y >= 0 && y < 288) {
-          EXPECT_TRUE(batch.y0[k] <= y && y < batch.y1[k]) << "pixels";
-        }
-        EXPECT_GE(batch.most[k], picture.is_perspective() ? shrink : -seen.forward);
-      }
-      if (away == 10 && low_x - batch.low_x[k] < 0.05 && batch.high_x[k] - high_x < 0.05) ++tight;
+      if (expect_held(picture, batch, k, corners(picture, asked[k])) < 0.05 && away == 10) ++tight;
     }
   }
   EXPECT_GT(known, 500U);
   EXPECT_GT(tight, known / 3);
+}
+
+/// In a picture that is narrow, it is where points are relative to the eye that rounds. In a wide one it is where they are
+/// in the picture.
+TEST_P(SeenBoxesTest, HoldPointsInPicturesOfAnyWidth) {
+  std::size_t known = 0;
+  for (int i = 0; i < 60000; ++i) {
+    Camera camera;
+    camera.projection = GetParam();
+    camera.eye = point(10);
+    camera.target = camera.eye + point(1);
+    const double tangent = std::exp2(uniform(-16, 6));  // of half of the angle
+    camera.fov_y_deg = glm::degrees(2 * std::atan(tangent));
+    camera.height = 2 * tangent;
+    if (!fault(camera).empty()) continue;
+    const BeamPicture picture(FrameView(camera, 2000), {512, 288, 16}, 0);
+    const BoxPicture boxes(picture, {0, 0});
+    const auto [right, up, forward] = camera.axes();
+    SeenBoxes batch;
+    std::array<glm::dvec3, SeenBoxes::kMost> asked;
+    for (glm::dvec3& at : asked) {
+      const double aside = std::min(tangent * std::exp2(uniform(-10, 4)), 500.0);
+      at = camera.eye + forward + uniform(-aside, aside) * right + uniform(-aside, aside) * up;
+      batch.add(boxes, {to_kernel(at), to_kernel(at)});
+    }
+    batch.see(boxes);
+    for (std::size_t k = 0; k < batch.size; ++k) {
+      if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
+      ++known;
+      expect_held(picture, batch, k, std::array{exact(picture, asked[k])});
+    }
+  }
+  EXPECT_GT(known, 300000U);
+}
+
+/// Legal numbers may differ by 2^-152. Of such differences floats keep nothing.
+TEST(SeenBoxes, HoldPointsThatUnderflow) {
+  std::mt19937 random(11);
+  const auto point = [&](double size) {
+    return glm::dvec3{uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+  };
+  Camera camera;
+  camera.projection = Projection::orthographic;
+  camera.height = 0x1p-100;
+  std::size_t known = 0;
+  for (int i = 0; i < 1000; ++i) {
+    camera.eye = 0x1p-99 * glm::abs(point(1)) + 0x1p-99;
+    camera.target = camera.eye + point(1);
+    FrameView view(camera, 0);
+    view.depth = std::exp2(uniform(random, -120, -100));
+    view.near = -1;  // as with an oblique near plane
+    const BeamPicture picture(view, {512, 288, 16}, 0);
+    const BoxPicture boxes(picture, {0, 0});
+    SeenBoxes batch;
+    std::array<glm::dvec3, SeenBoxes::kMost> asked;
+    for (glm::dvec3& at : asked) {
+      at = camera.eye + 0x1p-148 * point(1);
+      batch.add(boxes, {to_kernel(at), to_kernel(at)});
+    }
+    batch.see(boxes);
+    for (std::size_t k = 0; k < batch.size; ++k) {
+      if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
+      ++known;
+      expect_held(picture, batch, k, std::array{exact(picture, asked[k])});
+    }
+  }
+  EXPECT_GT(known, 5000U);
 }
 
 TEST(SeenBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
