@@ -118,7 +118,7 @@ void CoverPiece::draw(const PixelRectangle& tiles) {
 }
 
 CoverVertex CoverPiece::vertex(const Seen& seen) const {
-  return {picture_.corner(seen), rounded_down(picture_.nearness(seen.forward) - picture_.nearness_error(seen.forward))};
+  return {picture_.corner(seen), rounded_down(picture_.least_nearness(seen.forward))};
 }
 
 CoverVertex CoverPiece::cut(std::uint32_t a, std::uint32_t b) const {

@@ -11,6 +11,8 @@
 #include <random>
 #include <vector>
 
+#include "occlude/culler/cull_result.h"
+
 namespace cover_border_test {
 
 using namespace occlude;
@@ -18,10 +20,10 @@ using namespace occlude::culler;
 
 constexpr int kWidth = 48, kHeight = 32;
 
-BeamPicture picture() {
+BeamPicture picture(int height = kHeight) {
   Camera camera;
   camera.aspect = 1.5;
-  return {FrameView(camera, 100), {kWidth, kHeight, 16}, 0};
+  return {FrameView(camera, 100), {kWidth, height, 16}, 0};
 }
 
 /// The closed pixels of all tiles, row after row.
@@ -163,6 +165,28 @@ TEST(CoverBorder, SteepEdgesTurnWhereTheyEnd) {
     for (const std::uint64_t tile : closed) closed_pixels += static_cast<std::size_t>(std::popcount(tile));
   }
   EXPECT_GT(closed_pixels, 10000U);
+}
+
+/// In the highest picture, floats round a height by more than an edge reaches into a row.
+TEST(CoverBorder, TouchesTheRowThatALongEdgeReachesByLittle) {
+  std::mt19937 random(13);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  CoverBorder border;
+  const BeamPicture picture = cover_border_test::picture(kMostCoverSide);
+  constexpr int kTilesUp = kMostCoverSide / kTile;
+  std::vector<std::uint64_t> closed(std::size_t{kWidth / kTile} * kTilesUp);
+  for (int i = 0; i < 1000; ++i) {
+    const int column = static_cast<int>(random() % kWidth), row = 2000 + static_cast<int>(random() % 2000);
+    const Corner low{{uniform(0, kWidth), uniform(0, 1000)}, 1e-9},
+        high{{column + 0.5, row + std::exp2(uniform(-28, -14))}, 1e-9};
+    border.begin(picture, {0, 0, kWidth / kTile, kTilesUp});
+    border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9});
+    border.draw(low, high);
+    border.draw(high, low);
+    border.find_closed(closed);
+    EXPECT_FALSE(has(closed, column, row)) << i;
+    EXPECT_TRUE(has(closed, column, row + 1)) << i;
+  }
 }
 
 /// What was drawn before is gone.
