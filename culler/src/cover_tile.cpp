@@ -233,14 +233,14 @@ void lower(const TileNearness& picture, const PixelRectangle& tiles, const Plane
   const int lanes = static_cast<int>(hn::Lanes(d));
   const double* const slopes_x = picture.slopes_x + (plane.of_x > 0 ? 0 : 1);
   const double* const slopes_y = picture.slopes_y + (plane.of_y > 0 ? 0 : 1);
-  const auto zero = hn::Zero(d), more = hn::Set(d, plane.more), less = hn::Set(d, plane.less);
+  const auto scale = hn::Set(d, plane.scale);
   for (int x = tiles.x0; x < tiles.x1; x += lanes) {
     const auto of_x = hn::Mul(hn::Set(d, plane.of_x), hn::LoadU(d, slopes_x + x));
     const auto are_there = hn::FirstN(to, static_cast<std::size_t>(tiles.x1 - x));
     for (int y = tiles.y0; y < tiles.y1; ++y) {
       const auto value = hn::Add(hn::Set(d, plane.constant + plane.of_y * slopes_y[y]), of_x);
-      const auto bound = hn::Mul(value, hn::IfThenElse(hn::Gt(value, zero), more, less));
-      // As rounded_down().
+      const auto bound = hn::Mul(value, scale);
+      // As rounded_down(), which takes off 2^-24 more than a float rounds by.
       const auto rounding = hn::Add(hn::Mul(hn::Set(d, 0x1p-23), hn::Abs(bound)), hn::Set(d, 0x1p-149));
       const auto found = hn::Max(hn::DemoteTo(to, hn::Sub(bound, rounding)), hn::Set(to, least));
       float* const nearness = picture.nearness + y * picture.tiles_across + x;

@@ -31,11 +31,10 @@ struct TilePicture {
 [[nodiscard]] int open_pixels(const TilePicture& picture, const PixelRectangle& r, float most, int enough);
 /// Those of the asked boxes that are in the picture, beyond the near plane, and behind all pixels that they touch.
 [[nodiscard]] kernel::BoxBits hidden(const TilePicture& picture, const BoxPixels& boxes, kernel::BoxBits asked);
-/// A lower bound of the nearness of a plane: along the ray (x, y, 1) it is at least v `more` if v > 0, and else v `less`,
-/// where v = constant + of_y y + of_x x.
+/// A lower bound of the nearness of a plane along the ray (x, y, 1): the product of constant + of_x x + of_y y and `scale`,
+/// up to some roundings of `scale` and the product.
 struct PlaneBound {
-  double constant, of_x, of_y;
-  double more, less;
+  double constant, of_x, of_y, scale;
 };
 /// How near something is in each tile of a picture, row by row. The rays of tile (i, j) are those from slopes_x[i] to
 /// slopes_x[i + 1] and from slopes_y[j] to slopes_y[j + 1].

@@ -54,9 +54,9 @@ TEST_P(BeamPictureTest, BoundsHoldWhereverPointsAreMoved) {
     const float nearness = rounded_down(picture.least_nearness(seen.forward));
     for (const ExactSeen& to : moved(picture, exact(picture, point))) {
       const ExactPlace exact = exact_place(picture, to);
-      EXPECT_LE(std::fabs(exact.x - place.x), error) << i;
-      EXPECT_LE(std::fabs(exact.y - place.y), error) << i;
-      EXPECT_GE(exact.nearness, nearness) << i;
+      ASSERT_LE(std::fabs(exact.x - place.x), error) << i;
+      ASSERT_LE(std::fabs(exact.y - place.y), error) << i;
+      ASSERT_GE(exact.nearness, nearness) << i;
       largest_share = std::max(largest_share, std::fabs(exact.x - place.x) / error);
       least_lost = std::min(least_lost, (exact.nearness - nearness) / std::fabs(exact.nearness));
     }

@@ -145,7 +145,7 @@ TEST_P(CoverTile, LowersTilesToThePlane) {
     std::array<double, kRows + 1> slopes_y{number(random_)};
     for (std::size_t k = 1; k < slopes_x.size(); ++k) slopes_x[k] = slopes_x[k - 1] + 0.05;
     for (std::size_t k = 1; k < slopes_y.size(); ++k) slopes_y[k] = slopes_y[k - 1] + 0.05;
-    const PlaneBound plane{number(random_), number(random_), number(random_), 0.9, 1.1};
+    const PlaneBound plane{number(random_), number(random_), number(random_), 0.9};
     const auto least = static_cast<float>(number(random_));
     const int x0 = pick(0, 5), y0 = pick(0, kRows - 1);
     const PixelRectangle part{x0, y0, x0 + pick(1, 18), y0 + pick(1, kRows - y0)};
@@ -157,7 +157,7 @@ TEST_P(CoverTile, LowersTilesToThePlane) {
           return std::min(slope * slopes[low], slope * slopes[low + 1]);
         };
         const double value = plane.constant + at(slopes_y, y, plane.of_y) + at(slopes_x, x, plane.of_x);
-        const float bound = std::max(rounded_down(value * (value > 0 ? plane.more : plane.less)), least);
+        const float bound = std::max(rounded_down(value * plane.scale), least);
         of_planes += bound > least ? 1 : 0;
         float& tile = expected[static_cast<std::size_t>(y * kTiles + x)];
         tile = std::min(tile, bound);
