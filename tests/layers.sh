@@ -17,10 +17,10 @@ python: kernel culler culler/c oracle
 oracle/cases: kernel oracle render
 oracle/proof: kernel culler oracle render oracle/cases
 fuzz: kernel oracle/cases
+fuzz/bound_check: kernel culler oracle/cases fuzz
 fuzz/differential: kernel culler oracle oracle/cases oracle/proof fuzz
 fuzz/harness: kernel culler oracle render oracle/cases oracle/proof fuzz fuzz/differential
 kernel/bench: kernel fuzz
-kernel/bound_check: kernel oracle/cases fuzz
 render/bench: kernel culler render kernel/bench
 cli: kernel culler oracle render oracle/cases oracle/proof fuzz fuzz/differential kernel/bench render/bench
 '

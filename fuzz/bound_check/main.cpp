@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "measure.h"
+#include "measure_culler.h"
 #include "ranges.h"
 #include "recompute.h"
 
@@ -80,6 +81,27 @@ bool report_errors(int cases, std::uint64_t seed) {
   return all_hold;
 }
 
+/// No share may be above 1, and nothing may be left unmeasured.
+bool report_measured(const std::vector<Measured>& all) {
+  bool all_hold = true;
+  for (const auto& [bound, where, largest, cases] : all) {
+    const bool holds = largest <= 1, is_measured = cases > 0;
+    std::printf("%-45s %-18s %9.3f %9d%s%s\n", bound.c_str(), where.c_str(), largest, cases,
+                holds ? "" : "  BEYOND ITS BOUND", is_measured ? "" : "  NOT MEASURED");
+    all_hold = all_hold && holds && is_measured;
+  }
+  return all_hold;
+}
+
+bool report_culler(int cases, std::uint64_t seed) {
+  std::printf("\n%-45s %-18s %9s %9s\n", "bound", "stands in", "share", "cases");
+  bool all_hold = true;
+  for (const auto& measure : {measure_picture, measure_edges, measure_boxes, measure_cameras, measure_margins}) {
+    all_hold = report_measured(measure(cases, seed)) && all_hold;
+  }
+  return all_hold;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -91,6 +113,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   const bool constants_hold = report_constants(), ranges_hold = report_ranges();
-  const bool errors_hold = report_errors(cases, seed);
-  return constants_hold && ranges_hold && errors_hold ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool culler_holds = report_culler(cases, seed), errors_hold = report_errors(cases, seed);
+  return constants_hold && ranges_hold && culler_holds && errors_hold ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <variant>
 #include <vector>
 
@@ -20,12 +19,6 @@ namespace {
 
 using kernel::PlaneRecipe;
 using kernel::Vec3;
-
-/// An error without a bound is an infinite share.
-double share(const Exact& off, double bound) {
-  if (off <= 0 && bound >= 0) return 0;
-  return !(bound > 0) ? std::numeric_limits<double>::infinity() : CGAL::to_double(off) / bound;
-}
 
 Exact distance(const Exact& a, const Exact& b) { return CGAL::abs(a - b); }
 
@@ -50,8 +43,8 @@ struct Remembering : A {
   }
 };
 
-double share(const kernel::RunningError& x, const Exact& truth) { return share(distance(Exact(x.value), truth), x.error); }
-double share(const kernel::DoubleDouble& x, const Exact& truth) {
+double share_of(const kernel::RunningError& x, const Exact& truth) { return share(distance(Exact(x.value), truth), x.error); }
+double share_of(const kernel::DoubleDouble& x, const Exact& truth) {
   return share(distance(Exact(x.high) + Exact(x.low.value), truth), x.low.error);
 }
 
@@ -127,7 +120,7 @@ class Measurement {
     static_cast<void>(kernel::extremal_sign(arithmetic, plane, frustum_.origin, box_, 1));
     // In doubt about the normal it may have asked about another vertex.
     if (kIsAligned && arithmetic.failed()) return;
-    shares_.note(kind, share(arithmetic.last, truth));
+    shares_.note(kind, share_of(arithmetic.last, truth));
   }
 
   void measure_own_profile() {
@@ -154,8 +147,8 @@ class Measurement {
     const TruePlane true_f = true_plane(frustum_, f), true_g = true_plane(frustum_, g);
     const auto [p, q] = two_points(box_);
     const Exact truth = true_f.at(p) * true_g.at(q) - true_f.at(q) * true_g.at(p);
-    shares_.note(Kind::running_error, share(crossed<kernel::FilterArithmetic>(f, g, p, q), truth));
-    shares_.note(Kind::double_double, share(crossed<Twice>(f, g, p, q), truth));
+    shares_.note(Kind::running_error, share_of(crossed<kernel::FilterArithmetic>(f, g, p, q), truth));
+    shares_.note(Kind::double_double, share_of(crossed<Twice>(f, g, p, q), truth));
   }
 
   template <class A>

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "measure_culler.h"
+namespace occlude::bound_check {
+std::vector<Measured> measure_cameras(int, std::uint64_t) { return {}; }
+}
