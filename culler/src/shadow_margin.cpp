@@ -23,19 +23,26 @@ ShadowMargin::ShadowMargin(const FrameView& view, double share)
       rounding_(share == 0 ? 0 : kSinglePrecision * view.depth),
       eye_error_(view.moved) {}
 
+/// A vertex w along the line of sight and a across it moves by d and e. In the picture that is from a / w to
+/// (a + e) / (w + d): by (w e - a d) / (w (w + d)), which is no longer than |(d, e)| |(w, a)| / (w (w - |d|)).
 double ShadowMargin::size(const kernel::ShadowFrustum& shadow) const {
-  if (!is_perspective_) return size_ + rounding_;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const kernel::Vec3& v : shadow.silhouette()) nearest = std::min(nearest, glm::dot(to_glm(v) - eye_, forward_));
-  return size_ + rounding_ / std::max(nearest, std::numeric_limits<double>::min());
+  if (!is_perspective_ || rounding_ == 0) return size_ + rounding_;
+  double most = 0;
+  for (const kernel::Vec3& vertex : shadow.silhouette()) {
+    const glm::dvec3 v = to_glm(vertex) - eye_;
+    const double along = glm::dot(v, forward_);
+    if (!(along > rounding_)) return std::numeric_limits<double>::infinity();
+    most = std::max(most, glm::length(v) / (along * (along - rounding_)));
+  }
+  return size_ + rounding_ * most;
 }
 
 kernel::HalfSpace ShadowMargin::moved(const kernel::HalfSpace& plane, double size) const {
   const glm::dvec3 normal = to_glm(plane.normal);
   const double margin = size * glm::length(normal - glm::dot(normal, forward_) * forward_);
-  const double offset = plane.offset - 2 * rounding_ * glm::length(normal);
-  if (!is_perspective_) return {plane.normal, offset - margin};
-  return {to_kernel(normal - margin * forward_), offset};
+  const glm::dvec3 turned = is_perspective_ ? normal - margin * forward_ : normal;
+  const double offset = plane.offset - rounding_ * (glm::length(normal) + glm::length(turned));
+  return {to_kernel(turned), is_perspective_ ? offset : offset - margin};
 }
 
 template <class Visit>
@@ -74,7 +81,8 @@ bool ShadowMargin::keeps(const kernel::ShadowUnion& shadows, const Box& box) con
   if (eye_error_ != 0) return false;
   if (size_ == 0) return true;
   const kernel::Aabb moved = grown(outer_box(box), std::max(size(shadows.first), size(shadows.second)));
-  return kernel::overlap_certified(shadows, moved, kernel::NearBoundary::open).relation == kernel::Relation::inside;
+  return kernel::check(moved) == kernel::Refusal::none &&
+         kernel::overlap_certified(shadows, moved, kernel::NearBoundary::open).relation == kernel::Relation::inside;
 }
 
 namespace {

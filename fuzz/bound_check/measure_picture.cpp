@@ -175,10 +175,18 @@ Exact bound_along(const culler::PlaneBound& bound, const Exact& x, const Exact& 
 /// A position in the picture, from 0 to 1 across and up. The largest errors are in its corners.
 double any_share(Choices& choices) { return std::clamp(choices.real(-0.5, 1.5), 0.0, 1.0); }
 
-/// Along any ray of the picture, because tiles are larger than triangles.
-Share planes_along_rays(Choices& choices) {
-  const auto triangle = any_triangle(choices, false);
+/// Along any ray of the picture, because tiles are larger than triangles. Corners are where they are computed to be, or
+/// anywhere within their errors.
+Share planes_along_rays(Choices& choices, bool has_errors) {
+  auto triangle = any_triangle(choices, false);
   if (!triangle) return std::nullopt;
+  if (has_errors) {
+    const Exact error(triangle->picture.error());
+    const auto either = [&] { return Exact(Exact(choices.sign()) * error); };
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle->truth[i] = exactly(triangle->seen[i]) + Vector(either(), either(), either());
+    }
+  }
   const culler::SeenPlane plane = triangle->plane();
   if (!plane.is_known()) return std::nullopt;
   const TruePicture exact(triangle->picture);
@@ -255,7 +263,8 @@ std::vector<Measured> measure_picture(int cases, std::uint64_t seed) {
       search("positions of cuts", "beam_picture", cases, seed, positions_of_cuts),
       search("nearness of points", "beam_picture", cases, seed, still(nearness_of_points)),
       search("nearness of points that are moved", "beam_picture", cases, seed, moved(nearness_of_points)),
-      search("nearness of planes along rays", "seen_plane", cases, seed, planes_along_rays),
+      search("nearness of planes along rays", "seen_plane", cases, seed, still(planes_along_rays)),
+      search("the same, with corners off by their errors", "seen_plane", cases, seed, moved(planes_along_rays)),
       search("the same of triangles that are moved", "seen_plane", cases, seed, planes_of_moved_triangles),
       search("nearness of planes over tiles, in floats", "cover_tile", cases, seed, planes_over_tiles),
       search("doubles rounded down to floats", "rounded_float", cases, seed, rounded_down),

@@ -90,9 +90,14 @@ PictureMargin::PictureMargin(const culler::Camera& camera, double share, double 
 Real PictureMargin::depth(const Vector& x) const { return is_perspective_ ? glm::dot(x - eye_, forward_) : 1; }
 
 Real PictureMargin::move(const kernel::ShadowFrustum& shadow, Real depth) const {
-  Real nearest = std::numeric_limits<Real>::infinity();
-  for (const kernel::Vec3& v : shadow.silhouette()) nearest = std::min(nearest, this->depth(vector(v)));
-  return (size_ + rounding_ / nearest) * depth;
+  if (!is_perspective_) return size_ + rounding_;
+  Real most = 0;
+  for (const kernel::Vec3& v : shadow.silhouette()) {
+    const Real along = this->depth(vector(v));
+    if (along <= rounding_) return std::numeric_limits<Real>::infinity();
+    most = std::max(most, glm::length(vector(v) - eye_) / (along * (along - rounding_)));
+  }
+  return (size_ + rounding_ * most) * depth;
 }
 
 Real PictureMargin::slack(const kernel::ShadowFrustum& shadow, const std::vector<Vector>& corners) const {

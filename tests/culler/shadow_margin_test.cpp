@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "bounds.h"
@@ -146,8 +147,8 @@ TEST_P(Margin, OfNoneIsTheShadowItself) {
 INSTANTIATE_TEST_SUITE_P(Projections, Margin, testing::Values(Projection::perspective, Projection::orthographic));
 
 /// A slanted wall whose distance is 10 to 20, and points behind it, for a renderer that moves positions by 0.01. Moved
-/// positions of the wall move its shadow in the picture, most where the wall is nearest. Moved positions of the points and
-/// of the planes count in addition, by as much along the normals of the planes.
+/// positions of the wall move its shadow in the picture, most at the vertices (10, -10, -10) and (10, -10, 10). Moved
+/// positions of the points and of the planes count in addition, along the normals of the planes.
 TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
   constexpr double kRounding = 0.01, kDepth = kRounding / kSinglePrecision, kNone = 1e-12;
   const std::vector<kernel::Vec3> wall{{10, -10, -10}, {20, 20, -20}, {20, 20, 20}, {10, -10, 10}};
@@ -158,16 +159,41 @@ TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
     const auto shadow = kernel::ShadowFrustum::make(camera.viewpoint(), wall, kernel::Near::surface).frustum.value();
     const ShadowMargin margin(FrameView(camera, kDepth), kNone);
     const auto keeps = [&](double x, double y) { return margin.keeps(shadow, kernel::Aabb{{x, y, 0}, {x, y, 0}}); };
+    const double turn = kRounding * std::sqrt(300) / (10 * (10 - kRounding));
     // The sides are x >= y and 20 >= y.
-    const double side =
-        perspective ? 40 - 40 * kRounding / 10 - 2 * kRounding * std::sqrt(2) : 20 - kRounding - 2 * kRounding;
+    const double side = perspective ? 40 - 40 * turn - kRounding * (std::sqrt(2) + std::hypot(1 - turn, 1))
+                                    : 20 - kRounding - 2 * kRounding;
     EXPECT_TRUE(keeps(40, side - 1e-6));
     EXPECT_FALSE(keeps(40, side + 1e-6));
     // The near plane is 3 x - y >= 40.
-    const double before = 40 + 2 * kRounding * std::sqrt(10);
-    const double near = perspective ? before / (3 - kRounding / 10) : (before + kRounding) / 3;
+    const double near = perspective ? (40 + kRounding * (std::sqrt(10) + std::hypot(3 - turn, 1))) / (3 - turn)
+                                    : (40 + 2 * kRounding * std::sqrt(10) + kRounding) / 3;
     EXPECT_TRUE(keeps(near + 1e-6, 0));
     EXPECT_FALSE(keeps(near - 1e-6, 0));
+  }
+}
+
+/// Walls that reach far aside or stand close to the eye, whose sides a renderer moves along the border of the picture by
+/// more than their distance tells: both a vertex and the point behind it move across the side of the shadow.
+TEST(ShadowMargin, AllowsForVerticesThatMoveFarAsideAndNearTheEye) {
+  constexpr double kRounding = 0.01, kDepth = kRounding / kSinglePrecision, kNone = 1e-12, kX = 100;
+  for (const auto& [distance, aside] : {std::pair{10.0, 1.0}, {10.0, 30.0}, {0.05, 0.01}, {0.05, 0.2}, {0.015, 0.001}}) {
+    const auto shadow = [](double x, double y) {
+      const std::vector<kernel::Vec3> wall{{x, -y, -y}, {x, y, -y}, {x, y, y}, {x, -y, y}};
+      return kernel::ShadowFrustum::make(kernel::Viewpoint::eye({0, 0, 0}), wall, kernel::Near::surface).frustum.value();
+    };
+    const auto point = [](double x, double y) { return kernel::Aabb{{x, y, 0}, {x, y, 0}}; };
+    const kernel::ShadowFrustum exact = shadow(distance, aside);
+    const ShadowMargin margin(FrameView(Camera{}, kDepth), kNone);
+    double kept = 0, lost = kX * aside / distance;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (kept + lost) / 2;
+      (margin.keeps(exact, point(kX, middle)) ? kept : lost) = middle;
+    }
+    const double length = std::hypot(distance, aside), to_x = -kRounding * aside / length, to_y = kRounding * distance / length;
+    const kernel::ShadowFrustum moved = shadow(distance - to_x, aside - to_y);
+    EXPECT_EQ(kernel::overlap_certified(moved, point(kX + to_x, kept + to_y)).relation, Relation::inside)
+        << distance << " " << aside;
   }
 }
 
@@ -183,7 +209,7 @@ TEST(ShadowMargin, OfTwoIsThatOfTheNearer) {
   const auto near = shadow({{5, 0, -5}, {5, 5, -5}, {5, 5, 5}, {5, 0, 5}});
   const ShadowMargin margin(FrameView(camera, kDepth), kNone);
   // The side is x >= y, and the box is grown along both axes.
-  const double side = 40 - 2 * (40 * kRounding / 5 + 2 * kRounding);
+  const double side = 40 - 2 * (40 * kRounding * std::sqrt(75) / (5 * (5 - kRounding)) + 2 * kRounding);
   for (const kernel::ShadowUnion& both : {kernel::ShadowUnion{far, near}, kernel::ShadowUnion{near, far}}) {
     const auto keeps = [&](double y) { return margin.keeps(both, kernel::Aabb{{40, -1, 0}, {40, y, 0}}); };
     EXPECT_TRUE(keeps(side - 1e-6));

@@ -22,9 +22,10 @@ class ShrunkShadow;  // src/shrunk_shadow.h
 ///    (n - m |n_across| forward) . x >= d. Here n_across is the part of n perpendicular to the line of sight, and m the
 ///    margin at distance 1 along it. Sides move inwards; the near plane moves away from the eye by as much as its depth
 ///    changes over the margin. For parallel rays: n . x >= d + m |n_across|, where m is a length.
-/// 2. In space, by up to `rounding`: the error with which a renderer in single precision places the occluder and the box.
-///    The shadow of an occluder at depth w is then off by rounding / w in the picture. This is added to m, and d grows by
-///    2 rounding |n|.
+/// 2. In space, by up to `rounding`: the error with which a renderer in single precision places the occluder and the box. A
+///    vertex of the occluder at v from the eye, w along the line of sight, is then off by up to
+///    rounding |v| / (w (w - rounding)) in the picture, or by `rounding` along parallel rays. The largest of these is added
+///    to m. And d grows by rounding |n| for the near plane, and by rounding |n'| for the box, n' being the new normal.
 ///
 /// It is computed in doubles and has their rounding. That cannot make a cull wrong: the margin only takes away from what is
 /// exactly in the shadow. Const calls may run on several threads at once.
