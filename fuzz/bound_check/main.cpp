@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Checks that the kernel's error bounds hold: recomputes its constants from its own code, and measures the true errors of
-// its values against exact numbers. Usage: bound_check [CASES], where CASES is the number of cases per family.
+// Checks that the error bounds of the kernel and the culler hold: recomputes their constants by following roundings, and
+// measures the true errors of their values against exact numbers. Usage: bound_check [CASES], where CASES is the number of
+// cases per family for the kernel, and per bound for the culler.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,24 +30,25 @@ bool read_positive(const char* text, Number& number) {
   return error == std::errc() && next == end && number > 0;
 }
 
-bool report_constants() {
+bool report_constants(const std::vector<Constant>& constants) {
   bool all_hold = true;
-  std::printf("%-19s %-32s %-5s %10s %10s %10s\n", "constant", "needed by", "unit", "recomputed", "in kernel", "ratio");
-  for (const auto& [name, where, needed, in_kernel, degree] : recomputed_constants()) {
-    const bool holds = needed <= in_kernel;
-    const Exact unit = degree == 1 ? kRoundoff : Exact(kRoundoff * kRoundoff);
-    const auto in_units = [&](const Exact& x) { return CGAL::to_double(Exact(x / unit)); };
-    std::printf("%-19s %-32s %-5s %10.6f %10.6f %10.2f%s\n", name.c_str(), where.c_str(), degree == 1 ? "u" : "u^2",
-                in_units(needed), in_units(in_kernel), CGAL::to_double(Exact(in_kernel / needed)),
-                holds ? "" : "  TOO SMALL");
+  std::printf("%-29s %-42s %-7s %10s %10s %10s\n", "constant", "needed by", "unit", "recomputed", "stated", "ratio");
+  for (const auto& [name, where, needed, stated, degree, bits] : constants) {
+    const bool holds = needed <= stated;
+    const std::string unit = "2^-" + std::to_string(degree * bits);
+    const Exact size(std::ldexp(1.0, -degree * bits));
+    const auto in_units = [&](const Exact& x) { return CGAL::to_double(Exact(x / size)); };
+    std::printf("%-29s %-42s %-7s %10.6f %10.6f %10.2f%s\n", name.c_str(), where.c_str(), unit.c_str(), in_units(needed),
+                in_units(stated), CGAL::to_double(Exact(stated / needed)), holds ? "" : "  TOO SMALL");
     all_hold = all_hold && holds;
   }
+  std::printf("\n");
   return all_hold;
 }
 
 bool report_ranges() {
   bool all_safe = true;
-  std::printf("\nexponents of two  %-32s %12s %12s %12s\n", "", "multiples of", "at most", "errors from");
+  std::printf("exponents of two  %-32s %12s %12s %12s\n", "", "multiples of", "at most", "errors from");
   for (const auto& [name, extent] : ranges()) {
     std::printf("%-50s %12.1f %12.1f %12.1f%s\n", name.c_str(), extent.unit, extent.top, extent.error,
                 extent.is_safe() ? "" : "  OUT OF RANGE");
@@ -112,7 +115,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: [OCCLUDE_SEED=N] bound_check [CASES]: whole numbers above 0\n");
     return 2;
   }
-  const bool constants_hold = report_constants(), ranges_hold = report_ranges();
+  const bool constants_hold = report_constants(recomputed_constants()), ranges_hold = report_ranges(),
+             culler_constants_hold = report_constants(recomputed_culler_constants());
   const bool culler_holds = report_culler(cases, seed), errors_hold = report_errors(cases, seed);
-  return constants_hold && ranges_hold && culler_holds && errors_hold ? EXIT_SUCCESS : EXIT_FAILURE;
+  return constants_hold && culler_constants_hold && ranges_hold && culler_holds && errors_hold ? EXIT_SUCCESS : EXIT_FAILURE;
 }

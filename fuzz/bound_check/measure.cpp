@@ -8,6 +8,9 @@
 
 #include "box_plane.h"
 #include "cases/ask.h"
+#include "coarse_plane.h"
+#include "error_bounds.h"
+#include "float_lane.h"
 #include "occlude/fuzz/cases.h"
 #include "occlude/fuzz/random.h"
 #include "profile.h"
@@ -43,7 +46,9 @@ struct Remembering : A {
   }
 };
 
-double share_of(const kernel::RunningError& x, const Exact& truth) { return share(distance(Exact(x.value), truth), x.error); }
+double share_of(const kernel::RunningError& x, const Exact& truth) {
+  return share(distance(Exact(x.value), truth), x.error);
+}
 double share_of(const kernel::DoubleDouble& x, const Exact& truth) {
   return share(distance(Exact(x.high) + Exact(x.low.value), truth), x.low.error);
 }
@@ -89,7 +94,34 @@ class Measurement {
     const Exact unit = kIsAligned ? 2 * scale : scale;  // AabbFrame doubles all values
     shares_.note(kind, share(distance(Exact(extremes.low()), unit * range.low), error));
     shares_.note(kind, share(distance(Exact(extremes.high()), unit * range.high), error));
-    if constexpr (kIsAligned) measure_refined(i, truth, scale, frame.reach());
+    if constexpr (kIsAligned) {
+      measure_refined(i, truth, scale, frame.reach());
+      const kernel::FilterBound bound = kernel::rounded(twice).bound;
+      measure_floats<true>(filter, bound, {unit * range.low, unit * range.high});
+      measure_floats<false>(filter, bound, {unit * range.low, unit * range.high});
+    }
+  }
+
+  /// The same in floats, as shadow_block.cpp computes it. Where a value exceeds the bound of floats, that in doubles must
+  /// exceed its own. So twice the bound of doubles is taken off.
+  template <bool kIsFused>
+  void measure_floats(const kernel::FilterPlane& filter, const kernel::FilterBound& filter_bound, const Range& truth) {
+    kernel::CoarseBound bound;
+    const kernel::CoarsePlane plane = kernel::coarse(filter, filter_bound, bound);
+    using Number = FloatLane<kIsFused>;
+    const kernel::AabbFrame<FloatArithmetic<kIsFused>> floats(box_, frustum_.origin);
+    const Number twice_reach = floats.reach() + floats.reach();
+    if (!std::isfinite(bound.twice_base) || !(twice_reach.value < 2 * kernel::kCoarseReach)) return;  // left to doubles
+    const Number error = multiply_add(bound.slope, twice_reach, bound.twice_base);
+    const auto magnitude = [](float x) { return Number(std::fabs(x)); };
+    const auto extremes = floats.extremes({plane.x, plane.y, plane.z},
+                                          {magnitude(plane.x), magnitude(plane.y), magnitude(plane.z)}, plane.twice_offset);
+    const Exact of_doubles = 2 * Exact(Frame(box_, frustum_.origin).error(filter_bound));
+    const auto note = [&](Number value, const Exact& true_value) {
+      shares_.note(Kind::floats, share(distance(Exact(value.value), true_value), error.value - of_doubles));
+    };
+    note(extremes.low(), truth.low);
+    note(extremes.high(), truth.high);
   }
 
   void measure_refined(std::size_t i, const TruePlane& truth, const Exact& scale, double reach) {

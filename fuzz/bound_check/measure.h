@@ -10,9 +10,9 @@
 
 namespace occlude::bound_check {
 
-enum class Kind { frustum_plane, profile_plane, refined, half_space, running_error, double_double };
-inline constexpr std::array<std::string_view, 6> kKindNames{"planes",   "profile", "refined",
-                                                            "half-sp.", "running", "double2"};
+enum class Kind { frustum_plane, profile_plane, refined, half_space, running_error, double_double, floats };
+inline constexpr std::array<std::string_view, 7> kKindNames{"planes",  "profile", "refined", "half-sp.",
+                                                            "running", "double2", "floats"};
 
 /// For every kind, the largest |value - true value| / bound.
 struct Shares {

@@ -21,6 +21,7 @@ using Share = std::optional<double>;
 struct SeenBox {
   BeamPicture picture;
   culler::BoxPicture floats;
+  double margin;
   culler::SeenBoxes computed;
   std::array<Vector, 8> corners;
 };
@@ -34,7 +35,8 @@ std::optional<SeenBox> any_box(Choices& choices, bool is_moved) {
   culler::grow(box, culler::to_kernel(*corner));
   culler::grow(box, culler::to_kernel(*corner + size));
   if (culler::depth(box, picture.eye()) > picture.depth() * (1 - 0x1p-50)) return std::nullopt;
-  SeenBox seen{picture, {picture, {0, 0}}, {}, {}};
+  const double margin = choices.chance(0.5) ? choices.scale(-10, 3) : 0;
+  SeenBox seen{picture, {picture, {margin, margin}}, margin, {}, {}};
   seen.computed.add(seen.floats, box);
   seen.computed.see(seen.floats);
   if (seen.computed.most[0] == std::numeric_limits<float>::infinity()) return std::nullopt;
@@ -94,9 +96,15 @@ Share positions_of_boxes(Choices& choices, bool is_moved) {
   for (Vector& corner : box->corners) corner = corner + move;
   const auto place = [&](const Vector& corner) { return is_across ? truth.x(corner) : truth.y(corner); };
   const culler::SeenBoxes& computed = box->computed;
-  const Exact below = least_of(box->corners, place) - Exact((is_across ? computed.low_x : computed.low_y)[0]);
-  const Exact above = Exact((is_across ? computed.high_x : computed.high_y)[0]) - most_of(box->corners, place);
-  return share_used(bounds.place, std::min(below, above));
+  const Exact low = least_of(box->corners, place), high = most_of(box->corners, place);
+  // The pixels hold the box and its margin, up to a pixel beside the picture.
+  const int first = (is_across ? computed.x0 : computed.y0)[0], end = (is_across ? computed.x1 : computed.y1)[0];
+  const int count = is_across ? box->picture.width() : box->picture.height();
+  const bool holds = Exact(first) <= std::max(Exact(low - Exact(box->margin)), Exact(-1)) &&
+                     Exact(end) >= std::min(Exact(high + Exact(box->margin)), Exact(count + 1));
+  if (!holds) return std::numeric_limits<double>::infinity();
+  return share_used(bounds.place, std::min(Exact(low - Exact((is_across ? computed.low_x : computed.low_y)[0])),
+                                           Exact(Exact((is_across ? computed.high_x : computed.high_y)[0]) - high)));
 }
 
 Share nearness_of_boxes(Choices& choices, bool is_moved) {

@@ -112,13 +112,13 @@ Share moves_of_parallel_rays(Choices& choices) {
   const Vector direction = CGAL::cross_product(x.normal, y.normal);
   const Exact turned = length(CGAL::cross_product(direction, forward)) / CGAL::abs(direction * forward);
   TruePlane near = exact_row(rows.z);
-  near.offset -= rows.nearer == culler::Nearer::greater           ? w.offset
+  near.offset -= rows.nearer == culler::Nearer::greater          ? w.offset
                  : rows.depth == culler::ClipDepth::minus_w_to_w ? Exact(-w.offset)
-                                                                  : Exact(0);
+                                                                 : Exact(0);
   const Vector middle = meeting_point(x, y, near);
   const Exact changed = at(w, point) / at(w, middle);
-  const Exact off = turned * length(point - bound_check::vector_of(of.eye())) +
-                    length(point - middle) * CGAL::abs(1 - 1 / changed);
+  const Exact off =
+      turned * length(point - bound_check::vector_of(of.eye())) + length(point - middle) * CGAL::abs(1 - 1 / changed);
   return share(off, of.moved(depth));
 }
 
@@ -168,8 +168,7 @@ Share of_any_plane(Choices& choices, const Use& use) {
 Share planes_of_matrices(Choices& choices) {
   return of_any_plane(choices, [](const AnyPlane& any) -> Share {
     const culler::ClipPlane& plane = any.plane;
-    const Exact computed =
-        bound_check::vector_of(plane.normal) * bound_check::vector_of(any.point) + Exact(plane.offset);
+    const Exact computed = bound_check::vector_of(plane.normal) * bound_check::vector_of(any.point) + Exact(plane.offset);
     const double bound = 0x1p-48 * (sum_of(any.eye) + any.depth + std::fabs(plane.offset));
     return share(CGAL::abs(computed - any.height()), bound);
   });
@@ -229,19 +228,21 @@ Share planes_of_cameras(Choices& choices) {
   const Vector eye = bound_check::vector_of(camera.eye), forward = bound_check::vector_of(view.axes.forward);
   const Vector across = Exact(i % 2 == 0 ? 1 : -1) * bound_check::vector_of(i < 2 ? view.axes.right : view.axes.up);
   const Exact half(i < 2 ? view.half_width : view.half_height);
-  const Vector inward = i == 4 ? forward : i == 5 ? Vector(-forward) : view.is_perspective ? Vector(half * forward + across) : across;
-  const Vector through = i == 4                  ? Vector(eye + Exact(camera.near) * forward)
-                         : i == 5                ? Vector(eye + Exact(camera.far) * forward)
+  const Vector inward = i == 4                ? forward
+                        : i == 5              ? Vector(-forward)
+                        : view.is_perspective ? Vector(half * forward + across)
+                                              : across;
+  const Vector through = i == 4                ? Vector(eye + Exact(camera.near) * forward)
+                         : i == 5              ? Vector(eye + Exact(camera.far) * forward)
                          : view.is_perspective ? eye
-                                                 : Vector(eye - half * across);
+                                               : Vector(eye - half * across);
   const Vector p = bound_check::vector_of(camera.eye + depth * choices.point() / 3.0);
   const culler::HalfSpace& plane = view.half_spaces[i];
   const Exact computed = bound_check::vector_of(plane.normal) * p + Exact(plane.offset);
   const Exact truth = inward * (p - through) / length(inward);
   const Exact size = CGAL::abs(through.x()) + CGAL::abs(through.y()) + CGAL::abs(through.z());
   const Exact outwards = Exact(0x1p-48) * size + Exact(culler::kDepthMargin) * Exact(depth);
-  return share(CGAL::abs(truth + outwards - computed),
-               outwards - Exact(1.5 * culler::kSinglePrecision) * Exact(depth));
+  return share(CGAL::abs(truth + outwards - computed), outwards - Exact(1.5 * culler::kSinglePrecision) * Exact(depth));
 }
 
 /// The height of a point over a near plane as a renderer in floats computes it: with coordinates relative to the middle of
@@ -259,9 +260,9 @@ Share points_in_floats(Choices& choices) {
     depth += std::fabs(from) + half[k];
   }
   const double near = depth * choices.real(0, 1);
-  const float computed =
-      rounded(normal.x) * y.x + rounded(normal.y) * y.y + rounded(normal.z) * y.z + rounded(-near);
-  const Exact truth = bound_check::vector_of(normal) * (bound_check::vector_of(p) - bound_check::vector_of(eye)) - Exact(near);
+  const float computed = rounded(normal.x) * y.x + rounded(normal.y) * y.y + rounded(normal.z) * y.z + rounded(-near);
+  const Exact truth =
+      bound_check::vector_of(normal) * (bound_check::vector_of(p) - bound_check::vector_of(eye)) - Exact(near);
   return share(CGAL::abs(Exact(computed) - truth), culler::kSinglePrecision * depth);
 }
 

@@ -43,8 +43,7 @@ Place any_place(Choices& choices) {
 /// The part of the error of an end that is left for the roundings where it is used (kPlaceError), in a picture of 64 by 64
 /// pixels.
 double left_for_roundings(const Place& p, const Place& q) {
-  return culler::kPlaceError *
-         (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(q.x), std::fabs(q.y)}) + 64 + 64);
+  return culler::kPlaceError * (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(q.x), std::fabs(q.y)}) + 64 + 64);
 }
 
 /// The columns of an edge between two heights. Its ends are anywhere within their errors.
@@ -82,7 +81,7 @@ class OneEdge {
   static constexpr int kTiles = 8;
 
   culler::CoverBorder border_;
-  culler::BeamPicture picture_{{}, {kTiles * culler::kTile, kTiles * culler::kTile, 16}, 0};
+  culler::BeamPicture picture_{{}, {kTiles * culler::kTile, kTiles* culler::kTile, 16}, 0};
   std::vector<std::uint64_t> closed_ = std::vector<std::uint64_t>(kTiles * kTiles);
 };
 
@@ -113,7 +112,8 @@ Share touched_pixels(Choices& choices) {
   const double error = seen.error() + 0x1p-20 + 0x1p-21 * (rise + culler::kTile);
   const double wide = seen.wide() + 0x1p-20 * (std::fabs(part->low.x) + std::fabs(part->high.x));
   const TrueEdge mirrored{-Exact(low.x), low.y, -Exact(high.x), high.y};
-  const Exact reached = *mirrored.least_between(y, y + 1), further = *mirrored.least_between(y - Exact(error), y + 1 + Exact(error));
+  const Exact reached = *mirrored.least_between(y, y + 1),
+              further = *mirrored.least_between(y - Exact(error), y + 1 + Exact(error));
   const Exact room = reached - further + Exact(wide);
   if (room > 1 || rise > 0x1p40 || std::fabs(run) > 0x1p40) return std::nullopt;
   double touched = start, free = start + 2 * CGAL::to_double(room) + 0x1p-10;
@@ -132,9 +132,7 @@ Share touched_pixels(Choices& choices) {
 }  // namespace
 
 std::vector<Measured> measure_edges(int cases, std::uint64_t seed) {
-  const auto columns = [](bool is_moved) {
-    return [=](Choices& choices) { return positions_on_edges(choices, is_moved); };
-  };
+  const auto columns = [](bool is_moved) { return [=](Choices& choices) { return positions_on_edges(choices, is_moved); }; };
   return {
       search("columns of edges", "seen_edge", cases, seed, columns(false)),
       search("columns of edges whose ends are moved", "seen_edge", cases, seed, columns(true)),

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "measure_culler.h"
-
 #include <array>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
 
 #include "cover_tile.h"
+#include "measure_culler.h"
 #include "rounded_float.h"
 #include "seen_plane.h"
 #include "true_picture.h"
@@ -103,8 +102,7 @@ std::optional<SeenPoint> any_seen_point(Choices& choices, bool is_moved) {
   const BeamPicture picture = any_picture(choices, is_moved);
   const auto point = any_point(choices, picture);
   if (!point) return std::nullopt;
-  return SeenPoint{picture, picture.see(*point),
-                   TruePicture(picture).see(vector_of(*point) + any_move(choices, picture))};
+  return SeenPoint{picture, picture.see(*point), TruePicture(picture).see(vector_of(*point) + any_move(choices, picture))};
 }
 
 Share positions(Choices& choices, bool is_moved) {
@@ -143,8 +141,8 @@ std::optional<Triangle> any_triangle(Choices& choices, bool is_moved) {
   if (!first) return std::nullopt;
   const double size = picture.depth() * choices.scale(-30, 0);
   std::array<glm::dvec3, 3> corners{*first, *first + size * choices.point(), *first + size * choices.point()};
-  const Vector normal = CGAL::cross_product(vector_of(corners[1]) - vector_of(corners[0]),
-                                            vector_of(corners[2]) - vector_of(corners[0]));
+  const Vector normal =
+      CGAL::cross_product(vector_of(corners[1]) - vector_of(corners[0]), vector_of(corners[2]) - vector_of(corners[0]));
   if (normal == Vector(0, 0, 0)) return std::nullopt;
   const Vector away = Exact(picture.rounding()) * unit(normal);
   const TruePicture truth(picture);

@@ -210,6 +210,53 @@ Exact needed_by_half_spaces() {
   return most;
 }
 
+/// CoarseFrame of shadow_block.cpp: floats, summed as in batches. Coefficients and coordinates are rounded to floats, those
+/// of coordinates once more in doubles.
+struct TracingFloats : BasicTracingLaneArithmetic<24> {
+  static Number difference(double a, double b) {
+    const TracedFloat exact = TracedFloat::sum(a, -b);
+    return TracedFloat::sum(exact.rounded(), TracedFloat::product(exact.tail(), 0x1p-29));
+  }
+};
+using FloatFrame = kernel::AabbFrame<TracingFloats>;
+using Float = TracingFloats::Number;
+
+/// The error of a plane's values, as a share of its coefficient's magnitude.
+Exact needed_by_floats(const Vec3& n, double offset) {
+  Exact most = 0;
+  for (const auto& [low, high] : kIntervals) {
+    const FloatFrame frame({uniform(low), uniform(high)}, {});
+    const auto in_float = [](double x) { return Float(TracedFloat(x).rounded()); };
+    const Float x = in_float(n.x), y = in_float(n.y), z = in_float(n.z);
+    const auto extremes = frame.extremes({x, y, z}, {fabs(x), fabs(y), fabs(z)}, in_float(2 * offset));
+    const double at_low = sum(n) * low, at_high = sum(n) * high;
+    const auto off = [](const Float& value, double truth) { return TracedFloat::sum(value, -truth).most(); };
+    most = std::max({most, off(extremes.low(), 2 * (std::min(at_low, at_high) + offset)),
+                     off(extremes.high(), 2 * (std::max(at_low, at_high) + offset))});
+  }
+  return most / 2;
+}
+
+Exact needed_by_float_normals() {
+  Exact most = 0;
+  for_each_normal([&](const Vec3& n) { most = std::max(most, needed_by_floats(n, 0)); });
+  return most;
+}
+Exact needed_by_float_offsets() { return std::max(needed_by_floats({}, 1), needed_by_floats({}, -1)); }
+
+/// What a bound in floats loses, from a slope of 1 or a base of 1 on.
+Exact lost_by_float_bounds() {
+  Exact most = 0;
+  for (const auto& [low, high] : kIntervals) {
+    const FloatFrame frame({uniform(low), uniform(high)}, {});
+    for (const auto& [slope, base] : {std::pair{1.0, 0.0}, {0.0, 1.0}}) {
+      const kernel::BasicFilterBound<Float> stored{TracedFloat(slope).rounded(), TracedFloat(base).rounded()};
+      most = std::max(most, Exact(1 - frame.error(stored).least() / 2));
+    }
+  }
+  return most;
+}
+
 /// Operands that are all value or all error, and whose true value is one.
 using Running = kernel::BasicRunningError<TracedNumber>;
 std::array<Running, 2> operands() { return {Running{1, 0}, Running{0, 1}}; }
@@ -341,6 +388,11 @@ std::vector<Constant> recomputed_constants() {
       {"kProductDifferenceError", "normals in twice the precision", needed_by_product_differences(),
        Exact(kernel::kProductDifferenceError), 2},
       {"kHalfSpaceError", "values of half-spaces", needed_by_half_spaces(), Exact(kernel::kHalfSpaceError), 1},
+      {"kCoarsePlaneError", "values over boxes in floats", needed_by_float_normals(), Exact(kernel::kCoarsePlaneError), 1,
+       24},
+      {"kCoarseOffsetError", "values over boxes in floats", needed_by_float_offsets(), Exact(kernel::kCoarseOffsetError), 1,
+       24},
+      {"kCoarseInflation - 1", "bounds in floats", lost_by_float_bounds(), Exact(kernel::kCoarseInflation) - 1, 1, 24},
   };
   std::ranges::transform(kBounds, std::back_inserter(constants), recomputed);
   return constants;

@@ -8,27 +8,38 @@
 namespace occlude::bound_check {
 
 /// multiply_add() rounds twice here. A fused one omits the first rounding and is otherwise the same.
-struct TracedLane : TracedNumber {
-  using TracedNumber::TracedNumber;
-  TracedLane(const TracedNumber& x) : TracedNumber(x) {}  // implicit, so that sums of lanes are lanes
+template <int kBits>
+struct BasicTracedLane : BasicTracedNumber<kBits> {
+  using Traced = BasicTracedNumber<kBits>;
+  using Traced::Traced;
+  BasicTracedLane(const Traced& x) : Traced(x) {}  // implicit, so that sums of lanes are lanes
 
-  friend TracedLane multiply_add(const TracedLane& a, const TracedLane& b, const TracedLane& c) { return a * b + c; }
+  friend BasicTracedLane multiply_add(const BasicTracedLane& a, const BasicTracedLane& b, const BasicTracedLane& c) {
+    return a * b + c;
+  }
 };
 
-[[nodiscard]] inline TracedLane dot(const kernel::Vector3<TracedLane>& a, const kernel::Vector3<TracedLane>& b) {
+template <int kBits>
+using TracedLanes = kernel::Vector3<BasicTracedLane<kBits>>;
+
+template <int kBits>
+[[nodiscard]] BasicTracedLane<kBits> dot(const TracedLanes<kBits>& a, const TracedLanes<kBits>& b) {
   return kernel::HWY_NAMESPACE::fused_dot(a, b);
 }
-[[nodiscard]] inline TracedLane dot(const kernel::Vector3<TracedLane>& a, const kernel::Vector3<TracedLane>& b,
-                                    const TracedLane& plus) {
+template <int kBits>
+[[nodiscard]] BasicTracedLane<kBits> dot(const TracedLanes<kBits>& a, const TracedLanes<kBits>& b,
+                                         const BasicTracedLane<kBits>& plus) {
   return kernel::HWY_NAMESPACE::fused_dot(a, b, plus);
 }
 
-struct TracingLaneArithmetic : TracingArithmetic {
-  using Number = TracedLane;
-  static TracedLane constant(const TracedLane& x) { return x; }
-  static TracedLane difference(double a, double b) { return TracingArithmetic::difference(a, b); }
-  static TracedLane magnitude(const TracedLane& x) { return fabs(x); }
-  static TracedLane rounded(const TracedLane& x) { return x; }
+template <int kBits>
+struct BasicTracingLaneArithmetic {
+  using Number = BasicTracedLane<kBits>;
+  static Number constant(const Number& x) { return x; }
+  static Number difference(double a, double b) { return BasicTracingArithmetic<kBits>::difference(a, b); }
+  static Number magnitude(const Number& x) { return fabs(static_cast<const BasicTracedNumber<kBits>&>(x)); }
+  static Number rounded(const Number& x) { return x; }
 };
+using TracingLaneArithmetic = BasicTracingLaneArithmetic<53>;
 
 }  // namespace occlude::bound_check

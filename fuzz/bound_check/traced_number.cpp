@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "traced_number.h"
 
+#include <cmath>
 #include <utility>
 
 namespace occlude::bound_check {
@@ -11,56 +12,78 @@ int next_unknown() {
   return ++last;
 }
 
-Exact power_of_roundoff(int degree) { return degree == 0 ? Exact(1) : kRoundoff * power_of_roundoff(degree - 1); }
+template <int kBits>
+Exact power_of_roundoff(int degree) {
+  return degree == 0 ? Exact(1) : Exact(std::ldexp(1.0, -kBits) * power_of_roundoff<kBits>(degree - 1));
+}
 
 }  // namespace
 
-TracedNumber::TracedNumber(double x) { add({0, 0}, Exact(x)); }
+template <int kBits>
+BasicTracedNumber<kBits>::BasicTracedNumber(double x) {
+  add({0, 0}, Exact(x));
+}
 
-void TracedNumber::add(const Unknowns& unknowns, const Exact& coefficient) {
+template <int kBits>
+void BasicTracedNumber<kBits>::add(const Unknowns& unknowns, const Exact& coefficient) {
   Exact& term = terms_[unknowns];
   term += coefficient;
   if (term == 0) terms_.erase(unknowns);
 }
 
-TracedNumber TracedNumber::unknown(int number) {
-  TracedNumber d;
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::unknown(int number) {
+  BasicTracedNumber d;
   d.add({number, 0}, 1);
   return d;
 }
 
-TracedNumber TracedNumber::tail() const { return product(*this, unknown(next_unknown())); }
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::tail() const {
+  return product(*this, unknown(next_unknown()));
+}
 
-const Exact& TracedNumber::leading() const {
+template <int kBits>
+const Exact& BasicTracedNumber<kBits>::leading() const {
   static const Exact zero = 0;
   const auto found = terms_.find({0, 0});
   return found == terms_.end() ? zero : found->second;
 }
 
-Exact TracedNumber::most() const {
-  Exact sum = beyond_ * power_of_roundoff(3);
-  for (const auto& [unknowns, coefficient] : terms_) sum += CGAL::abs(coefficient) * power_of_roundoff(degree(unknowns));
+template <int kBits>
+Exact BasicTracedNumber<kBits>::most() const {
+  Exact sum = beyond_ * power_of_roundoff<kBits>(3);
+  for (const auto& [unknowns, coefficient] : terms_)
+    sum += CGAL::abs(coefficient) * power_of_roundoff<kBits>(degree(unknowns));
   return sum;
 }
 
-Exact TracedNumber::least() const { return 2 * leading() - most(); }
+template <int kBits>
+Exact BasicTracedNumber<kBits>::least() const {
+  return 2 * leading() - most();
+}
 
-TracedNumber TracedNumber::operator-() const { return product(*this, -1.0); }
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::operator-() const {
+  return product(*this, -1.0);
+}
 
-TracedNumber TracedNumber::sum(const TracedNumber& a, const TracedNumber& b) {
-  TracedNumber result = a;
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::sum(const BasicTracedNumber& a, const BasicTracedNumber& b) {
+  BasicTracedNumber result = a;
   for (const auto& [unknowns, coefficient] : b.terms_) result.add(unknowns, coefficient);
   result.beyond_ += b.beyond_;
   return result;
 }
 
-TracedNumber TracedNumber::product(const TracedNumber& a, const TracedNumber& b) {
-  TracedNumber result;
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::product(const BasicTracedNumber& a, const BasicTracedNumber& b) {
+  BasicTracedNumber result;
   for (const auto& [p, x] : a.terms_) {
     for (const auto& [q, y] : b.terms_) {
       const int total = degree(p) + degree(q);
       if (total > 2) {
-        result.beyond_ += CGAL::abs(x * y) * power_of_roundoff(total - 3);
+        result.beyond_ += CGAL::abs(x * y) * power_of_roundoff<kBits>(total - 3);
       } else if (degree(p) == 1 && degree(q) == 1) {
         result.add({std::max(p[0], q[0]), std::min(p[0], q[0])}, x * y);
       } else {
@@ -72,21 +95,53 @@ TracedNumber TracedNumber::product(const TracedNumber& a, const TracedNumber& b)
   return result;
 }
 
-TracedNumber TracedNumber::rounded() const {
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::rounded() const {
   const int number = next_unknown();
-  TracedNumber result = sum(*this, product(*this, unknown(number)));
+  BasicTracedNumber result = sum(*this, product(*this, unknown(number)));
   result.last_ = number;
   return result;
 }
 
-TracedNumber TracedNumber::unrounded() const {
-  TracedNumber result = *this;
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::unrounded() const {
+  BasicTracedNumber result = *this;
   std::erase_if(result.terms_,
                 [&](const auto& term) { return last_ != 0 && (term.first[0] == last_ || term.first[1] == last_); });
   return result;
 }
 
-TracedNumber fabs(const TracedNumber& x) { return x.leading() < 0 ? -x : x; }
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::series(const BasicTracedNumber& x, const Exact& first,
+                                                          const Exact& second, const Exact& beyond) {
+  const auto times = [](const BasicTracedNumber& a, const Exact& factor) {
+    BasicTracedNumber result;
+    for (const auto& [unknowns, coefficient] : a.terms_) result.add(unknowns, coefficient * factor);
+    result.beyond_ = a.beyond_ * CGAL::abs(factor);
+    return result;
+  };
+  BasicTracedNumber result = sum(sum(1, times(x, first)), times(product(x, x), second));
+  const Exact most = x.most() / power_of_roundoff<kBits>(1);
+  result.beyond_ += beyond * most * most * most;
+  return result;
+}
+
+/// 1 - x + x^2; what follows is less than twice x^3 for x below 1 / 2.
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::inverse() const {
+  BasicTracedNumber scale;
+  scale.add({0, 0}, 1 / leading());
+  return product(scale, series(sum(product(*this, scale), -1), -1, 1, 2));
+}
+
+/// 1 + x / 2 - x^2 / 8; what follows is less than x^3 / 8 for x below 1 / 2.
+template <int kBits>
+BasicTracedNumber<kBits> BasicTracedNumber<kBits>::root() const {
+  return series(sum(*this, -1), Exact(0.5), Exact(-0.125), Exact(0.125));
+}
+
+template class BasicTracedNumber<53>;
+template class BasicTracedNumber<24>;
 
 namespace {
 

@@ -161,8 +161,8 @@ TEST(ShadowMargin, AllowsForPositionsInSinglePrecision) {
     const auto keeps = [&](double x, double y) { return margin.keeps(shadow, kernel::Aabb{{x, y, 0}, {x, y, 0}}); };
     const double turn = kRounding * std::sqrt(300) / (10 * (10 - kRounding));
     // The sides are x >= y and 20 >= y.
-    const double side = perspective ? 40 - 40 * turn - kRounding * (std::sqrt(2) + std::hypot(1 - turn, 1))
-                                    : 20 - kRounding - 2 * kRounding;
+    const double side =
+        perspective ? 40 - 40 * turn - kRounding * (std::sqrt(2) + std::hypot(1 - turn, 1)) : 20 - kRounding - 2 * kRounding;
     EXPECT_TRUE(keeps(40, side - 1e-6));
     EXPECT_FALSE(keeps(40, side + 1e-6));
     // The near plane is 3 x - y >= 40.
@@ -190,7 +190,8 @@ TEST(ShadowMargin, AllowsForVerticesThatMoveFarAsideAndNearTheEye) {
       const double middle = (kept + lost) / 2;
       (margin.keeps(exact, point(kX, middle)) ? kept : lost) = middle;
     }
-    const double length = std::hypot(distance, aside), to_x = -kRounding * aside / length, to_y = kRounding * distance / length;
+    const double length = std::hypot(distance, aside), to_x = -kRounding * aside / length,
+                 to_y = kRounding * distance / length;
     const kernel::ShadowFrustum moved = shadow(distance - to_x, aside - to_y);
     EXPECT_EQ(kernel::overlap_certified(moved, point(kX + to_x, kept + to_y)).relation, Relation::inside)
         << distance << " " << aside;
