@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <span>
 
 #include "bounds.h"
@@ -34,6 +33,42 @@ std::uint64_t bits_of(std::size_t first, std::size_t length) { return ~std::uint
 
 }  // namespace
 
+/// A convex polygon; corners may be repeated. Cutting a layer out of it leaves at most two corners for each side, and the
+/// three of a triangle are cut twice.
+struct SolidCells::Outline {
+  std::array<glm::dvec3, 12> corners;
+  std::size_t count = 0;
+
+  void add(const glm::dvec3& corner) { corners[count++] = corner; }
+};
+
+/// What lies between two planes across the axis, one at `layer` and one a cell beyond. Up to rounding.
+SolidCells::Outline SolidCells::layer_of(const Outline& whole, int axis, double layer) {
+  Outline part;
+  for (std::size_t i = 0; i < whole.count; ++i) {
+    const glm::dvec3 &a = whole.corners[i], &b = whole.corners[(i + 1) % whole.count];
+    const auto [low, high] = std::minmax(a[axis], b[axis]);
+    if (high < layer || low > layer + 1) continue;
+    const auto at = [&](const glm::dvec3& end) {
+      const double place = std::clamp(end[axis], layer, layer + 1);
+      return place == end[axis] ? end : a + (b - a) * ((place - a[axis]) / (b[axis] - a[axis]));
+    };
+    part.add(at(a));
+    part.add(at(b));
+  }
+  return part;
+}
+
+SolidCells::Block SolidCells::cells_about(const Outline& outline) const {
+  glm::dvec3 low = outline.corners[0], high = low;
+  for (std::size_t i = 1; i < outline.count; ++i) {
+    low = glm::min(low, outline.corners[i]);
+    high = glm::max(high, outline.corners[i]);
+  }
+  const auto cell = [&](double place) { return std::min(static_cast<std::size_t>(place), size_ - 1); };
+  return {{cell(low.x), cell(low.y), cell(low.z)}, {cell(high.x) + 1, cell(high.y) + 1, cell(high.z) + 1}};
+}
+
 SolidCells::SolidCells(const Solid& solid, std::size_t size, const Checkpoint& checkpoint)
     : size_(size), space_(solid.box), rows_(size * size, bits_of(0, size)) {
   for (const SolidTriangle& triangle : solid.triangles) {
@@ -43,54 +78,75 @@ SolidCells::SolidCells(const Solid& solid, std::size_t size, const Checkpoint& c
   drop_outside(solid, checkpoint);
 }
 
+/// Cells that are taken already are not looked for again, so copies of a triangle cost little.
 void SolidCells::mark(const SolidTriangle& triangle) {
-  Piece piece;
-  for (std::size_t i = 0; i < 3; ++i) {
+  Outline whole;
+  for (const kernel::Vec3& corner : triangle.corners) {
+    glm::dvec3 place;
     for (int axis = 0; axis < 3; ++axis) {
       const double extent = space_.max[axis] - space_.min[axis];
-      piece[i][axis] = (triangle.corners[i][axis] - space_.min[axis]) / extent * static_cast<double>(size_);
+      place[axis] = (corner[axis] - space_.min[axis]) / extent * static_cast<double>(size_);
+    }
+    whole.add(place);
+  }
+  const Block layers = cells_about(whole);
+  if (!has_free(layers)) return;
+  for (std::size_t z = layers.first[2]; z < layers.end[2]; ++z) {
+    const Outline layer = layer_of(whole, 2, static_cast<double>(z));
+    const Block rows = cells_about(layer);
+    for (std::size_t y = rows.first[1]; y < rows.end[1]; ++y) {
+      const Outline part = layer_of(layer, 1, static_cast<double>(y));
+      if (part.count == 0) continue;  // rounding moved all of the layer beyond the grid
+      const Block cells = cells_about(part);
+      row(y, z) &= ~bits_of(cells.first[0], cells.end[0] - cells.first[0]);
     }
   }
-  mark(piece);
 }
 
-/// Takes the cells of the triangle's box, if that is small; else marks the two halves of the triangle.
-void SolidCells::mark(const Piece& piece) {
-  constexpr double kSmall = 0.5;  // cells: so a slanting wall takes hardly more cells than it meets
-  const glm::dvec3 low = glm::min(glm::min(piece[0], piece[1]), piece[2]);
-  const glm::dvec3 high = glm::max(glm::max(piece[0], piece[1]), piece[2]);
-  const glm::dvec3 extent = high - low;
-  if (std::max({extent.x, extent.y, extent.z}) <= kSmall) {
-    const auto cell = [&](double place) { return std::min(static_cast<std::size_t>(place), size_ - 1); };
-    take({{cell(low.x), cell(low.y), cell(low.z)}, {cell(high.x) + 1, cell(high.y) + 1, cell(high.z) + 1}});
-    return;
+bool SolidCells::has_free(const Block& block) const {
+  const Row cells = bits_of(block.first[0], block.end[0] - block.first[0]);
+  for (std::size_t z = block.first[2]; z < block.end[2]; ++z) {
+    for (std::size_t y = block.first[1]; y < block.end[1]; ++y) {
+      if ((rows_[z * size_ + y] & cells) != 0) return true;
+    }
   }
-  const auto squared = [&](std::size_t i) { return glm::dot(piece[(i + 1) % 3] - piece[i], piece[(i + 1) % 3] - piece[i]); };
-  std::size_t longest = squared(1) > squared(0) ? 1 : 0;
-  if (squared(2) > squared(longest)) longest = 2;
-  const glm::dvec3 &from = piece[longest], &to = piece[(longest + 1) % 3], &other = piece[(longest + 2) % 3];
-  const glm::dvec3 middle = (from + to) * 0.5;
-  mark(Piece{from, middle, other});
-  mark(Piece{middle, to, other});
+  return false;
 }
 
 /// Free cells that are connected are inside or outside together. Middles of cells that are not legal points may be taken for
 /// anything; boxes are proven later.
 void SolidCells::drop_outside(const Solid& solid, const Checkpoint& checkpoint) {
-  DisjointSets sets(size_ * size_ * size_);
-  const auto set_of = [&](std::size_t cell) { return sets.find(static_cast<std::uint32_t>(cell)); };
-  for (std::size_t cell = 0; cell < size_ * size_ * size_; ++cell) {
-    if (!is_free(cell)) continue;
-    std::size_t step = 1;
-    for (int axis = 0; axis < 3; ++axis, step *= size_) {
-      if (cell / step % size_ + 1 < size_ && is_free(cell + step)) sets.join(set_of(cell), set_of(cell + step));
+  struct Strip {
+    std::size_t row;
+    Row cells;  ///< next to each other
+  };
+  std::vector<Strip> strips;
+  std::vector<std::size_t> first_strip;  // of each row, and the end
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    first_strip.push_back(strips.size());
+    for (Row left = rows_[row]; left != 0; left &= ~strips.back().cells) {
+      const Row lowest = left & (~left + 1);
+      strips.push_back({row, left & ~(left + lowest)});  // the sum carries over the strip
     }
   }
-  sets.for_each_set([&](std::span<const std::uint32_t> cells) {
-    if (!is_free(cells.front())) return;
+  first_strip.push_back(strips.size());
+  DisjointSets sets(strips.size());
+  const auto join_with = [&](std::size_t strip, std::size_t row) {
+    for (std::size_t other = first_strip[row]; other < first_strip[row + 1]; ++other) {
+      if ((strips[strip].cells & strips[other].cells) == 0) continue;
+      sets.join(sets.find(static_cast<std::uint32_t>(strip)), sets.find(static_cast<std::uint32_t>(other)));
+    }
+  };
+  for (std::size_t strip = 0; strip < strips.size(); ++strip) {
+    const std::size_t row = strips[strip].row;
+    if (row % size_ + 1 < size_) join_with(strip, row + 1);
+    if (row + size_ < rows_.size()) join_with(strip, row + size_);
+  }
+  sets.for_each_set([&](std::span<const std::uint32_t> members) {
     checkpoint();
-    if (is_inside(solid, middle(box(block_of(cells.front()))))) return;
-    for (const std::uint32_t cell : cells) take(block_of(cell));
+    const Strip& first = strips[members.front()];
+    if (is_inside(solid, middle(box(block_of(first.row, static_cast<std::size_t>(std::countr_zero(first.cells))))))) return;
+    for (const std::uint32_t member : members) rows_[strips[member].row] &= ~strips[member].cells;
   });
 }
 
@@ -101,11 +157,17 @@ std::optional<SolidCells::Block> SolidCells::largest() const {
   for (std::size_t z = 0; z < size_; ++z) {
     open.assign(size_, ~Row{0});
     for (std::size_t last_z = z; last_z < size_; ++last_z) {
-      for (std::size_t y = 0; y < size_; ++y) open[y] &= rows_[last_z * size_ + y];
+      const std::size_t layers = last_z + 1 - z;
+      std::size_t cells = 0;
+      for (std::size_t y = 0; y < size_; ++y) {
+        open[y] &= rows_[last_z * size_ + y];
+        cells += static_cast<std::size_t>(std::popcount(open[y])) * layers;
+      }
+      if (cells <= most) continue;  // no block of these layers has more
       for (std::size_t y = 0; y < size_; ++y) {
         Row bits = open[y];
         for (std::size_t last_y = y; last_y < size_ && (bits &= open[last_y]) != 0; ++last_y) {
-          const std::size_t rows = (last_y + 1 - y) * (last_z + 1 - z);
+          const std::size_t rows = (last_y + 1 - y) * layers;
           if (static_cast<std::size_t>(std::popcount(bits)) * rows <= most) continue;
           const Run run = longest_run(bits);
           if (run.length * rows <= most) continue;
@@ -134,8 +196,8 @@ SolidCells::Block SolidCells::one_more(const Block& block) const {
   return more;
 }
 
-SolidCells::Block SolidCells::block_of(std::size_t cell) const {
-  const std::size_t x = cell % size_, y = cell / size_ % size_, z = cell / size_ / size_;
+SolidCells::Block SolidCells::block_of(std::size_t row, std::size_t x) const {
+  const std::size_t y = row % size_, z = row / size_;
   return {{x, y, z}, {x + 1, y + 1, z + 1}};
 }
 

@@ -28,7 +28,7 @@ class SolidCells {
   };
 
   /// `size` cells on each axis, so that thin solids have some, too. REQUIRES: 0 < size <= kMostCells; a solid whose box has
-  /// volume. Takes time in proportion to the cells that triangles meet, and to the cells.
+  /// volume. Takes time in proportion to the rows of cells that triangles meet, and to the rows.
   SolidCells(const Solid& solid, std::size_t size, const Checkpoint& checkpoint);
 
   /// A block with as many cells as any that has only cells inside the solid that are not taken. Takes time in proportion to
@@ -42,13 +42,14 @@ class SolidCells {
 
  private:
   using Row = std::uint64_t;
-  using Piece = std::array<glm::dvec3, 3>;
+  struct Outline;
 
   [[nodiscard]] Row& row(std::size_t y, std::size_t z) { return rows_[z * size_ + y]; }
-  [[nodiscard]] bool is_free(std::size_t cell) const { return (rows_[cell / size_] >> cell % size_ & 1U) != 0; }
-  [[nodiscard]] Block block_of(std::size_t cell) const;
+  [[nodiscard]] bool has_free(const Block& block) const;
+  [[nodiscard]] Block block_of(std::size_t row, std::size_t x) const;
+  [[nodiscard]] static Outline layer_of(const Outline& whole, int axis, double layer);
+  [[nodiscard]] Block cells_about(const Outline& outline) const;
   void mark(const SolidTriangle& triangle);
-  void mark(const Piece& piece);
   void drop_outside(const Solid& solid, const Checkpoint& checkpoint);
 
   std::size_t size_;

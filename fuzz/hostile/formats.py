@@ -365,9 +365,20 @@ def obj_bombs(random):
         lambda: ("control", corners + b"f \x1b[2J\n")])()
 
 
+def sparse(head):
+    """A writer of a file of 1 GB, of which all but the head is a hole: it reads as zeros and takes no space."""
+    def write(file):
+        with open(file, "wb") as whole:
+            whole.write(head)
+            whole.truncate(10 ** 9)
+    return write
+
+
 def stl_bombs(random):
     count = random.choice([0xffffffff, 0x7fffffff, 0x5555555, 10 ** 8, 10 ** 6])
     return random.choice([
+        lambda: ("hole", sparse(random.choice([b"", b"solid", b" " * 80 + struct.pack("<I", (10 ** 9 - 84) // 50)]))),
+        lambda: ("blank", b" " * (64 * MIB)),
         lambda: ("count", b" " * 80 + struct.pack("<I", count) + b"\0" * random.choice([0, 50, 1000, 50_000])),
         lambda: ("solid count", b"solid".ljust(80) + struct.pack("<I", count) + b"\0" * 1000),
         lambda: ("solids", b"solid a\nendsolid a\n" * 100_000),
@@ -378,6 +389,8 @@ def stl_bombs(random):
 
 
 def gltf_scene_bomb(random):
+    if random.random() < 0.15:
+        return gltf_repeats(random)
     scene, binary = gltf_parts()
     huge = random.choice([2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1, 2 ** 32, 2 ** 53, 2 ** 63 - 1, 2 ** 64 - 1, 10 ** 8,
                           10 ** 9, -1])
@@ -420,7 +433,54 @@ def gltf_scene_bomb(random):
     return kind, scene, binary
 
 
+def of_triangles(positions):
+    """A scene without meshes, and `positions` corners: what is left to say is which primitives are made of them."""
+    scene, _ = gltf_parts()
+    scene["accessors"] = [{"bufferView": 0, "componentType": 5126, "count": positions, "type": "VEC3",
+                           "min": [0, 0, 0], "max": [1, 1, 1]}]
+    scene["bufferViews"] = [{"buffer": 0, "byteLength": 12 * positions}]
+    scene["buffers"] = [{"byteLength": 12 * positions}]
+    corners = struct.pack("<9f", 1, 0, 0, 1, 1, 0, 1, 0, 1)
+    return scene, corners * (positions // 3)
+
+
+def gltf_repeats(random):
+    """A scene that uses the same megabyte thousands of times."""
+    scene, binary = of_triangles(87_000)
+    count = random.choice([300, 2000, 10_000])
+    kind = random.choice(["primitives", "meshes"])
+    primitive = {"attributes": {"POSITION": 0}}
+    if kind == "primitives":
+        scene["meshes"] = [{"primitives": [primitive] * count}]
+    else:
+        scene["meshes"] = [{"primitives": [primitive]}]
+        scene["nodes"] = [{"mesh": 0}] * count
+        scene["scenes"] = [{"nodes": list(range(count))}]
+    return kind, scene, binary
+
+
+def gltf_of_one_buffer(random):
+    """A writer of a glTF that opens one file thousands of times, by one name or by many."""
+    scene, binary = of_triangles(87_000)
+    count = random.choice([500, 2000, 10_000])
+    name = random.choice([lambda i: "a.bin", lambda i: "./" * (i % 1000) + "a.bin"])
+    scene["buffers"] = [{"byteLength": len(binary), "uri": name(i)} for i in range(count)]
+    scene["bufferViews"] = [{"buffer": i, "byteLength": 36} for i in range(count)]
+    scene["accessors"] = [{"bufferView": i, "componentType": 5126, "count": 3, "type": "VEC3"} for i in range(count)]
+    scene["meshes"] = [{"primitives": [{"attributes": {"POSITION": i}} for i in range(count)]}]
+
+    def write(file):
+        (file.parent / "a.bin").write_bytes(binary)
+        file.write_text(json.dumps(scene))
+    return write
+
+
 def gltf_bombs(random):
+    if random.random() < 0.15:
+        return random.choice([
+            lambda: ("hole", sparse(random.choice([b"", b"{", b'{"asset":']))),
+            lambda: ("blank", b"{" + b" " * (64 * MIB) + b"}"),
+            lambda: ("one buffer", gltf_of_one_buffer(random))])()
     if random.random() < 0.15:
         return "nested text", random.choice([b"[", b'{"a":', b'{"nodes":[']) * random.choice([1000, 100_000, MIB])
     kind, scene, binary = gltf_scene_bomb(random)
@@ -429,6 +489,8 @@ def gltf_bombs(random):
 
 def glb_bombs(random):
     huge = random.choice([2 ** 31 - 1, 2 ** 32 - 1, 2 ** 32 - 16, 2 ** 31, 10 ** 9])
+    if random.random() < 0.05:
+        return "hole", sparse(random.choice([b"", b"glTF\2\0\0\0", glb()]))
     if random.random() < 0.3:
         lengths = [random.choice([0, huge]) for _ in range(3)]
         return "lengths", glb(lengths=lengths)[:random.choice([20, 22, 100, 10 ** 9])]
@@ -520,7 +582,7 @@ def json_bombs(random):
         lambda: ("number", b'{"frames":' + numbers_without_end(random) + b"}"),
         lambda: ("string", b'{"id":"' + b"x" * size + b'"}'),
         lambda: ("open string", b'{"id":"' + b"\\" * size), lambda: ("line", b"x" * (17 * MIB)),
-        lambda: ("zeros", b"\0" * (17 * MIB)),
+        lambda: ("zeros", b"\0" * (17 * MIB)), lambda: ("hole", sparse(b"")),
         lambda: ("keys", b"{" + b",".join(b'"%d":0' % i for i in range(size // 10)) + b"}"),
         lambda: ("empty lines", b"\n" * size)])()
 
@@ -601,7 +663,10 @@ class Maker:
             kind, data = BOMBS[self.name](random)
         else:
             kind, data = self.damaged(random)
-        file.write_bytes(data)
+        if callable(data):
+            data(file)
+        else:
+            file.write_bytes(data)
         return kind
 
     def damaged(self, random):

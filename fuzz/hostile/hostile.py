@@ -25,7 +25,8 @@ import formats
 MIB = 1 << 20
 # Whatever the file: the libraries that the command is linked with, and what culling a few hundred polygons needs.
 FLOOR = 256 * MIB
-# What the READMEs state: memory for each byte of an input, and the import library's own limits.
+# What the READMEs state: memory for each byte of an input, and the import library's own limits. For the library zeros and
+# blanks do not count, and what a model refers to does.
 JSON_FACTOR, MODEL_FACTOR = 60, 40
 IMPORT_MEMORY, IMPORT_FACTOR = 256 * MIB, 128
 # A run takes less, whatever the file: the import library's 20 s of processor time and 10 us a byte are the most that is
@@ -33,10 +34,29 @@ IMPORT_MEMORY, IMPORT_FACTOR = 256 * MIB, 128
 SECONDS = 90
 
 
-def most_memory(name, size):
+def content_of(file):
+    """The bytes that are neither zero nor blank. Holes are passed over."""
+    content = 0
+    with open(file, "rb") as data:
+        end = data.seek(0, os.SEEK_END)
+        at = 0
+        while at < end:
+            try:
+                at = os.lseek(data.fileno(), at, os.SEEK_DATA)
+            except OSError:  # nothing but a hole is left
+                break
+            data.seek(at)
+            piece = data.read(MIB)
+            content += len(piece.translate(None, b"\0\t\n\v\f\r "))
+            at += len(piece)
+    return content
+
+
+def most_memory(name, folder):
+    size = (folder / formats.FILES[name]).stat().st_size
     if name in formats.IMPORTED:
         # The library works in a process of its own; this one then holds the model.
-        return FLOOR + IMPORT_MEMORY + IMPORT_FACTOR * size
+        return FLOOR + IMPORT_MEMORY + IMPORT_FACTOR * sum(content_of(file) for file in folder.iterdir() if file.is_file())
     return FLOOR + (JSON_FACTOR if name in formats.JSON else MODEL_FACTOR) * size
 
 
@@ -58,7 +78,7 @@ def run(command, folder):
         return None if is_over else process.returncode, seconds, usage.ru_maxrss * 1024, errors.read(1 << 20)
 
 
-def fault(name, kind, outcome, size, folder, with_limits):
+def fault(name, kind, outcome, folder, with_limits):
     """What is wrong with how the command took the file, or nothing."""
     code, seconds, memory, errors = outcome
     if kind == formats.SOUND and code != 0:
@@ -86,8 +106,8 @@ def fault(name, kind, outcome, size, folder, with_limits):
         return "an error in the words of a library"
     if code == 2 and (folder / "out").exists():
         return "files left behind"
-    if with_limits and memory > most_memory(name, size):
-        return f"{memory // MIB} MiB, where {most_memory(name, size) // MIB} are the most"
+    if with_limits and memory > most_memory(name, folder):
+        return f"{memory // MIB} MiB, where {most_memory(name, folder) // MIB} are the most"
     if with_limits and seconds > SECONDS:
         return f"{seconds:.1f} s"
     return None
@@ -121,13 +141,14 @@ class Trial:
         self.codes[code] = self.codes.get(code, 0) + 1
         self.memory, self.seconds = max(self.memory, (memory, kind)), max(self.seconds, (seconds, kind))
         self.largest = max(self.largest, size)
-        wrong = fault(self.name, kind, outcome, size, folder, not self.arguments.no_limits)
+        wrong = fault(self.name, kind, outcome, folder, not self.arguments.no_limits)
         if wrong:
             self.faults += 1
             print(f"{self.name} {index} ({kind}, {size} bytes): {wrong}\n    {errors[:300]!r}", flush=True)
             if self.arguments.keep:
                 os.makedirs(self.arguments.keep, exist_ok=True)
-                shutil.copy(file, pathlib.Path(self.arguments.keep) / f"{index}_{file.name}")
+                shutil.move(folder, pathlib.Path(self.arguments.keep) / folder.name.replace(" ", "_"))
+                return
         shutil.rmtree(folder)
 
     def row(self):
@@ -143,7 +164,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--format", nargs="+", choices=formats.FILES, default=list(formats.FILES))
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--keep", help="folder for the files that something is wrong with")
+    parser.add_argument("--keep", help="folder for those that something is wrong with, each in one of its own")
     parser.add_argument("--forger", help="fuzz/harness/forged_stores (fuzz/forged_stores beside the command)")
     parser.add_argument("--no-limits", action="store_true",
                         help="no limits of memory and time, for builds that need more")

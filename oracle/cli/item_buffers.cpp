@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/vec2.hpp>
+#include <numeric>
+#include <span>
 
+#include "occlude/culler/append_range.h"
 #include "occlude/render/plate_renderer.h"
 
 namespace occlude::cli {
@@ -20,13 +24,37 @@ glm::dvec2 offset_of(std::size_t turn) {
   return {(static_cast<double>(cell % 4) - 1.5) / 4, (static_cast<double>(cell / 4) - 1.5) / 4};
 }
 
+/// Compares polygons corner by corner.
+bool is_less(culler::SoupView soup, std::uint32_t a, std::uint32_t b) {
+  const auto corner = [&](std::uint32_t index) {
+    const glm::dvec3& v = soup.vertices[index];
+    return std::array{v.x, v.y, v.z};
+  };
+  return std::ranges::lexicographical_compare(soup.loop(a), soup.loop(b), {}, corner, corner);
+}
+
+/// All polygons but those with the corners of an earlier one in the same order. These are the same triangles and show
+/// nowhere, but each would take as long to draw: a million copies of a wall, as long as a million walls.
+std::vector<culler::PolygonRange> without_copies(culler::SoupView soup) {
+  std::vector<std::uint32_t> order(soup.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return is_less(soup, a, b); });
+  std::vector<bool> is_copy(soup.size());
+  for (std::size_t i = 1; i < order.size(); ++i) is_copy[order[i]] = !is_less(soup, order[i - 1], order[i]);
+  std::vector<culler::PolygonRange> ranges;
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    if (!is_copy[p]) culler::append_range(ranges, {p, 1});
+  }
+  return ranges;
+}
+
 }  // namespace
 
 /// Every size gets every offset: after each round of offsets the sizes move on by one.
 std::size_t ItemBuffers::size_of(std::size_t turn) const { return (turn + turn / kOffsets) % sizes(); }
 
 ItemBuffers::ItemBuffers(culler::SoupView soup, int width, int height)
-    : soup_(soup), context_(render::make_offscreen_context()) {
+    : soup_(soup), context_(render::make_offscreen_context()), drawn_(without_copies(soup)) {
   for (const int times : {1, 2, 3}) {
     if (times > 1 && (width * times > kLargest || height * times > kLargest)) break;
     renderers_.push_back(
@@ -34,9 +62,8 @@ ItemBuffers::ItemBuffers(culler::SoupView soup, int width, int height)
   }
 }
 
-render::ItemBuffer ItemBuffers::draw(std::size_t turn, const culler::Camera& camera,
-                                     std::span<const culler::PolygonRange> ranges) {
-  return renderers_[size_of(turn)].renderer->item_buffer(camera, ranges, offset_of(turn));
+render::ItemBuffer ItemBuffers::draw(std::size_t turn, const culler::Camera& camera) {
+  return renderers_[size_of(turn)].renderer->item_buffer(camera, drawn_, offset_of(turn));
 }
 
 std::string ItemBuffers::describe(std::size_t turn) const {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,7 @@ class ItemBuffers {
 
   /// The polygon at each pixel. Consecutive turns go through the sizes and offsets. Any sizes() * kOffsets consecutive turns
   /// have every pair once.
-  [[nodiscard]] render::ItemBuffer draw(std::size_t turn, const culler::Camera& camera,
-                                        std::span<const culler::PolygonRange> ranges);
+  [[nodiscard]] render::ItemBuffer draw(std::size_t turn, const culler::Camera& camera);
 
   /// Describes the size and the offset of draw(), as text.
   [[nodiscard]] std::string describe(std::size_t turn) const;
@@ -47,6 +45,7 @@ class ItemBuffers {
   culler::SoupView soup_;
   std::unique_ptr<render::OffscreenContext> context_;
   std::vector<Sized> renderers_;
+  std::vector<culler::PolygonRange> drawn_;
 };
 
 }  // namespace occlude::cli

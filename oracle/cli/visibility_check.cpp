@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "exact_visibility.h"
@@ -86,9 +85,8 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
     render::check_interrupt();
     const std::size_t turn = walk.turns.turn(frame);
     const std::size_t polygons = hierarchy.soup().size();
-    const culler::PolygonRange all = hierarchy.soup().all();
     std::vector<std::uint32_t> pixels(polygons);
-    for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect), std::span(&all, 1)).pixels) {
+    for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect)).pixels) {
       if (p != render::kNothing) ++pixels[p];
     }
     add(result, walk, frame, runs, drawn_polygons(hierarchy, runs), pixels);

@@ -119,4 +119,11 @@ for files in 5 6 7 8; do
   [ $code -eq 0 ] || { [ $code -eq 2 ] && grep -q 'Too many open files' stderr; } || fail "$files files: exit $code: $(cat stderr)"
 done
 
+# Copies of a closed part cost no more than to read them: each looked at by itself, they would take minutes of the processor.
+ply copies.ply 8 120000 '2 -1 -1\n4 -1 -1\n2 1 -1\n4 1 -1\n2 -1 1\n4 -1 1\n2 1 1\n4 1 1\n'
+yes $'4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5' | head -n 120000 >>copies.ply
+(ulimit -t 40 && "$occlude" preprocess copies.ply --inner-boxes copies_boxes.ply --cells 64 >stdout 2>stderr) ||
+  fail "copies: $(cat stderr)"
+grep -q 'parts 1, closed 1' stdout || fail "copies: $(cat stdout)"
+
 finish

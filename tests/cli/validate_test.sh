@@ -156,4 +156,10 @@ expect_error "good.ply:1" "$occlude" validate good.ply --path path.json --witnes
 : >file
 expect_error "file" "$occlude" validate good.ply --path path.json --out file
 
+# Copies of a wall are drawn once: each by itself, they would take minutes of the processor.
+ply copies.ply 4 500000 '2 -9 -9\n2 9 -9\n2 9 9\n2 -9 9\n'
+yes '4 0 1 2 3' | head -n 500000 >>copies.ply
+(ulimit -t 60 && "$occlude" validate copies.ply --path path.json --exact-up-to 0 >stdout 2>stderr) || fail "copies: $(cat stderr)"
+grep -q "^false culls 0" stdout || fail "copies: $(cat stdout)"
+
 finish

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "occlude/culler/culler.h"
+#include "occlude/culler/inner_boxes.h"
 #include "occlude/culler/scene.h"
 #include "occlude/kernel/overlap.h"
 #include "only_target.h"
@@ -129,6 +130,15 @@ void count_model() {
   }
 }
 
+void count_inner_boxes() {
+  std::mt19937 random(kSeed);
+  const culler::PolygonSoup soup = town(random, 8);
+  for (const auto& [name, cells] :
+       {std::pair("model.inner_boxes", std::size_t{16}), std::pair("model.inner_boxes_fine", std::size_t{64})}) {
+    count(name, [&] { static_cast<void>(culler::find_inner_boxes(soup, {.cells = cells}, {}, kAlone)); });
+  }
+}
+
 void count_scene() {
   constexpr int kSide = 30;
   std::mt19937 random(kSeed);
@@ -173,6 +183,7 @@ int main() {
   const OnlyTarget avx2(HWY_AVX2);
   count_kernel();
   count_model();
+  count_inner_boxes();
   count_scene();
   return 0;
 }

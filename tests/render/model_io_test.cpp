@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "occlude/render/errors.h"
+#include "occlude/render/input_file.h"
 #include "occlude/render/input_limits.h"
 
 namespace occlude::render {
@@ -412,6 +413,56 @@ TEST_F(ModelIoTest, WhatIsTooLargeIsNotRead) {
     const fs::path file = store(name, "");
     fs::resize_file(file, kMostBytes + 1);  // a sparse file takes no space
     EXPECT_EQ(failure(file), ": cannot read: it is larger than 4096 MiB") << name;
+  }
+}
+
+/// A file that is a hole, or blank, is not worth the memory to hold it.
+TEST_F(ModelIoTest, WhatHasNoContentIsNotImported) {
+  const std::string refused = ": cannot import: the import library ";
+  for (const char* const head : {"", "solid"}) {
+    const fs::path file = store("a.stl", head);
+    fs::resize_file(file, 300U << 20U);  // takes no space
+    EXPECT_EQ(failure(file).substr(0, refused.size()), refused) << head;
+  }
+  const std::string mixed = std::string(3 << 20U, ' ') + "a\t\n\v\f\r b" + std::string(9, '\0') + "\x01\xff";
+  EXPECT_EQ(content_of(store("mixed", mixed)), 4U);
+}
+
+/// Memory follows the content of the files that a model names, not their names. The corners are never zero.
+TEST_F(ModelIoTest, AFileWithManyNamesCountsOnce) {
+  constexpr std::size_t kTriangles = 29'000, kBytes = 36 * kTriangles;
+  std::string corners;
+  for (const float x : {1.1F, 1.1F, 1.1F, 2.1F, 1.1F, 1.1F, 1.1F, 2.1F, 1.1F}) corners += bytes_of(x, std::endian::little);
+  std::string all;
+  for (std::size_t i = 0; i < kTriangles; ++i) all += corners;
+  static_cast<void>(store("a.bin", all));
+  const auto list = [](std::size_t count, const auto& item) {
+    std::string items;
+    for (std::size_t i = 0; i < count; ++i) items += (i == 0 ? "" : ",") + item(i);
+    return "[" + items + "]";
+  };
+  const auto scene = [&](std::size_t count, bool by_one_name) {
+    const auto number = [](std::size_t i) { return std::to_string(i); };
+    std::string text =
+        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":)";
+    text += list(count, [&](std::size_t i) { return R"({"attributes":{"POSITION":)" + number(i) + "}}"; }) +
+            R"(}],"accessors":)";
+    text += list(count, [&](std::size_t i) {
+      return R"({"bufferView":)" + number(i) + R"(,"componentType":5126,"count":3,"type":"VEC3"})";
+    });
+    text += R"(,"bufferViews":)" +
+            list(count, [&](std::size_t i) { return R"({"buffer":)" + number(i) + R"(,"byteLength":36})"; });
+    text += R"(,"buffers":)" + list(count, [&](std::size_t i) {
+              std::string before;
+              for (std::size_t k = 0; k < i && !by_one_name; ++k) before += "./";
+              return R"({"byteLength":)" + number(kBytes) + R"(,"uri":")" + before + R"(a.bin"})";
+            });
+    return text + "}";
+  };
+  EXPECT_EQ(read("a.gltf", scene(3, false)).size(), 3U);
+  const std::string refused = ": cannot import: the import library ";
+  for (const bool by_one_name : {false, true}) {
+    EXPECT_EQ(failure("a.gltf", scene(600, by_one_name)).substr(0, refused.size()), refused);
   }
 }
 

@@ -3,9 +3,11 @@
 #include <assimp/config.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -17,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "model_check.h"
@@ -124,13 +127,22 @@ class SceneReader {
 constexpr std::uint64_t kMemory = std::uint64_t{256} << 20U, kMemoryPerByte = 128;
 constexpr std::uint64_t kSeconds = 20, kBytesPerSecond = 100'000;
 
-ChildLimits limits_for(std::uint64_t bytes) {
+ChildLimits limits_for(std::uint64_t content) {
   // Half of the memory: this process holds the model too, once it is handed over.
-  return {std::min(kMemory + kMemoryPerByte * bytes, most_memory() / 2), kSeconds + bytes / kBytesPerSecond};
+  return {std::min(kMemory + kMemoryPerByte * content, most_memory() / 2), kSeconds + content / kBytesPerSecond};
+}
+
+/// Tells files apart, whatever names they are opened by.
+std::pair<dev_t, ino_t> identity(const char* file) {
+  struct stat status {};
+  if (stat(file, &status) != 0)
+    throw InputError(std::string(file) + ": cannot read: " + std::generic_category().message(errno));
+  return {status.st_dev, status.st_ino};
 }
 
 /// Opens files for an importer: regular files only, because a pipe would keep it waiting. Raises the limits with each file
-/// opened, because a model may refer to larger files.
+/// opened, because a model may refer to larger files. A file counts once, and blanks and zeros do not count: else a file
+/// without content, or one that refers to another by many names, could ask for any amount.
 class CountedFiles : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* file) const override {
@@ -140,8 +152,8 @@ class CountedFiles : public Assimp::DefaultIOSystem {
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     try {
-      const std::uint64_t size = require_readable(file);
-      if (seen_.insert(file).second) change_limits(limits_for(bytes_ += size));
+      require_readable(file);
+      if (seen_.insert(identity(file)).second) change_limits(limits_for(content_ += content_of(file)));
     } catch (const InputError& error) {
       // Importers can do without missing files.
       if (fault_.empty() && Exists(file)) fault_ = error.what();
@@ -154,8 +166,8 @@ class CountedFiles : public Assimp::DefaultIOSystem {
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
-  std::set<std::string> seen_;
-  std::uint64_t bytes_ = 0;
+  std::set<std::pair<dev_t, ino_t>> seen_;
+  std::uint64_t content_ = 0;
   std::string fault_;
 };
 
@@ -261,14 +273,16 @@ PolygonSoup take_over(std::FILE* in) {
 }  // namespace
 
 std::string import_limits() {
-  return fmt::format("{} of memory and {} s of processor time, and {} bytes and {} us more for each byte that it reads",
-                     in_mebibytes(kMemory), kSeconds, kMemoryPerByte, 1'000'000 / kBytesPerSecond);
+  return fmt::format(
+      "{} of memory and {} s of processor time, and {} bytes and {} us more for each byte that it reads, "
+      "zeros and blanks left out",
+      in_mebibytes(kMemory), kSeconds, kMemoryPerByte, 1'000'000 / kBytesPerSecond);
 }
 
 PolygonSoup read_with_assimp(const std::filesystem::path& file) {
-  const std::uint64_t size = require_readable(file);
+  require_readable(file);
   try {
-    const File handed_over = run_in_child(limits_for(size), [&](std::FILE* out) { hand_over(file, out); });
+    const File handed_over = run_in_child(limits_for(0), [&](std::FILE* out) { hand_over(file, out); });
     PolygonSoup soup = take_over(handed_over.get());
     require_usable(file, soup);
     return soup;

@@ -34,7 +34,7 @@ class Descriptor {
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& file) {
-  static_cast<void>(require_readable(file, UINT64_MAX));
+  require_readable(file, UINT64_MAX);
   const auto fail = [&] { throw InputError(file.string() + ": cannot read: " + std::generic_category().message(errno)); };
   const Descriptor descriptor(file);
   if (descriptor.number() < 0) fail();

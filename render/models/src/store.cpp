@@ -180,7 +180,7 @@ void write_store(OutputFile& file, const culler::Culler& culler) {
 }
 
 bool is_store(const std::filesystem::path& file) {
-  static_cast<void>(require_readable(file, UINT64_MAX));
+  require_readable(file, UINT64_MAX);
   std::ifstream in(file, std::ios::binary);
   std::string start(kStoreMagic.size(), '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -55,9 +55,10 @@ struct InnerBoxes {
 /// thin and slanting, or have less than some thousand doubles across, may have none.
 ///
 /// Runs on all processors; the result does not depend on their number. With n triangles in a part and c cells along an axis
-/// it takes time in proportion to n c^2, for small triangles less, and to c^4 for each box, and then to n for each of seven
-/// moves, with some hundred exact questions. Throws as the constructor of Culler. Calls progress(done, all), if given, after
-/// each of all parts: on any thread, one call at a time. What it or `checkpoint` throws stops the work and is thrown on.
+/// it takes time in proportion to n c^2, less for triangles that are small or lie where others do, and to c^4 at most for
+/// each box, and then to n for each of seven moves, with some hundred exact questions. Throws as the constructor of Culler.
+/// Calls progress(done, all), if given, after each of all parts: on any thread, one call at a time. What it or `checkpoint`
+/// throws stops the work and is thrown on.
 [[nodiscard]] InnerBoxes find_inner_boxes(SoupView soup, const InnerBoxOptions& options = {},
                                           const std::function<void(std::size_t done, std::size_t all)>& progress = {},
                                           const Checkpoint& checkpoint = {});
