@@ -133,10 +133,7 @@ void count_model() {
 void count_inner_boxes() {
   std::mt19937 random(kSeed);
   const culler::PolygonSoup soup = town(random, 8);
-  for (const auto& [name, cells] :
-       {std::pair("model.inner_boxes", std::size_t{16}), std::pair("model.inner_boxes_fine", std::size_t{64})}) {
-    count(name, [&] { static_cast<void>(culler::find_inner_boxes(soup, {.cells = cells}, {}, kAlone)); });
-  }
+  count("model.inner_boxes", [&] { static_cast<void>(culler::find_inner_boxes(soup, {}, {}, kAlone)); });
 }
 
 void count_scene() {
