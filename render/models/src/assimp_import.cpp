@@ -274,8 +274,8 @@ PolygonSoup take_over(std::FILE* in) {
 
 std::string import_limits() {
   return fmt::format(
-      "{} of memory and {} s of processor time, and {} bytes and {} us more for each byte that it reads, "
-      "zeros and blanks left out",
+      "{} of memory and {} s of processor time, and {} bytes and {} us more for each byte that it reads but zeros "
+      "and blanks",
       in_mebibytes(kMemory), kSeconds, kMemoryPerByte, 1'000'000 / kBytesPerSecond);
 }
 
