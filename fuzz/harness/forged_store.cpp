@@ -265,6 +265,15 @@ class SomeTree {
   std::vector<HierarchyNode> nodes_;
 };
 
+/// A leaf that has no polygon, and a root above it and the root before.
+void add_empty_leaf(std::vector<HierarchyNode>& nodes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const kernel::Aabb empty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (HierarchyNode& node : nodes) node.right += node.is_leaf() ? 0 : 2;
+  const std::array above{HierarchyNode{nodes[0].box, 0, nodes[0].count, 2}, HierarchyNode{empty, 0, 0, 0}};
+  nodes.insert(nodes.begin(), above.begin(), above.end());
+}
+
 /// Another tree, with the blocks that it has or those of the one before.
 void tree(Random& random, StoreParts& store) {
   const std::vector<glm::dvec3> vertices = store["vertices"].get<glm::dvec3>();
@@ -293,6 +302,9 @@ void tree(Random& random, StoreParts& store) {
       break;
     case 5:
       node.count = other.count;
+      break;
+    case 6:
+      add_empty_leaf(nodes);
       break;
     default:
       break;
@@ -477,9 +489,10 @@ void joined(Random& random, StoreParts& store) {
   const std::array<U32, 2> pair = one_of(random, pairs);
   std::vector<U32> loop = joined_loop(vertices, loop_of(pair[0]), loop_of(pair[1]));
   if (random.chance(0.2)) std::swap(loop[0], loop[random.index(loop.size())]);
-  for (const U32 p : pair) whole[p] = static_cast<U32>(store["region first corner"].size() - 1);
+  const auto parts = std::span(pair).first(random.chance(0.3) ? 1 : 2);  // one: the region is larger than what is drawn
+  for (const U32 p : parts) whole[p] = static_cast<U32>(store["region first corner"].size() - 1);
   append(store["region corners"], store["region first corner"], loop);
-  append(store["region polygons"], store["region first polygon"], pair);
+  append(store["region polygons"], store["region first polygon"], parts);
   store["whole"].set(whole);
   add_known(random, store, store["region first corner"].size() - 2);
 }
