@@ -35,8 +35,8 @@ struct alignas(64) HierarchyNode {
 };
 
 /// The most levels of nodes, or of cells (partition.h), below the root. What recurses takes some hundred bytes of stack for
-/// each, two kilobytes under sanitizers, and so half a megabyte at most. Halving 2^32 items takes 32 levels, and the trees
-/// of the models tried have 22 to 31: what has more is hostile.
+/// each, up to a kilobyte under sanitizers, and so 256 KiB at most. Halving 2^32 items takes 32 levels, and the trees of the
+/// models tried have 22 to 31: what has more is hostile.
 inline constexpr std::uint32_t kMostLevels = 256;
 
 struct BoxTree;
