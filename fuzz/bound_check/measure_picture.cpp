@@ -23,6 +23,14 @@ Exact off(double value, const Exact& truth) { return CGAL::abs(Exact(value) - tr
 Exact largest(const Exact& a, const Exact& b) { return a < b ? b : a; }
 Exact least(const Exact& a, const Exact& b) { return a < b ? a : b; }
 
+/// Of a number that is lowered to a bound, the share by which the truth is below it. The truth may be above.
+double share_lowered(const Exact& computed, const Exact& truth, const Exact& bound) {
+  return share_used(largest(computed, truth) - bound, truth - bound);
+}
+
+/// The roundings of a bound that are left to rounded_down().
+Exact left_to_rounding_down(const Exact& bound) { return Exact(0x1p-50) * CGAL::abs(bound); }
+
 Vector exactly(const Seen& seen) { return {Exact(seen.right), Exact(seen.up), Exact(seen.forward)}; }
 Exact distance(const Seen& seen, const Vector& truth) {
   const Vector d = exactly(seen) - truth;
@@ -115,8 +123,9 @@ Share nearness_of_points(Choices& choices, bool is_moved) {
   const auto point = any_seen_point(choices, is_moved);
   if (!point) return std::nullopt;
   const auto& [picture, seen, truth] = *point;
-  return share(off(picture.nearness(seen.forward), TruePicture(picture).nearness(truth)),
-               picture.nearness_error(seen.forward));
+  const Exact least(picture.least_nearness(seen.forward));
+  return share_lowered(Exact(picture.nearness(seen.forward)), TruePicture(picture).nearness(truth),
+                       least - left_to_rounding_down(least));
 }
 
 /// A triangle, its plane as the picture bounds it, and its corners where they exactly are once they are moved.
@@ -166,19 +175,37 @@ Exact computed_nearness(const Triangle& triangle, const Exact& x, const Exact& y
 }
 
 Exact bound_along(const culler::PlaneBound& bound, const Exact& x, const Exact& y) {
-  const Exact value = Exact(bound.constant) + Exact(bound.of_y) * y + Exact(bound.of_x) * x;
-  return value * Exact(value > 0 ? bound.more : bound.less);
+  const Exact value = (Exact(bound.constant) + Exact(bound.of_y) * y + Exact(bound.of_x) * x) * Exact(bound.scale);
+  return value - left_to_rounding_down(value);
 }
 
 /// A position in the picture, from 0 to 1 across and up. The largest errors are in its corners.
 double any_share(Choices& choices) { return std::clamp(choices.real(-0.5, 1.5), 0.0, 1.0); }
 
-/// Along any ray of the picture, because tiles are larger than triangles. Corners are where they are computed to be, or
-/// anywhere within their errors.
-Share planes_along_rays(Choices& choices, bool has_errors) {
-  auto triangle = any_triangle(choices, false);
+/// A ray that meets the triangle, and the nearness at which it does.
+struct Met {
+  Exact x, y, nearness;
+};
+std::optional<Met> any_met(Choices& choices, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.truth;
+  const Exact p(any_share(choices)), q = (1 - p) * Exact(any_share(choices));
+  const Vector met = p * a + q * b + (1 - p - q) * c;
+  if (met.z() <= 0) return std::nullopt;
+  const Exact nearer = triangle.picture.is_perspective() ? Exact(1 / met.z()) : Exact(1);
+  const Exact x = met.x() * nearer, y = met.y() * nearer;
+  if (CGAL::abs(x) + CGAL::abs(y) > Exact(triangle.reach)) return std::nullopt;
+  return Met{x, y, TruePicture(triangle.picture).nearness(met)};
+}
+
+/// What moves the corners of a triangle from where they are computed to be.
+enum class Moves { roundings, errors, renderer };
+
+/// Along rays that meet the triangle: beside it nothing is said. Corners are where they are, anywhere within the errors of
+/// what is computed, or moved by a renderer.
+Share planes_along_rays(Choices& choices, Moves moves) {
+  auto triangle = any_triangle(choices, moves == Moves::renderer);
   if (!triangle) return std::nullopt;
-  if (has_errors) {
+  if (moves == Moves::errors) {
     const Exact error(triangle->picture.error());
     const auto either = [&] { return Exact(Exact(choices.sign()) * error); };
     for (std::size_t i = 0; i < 3; ++i) {
@@ -186,59 +213,44 @@ Share planes_along_rays(Choices& choices, bool has_errors) {
     }
   }
   const culler::SeenPlane plane = triangle->plane();
-  if (!plane.is_known()) return std::nullopt;
-  const TruePicture exact(triangle->picture);
-  const Exact x = exact.ray_x(Exact(any_share(choices) * triangle->picture.width())),
-              y = exact.ray_y(Exact(any_share(choices) * triangle->picture.height()));
-  const auto& [a, b, c] = triangle->truth;
-  const Exact truth = exact.nearness(a, b, c, x, y), computed = computed_nearness(*triangle, x, y);
-  return share(computed - truth, computed - bound_along(plane.bound(), x, y));
+  const auto met = any_met(choices, *triangle);
+  if (!plane.is_known() || !met) return std::nullopt;
+  const Exact computed = computed_nearness(*triangle, met->x, met->y);
+  return share_lowered(computed, met->nearness, bound_along(plane.bound(), met->x, met->y));
 }
 
-/// Along rays that meet the triangle with its corners moved: beside it, its plane may be anywhere.
-Share planes_of_moved_triangles(Choices& choices) {
-  const auto triangle = any_triangle(choices, true);
-  if (!triangle) return std::nullopt;
-  const culler::SeenPlane plane = triangle->plane();
-  if (!plane.is_known()) return std::nullopt;
-  const auto& [a, b, c] = triangle->truth;
-  const Exact p(any_share(choices)), q = (1 - p) * Exact(any_share(choices));
-  const Vector met = p * a + q * b + (1 - p - q) * c;
-  if (met.z() <= 0) return std::nullopt;
-  const Exact nearer = triangle->picture.is_perspective() ? Exact(1 / met.z()) : Exact(1);
-  const Exact x = met.x() * nearer, y = met.y() * nearer;
-  if (CGAL::abs(x) + CGAL::abs(y) > Exact(triangle->reach)) return std::nullopt;
-  const Exact truth = TruePicture(triangle->picture).nearness(met), computed = computed_nearness(*triangle, x, y);
-  return share(computed - truth, computed - bound_along(plane.bound(), x, y));
-}
-
-/// The least nearness over a tile, as lower() finds it in doubles and rounds it to floats.
+/// The least nearness over a tile, as lower() finds it in doubles and rounds it to floats, at a ray of the tile.
 Share planes_over_tiles(Choices& choices) {
   const auto triangle = any_triangle(choices, false);
   if (!triangle) return std::nullopt;
   const culler::SeenPlane plane = triangle->plane();
-  if (!plane.is_known()) return std::nullopt;
+  const auto met = any_met(choices, *triangle);
+  if (!plane.is_known() || !met) return std::nullopt;
   constexpr int kTile = culler::kTile;
   const BeamPicture& picture = triangle->picture;
-  const int x = kTile * static_cast<int>(choices.index(static_cast<std::size_t>(picture.width() / kTile))),
-            y = kTile * static_cast<int>(choices.index(static_cast<std::size_t>(picture.height() / kTile)));
+  const TruePicture exact(picture);
+  const auto tile_of = [](const Exact& ray, const auto& ray_at, int size) {
+    int tile = 0;
+    while (tile + kTile < size && ray > ray_at(tile + kTile)) tile += kTile;
+    return tile;
+  };
+  const auto ray_x = [&](int x) { return exact.ray_x(x); };
+  const auto ray_y = [&](int y) { return exact.ray_y(y); };
+  const int x = tile_of(met->x, ray_x, picture.width()), y = tile_of(met->y, ray_y, picture.height());
+  if (met->x < ray_x(x) || met->x > ray_x(x + kTile) || met->y < ray_y(y) || met->y > ray_y(y + kTile)) return std::nullopt;
   std::array<float, kTile + 1> nearness{std::numeric_limits<float>::infinity()};
   std::array<double, kTile + 2> slopes_x{picture.slope(x, 0).x, picture.slope(x + kTile, 0).x};
   const std::array<double, 2> slopes_y{picture.slope(0, y).y, picture.slope(0, y + kTile).y};
   culler::lower({nearness.data(), 1, slopes_x.data(), slopes_y.data()}, {0, 0, 1, 1}, plane.bound(),
                 -std::numeric_limits<float>::infinity());
-  const TruePicture exact(picture);
-  const auto& [a, b, c] = triangle->truth;
-  std::optional<Exact> truth, lowered;
-  for (const auto& [at_x, at_y] : {std::pair{x, y}, {x + kTile, y}, {x, y + kTile}, {x + kTile, y + kTile}}) {
-    const Exact ray_x = exact.ray_x(at_x), ray_y = exact.ray_y(at_y), here = exact.nearness(a, b, c, ray_x, ray_y);
-    const Exact lowest = bound_along(plane.bound(), ray_x, ray_y);
-    truth = truth ? least(*truth, here) : here;
-    lowered = lowered ? least(*lowered, lowest) : lowest;
-  }
   if (!std::isfinite(nearness[0])) return std::nullopt;
-  const Exact room = *truth - *lowered + Exact(0x1p-23) * CGAL::abs(*lowered) + Exact(0x1p-149);
-  return share_used(room, *truth - Exact(nearness[0]));
+  std::optional<Exact> lowest;
+  for (const auto& [at_x, at_y] : {std::pair{x, y}, {x + kTile, y}, {x, y + kTile}, {x + kTile, y + kTile}}) {
+    const Exact here = bound_along(plane.bound(), ray_x(at_x), ray_y(at_y));
+    lowest = lowest ? least(*lowest, here) : here;
+  }
+  const Exact room = met->nearness - *lowest + Exact(0x1p-23) * CGAL::abs(*lowest) + Exact(0x1p-149);
+  return share_used(room, met->nearness - Exact(nearness[0]));
 }
 
 /// A number rounded to a float, of what it is lowered by.
@@ -253,6 +265,7 @@ Share rounded_down(Choices& choices) {
 std::vector<Measured> measure_picture(int cases, std::uint64_t seed) {
   const auto still = [](auto measure) { return [measure](Choices& choices) { return measure(choices, false); }; };
   const auto moved = [](auto measure) { return [measure](Choices& choices) { return measure(choices, true); }; };
+  const auto planes = [](Moves moves) { return [moves](Choices& choices) { return planes_along_rays(choices, moves); }; };
   return {
       search("coordinates of points", "beam_picture", cases, seed, coordinates_of_points),
       search("coordinates of cuts at the near plane", "beam_picture", cases, seed, coordinates_of_cuts),
@@ -261,9 +274,9 @@ std::vector<Measured> measure_picture(int cases, std::uint64_t seed) {
       search("positions of cuts", "beam_picture", cases, seed, positions_of_cuts),
       search("nearness of points", "beam_picture", cases, seed, still(nearness_of_points)),
       search("nearness of points that are moved", "beam_picture", cases, seed, moved(nearness_of_points)),
-      search("nearness of planes along rays", "seen_plane", cases, seed, still(planes_along_rays)),
-      search("the same, with corners off by their errors", "seen_plane", cases, seed, moved(planes_along_rays)),
-      search("the same of triangles that are moved", "seen_plane", cases, seed, planes_of_moved_triangles),
+      search("nearness of planes along rays", "seen_plane", cases, seed, planes(Moves::roundings)),
+      search("the same, with corners off by their errors", "seen_plane", cases, seed, planes(Moves::errors)),
+      search("the same of triangles that are moved", "seen_plane", cases, seed, planes(Moves::renderer)),
       search("nearness of planes over tiles, in floats", "cover_tile", cases, seed, planes_over_tiles),
       search("doubles rounded down to floats", "rounded_float", cases, seed, rounded_down),
   };

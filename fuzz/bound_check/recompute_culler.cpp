@@ -120,51 +120,27 @@ Exact needed_by_rows() {
   return off(row + TracedFloat(0) + TracedFloat(0), TracedFloat(1));
 }
 
-/// BeamPicture::nearness().
-Exact needed_by_nearness() { return off(TracedNumber(1) / TracedNumber(1), TracedNumber(1)); }
-
-/// SeenPlane. All corners have an error of `units` roundoffs, and edges are as long as 1 along each axis.
-struct TracedPlane {
-  TracedVector corner, normal, true_normal;
-
-  TracedPlane(const std::array<double, 3>& to_b, const std::array<double, 3>& to_c, double units) {
-    const auto at = [&](double x, double y, double z) {
-      return TracedVector{with_error<53>(x, units), with_error<53>(y, units), with_error<53>(z, units)};
-    };
-    corner = at(1, 0, 0);
-    const TracedVector b = at(1 + to_b[0], to_b[1], to_b[2]), c = at(1 + to_c[0], to_c[1], to_c[2]);
-    normal = kernel::cross(b - corner, c - corner);
-    const auto exact = [](const std::array<double, 3>& v) { return TracedVector{v[0], v[1], v[2]}; };
-    const TracedVector p = exact(to_b), q = exact(to_c);
-    const auto minus = [](const TracedNumber& e, const TracedNumber& f, const TracedNumber& g, const TracedNumber& h) {
-      return TracedNumber::sum(TracedNumber::product(e, f), -TracedNumber::product(g, h));
-    };
-    true_normal = {minus(p.y, q.z, p.z, q.y), minus(p.z, q.x, p.x, q.z), minus(p.x, q.y, p.y, q.x)};
-  }
-
-  [[nodiscard]] Exact normal_off() const {
-    return std::max({off(normal.x, true_normal.x), off(normal.y, true_normal.y), off(normal.z, true_normal.z)});
-  }
-  /// The true corner is 1 to the right.
-  [[nodiscard]] Exact height_off() const { return off(kernel::dot(normal, corner), true_normal.x); }
-};
-
-template <class Off>
-Exact largest_of_planes(double units, const Off& off_of) {
-  Exact most = 0;
-  for (unsigned i = 0; i < 64; ++i) {
-    const auto bit = [&](unsigned k) { return i >> k & 1U ? 1.0 : -1.0; };
-    most = std::max(most, Exact(off_of(TracedPlane({bit(0), bit(1), bit(2)}, {bit(3), bit(4), bit(5)}, units))));
-  }
-  return most;
+/// SeenPlane: the height of a plane at a vertex, of a normal and a vertex that are known. Its size is 1.
+Exact needed_by_heights_of_planes() {
+  const TracedVector normal{1, 0, 0}, vertex{1, 0, 0};
+  const TracedNumber height = kernel::dot(normal, vertex), size = TracedNumber(1) + TracedNumber(0) + TracedNumber(0);
+  // What is added for the moves is as large as 1 at most; here it is the size by 1.
+  const TracedNumber moved = height + size * (TracedNumber(1) + TracedNumber(0));
+  return off(moved, TracedNumber(2));
 }
 
-/// What is needed of roundings alone, and for each unit of the corners' errors.
-template <class Off>
-std::pair<Exact, Exact> needed_by_planes(const Off& off_of) {
-  constexpr double kUnits = 1024;
-  const Exact rounded = largest_of_planes(0, off_of);
-  return {rounded, (largest_of_planes(kUnits, off_of) - rounded) / Exact(kUnits)};
+/// lower(): the function of a plane along a ray, by each of its three terms. The slopes of the ray and the constant are
+/// computed. What multiplies all of it is left to needed_by_rounding_down().
+Exact needed_by_functions_of_planes() {
+  const TracedNumber slope = (TracedNumber(1) - TracedNumber(0)) / TracedNumber(1),
+                     constant = TracedNumber(1) - TracedNumber(0);
+  Exact most = 0;
+  for (const auto& [of_constant, of_y, of_x] : {std::array{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}) {
+    const TracedNumber value =
+        TracedNumber(of_constant) * constant + TracedNumber(of_y) * slope + TracedNumber(of_x) * slope;
+    most = std::max(most, off(value, TracedNumber(1)));
+  }
+  return most;
 }
 
 /// seen_boxes.cpp: a position, with the roundings of what is then subtracted and added.
@@ -230,18 +206,16 @@ Exact needed_by_renderers() {
   return TracedFloat::sum(row, -TracedFloat(1).rounded()).most();
 }
 
-/// rounded_down(), which rounds to a float what has been rounded to doubles three times: when an error is subtracted, when
-/// the rounding is computed, and when that is subtracted.
+/// rounded_down(), which rounds to a float what has been rounded to doubles four times: as a reciprocal, as its product,
+/// when the rounding is computed, and when that is subtracted.
 Exact needed_by_rounding_down() {
-  const TracedFloat one = 1, in_double = TracedFloat::sum(one, TracedFloat::product(3 * 0x1p-29, one.tail()));
+  const TracedFloat one = 1, in_double = TracedFloat::sum(one, TracedFloat::product(4 * 0x1p-29, one.tail()));
   return off(in_double.rounded(), one);
 }
 
 }  // namespace
 
 std::vector<Constant> recomputed_culler_constants() {
-  const auto [of_normals, of_normals_by_corners] = needed_by_planes([](const TracedPlane& p) { return p.normal_off(); });
-  const auto [of_heights, of_heights_by_corners] = needed_by_planes([](const TracedPlane& p) { return p.height_off(); });
   const auto units = [](int count, int bits = 53) -> Exact { return Exact(count) * Exact(std::ldexp(1.0, -bits)); };
   const Exact of_places = needed_by_places(), place_error(culler::kPlaceError), bound_rounded(culler::kBoundRounded);
   return {
@@ -249,12 +223,10 @@ std::vector<Constant> recomputed_culler_constants() {
       {"error() / depth", "cuts at the near plane", needed_by_cuts(), units(16)},
       {"kPlaceError", "positions of corners", of_places, place_error},
       {"kPlaceError", "the same, and heights of edges over columns", of_places + needed_by_turns(), place_error},
-      {"2^-52 in nearness_error()", "nearness of corners", needed_by_nearness(), units(2)},
       {"2^-49 in SeenEdge", "columns of edges", needed_by_columns<53>(), units(16)},
-      {"2^-48 in SeenPlane", "normals, by roundings", of_normals, units(32)},
-      {"16 in SeenPlane", "normals, by errors of corners", of_normals_by_corners, units(16)},
-      {"2 * 2^-48 in SeenPlane", "heights, by roundings", of_heights, units(64)},
-      {"2 * 16 + 8 in SeenPlane", "heights, by errors of corners", of_heights_by_corners, units(40)},
+      {"error() / depth", "vertices, and heights of planes at them", needed_by_points() + needed_by_heights_of_planes(),
+       units(16)},
+      {"kRounded of SeenPlane", "functions of planes along rays", needed_by_functions_of_planes(), units(16)},
       {"2^-23 in rounded_down()", "doubles rounded to floats", needed_by_rounding_down(), units(2, 24), 1, 24},
       {"2^-20 in CoverBorder", "columns of edges in floats", needed_by_columns<24>(), units(16, 24), 1, 24},
       {"2^-21 in CoverBorder", "rows from the ends of edges in floats", needed_by_rows(), units(8, 24), 1, 24},
