@@ -90,7 +90,7 @@ std::string error_line(const std::string& what) {
 
 void run_and_report(int argc, char** argv) {
   const auto failed = [&](int code, const std::string& what) {
-    code == kInterrupted ? occlude::render::interrupt_ranks() : occlude::render::tell_first_rank(what);
+    if (code != kInterrupted) occlude::render::tell_first_rank(what);
     if (exit_code == occlude::cli::kDone) exit_code = code;  // a failed check stands
     occlude::render::settle();
     occlude::render::say(error_line(what));

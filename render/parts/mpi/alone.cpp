@@ -19,8 +19,6 @@ void help(StageKey, const std::function<std::string(const std::string&)>&) { req
 
 void tell_first_rank(const std::string&) {}
 
-void interrupt_ranks() {}
-
 void leave_ranks() {}
 
 }  // namespace occlude::render

@@ -6,10 +6,8 @@
 // waits for leave. Nobody waits inside MPI, which would take a processor.
 #include <fmt/format.h>
 #include <mpi.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <limits>
@@ -28,7 +26,7 @@ namespace occlude::render {
 namespace {
 
 /// Tags of messages. A helper that asks for a part of stage s sends kAsk + s, because it may be a stage ahead.
-enum Tag { kPart, kEnd, kLeave, kFault, kInterrupt, kAsk };
+enum Tag { kPart, kEnd, kLeave, kFault, kAsk };
 
 constexpr int kFirst = 0;
 
@@ -68,9 +66,6 @@ std::optional<Message> receive(int rank, int tag) {
   return message;
 }
 
-/// As a signal from outside does.
-void interrupt() { kill(getpid(), SIGTERM); }
-
 /// Short beside a part. Throws Interrupted.
 void pause() {
   check_interrupt();
@@ -89,8 +84,6 @@ Message wait_for_first_rank() {
       pause();
     } else if (message->tag == kLeave) {
       leave_helper();
-    } else if (message->tag == kInterrupt) {
-      interrupt();
     } else {
       return std::move(*message);
     }
@@ -111,8 +104,6 @@ class Counter {
       } else if (const auto fault = receive(MPI_ANY_SOURCE, kFault)) {
         fail(*fault, fault->bytes);
         served_.erase(fault->rank);  // unless it had been told the end: it may fail with what comes next
-      } else if (receive(MPI_ANY_SOURCE, kInterrupt)) {
-        interrupt();
       } else {
         pause();
       }
@@ -183,12 +174,6 @@ void tell_first_rank(const std::string& fault) {
   if (is_first_rank()) return;
   initialise();
   send(kFirst, kFault, printable(fault));
-}
-
-void interrupt_ranks() {
-  if (ranks() == 1 || !is_initialised()) return;
-  if (!is_first_rank()) return send(kFirst, kInterrupt);
-  for (int helper = 1; helper < static_cast<int>(ranks()); ++helper) send(helper, kInterrupt);
 }
 
 void leave_ranks() {

@@ -7,6 +7,9 @@
 
 namespace occlude::render {
 
+/// Whether mpirun has started this process.
+[[nodiscard]] bool is_of_mpirun();
+
 /// The number of processes: 1 without mpirun.
 [[nodiscard]] std::size_t ranks();
 
@@ -15,15 +18,12 @@ namespace occlude::render {
 /// Whether the standard error of mpirun, to which it copies that of the ranks, is a terminal.
 [[nodiscard]] bool mpirun_has_terminal();
 
-/// From now on the end of mpirun interrupts this process, as Ctrl-C does. Does nothing without mpirun. REQUIRES: interrupts
-/// are caught.
+/// From now on the end of mpirun, or that of another rank before its time, interrupts this process, as Ctrl-C does. Does
+/// nothing without mpirun. REQUIRES: interrupts are caught.
 void follow_mpirun();
 
 /// Of a helper that cannot go on: the first rank will fail with this message. Does nothing on the first rank.
 void tell_first_rank(const std::string& fault);
-
-/// Of a rank that was interrupted: interrupts others that listen. mpirun takes a second to tell them.
-void interrupt_ranks();
 
 /// The end of every rank that was not interrupted: helpers wait for the first rank.
 void leave_ranks();
