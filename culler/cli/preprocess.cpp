@@ -20,6 +20,7 @@
 #include "occlude/culler/inner_boxes.h"
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/job.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
@@ -180,9 +181,11 @@ void preprocess(PreprocessArguments& arguments) {
     told.line += boxes.line;
     told.json["inner_boxes"] = boxes.json;
   }
-  const render::Uninterrupted together;
-  if (file) file->commit();
-  if (box_file) box_file->commit();
+  {
+    const render::Uninterrupted together;
+    if (file) file->commit();
+    if (box_file) box_file->commit();
+  }
   job.finish();
   if (file) told.json["bytes"] = std::filesystem::file_size(arguments.out);
   if (arguments.json) {

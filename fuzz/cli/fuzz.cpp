@@ -19,6 +19,7 @@
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/job.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/packing.h"
@@ -318,6 +319,7 @@ void fuzz_command(const FuzzArguments& a, int& exit_code) {
   }
   if (out) {
     out->write(to_json(results));
+    const render::Uninterrupted naming;
     out->commit();
   }
   render::finish_printing();

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "occlude/render/progress.h"
+#include "occlude/render/interrupt.h"
 
 namespace occlude::cli {
 namespace {

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "occlude/render/comparison_report.h"
 #include "occlude/render/console.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/walk_comparison.h"
 
@@ -30,6 +31,7 @@ void compare(const CompareArguments& arguments, int& exit_code) {
   if (arguments.fail_if_worse && !comparison.worse().empty()) exit_code = kCheckFailed;
   if (page) {
     page->write(comparison_page(comparison));
+    const render::Uninterrupted naming;
     page->commit();
   }
   arguments.json ? render::print(json_of(comparison).dump(2) + '\n')

@@ -10,9 +10,9 @@
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
 #include "occlude/render/console.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
-#include "occlude/render/progress.h"
 
 namespace occlude::cli {
 namespace {
@@ -34,9 +34,11 @@ void generate(const GenerateArguments& arguments) {
   render::write_camera_path(path, city.path);
   model.close();
   path.close();
-  const render::Uninterrupted together;
-  model.commit();
-  path.commit();
+  {
+    const render::Uninterrupted together;
+    model.commit();
+    path.commit();
+  }
   if (arguments.json) {
     const nlohmann::ordered_json summary{
         {"polygons", city.soup.size()}, {"vertices", city.soup.vertices.size()}, {"frames", city.path.frames}};

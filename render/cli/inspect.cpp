@@ -12,11 +12,11 @@
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/live_page.h"
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
-#include "occlude/render/progress.h"
 
 namespace occlude::cli {
 namespace {
@@ -55,9 +55,11 @@ void inspect(const InspectArguments& arguments) {
     warn_of_misfit(path, arguments.path, arguments.model, model);
     start = render::start_of(path, model);
   }
-  render::check_interrupt();
   out.write(live_page(render::printable(std::filesystem::path(arguments.model).filename().native()), model, start, module));
-  out.commit();
+  {
+    const render::Uninterrupted naming;
+    out.commit();
+  }
   render::tell(fmt::format("{}: open it in a browser\n", arguments.out));
 }
 

@@ -14,6 +14,7 @@
 #include "commands.h"
 #include "occlude/render/console.h"
 #include "occlude/render/frame_painter.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
@@ -84,7 +85,10 @@ void render_frames(const RenderArguments& arguments) {
       progress.update(i + 1);
     }
   }
-  file.commit();
+  {
+    const render::Uninterrupted naming;
+    file.commit();
+  }
   if (arguments.json) {
     const nlohmann::ordered_json summary{
         {"layer", arguments.layer}, {"width", options.width}, {"height", options.height}, {"pictures", pictures}};

@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/stopwatch.h"
@@ -60,10 +61,14 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
   render::WalkResult result = render::walk(culler, path, options, name, files);
   result.preprocess_s = preprocess_s;
   exit_code = render::passed(result) ? kDone : kCheckFailed;
-  if (cases) cases->close();
   const render::Summary summary = summarise(result, options, name);
-  files.commit(result, summary);
-  if (cases) cases->commit();
+  files.write(result, summary);
+  if (cases) cases->close();
+  {
+    const render::Uninterrupted together;
+    files.commit();
+    if (cases) cases->commit();
+  }
   if (arguments.json) {
     render::print(json_of(summary).dump(2) + "\n");
   } else {

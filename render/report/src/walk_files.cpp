@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/render/interrupt.h"
-
 namespace occlude::render {
 namespace {
 
@@ -49,16 +47,22 @@ void WalkFiles::add_plate(const Plate& plate, const Image& image) {
   if (page_pictures_.size() < kInPage) page_pictures_.push_back({plate.caption, png_of(small(image))});
 }
 
-void WalkFiles::commit(const WalkResult& result, const Summary& summary) {
+void WalkFiles::write(const WalkResult& result, const Summary& summary) {
   csv_.write(frames_csv(result));
   report_.write(walk_page(summary, {result.frames, result.missed, *recording_, page_pictures_, command_}));
   summary_.write(json_of(summary).dump(2) + "\n");
+  for (OutputFile* file : files()) file->close();
+}
+
+void WalkFiles::commit() {
+  pictures_.commit();
+  for (OutputFile* file : files()) file->commit();
+}
+
+std::vector<OutputFile*> WalkFiles::files() {
   std::vector<OutputFile*> files{&csv_, &report_, &summary_};
   if (witness_) files.push_back(&*witness_);
-  for (OutputFile* file : files) file->close();
-  const Uninterrupted together;
-  pictures_.commit();
-  for (OutputFile* file : files) file->commit();
+  return files;
 }
 
 }  // namespace occlude::render

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/render/interrupt.h"
 #include "occlude/render/missed_report.h"
 #include "occlude/render/plates.h"
-#include "occlude/render/progress.h"
 #include "view_planes.h"
 
 namespace occlude::render {

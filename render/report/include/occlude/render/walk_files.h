@@ -28,10 +28,14 @@ class WalkFiles : public WalkOutput {
   void add_frame(const ShownFrame& frame) override;
   void add_witness(std::string_view line) override;
   void add_plate(const Plate& plate, const Image& image) override;
-  /// Writes the reports, then renames all files once every one is complete.
-  void commit(const WalkResult& result, const Summary& summary);
+  /// Writes the reports. All files are complete then.
+  void write(const WalkResult& result, const Summary& summary);
+  /// Gives all files their names.
+  void commit();
 
  private:
+  [[nodiscard]] std::vector<OutputFile*> files();
+
   OutputFolder folder_, plates_folder_;
   OutputFile csv_, report_, summary_;
   std::optional<OutputFile> witness_;

@@ -23,7 +23,8 @@ void check_interrupt();
 /// changes nothing else.
 void settle();
 
-/// While one lives, no signal ends the process: for outputs that get their names together.
+/// While one lives, no signal ends the process: outputs get their names, all of them, or none where a signal has come
+/// before.
 class Uninterrupted {
  public:
   /// Throws Interrupted if the flag is set.
