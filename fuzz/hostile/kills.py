@@ -4,7 +4,7 @@
 
 Usage: kills.py OCCLUDE [--trials N] [--seed S] [--ranks N] [--seconds T]
 
-Something is wrong with a process that still runs T seconds later, an exit code that is not that of the end, a temporary file
+Something is wrong with a rank that still runs T seconds later, an exit code that is not that of the end, a temporary file
 or a part of a result left behind, a finished part that is lost, and another result when the command goes on (--resume). The
 exit code is 1 then; it is 77 where there are no ranks."""
 import argparse
@@ -62,6 +62,10 @@ def rank_of(process):
     return int(ranks[0].partition(b"=")[2]) if ranks else None
 
 
+def ranks_of(mark):
+    return [process for process in processes_of(mark) if rank_of(process) is not None]
+
+
 def result_of(folder, out, file):
     """What a command has written, without times."""
     content = (folder / file).read_bytes() if file else out
@@ -95,12 +99,10 @@ class Trial:
         before = parts_of(folder)
         if process is not None:
             os.kill(process, SIGNALS[name])
-        begun = time.monotonic()
-        code, late = self.wait(mpirun, mark, begun)
-        seconds = time.monotonic() - begun
-        for process in processes_of(mark):
+        seconds, late = self.wait_for_ranks(mark)
+        for process in ranks_of(mark):
             os.kill(process, signal.SIGKILL)
-        mpirun.wait()
+        code = mpirun.wait()  # which takes its own time
         faults = [late] if late else []
         faults += self.faults(folder, before, code, victim, name)
         kept = len(parts_of(folder))
@@ -120,14 +122,15 @@ class Trial:
             time.sleep(0.01)
         return None
 
-    def wait(self, mpirun, mark, begun):
-        """The exit code, and what still runs when the time is over."""
-        while time.monotonic() - begun < self.arguments.seconds:
-            if mpirun.poll() is not None and not processes_of(mark):
-                return mpirun.returncode, None
+    def wait_for_ranks(self, mark):
+        """The seconds that it takes, and what still runs when the time is over."""
+        begun = time.monotonic()
+        while running := ranks_of(mark):
+            seconds = time.monotonic() - begun
+            if seconds > self.arguments.seconds:
+                return seconds, "still running: " + ", ".join(f"rank {rank_of(process)}" for process in running)
             time.sleep(0.02)
-        running = [f"rank {rank_of(process)}" for process in processes_of(mark)]
-        return mpirun.poll(), f"still running: {', '.join(running) or 'nothing, but it took too long'}"
+        return time.monotonic() - begun, None
 
     def faults(self, folder, before, code, victim, name):
         faults = []
@@ -216,7 +219,7 @@ def main():
                 row["wrong"] += 1
                 wrong += 1
                 print(f"{index}: {command}, {name} to {victim}: {'; '.join(faults)}", flush=True)
-    print("| ended | by | trials | exit codes: trials | seconds till all had ended: median, most | wrong |\n" + "|---" * 6 + "|")
+    print("| ended | by | trials | exit codes: trials | seconds till all ranks had ended: median, most | wrong |\n" + "|---" * 6 + "|")
     for (victim, name), row in sorted(table.items()):
         codes = " ".join(f"{code}:{count}" for code, count in sorted(row["codes"].items(), key=str))
         seconds = sorted(row["seconds"])

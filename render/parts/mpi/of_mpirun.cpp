@@ -15,6 +15,7 @@
 #include <set>
 #include <utility>
 
+#include "blocked.h"
 #include "helpers.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/packing.h"
@@ -44,6 +45,7 @@ bool is_initialised() {
 void initialise() {
   if (is_initialised()) return;
   int provided = 0;
+  const Blocked blocked;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   if (provided < MPI_THREAD_SERIALIZED) throw InputError("mpirun: this MPI does not allow threads");
 }
@@ -72,8 +74,13 @@ void pause() {
   std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
-[[noreturn]] void leave_helper() {
+void finalise() {
+  const Blocked blocked;
   MPI_Finalize();
+}
+
+[[noreturn]] void leave_helper() {
+  finalise();
   std::_Exit(EXIT_SUCCESS);  // the first rank has the exit code
 }
 
@@ -182,7 +189,7 @@ void leave_ranks() {
     check_interrupt();
     if (!is_first_rank()) wait_for_first_rank();
     for (int helper = 1; helper < static_cast<int>(ranks()); ++helper) send(helper, kLeave);
-    MPI_Finalize();
+    finalise();
   } catch (const Interrupted&) {
     // mpirun ends the others.
   }

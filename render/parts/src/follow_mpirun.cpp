@@ -10,6 +10,9 @@
 #include <ctime>
 #include <thread>
 
+#include "blocked.h"
+#include "occlude/render/errors.h"
+#include "occlude/render/interrupt.h"
 #include "occlude/render/ranks.h"
 
 namespace occlude::render {
@@ -35,14 +38,25 @@ std::int64_t milliseconds() {
   return std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1'000'000;
 }
 
+std::atomic<bool> is_blocked = false;
+
 void interrupt() { kill(getpid(), SIGTERM); }
 
-void follow() {
-  while (getppid() == mpirun_process && !is_unheard()) {
-    last_look = milliseconds();
-    std::this_thread::sleep_for(kBetweenLooks);
+bool is_interrupted() {
+  try {
+    check_interrupt();
+  } catch (const Interrupted&) {
+    return true;
   }
-  interrupt();
+  return false;
+}
+
+[[noreturn]] void follow() {
+  for (;; std::this_thread::sleep_for(kBetweenLooks)) {
+    last_look = milliseconds();
+    if (!is_interrupted() && (getppid() != mpirun_process || is_unheard())) interrupt();
+    if (is_interrupted() && is_blocked) kill(getpid(), SIGALRM);  // the second is over
+  }
 }
 
 /// mpirun wakes its processes a second before it tells them to end, in case that they were stopped. It may also go on with
@@ -63,6 +77,10 @@ void start_undisturbed(Work&& work) {
 }
 
 }  // namespace
+
+Blocked::Blocked() { is_blocked = true; }
+
+Blocked::~Blocked() { is_blocked = false; }
 
 // The system can tell a process that its parent has ended (PR_SET_PDEATHSIG), but then means the thread that started it.
 void follow_mpirun() {
