@@ -566,7 +566,8 @@ TEST(MatrixCamera, NothingShownOfASmallModelIsBeyondTheNearPlaneOfParallelRays) 
   std::mt19937 random(10);
   int beyond = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Made made = some_camera(random, std::array{Kind::parallel, Kind::parallel_reversed, Kind::sheared}[i % 3]);
+    const Made made = some_camera(
+        random, std::array{Kind::parallel, Kind::parallel_reversed, Kind::sheared}[static_cast<std::size_t>(i % 3)]);
     const double range = made.far - made.near;
     const dvec3 eye = made.camera.eye(), inwards = made.place(0, 0, 1) - made.place(0, 0, 0);
     const dvec3 near_eye = eye + some_vector(random, 1e-4 * range);
