@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Forges the parts that `occlude --parts` keeps, and lets commands go on with them (--resume).
 
-Usage: parts.py OCCLUDE [--files N] [--seed S] [--command NAME ...] [--keep FOLDER]
+Usage: parts.py OCCLUDE [--files N] [--seed S] [--command NAME ...] [--forger NAME] [--keep FOLDER]
 
-A forger knows how a part is written and its digest. Damage is met by the digest. What no run can have kept (numbers out of
-range, counts that contradict each other, lists of other lengths, other kinds of files) is refused by name. Only a lie, which
+Two forge. A *stranger* may write where the parts are, but has not the key that seals them: whatever he writes is refused by name,
+or changes nothing. The *user* has the key, and tries what stands behind the seal: what no run can have kept (numbers out of
+range, counts that contradict each other, lists of other lengths, other kinds of files) is refused by name, and only a lie, which
 some run could have kept, may be believed. Something is wrong with a signal, a report of a sanitizer, no end, an exit code
 other than 0, 1 and 2, an error that is not one line of printable text and names the part, a file left behind, and another
-answer than that of the honest run, unless a lie was told. The folder is kept then (--keep), and the exit code is 1."""
+answer than that of the honest run, unless the user lied. The folder is kept then (--keep), and the exit code is 1."""
 import argparse
+import hashlib
 import os
 import pathlib
 import random
@@ -25,15 +27,30 @@ import tempfile
 SECONDS = 120
 SANITIZED = 99  # exit code of a sanitizer's report
 MOST = 2**64 - 1
+FORGERS = ["stranger", "user"]
 EDGES = (0, 1, 2**31, 2**32 - 1, 2**32, 2**61, 2**63 - 1, 2**63, MOST - 1, MOST)
 
 
-def digest(data):
-    """As render/parts' Digest: FNV-1a, with a 0 behind."""
-    value = 0xCBF29CE484222325
-    for byte in data + b"\0":
-        value = (value ^ byte) * 0x100000001B3 & MOST
-    return b"%016x" % value
+def seal(key, texts):
+    """As render/parts' Seal."""
+    data = b"".join(b"%016x" % len(text) + text for text in texts)
+    return hashlib.blake2b(data, key=key, digest_size=32).hexdigest().encode()
+
+
+class Forger:
+    """Seals parts with the user's key, or as well as one can without."""
+
+    def __init__(self, name, folder):
+        self.is_user, self.key = name == "user", (folder / "state" / "occlude" / "parts.key").read_bytes()
+
+    def sealed(self, numbers, name, head, job, result):
+        """A part of this name with another result; `head` is the line before the true one, and `job` the file of that name."""
+        of_input, honest = head.split()
+        key = self.key if self.is_user else numbers.randbytes(32)
+        made = seal(key, [job.split()[2], name.encode(), of_input, result])
+        if not self.is_user:
+            made = numbers.choice([made, made, honest, hashlib.blake2b(result, digest_size=32).hexdigest().encode(), b"", b"0" * 64])
+        return of_input + b" " + made + b"\n" + result
 
 
 class Part:
@@ -152,7 +169,7 @@ def commands():
 
 def run(occlude, arguments, folder, timeout=SECONDS):
     """Exit code (negative: signal; None: no end), stdout and stderr."""
-    environment = dict(os.environ, ASAN_OPTIONS=f"exitcode={SANITIZED}:detect_leaks=0:allocator_may_return_null=0",
+    environment = dict(os.environ, XDG_STATE_HOME=str(folder / "state"), ASAN_OPTIONS=f"exitcode={SANITIZED}:detect_leaks=0:allocator_may_return_null=0",
                        UBSAN_OPTIONS=f"exitcode={SANITIZED}:halt_on_error=1:print_stacktrace=1")
     try:
         done = subprocess.run([occlude, *arguments], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
@@ -199,7 +216,8 @@ def keep_all(occlude, command, folder):
     shutil.rmtree(folder / "kept", ignore_errors=True)
     with open("/dev/full", "wb") as full:
         done = subprocess.run([occlude, *with_output(command, "/dev/full"), "--parts", "kept"], cwd=folder, stdout=full,
-                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, check=False)
+                              stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, check=False,
+                              env=dict(os.environ, XDG_STATE_HOME=str(folder / "state")))
     if b"No space left on device" not in done.stderr:
         sys.exit(f"no parts are kept of {command.arguments}: {done.stderr!r}")
     return {file.name: file.read_bytes() for file in (folder / "kept").iterdir()}
@@ -390,8 +408,8 @@ def write_parts(kept, folder):
         (folder / name).write_bytes(data)
 
 
-def forge(numbers, command, kept, folder):
-    """Writes the parts, one of them forged. Returns what was done, and whether it is a lie."""
+def forge(numbers, forger, command, kept, folder):
+    """Writes the parts, one of them forged. Returns what was done, and whether it is a lie that may be believed."""
     write_parts(kept, folder)
     kind = numbers.choices(("impossible", "lie", "damage", "other file", "job", "exchange"), (60, 15, 8, 8, 3, 6))[0]
     names = [name for name in kept if name.startswith("part-")]
@@ -420,8 +438,8 @@ def forge(numbers, command, kept, folder):
         else:
             what, forged = impossible(numbers, command, part.fields, command.stages[stage])
             is_lie = False
-    (folder / name).write_bytes(head[:17] + digest(forged) + b"\n" + forged)
-    return f"{name}: {what}", is_lie or forged == result
+    (folder / name).write_bytes(forger.sealed(numbers, name, head, kept["job"], forged))
+    return f"{name}: {what}", forger.is_user and is_lie
 
 
 def is_refused(outcome):
@@ -461,45 +479,55 @@ def fault(outcome, is_lie, is_same, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("occlude", help="the command")
-    parser.add_argument("--files", type=int, default=300, help="of each command (300)")
+    parser.add_argument("--files", type=int, default=300, help="of each command and forger (300)")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--forger", nargs="+", choices=FORGERS, default=FORGERS)
     parser.add_argument("--command", nargs="+", choices=commands(), default=list(commands()))
     parser.add_argument("--keep", help="folder for what something is wrong with")
     arguments = parser.parse_args()
     occlude = os.path.abspath(arguments.occlude)
-    print("| command | forged | refused | the same answer | a lie believed | wrong |\n" + "|---" * 6 + "|")
+    print("| command | forger | forged | refused | the same answer | a lie believed | wrong |\n" + "|---" * 7 + "|")
     faults = 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         write_inputs(occlude, folder)
         for name in arguments.command:
-            command = commands()[name]
-            (folder / "out.pre").unlink(missing_ok=True)
-            kept = keep_all(occlude, command, folder)
-            honest = answer(run(occlude, with_output(command, "out.pre"), folder), folder)
-            row = {"refused": 0, "same": 0, "lie": 0, "wrong": 0}
-            go_on = [*with_output(command, "out.pre"), "--parts", "kept", "--resume"]
-            if answer(run(occlude, go_on, folder), folder) != honest:
-                sys.exit(f"{name}: it does not go on with its own parts")
-            for index in range(arguments.files):
-                shutil.rmtree(folder / "kept", ignore_errors=True)
-                (folder / "out.pre").unlink(missing_ok=True)
-                numbers = random.Random(f"{arguments.seed} {name} {index}")
-                what, is_lie = forge(numbers, command, kept, folder / "kept")
-                shutil.copytree(folder / "kept", folder / "forged", symlinks=True, ignore_dangling_symlinks=True,
-                                ignore=lambda place, names: [n for n in names if not is_plain(place, n)])
-                outcome = run(occlude, go_on, folder)
-                is_same = answer(outcome, folder) == honest
-                wrong = fault(outcome, is_lie, is_same, folder)
-                row["wrong" if wrong else "same" if is_same else "refused" if is_refused(outcome) else "lie"] += 1
-                if wrong:
-                    print(f"{name} {index} ({what}): {wrong}\n    {outcome[2][:400]!r}", flush=True)
-                    if arguments.keep:
-                        shutil.copytree(folder / "forged", pathlib.Path(arguments.keep) / f"{name} {index}", dirs_exist_ok=True)
-                shutil.rmtree(folder / "forged")
-            print("|", " | ".join(map(str, (name, arguments.files, *row.values()))), "|", flush=True)
-            faults += row["wrong"]
+            faults += try_command(arguments, occlude, name, folder)
     return 1 if faults else 0
+
+
+def try_command(arguments, occlude, name, folder):
+    """Forges parts of a command, prints what came of it, and returns with how many something was wrong."""
+    command = commands()[name]
+    (folder / "out.pre").unlink(missing_ok=True)
+    kept = keep_all(occlude, command, folder)
+    honest = answer(run(occlude, with_output(command, "out.pre"), folder), folder)
+    go_on = [*with_output(command, "out.pre"), "--parts", "kept", "--resume"]
+    if answer(run(occlude, go_on, folder), folder) != honest:
+        sys.exit(f"{name}: it does not go on with its own parts")
+    faults = 0
+    for forger in arguments.forger:
+        row = {"refused": 0, "same": 0, "lie": 0, "wrong": 0}
+        for index in range(arguments.files):
+            shutil.rmtree(folder / "kept", ignore_errors=True)
+            (folder / "out.pre").unlink(missing_ok=True)
+            numbers = random.Random(f"{arguments.seed} {forger} {name} {index}")
+            what, is_lie = forge(numbers, Forger(forger, folder), command, kept, folder / "kept")
+            shutil.copytree(folder / "kept", folder / "forged", symlinks=True, ignore_dangling_symlinks=True,
+                            ignore=lambda place, names: [n for n in names if not is_plain(place, n)])
+            outcome = run(occlude, go_on, folder)
+            is_same = answer(outcome, folder) == honest
+            wrong = fault(outcome, is_lie, is_same, folder)
+            row["wrong" if wrong else "same" if is_same else "refused" if is_refused(outcome) else "lie"] += 1
+            if wrong:
+                print(f"{name} {forger} {index} ({what}): {wrong}\n    {outcome[2][:400]!r}", flush=True)
+                if arguments.keep:
+                    place = pathlib.Path(arguments.keep) / f"{name} {forger} {index}"
+                    shutil.copytree(folder / "forged", place, dirs_exist_ok=True)
+            shutil.rmtree(folder / "forged")
+        print("|", " | ".join(map(str, (name, forger, arguments.files, *row.values()))), "|", flush=True)
+        faults += row["wrong"]
+    return faults
 
 
 def is_plain(place, name):

@@ -2,7 +2,8 @@
 # What the tests of the command share: an empty folder to work in, and checks. Source it with the path of the command.
 occlude=$(realpath "$1")
 here=$(mktemp -d)
-trap 'chmod -R u+w "$here"; rm -rf "$here"' EXIT
+export XDG_STATE_HOME=$here.state # for the key that seals parts
+trap 'chmod -R u+w "$here"; rm -rf "$here" "$XDG_STATE_HOME"' EXIT
 cd "$here" || exit 1
 failures=0
 

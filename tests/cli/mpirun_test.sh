@@ -22,8 +22,10 @@ expect_error "occlude_fuzz_parts: has no parts" "$occlude" "${long[@]}" --resume
 first=$(ls kept/part-* | head -1)
 cp "$first" first
 echo damage >>"$first"
-expect_error "$first: damaged" "$occlude" "${long[@]}" --parts kept --resume
+expect_error "$first: not as a run of yours has kept it" "$occlude" "${long[@]}" --parts kept --resume
 mv first "$first"
+XDG_STATE_HOME=$here.another expect_error "kept: has parts of another run: another user" "$occlude" "${long[@]}" --parts kept --resume
+rm -r "$here.another"
 "$occlude" "${long[@]}" --parts kept --resume --out resumed.json >/dev/null || fail "fuzz --resume"
 [ ! -e kept ] || fail "parts are left behind: $(ls kept)"
 "$occlude" "${long[@]}" --out one.json >/dev/null || fail "fuzz"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -17,7 +18,9 @@
 #include "dealer.h"
 #include "kept_parts.h"
 #include "occlude/render/errors.h"
+#include "occlude/render/input_file.h"
 #include "occlude/render/packing.h"
+#include "seal.h"
 
 namespace occlude::render {
 namespace job_test {
@@ -42,6 +45,27 @@ struct Doubling {
     ASSERT_EQ(results.size(), 100U);
     for (int i = 0; i < 100; ++i) EXPECT_EQ(results[static_cast<std::size_t>(i)], 2 * i);
   }
+};
+
+void write(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+/// A user with a folder for state and no key yet.
+class Home {
+ public:
+  Home() {
+    fs::create_directory(folder_);
+    setenv("XDG_STATE_HOME", state().c_str(), 1);
+  }
+  ~Home() { fs::remove_all(folder_); }
+  Home(const Home&) = delete;
+  Home& operator=(const Home&) = delete;
+
+  [[nodiscard]] const fs::path& folder() const { return folder_; }
+  [[nodiscard]] fs::path state() const { return folder_ / "state"; }
+  [[nodiscard]] fs::path key() const { return state() / "occlude/parts.key"; }
+
+ private:
+  fs::path folder_ = testing::TempDir() + "/occlude_home_" + std::to_string(getpid());
 };
 
 class KeptJob : public testing::Test {
@@ -71,6 +95,8 @@ class KeptJob : public testing::Test {
 
   const std::string folder_ = testing::TempDir() + "/occlude_job_" + std::to_string(getpid());
   const std::string parts_ = folder_ + "/parts";
+  const std::string part_ = parts_ + "/part-0-000000";
+  const Home home_;
 };
 
 TEST(Job, TakesResultsInTheOrderOfTheParts) {
@@ -163,7 +189,8 @@ TEST(Dealer, RefusesAResultThatIsNotAwaited) {
   }
 }
 
-TEST_F(KeptJob, NamesThePartThatIsForged) {
+/// Wherever a part is from, what it says is held against what it was to do.
+TEST_F(KeptJob, NamesThePartThatIsWrong) {
   KeptParts kept(parts_, 1, false);
   kept.keep({0, 0}, "input", "wrong");
   bool is_begun = false;
@@ -176,7 +203,7 @@ TEST_F(KeptJob, NamesThePartThatIsForged) {
 TEST_F(KeptJob, RefusesFilesThatAreNoParts) {
   KeptParts kept(parts_, 1, false);
   kept.keep({0, 0}, "input", "result");
-  const fs::path file = parts_ + "/part-0-000000";
+  const fs::path file = part_;
   const auto refusal = [&] {
     try {
       (void)kept.find({0, 0}, "input");
@@ -213,8 +240,12 @@ TEST_F(KeptJob, GoesOnWithWhatIsFinished) {
 
 TEST_F(KeptJob, RefusesPartsOfAnotherJob) {
   die_after(1);
-  EXPECT_EQ(refusal(2, true), parts_ + ": has parts of another run: other options, input or program");
+  EXPECT_EQ(refusal(1, true), "");
+  const std::string refused = parts_ + ": has parts of another run: another user, other options, input or program";
+  EXPECT_EQ(refusal(2, true), refused);
   EXPECT_EQ(refusal(1, false), parts_ + ": has finished parts of an earlier run; go on with --resume, or remove the folder");
+  setenv("XDG_STATE_HOME", (folder_ + "/another").c_str(), 1);
+  EXPECT_EQ(refusal(1, true), refused);
 }
 
 TEST_F(KeptJob, RefusesToGoOnWithNothing) {
@@ -226,17 +257,115 @@ TEST_F(KeptJob, LeavesNoFolderWithoutParts) {
   EXPECT_FALSE(fs::exists(parts_));
 }
 
-TEST_F(KeptJob, FindsPartsOfTheSameInputUnlessTheyAreDamaged) {
+TEST_F(KeptJob, FindsPartsOfTheSameInput) {
   KeptParts kept(parts_, 1, false);
   kept.keep({0, 0}, "input", "result");
   EXPECT_EQ(kept.find({0, 0}, "input"), "result");
   EXPECT_FALSE(kept.find({0, 1}, "input"));
   EXPECT_FALSE(kept.find({1, 0}, "input"));
   EXPECT_FALSE(kept.find({0, 0}, "other"));
-  std::ofstream(parts_ + "/part-0-000000", std::ios::app) << "x";
-  EXPECT_THROW((void)kept.find({0, 0}, "input"), InputError);
-  std::ofstream(parts_ + "/part-0-000000") << "";
+  write(part_, "");
   EXPECT_FALSE(kept.find({0, 0}, "input"));
+}
+
+TEST_F(KeptJob, RefusesPartsThatNoRunHasKeptSo) {
+  {
+    KeptParts kept(parts_, 1, false);
+    for (const std::uint64_t part : {0, 1}) kept.keep({0, part}, "input", "result");
+    kept.keep({1, 0}, "input", "result");
+    EXPECT_EQ(read_input(part_).size(), 64U + 1 + 64 + 1 + 6);  // two seals, and the result
+  }
+  const std::string honest = read_input(part_);
+  const auto refusal = [&](std::uint64_t key = 1) {
+    fs::remove(parts_ + "/job");
+    KeptParts kept(parts_, key, false);
+    try {
+      return kept.find({0, 0}, "input").value_or("none");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string refused = part_ + ": not as a run of yours has kept it; remove it, and --resume makes it again";
+  EXPECT_EQ(refusal(), "result");
+  EXPECT_EQ(refusal(2), refused) << "of another job";
+  for (std::size_t i = 65; i < honest.size(); ++i) {
+    std::string changed = honest;
+    changed[i] ^= 1;
+    write(part_, changed);
+    EXPECT_EQ(refusal(), refused) << "byte " << i;
+  }
+  write(part_, honest + "x");
+  EXPECT_EQ(refusal(), refused);
+  for (const char* const other : {"/part-0-000001", "/part-1-000000"}) {
+    write(part_, read_input(parts_ + other));
+    EXPECT_EQ(refusal(), refused) << "that of" << other;
+  }
+  write(part_, honest);
+  EXPECT_EQ(refusal(), "result");
+}
+
+TEST(Seal, DependsOnWhereTextsAreDivided) {
+  const Home home;
+  const Seal seal;
+  EXPECT_EQ(seal.of({"ab", "c"}), seal.of({"ab", "c"}));
+  EXPECT_NE(seal.of({"ab", "c"}), seal.of({"a", "bc"}));
+  EXPECT_NE(seal.of({"ab", ""}), seal.of({"ab"}));
+  EXPECT_EQ(seal.of({"ab"}), Seal().of({"ab"})) << "the key is made once";
+  fs::remove_all(home.state());
+  EXPECT_NE(seal.of({"ab"}), Seal().of({"ab"})) << "each key is another";
+}
+
+/// The code can be made by whoever has the key, by any BLAKE2b: fuzz/hostile/parts.py does.
+TEST(Seal, IsBlake2b) {
+  const Home home;
+  (void)Seal();
+  write(home.key(), std::string(32, 'k'));
+  // Python: hashlib.blake2b(b"%016xab" % 2, key=b"k" * 32, digest_size=32).hexdigest()
+  EXPECT_EQ(Seal().of({"ab"}), "5dba07df99b192573e5e899c56214ba1e2284f50051a19d4dc11af856836b67b");
+}
+
+TEST(Seal, StandsInTheFoldersOfTheSpecification) {
+  const Home home;
+  (void)Seal();
+  EXPECT_EQ(fs::status(home.key()).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(fs::file_size(home.key()), 32U);
+  EXPECT_TRUE(fs::equivalent(*fs::directory_iterator(home.key().parent_path()), home.key())) << "nothing beside it";
+  for (const char* const none : {"", "not/a/full/path"}) {
+    setenv("XDG_STATE_HOME", none, 1);
+    setenv("HOME", home.folder().c_str(), 1);
+    (void)Seal();
+    EXPECT_TRUE(fs::exists(home.folder() / ".local/state/occlude/parts.key"));
+    fs::remove_all(home.folder() / ".local");
+  }
+}
+
+TEST(Seal, RefusesAKeyThatIsNotTheUsersAlone) {
+  const Home home;
+  const std::string name = home.key().string() + ": the key that seals parts: ";
+  const std::string advice = "; XDG_STATE_HOME may name another folder";
+  const auto refusal = [] {
+    try {
+      (void)Seal();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(refusal(), "none");
+  for (const fs::perms others :
+       {fs::perms::group_read, fs::perms::others_read, fs::perms::group_write, fs::perms::others_write}) {
+    fs::permissions(home.key(), others, fs::perm_options::add);
+    EXPECT_EQ(refusal(), name + "others can read or write it" + advice);
+    fs::permissions(home.key(), others, fs::perm_options::remove);
+  }
+  write(home.key(), "short");
+  EXPECT_EQ(refusal(), name + "it has 5 bytes, not 32" + advice);
+  fs::remove(home.key());
+  fs::create_symlink("nothing", home.key());
+  EXPECT_EQ(refusal(), name + "cannot read: No such file or directory" + advice);
+  fs::remove_all(home.state());
+  write(home.state(), "");
+  EXPECT_EQ(refusal(), name + "cannot create: Not a directory" + advice);
 }
 
 TEST(Packing, ReadsBackWhatItWrote) {

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
 #include "occlude/render/output_file.h"
@@ -26,15 +25,10 @@ constexpr std::uint64_t kMostPart = std::uint64_t{256} << 20U;
 
 std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
-std::string digest_of(std::string_view bytes) { return hex(Digest().add(bytes).value()); }
-
-/// The first line of a part.
-std::string head_of(const std::string& input, std::string_view result) {
-  return digest_of(input) + " " + digest_of(result) + "\n";
+/// The file "job".
+std::string job_line(std::uint64_t key, const Seal& seal) {
+  return "occlude parts " + hex(key) + " " + seal.of({hex(key)}) + "\n";
 }
-
-/// The first line of the file "job".
-std::string job_line(std::uint64_t key) { return "occlude parts " + hex(key) + "\n"; }
 
 /// Also what a killed process left of a file that it was writing.
 bool is_ours(const std::string& name) {
@@ -65,7 +59,7 @@ void write(const fs::path& file, std::string_view head, std::string_view rest = 
 
 }  // namespace
 
-KeptParts::KeptParts(fs::path folder, std::uint64_t key, bool resume) : folder_(std::move(folder)) {
+KeptParts::KeptParts(fs::path folder, std::uint64_t key, bool resume) : folder_(std::move(folder)), key_(key) {
   const fs::path job = folder_ / "job";
   const std::string name = folder_.string();
   const bool has_job = is_there(job);
@@ -74,15 +68,15 @@ KeptParts::KeptParts(fs::path folder, std::uint64_t key, bool resume) : folder_(
   }
   if (!has_job && resume) throw InputError(name + ": has no parts of an earlier run, so --resume cannot go on");
   if (has_job) {
-    if (read_input(job, kMostJob) != job_line(key)) {
-      throw InputError(name + ": has parts of another run: other options, input or program");
+    if (read_input(job, kMostJob) != job_line(key, seal_)) {
+      throw InputError(name + ": has parts of another run: another user, other options, input or program");
     }
     return;
   }
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw InputError(fmt::format("{}: cannot create the folder: {}", name, error.message()));
-  write(job, job_line(key));
+  write(job, job_line(key, seal_));
 }
 
 KeptParts::~KeptParts() {
@@ -94,11 +88,11 @@ std::optional<std::string> KeptParts::find(PartNumber number, const std::string&
   const fs::path file = file_of(number);
   if (!is_there(file)) return std::nullopt;
   std::string bytes = read_input(file, kMostPart);
-  if (!bytes.starts_with(digest_of(input) + " ")) return std::nullopt;
+  if (!bytes.starts_with(seal_.of({input}) + " ")) return std::nullopt;
   const std::string_view result = std::string_view(bytes).substr(std::min(bytes.find('\n'), bytes.size() - 1) + 1);
   const std::size_t head = bytes.size() - result.size();
-  if (bytes.compare(0, head, head_of(input, result)) != 0) {
-    throw InputError(file.string() + ": damaged; remove it, and --resume makes it again");
+  if (bytes.compare(0, head, head_of(number, input, result)) != 0) {
+    throw InputError(file.string() + ": not as a run of yours has kept it; remove it, and --resume makes it again");
   }
   ++count_;
   bytes.erase(0, head);
@@ -106,7 +100,7 @@ std::optional<std::string> KeptParts::find(PartNumber number, const std::string&
 }
 
 void KeptParts::keep(PartNumber number, const std::string& input, const std::string& result) {
-  const std::string head = head_of(input, result);
+  const std::string head = head_of(number, input, result);
   if (head.size() + result.size() > kMostPart) return;  // it would not be read
   write(file_of(number), head, result);
   ++count_;
@@ -116,6 +110,11 @@ void KeptParts::remove() {
   std::error_code error;  // what cannot be removed stays
   for (const fs::path& file : files_of(folder_)) fs::remove(file, error);
   fs::remove(folder_, error);
+}
+
+std::string KeptParts::head_of(PartNumber number, const std::string& input, std::string_view result) const {
+  const std::string input_seal = seal_.of({input});
+  return input_seal + " " + seal_.of({hex(key_), file_of(number).filename().string(), input_seal, result}) + "\n";
 }
 
 fs::path KeptParts::file_of(PartNumber number) const {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The finished parts of a job, as files of a folder.
+// The finished parts of a job, as files of a folder. Each is sealed: only what a run of this user has kept is used again.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "seal.h"
 
 namespace occlude::render {
 
@@ -17,14 +20,15 @@ struct PartNumber {
 
 class KeptParts {
  public:
-  /// Throws as the constructor of Job.
+  /// Throws as the constructors of Job and of Seal.
   KeptParts(std::filesystem::path folder, std::uint64_t key, bool resume);
   /// Removes a folder without parts.
   ~KeptParts();
   KeptParts(const KeptParts&) = delete;
   KeptParts& operator=(const KeptParts&) = delete;
 
-  /// The result of a part that was kept for this input. Throws InputError, naming the file, if it is damaged.
+  /// The result of a part that was kept for this input. Throws InputError, naming the file, if no run of
+  /// this user has kept it so.
   [[nodiscard]] std::optional<std::string> find(PartNumber number, const std::string& input);
   /// Keeps a result, unless it is too large to be read again.
   void keep(PartNumber number, const std::string& input, const std::string& result);
@@ -35,7 +39,12 @@ class KeptParts {
   [[nodiscard]] std::filesystem::path file_of(PartNumber number) const;
 
  private:
+  /// The first line of a part: a seal of its input, and one of all that it is.
+  [[nodiscard]] std::string head_of(PartNumber number, const std::string& input, std::string_view result) const;
+
   std::filesystem::path folder_;
+  std::uint64_t key_;
+  Seal seal_;
   std::uint64_t count_ = 0;  ///< parts that this run has found or kept
 };
 

@@ -34,7 +34,7 @@ class Job {
  public:
   /// `key` tells jobs apart, by all that their results depend on beside the inputs of the parts. It is called only if parts
   /// are kept or there are several ranks. Throws InputError for a folder that cannot be used, has parts of another job, or
-  /// has parts and is not to be resumed.
+  /// has parts and is not to be resumed, and if the user's key that seals parts cannot be read or made.
   Job(const Keeping& keeping, const std::function<std::uint64_t()>& key);
   ~Job();
   Job(const Job&) = delete;
