@@ -213,10 +213,11 @@ render::WalkOptions WalkArguments::options() const {
 
 std::vector<Option> PartsArguments::add_to(Command command, const std::string& name) {
   name_ = name;
-  return {add_output(command, "--parts", folder_,
-                     "folder to keep finished parts in, sealed, until all are done; under mpirun, and to --resume, occlude_" +
-                         name + "_parts if none is named"),
-          command.add_flag("--resume", resume_, "go on with the parts that a run with the same options has left there")};
+  return {
+      add_output(command, "--parts", folder_,
+                 "folder to keep finished parts in, sealed, until all are done; under mpirun, and to --resume, occlude_" +
+                     name + "_parts if none is named"),
+      command.add_flag("--resume", resume_, "go on with the parts that a run with the same options has left there")};
 }
 
 render::Keeping PartsArguments::keeping() const {

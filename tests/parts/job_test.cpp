@@ -300,6 +300,10 @@ TEST_F(KeptJob, RefusesPartsThatNoRunHasKeptSo) {
     write(part_, read_input(parts_ + other));
     EXPECT_EQ(refusal(), refused) << "that of" << other;
   }
+  fs::remove(parts_ + "/job");
+  KeptParts(parts_, 1, false).keep({0, 0}, "other", "result");
+  write(part_, honest.substr(0, 64) + read_input(part_).substr(64));
+  EXPECT_EQ(refusal(), refused) << "of another input";
   write(part_, honest);
   EXPECT_EQ(refusal(), "result");
 }
