@@ -37,6 +37,7 @@ using nlohmann::ordered_json;
 
 struct PreprocessArguments {
   std::string model, out, inner_boxes, pattern = "even", seed = "1";
+  ReadArguments read;
   BuildArguments build;
   culler::OccluderLists::Config lists;
   culler::SampleConfig samples;
@@ -167,7 +168,7 @@ void preprocess(PreprocessArguments& arguments) {
   std::optional<render::OutputFile> file, box_file;
   if (is_first && !arguments.out.empty()) file.emplace(arguments.out);
   if (is_first && !arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
-  const culler::PolygonSoup soup = render::read_model(arguments.model);
+  const culler::PolygonSoup soup = read_soup(arguments.model, arguments.read.options());
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {
@@ -217,6 +218,7 @@ void add_preprocess(Command app, int&) {
   add_output(outputs, "--out", a->out, "file to write");
   const Option inner_boxes = add_output(outputs, "--inner-boxes", a->inner_boxes,
                                         "PLY to write: boxes inside of the closed parts, six quadrilaterals each");
+  a->read.add_to(command);
   a->build.add_to(command);
   command.add("--region-count", a->lists.regions, "number of regions aimed at; of a tree the most")
       .show_default()

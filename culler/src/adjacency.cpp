@@ -26,6 +26,7 @@ std::vector<Side> sides_of(SoupView soup, std::span<const std::uint32_t> weld, c
   sides.reserve(soup.indices.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
     checkpoint.at(p);
+    if (!soup.is_opaque(p)) continue;
     const std::uint32_t first = soup.first[p], end = soup.first[p + 1];
     for (std::uint32_t s = first; s < end; ++s) {
       const std::uint32_t a = weld[soup.indices[s]], b = weld[soup.indices[s + 1 < end ? s + 1 : first]];

@@ -31,6 +31,7 @@ std::vector<std::vector<std::uint32_t>> find_parts(SoupView soup, std::span<cons
 bool is_closed(SoupView soup, std::span<const std::uint32_t> weld, std::span<const std::uint32_t> part) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const std::uint32_t p : part) {
+    if (!soup.is_opaque(p)) return false;
     const std::span<const std::uint32_t> loop = soup.loop(p);
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::uint32_t a = weld[loop[i]], b = weld[loop[(i + 1) % loop.size()]];

@@ -17,8 +17,8 @@ namespace occlude::culler {
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> find_parts(SoupView soup, std::span<const std::uint32_t> weld,
                                                                  const Checkpoint& checkpoint = {});
 
-/// Whether every edge of the part runs along an even number of sides. A side between two equal corners is none. The part may
-/// be turned either way, cross itself, or have edges where four polygons meet.
+/// Whether the part is opaque, and every edge of it runs along an even number of sides. A side between two equal corners is
+/// none. The part may be turned either way, cross itself, or have edges where four polygons meet.
 [[nodiscard]] bool is_closed(SoupView soup, std::span<const std::uint32_t> weld, std::span<const std::uint32_t> part);
 
 }  // namespace occlude::culler

@@ -170,8 +170,14 @@ std::vector<std::uint32_t> piece_of(std::span<const std::uint32_t> loop, const F
 
 ConvexRegions ConvexRegions::find(SoupView soup, std::span<const SidePair> adjacency, const Checkpoint& checkpoint) {
   const auto count = static_cast<std::uint32_t>(soup.size());
-  std::vector<std::uint32_t> vertices(soup.indices.begin(), soup.indices.end());
-  std::vector<std::uint32_t> first_vertex(soup.first.begin(), soup.first.end());
+  std::vector<std::uint32_t> vertices, first_vertex{0};
+  vertices.reserve(soup.indices.size());
+  first_vertex.reserve(soup.first.size());
+  for (std::uint32_t p = 0; p < count; ++p) {
+    const auto corners = corners_of_region(soup, p);
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+    first_vertex.push_back(static_cast<std::uint32_t>(vertices.size()));
+  }
   std::vector<std::uint32_t> polygons(count), first_polygon(count + std::size_t{1});
   std::iota(polygons.begin(), polygons.end(), 0U);
   std::iota(first_polygon.begin(), first_polygon.end(), 0U);
@@ -199,8 +205,8 @@ ConvexRegions ConvexRegions::find(SoupView soup, std::span<const SidePair> adjac
   result.first_piece_ = regions();
   for (std::uint32_t p = 0; p < count; ++p) {
     checkpoint.at(p);
-    const std::size_t sides = soup.loop(p).size();
-    if (sides == 3 || (merging.is_convex(p) && sides <= kMostSides)) continue;
+    const std::size_t sides = corners_of_region(soup, p).size();
+    if (sides <= 3 || (merging.is_convex(p) && sides <= kMostSides)) continue;
     for (const FanRun& run : convex_runs(soup, soup.loop(p), merging.is_convex(p) ? kMostSides : kMostJoined)) {
       const auto piece = piece_of(soup.loop(p), run);
       vertices.insert(vertices.end(), piece.begin(), piece.end());

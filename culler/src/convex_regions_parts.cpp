@@ -83,10 +83,13 @@ void ConvexRegions::append_parts(PartWriter& parts) const {
 
 bool ConvexRegions::is_sound(std::size_t r, SoupView soup) const {
   const auto corners = loop(r), polygons = parts(r);
-  if (r < soup.size()) return polygons.size() == 1 && polygons[0] == r && std::ranges::equal(corners, soup.loop(r));
+  if (r < soup.size()) {
+    return polygons.size() == 1 && polygons[0] == r && std::ranges::equal(corners, corners_of_region(soup, r));
+  }
   const auto is_vertex = [&](std::uint32_t v) { return v < soup.vertices.size(); };
   if (corners.size() < 3 || !std::ranges::all_of(corners, is_vertex)) return false;
   if (polygons.empty() || !are_ascending_below(polygons, soup.size())) return false;
+  if (!std::ranges::all_of(polygons, [&](std::uint32_t p) { return soup.is_opaque(p); })) return false;
   if (r >= first_piece_) return polygons.size() == 1 && is_piece(soup, corners, polygons[0], runs_[r - first_piece_]);
   const auto is_of = [&](std::uint32_t p) { return whole_[p] == r; };
   return std::ranges::all_of(polygons, is_of) && is_joined(soup, corners, polygons);

@@ -31,7 +31,7 @@ bool ConvexShells::is_sound(std::uint32_t s, SoupView soup) const {
   const auto polygons = parts(s);
   if (polygons.size() < kLeastFaces || polygons.size() > kMostFaces) return false;
   if (!are_ascending_below(polygons, soup.size())) return false;
-  const auto is_of = [&](std::uint32_t p) { return shell_of_[p] == s; };
+  const auto is_of = [&](std::uint32_t p) { return shell_of_[p] == s && soup.is_opaque(p); };
   return std::ranges::all_of(polygons, is_of) && sides_of(soup, polygons) <= kMostSides;
 }
 

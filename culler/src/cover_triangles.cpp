@@ -122,6 +122,7 @@ CoverTriangles CoverTriangles::find(SoupView soup, const Checkpoint& checkpoint)
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     checkpoint.at(p);
     first.push_back(static_cast<std::uint32_t>(corners.size()));
+    if (!soup.is_opaque(p)) continue;
     const auto loop = soup.loop(p);
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
       polygons.push_back(p);

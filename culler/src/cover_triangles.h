@@ -24,8 +24,8 @@ struct RingStep {
 class PartReader;
 class PartWriter;
 
-/// Polygon p is drawn as the triangles from first(p) to before first(p + 1): the fan of its loop. Several threads may read
-/// at once.
+/// Polygon p hides as the triangles from first(p) to before first(p + 1): the fan of its loop, or none if it is see-through.
+/// Several threads may read at once.
 class CoverTriangles {
  public:
   static constexpr std::string_view kPrefix = "cover ";  ///< with which the names of its parts begin

@@ -13,11 +13,13 @@ namespace {
 constexpr std::string_view kCoverFirst = "cover first", kCoverVertices = "cover vertices", kCoverCorners = "cover corners",
                            kCoverPolygons = "cover polygons", kCoverNext = "cover next";
 
-/// Whether the triangles of polygon p are its fan: their corners are the vertices of its loop, and those of a triangle with
-/// the same coordinates are the same. Each vertex is compared once.
+/// Whether polygon p hides as it must: a see-through one has no triangles, and those of others are its fan: their corners
+/// are the vertices of its loop, and those of a triangle with the same coordinates are the same. Each vertex is compared
+/// once.
 bool is_fan(std::size_t p, SoupView soup, const Array<std::uint32_t>& first, const Array<glm::dvec3>& vertices,
             const Array<CoverMesh::Triangle>& corners) {
-  if (first[p] != soup.first[p] - 2 * p) return false;
+  if (!soup.is_opaque(p)) return first[p + 1] == first[p];
+  if (first[p + 1] - first[p] != soup.triangles(p)) return false;
   const auto loop = soup.loop(p);
   const auto of_soup = [&](std::size_t i) -> const glm::dvec3& { return soup.vertices[loop[i]]; };
   const auto is_vertex = [&](std::uint32_t corner, std::size_t i) {
@@ -83,15 +85,14 @@ CoverTriangles CoverTriangles::from_parts(const PartReader& parts, SoupView soup
   result.corners_ = parts.get<CoverMesh::Triangle>(kCoverCorners);
   result.next_ = parts.get<RingStep>(kCoverNext);
 
-  const std::size_t triangles = soup.indices.size() - 2 * soup.size();
+  const std::size_t triangles = result.corners_.size();
   const auto is_polygon = [&](std::size_t p) { return is_fan(p, soup, result.first_, result.vertices_, result.corners_); };
-  if (result.first_.size() != soup.first.size() || result.first_.back() != triangles ||
-      result.corners_.size() != triangles || !are_all(soup.size(), is_polygon, checkpoint)) {
+  if (result.first_.size() != soup.first.size() || !are_starts(result.first_, triangles, checkpoint) ||
+      !are_all(soup.size(), is_polygon, checkpoint)) {
     refuse_part(kCoverCorners, "the triangles are not those of the polygons");
   }
   const auto is_of_its_polygon = [&](std::size_t p) {
-    const auto own =
-        std::span(result.polygons_.begin(), result.polygons_.end()).subspan(result.first_[p], soup.triangles(p));
+    const auto own = std::span(result.polygons_.begin() + result.first_[p], result.polygons_.begin() + result.first_[p + 1]);
     return std::ranges::all_of(own, [&](std::uint32_t polygon) { return polygon == p; });
   };
   if (result.polygons_.size() != triangles || !are_all(soup.size(), is_of_its_polygon, checkpoint)) {

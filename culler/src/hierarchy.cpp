@@ -32,13 +32,17 @@ PolygonSoup reordered(PolygonSoup soup, const std::vector<std::uint32_t>& order,
     checkpoint.at(i);
     result.add_polygon(soup.loop(order[i]));
   }
+  if (soup.see_through.empty()) return result;
+  result.see_through.reserve(order.size());
+  for (const std::uint32_t p : order) result.see_through.push_back(soup.see_through[p]);
   return result;
 }
 
 }  // namespace
 
 Hierarchy::Hierarchy(PolygonSoup soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint)
-    : soup_(reordered(std::move(soup), tree.order, checkpoint)),
+    : faces_(std::move(soup.faces)),
+      soup_(reordered(std::move(soup), tree.order, checkpoint)),
       leaf_size_(config.leaf_size),
       order_(std::move(tree.order)),
       nodes_(std::move(tree.nodes)) {

@@ -20,15 +20,16 @@ namespace occlude::culler {
 namespace {
 
 constexpr std::string_view kTreeVertices = "vertices", kTreeIndices = "indices", kTreeFirst = "first", kTreeOrder = "order",
-                           kTreeNodes = "nodes", kTreeOrientedBoxes = "oriented boxes", kTreeOriented = "oriented";
-constexpr std::array kTreeParts{kTreeVertices, kTreeIndices,       kTreeFirst,   kTreeOrder,
-                                kTreeNodes,    kTreeOrientedBoxes, kTreeOriented};
+                           kTreeFaces = "faces", kTreeSeeThrough = "see-through", kTreeNodes = "nodes",
+                           kTreeOrientedBoxes = "oriented boxes", kTreeOriented = "oriented";
+constexpr std::array kTreeParts{kTreeVertices,   kTreeIndices, kTreeFirst,         kTreeOrder,   kTreeFaces,
+                                kTreeSeeThrough, kTreeNodes,   kTreeOrientedBoxes, kTreeOriented};
 
 /// The soup where its parts lie.
 SharedSoup soup_of(const PartReader& parts, const Checkpoint& checkpoint) {
   const auto vertices = parts.get<glm::dvec3>(kTreeVertices);
   const auto indices = parts.get<std::uint32_t>(kTreeIndices), first = parts.get<std::uint32_t>(kTreeFirst);
-  const SoupView soup{vertices, indices, first};
+  const SoupView soup{vertices, indices, first, {}, parts.get<std::uint8_t>(kTreeSeeThrough)};
   if (!is_legal(soup, checkpoint)) require_legal(soup);
   if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
   return {soup, parts.keep()};
@@ -95,6 +96,8 @@ void Hierarchy::append_parts(PartWriter& parts) const {
   parts.put(kTreeIndices, soup().indices);
   parts.put(kTreeFirst, soup().first);
   parts.put(kTreeOrder, order_);
+  parts.put(kTreeFaces, faces_);
+  parts.put(kTreeSeeThrough, soup().see_through);
   parts.put(kTreeNodes, nodes_);
   parts.put(kTreeOrientedBoxes, oriented_boxes_);
   parts.put(kTreeOriented, oriented_);
@@ -105,12 +108,14 @@ Hierarchy Hierarchy::from_parts(const PartReader& parts, const Config& config, c
   result.soup_ = soup_of(parts, checkpoint);
   result.leaf_size_ = config.leaf_size;
   result.order_ = parts.get<std::uint32_t>(kTreeOrder);
+  result.faces_ = parts.get<std::uint32_t>(kTreeFaces);
   result.nodes_ = parts.get<Node>(kTreeNodes);
   result.oriented_boxes_ = parts.get<kernel::Obb>(kTreeOrientedBoxes);
   result.oriented_ = parts.get<std::uint32_t>(kTreeOriented);
 
   const SoupView& soup = result.soup();
   if (!is_permutation(result.order_, soup.size())) refuse_part(kTreeOrder, "it does not number the polygons");
+  if (!are_faces(result.faces_, soup.size())) refuse_part(kTreeFaces, "it does not number the faces");
   const auto nodes = result.nodes();
   if (!are_tree(nodes, soup.size())) refuse_part(kTreeNodes, "it is not a tree of these polygons");
   const auto is_smallest = [&](std::size_t i) { return nodes[i].box == smallest_box(soup, nodes, i); };

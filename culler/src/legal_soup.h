@@ -2,7 +2,10 @@
 // The checks of models and of the rounding mode.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -18,6 +21,19 @@ inline void require_rounding() {
   if (const auto refusal = kernel::check_rounding(); refusal != kernel::Refusal::none) {
     throw std::runtime_error(std::string(kernel::to_string(refusal)));
   }
+}
+
+/// Whether they can be the faces of so many polygons: none, or 0, and then the one before or the next.
+[[nodiscard]] inline bool are_faces(std::span<const std::uint32_t> faces, std::size_t polygons) {
+  if (faces.empty()) return true;
+  const auto does_not_follow = [](std::uint32_t before, std::uint32_t face) { return face - before > 1; };
+  return faces.size() == polygons && faces[0] == 0 && std::ranges::adjacent_find(faces, does_not_follow) == faces.end();
+}
+
+/// Whether they can tell of so many polygons which are see-through.
+[[nodiscard]] inline bool are_marks(std::span<const std::uint8_t> marks, std::size_t polygons) {
+  return marks.empty() ||
+         (marks.size() == polygons && std::ranges::all_of(marks, [](std::uint8_t mark) { return mark <= 1; }));
 }
 
 /// Throws std::invalid_argument, with the polygon and the reason, unless the soup is well formed (polygon_soup.h).
@@ -38,6 +54,9 @@ inline void require_well_formed(SoupView soup) {
     }
   }
   if (soup.first.back() != soup.indices.size()) throw std::invalid_argument("the soup has indices after its last polygon");
+  if (!are_faces(soup.faces, soup.size())) throw std::invalid_argument("the soup's `faces` do not number its polygons");
+  if (!are_marks(soup.see_through, soup.size()))
+    throw std::invalid_argument("the soup's `see_through` is not 0 or 1 for each polygon");
 }
 
 /// Throws what the two functions above throw, and std::invalid_argument, with the vertex and the reason, for a coordinate
@@ -60,6 +79,7 @@ inline void require_legal(SoupView soup) {
   };
   const auto is_point = [&](std::size_t v) { return kernel::check(to_kernel(soup.vertices[v])) == kernel::Refusal::none; };
   return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
+         are_faces(soup.faces, soup.size()) && are_marks(soup.see_through, soup.size()) &&
          are_all(soup.size(), has_corners, checkpoint) && are_all(soup.indices.size(), is_vertex, checkpoint) &&
          are_all(soup.vertices.size(), is_point, checkpoint);
 }

@@ -18,13 +18,14 @@ namespace {
 
 constexpr std::string_view kListFirst = "list first", kListEntries = "listed", kListHidden = "hidden";
 
-/// Whether they can be the lists of so many regions, of so many occluders.
-bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, std::size_t occluders,
+/// Whether they can be the lists of so many regions, of these occluders. What hides nothing is in no list.
+bool are_sound(const OccluderLists::Stored& stored, std::size_t regions, const PotentialOccluders& occluders,
                const Checkpoint& checkpoint) {
   const Array<std::uint64_t>& first = stored.first;
   const auto is_sound = [&](std::size_t region) {
-    const std::uint32_t* const listed = stored.occluders.data();
-    return are_ascending_below({listed + first[region], listed + first[region + 1]}, occluders);
+    const std::span listed(stored.occluders.data() + first[region], stored.occluders.data() + first[region + 1]);
+    return are_ascending_below(listed, occluders.size()) &&
+           std::ranges::all_of(listed, [&](std::uint32_t i) { return occluders.hides(i); });
   };
   return first.size() == regions + 1 && are_starts(first, stored.occluders.size(), checkpoint) &&
          are_all(regions, is_sound, checkpoint);
@@ -64,7 +65,8 @@ void OccluderLists::append_parts(PartWriter& parts) const {
   parts.put(kListHidden, stored_.hidden);
 }
 
-OccluderLists OccluderLists::from_parts(const PartReader& parts, std::size_t occluders, const Checkpoint& checkpoint) {
+OccluderLists OccluderLists::from_parts(const PartReader& parts, const PotentialOccluders& occluders,
+                                        const Checkpoint& checkpoint) {
   Partition partition = Partition::from_parts(parts);
   Stored stored{parts.get<std::uint64_t>(kListFirst), parts.get<std::uint32_t>(kListEntries), parts.get<float>(kListHidden)};
   if (!are_sound(stored, partition.regions(), occluders, checkpoint)) {

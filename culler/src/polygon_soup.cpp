@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "bounds.h"
+#include "occlude/culler/face.h"
 
 namespace occlude::culler {
 
@@ -20,6 +22,38 @@ kernel::Aabb SoupView::box(std::size_t p) const {
   kernel::Aabb box = empty_box();
   for (const std::uint32_t index : loop(p)) grow(box, to_kernel(vertices[index]));
   return box;
+}
+
+FaceShape PolygonSoup::add_large_face(std::span<const std::uint32_t> loop) {
+  if (fan_is_face(vertices, loop)) {
+    add_polygon(loop);
+    return FaceShape::fan;
+  }
+  auto triangles = triangles_of_face(vertices, loop);
+  if (!triangles) {
+    add_polygon(loop);
+    see_through_from(size() - 1);
+    return FaceShape::crossing;
+  }
+  if (triangles->empty()) triangles->push_back({loop[0], loop[0], loop[0]});  // so that the face has its number
+  static_cast<void>(narrowed(indices.size() + 3 * triangles->size()));
+  const auto face = static_cast<std::uint32_t>(face_count());
+  if (faces.empty()) {
+    faces.resize(size());
+    std::iota(faces.begin(), faces.end(), 0U);
+  }
+  for (const FaceTriangle& triangle : *triangles) {
+    indices.insert(indices.end(), triangle.begin(), triangle.end());
+    first.push_back(static_cast<std::uint32_t>(indices.size()));
+  }
+  faces.resize(size(), face);
+  if (!see_through.empty()) see_through.resize(size());
+  return FaceShape::pieces;
+}
+
+void PolygonSoup::see_through_from(std::size_t p) {
+  see_through.resize(p, 0);
+  see_through.resize(size(), 1);
 }
 
 void PolygonSoup::add_box(const glm::dvec3& low, const glm::dvec3& high) {

@@ -63,7 +63,7 @@ PotentialOccluders PotentialOccluders::find(SharedSoup shared, const Config& con
   const ConvexRegions& regions = result.regions_;
   const std::vector<bool> is_repeated = find_repeated(soup, weld, checkpoint);
   const auto is_left_out = [&](std::uint32_t i) {
-    if (regions.loop(i).size() > ConvexRegions::kMostSides) return true;
+    if (regions.loop(i).empty() || regions.loop(i).size() > ConvexRegions::kMostSides) return true;
     // A repeated polygon that is a part of something larger stays, because it stands for that in a list.
     return i < soup.size() && is_repeated[i] && result.container(i) == i;
   };

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "finding.h"
+#include "occlude/culler/face.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/model_io.h"
 #include "scratch_file.h"
@@ -15,12 +16,15 @@ namespace {
 constexpr std::array kExtensions = {".ply", ".obj", ".ply", ".obj", ".gltf", ".glb", ".dae", ".stl", ".off"};
 
 void read(const ScratchFile& file) {
-  const culler::PolygonSoup soup = render::read_model(file.path());
+  const culler::PolygonSoup soup = render::read_model(file.path()).soup;
   if (soup.empty()) finding("a model without polygons");
   for (std::size_t p = 0; p < soup.size(); ++p) {
     if (soup.first[p + 1] < soup.first[p] + 3) finding("a polygon of fewer than three vertices");
     for (const std::uint32_t index : soup.loop(p)) {
       if (index >= soup.vertices.size()) finding("an index without vertex");
+    }
+    if (soup.is_opaque(p) && !culler::fan_is_face(soup.vertices, soup.loop(p))) {
+      finding("an opaque polygon whose fan is not a face");
     }
   }
   if (soup.first.back() != soup.indices.size()) finding("indices of no polygon");

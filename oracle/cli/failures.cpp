@@ -23,7 +23,7 @@ bool is_picture(const std::string& name) { return name.starts_with("failure_") &
 
 std::string describe(const FalseCull& failure, const culler::Hierarchy& hierarchy, const WitnessText& witness,
                      const SeenText& seen) {
-  return fmt::format("frame {}: polygon {} is culled and shows {}: {}", failure.frame, hierarchy.original(failure.polygon),
+  return fmt::format("frame {}: polygon {} is culled and shows {}: {}", failure.frame, hierarchy.face(failure.polygon),
                      seen(failure.frame), witness(failure.frame, failure.witness));
 }
 
@@ -39,7 +39,7 @@ void FailureFiles::write(const Visibility& visibility, const CheckedWalk& walk, 
     const bool has_picture = marked.contains(failure.frame);
     const nlohmann::ordered_json line{
         {"frame", failure.frame},
-        {"polygon", hierarchy.original(failure.polygon)},
+        {"polygon", hierarchy.face(failure.polygon)},
         {"shows", seen(failure.frame)},
         {"witness", witness(failure.frame, failure.witness)},
         {"picture", has_picture ? nlohmann::ordered_json(picture_name(failure.frame)) : nlohmann::ordered_json()}};

@@ -30,6 +30,7 @@ bool is_less(culler::SoupView soup, std::uint32_t a, std::uint32_t b) {
     const glm::dvec3& v = soup.vertices[index];
     return std::array{v.x, v.y, v.z};
   };
+  if (soup.is_opaque(a) != soup.is_opaque(b)) return soup.is_opaque(a);
   return std::ranges::lexicographical_compare(soup.loop(a), soup.loop(b), {}, corner, corner);
 }
 
@@ -40,7 +41,9 @@ std::vector<culler::PolygonRange> without_copies(culler::SoupView soup) {
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return is_less(soup, a, b); });
   std::vector<bool> is_copy(soup.size());
-  for (std::size_t i = 1; i < order.size(); ++i) is_copy[order[i]] = !is_less(soup, order[i - 1], order[i]);
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    is_copy[order[i]] = soup.is_opaque(order[i]) && !is_less(soup, order[i - 1], order[i]);
+  }
   std::vector<culler::PolygonRange> ranges;
   for (std::uint32_t p = 0; p < soup.size(); ++p) {
     if (!is_copy[p]) culler::append_range(ranges, {p, 1});

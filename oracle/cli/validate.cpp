@@ -397,7 +397,7 @@ void validate(ValidateArguments& arguments, int& exit_code) {
   if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
   const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   std::optional<FailureFiles> files = failure_files(arguments.out);
-  const culler::Culler culler = render::make_culler(render::ModelFile(arguments.model), options);
+  const culler::Culler culler = render::make_culler(open_model(arguments.model, options), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   if (witnesses) require_leaves(*witnesses, hierarchy, arguments);
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
@@ -469,7 +469,7 @@ void add_validate(Command app, int& exit_code) {
   add_output(command, "--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
   a->walk.add_size_to(command);
   for (Option option : a->walk.add_culling_to(command)) option.excludes(witness);
-  a->walk.add_preprocess_to(command).excludes(witness);
+  a->walk.add_model_to(command).excludes(witness);
   a->parts.add_to(command, "validate");
   command.add_flag("--json", a->json, "print the counts as JSON");
   command.run_on_all_ranks([a, command, &exit_code] {

@@ -84,11 +84,8 @@ Visibility check_rendered(const CheckedWalk& walk, const CulledSets& culled, Ite
   for (const auto& [frame, runs] : culled) {
     render::check_interrupt();
     const std::size_t turn = walk.turns.turn(frame);
-    const std::size_t polygons = hierarchy.soup().size();
-    std::vector<std::uint32_t> pixels(polygons);
-    for (const std::uint32_t p : buffers.draw(turn, walk.path.camera(frame, walk.aspect)).pixels) {
-      if (p != render::kNothing) ++pixels[p];
-    }
+    const std::vector<std::uint32_t> pixels =
+        buffers.draw(turn, walk.path.camera(frame, walk.aspect)).pixels_of(hierarchy.soup().size());
     add(result, walk, frame, runs, drawn_polygons(hierarchy, runs), pixels);
   }
   return result;

@@ -25,15 +25,17 @@ constexpr double kSmaller = 0x1p-40;
 
 std::vector<bool> visible_triangles(culler::SoupView soup, const culler::Camera& camera) {
   std::vector<oracle::Triangle> triangles;
+  std::vector<bool> see_through;
   double depth = 0;
   for (const glm::dvec3& v : soup.vertices) depth = std::max(depth, glm::distance(v, camera.eye));
   for (std::size_t p = 0; p < soup.size(); ++p) {
     const auto loop = soup.loop(p);
+    see_through.resize(see_through.size() + soup.triangles(p), !soup.is_opaque(p));
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
       triangles.push_back({point(soup.vertices[loop[0]]), point(soup.vertices[loop[i]]), point(soup.vertices[loop[i + 1]])});
     }
   }
-  return oracle::visible_triangles(viewpoint_of(camera), triangles, picture_of(camera, -kSmaller * depth));
+  return oracle::visible_triangles(viewpoint_of(camera), triangles, picture_of(camera, -kSmaller * depth), see_through);
 }
 
 }  // namespace occlude::proof

@@ -9,8 +9,8 @@
 
 namespace occlude::proof {
 
-/// For each triangle of the soup, fan after fan, whether it shows to the camera. The picture is smaller than the camera's by
-/// 2^-40 of the depth of the model, so a triangle that shows in it certainly shows.
+/// For each triangle of the soup, fan after fan, whether it shows to the camera: whether no opaque ones hide it. The picture
+/// is smaller than the camera's by 2^-40 of the depth of the model, so a triangle that shows in it certainly shows.
 [[nodiscard]] std::vector<bool> visible_triangles(culler::SoupView soup, const culler::Camera& camera);
 
 }  // namespace occlude::proof

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <numeric>
 
 #include "border.h"
 #include "camera_picture.h"
@@ -132,10 +131,15 @@ std::uint32_t leaf_size_of(std::string_view line) {
 Prover::Prover(const culler::Hierarchy& hierarchy, Cameras cameras) : hierarchy_(hierarchy), cameras_(std::move(cameras)) {
   const culler::SoupView soup = hierarchy.soup();
   for (std::size_t p = 0; p <= soup.size(); ++p) first_triangle_.push_back(hierarchy.first_triangle(p));
-  by_vertices_.resize(soup.size());
-  std::iota(by_vertices_.begin(), by_vertices_.end(), std::uint32_t{0});
   place_.resize(soup.size());
-  for (std::uint32_t p = 0; p < soup.size(); ++p) place_[hierarchy.original(p)] = p;
+  for (std::uint32_t p = 0; p < soup.size(); ++p) {
+    place_[hierarchy.original(p)] = p;
+    if (soup.is_opaque(p)) by_vertices_.push_back(p);
+  }
+  for (std::uint32_t i = 0; i < soup.size(); ++i) {
+    if (i == 0 || hierarchy.face(place_[i]) != hierarchy.face(place_[i - 1])) first_piece_.push_back(i);
+  }
+  first_piece_.push_back(static_cast<std::uint32_t>(soup.size()));
   std::stable_sort(by_vertices_.begin(), by_vertices_.end(), LessByVertices{soup});
   model_ = to_oracle(box_of_triangles(0, first_triangle_.back()));
 }
@@ -191,11 +195,12 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
   if (!polygons.is_array()) throw LineError("\"polygons\": expected a list of numbers of polygons");
   std::vector<oracle::Loop> cover;
   std::size_t vertices = 0;
-  for (const Json& number : polygons) {
-    if (!number.is_number_unsigned()) throw LineError("\"polygons\": expected a list of numbers of polygons");
-    if (number.get<std::size_t>() >= place_.size()) return "no such polygon";
+  for (const Json& named : polygons) {
+    const std::optional<std::uint32_t> p = polygon_of(named);
+    if (!p) return "no such polygon";
+    if (!hierarchy_.soup().is_opaque(*p)) return "a see-through polygon hides nothing";
     oracle::Loop& loop = cover.emplace_back();
-    for (const std::uint32_t index : hierarchy_.soup().loop(place_[number.get<std::size_t>()])) {
+    for (const std::uint32_t index : hierarchy_.soup().loop(*p)) {
       loop.push_back(key(hierarchy_.soup().vertices[index]));
     }
     vertices += loop.size();
@@ -205,6 +210,20 @@ std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint
   const oracle::Answer answer = oracle::relation_to_cover(to_oracle(view), cover, to_oracle(box), drawn(camera, model_));
   if (!answer.refusal.empty()) return answer.refusal;
   return answer.relation == oracle::Relation::inside ? "" : "the polygons do not hide the box";
+}
+
+std::optional<std::uint32_t> Prover::polygon_of(const Json& named) const {
+  const bool is_piece = named.is_array() && named.size() == 2;
+  const Json& number = is_piece ? named[0] : named;
+  if (!number.is_number_unsigned() || (is_piece && !named[1].is_number_unsigned())) {
+    throw LineError("\"polygons\": expected a list of numbers of polygons, or of [number, piece]");
+  }
+  const auto face = number.get<std::size_t>();
+  if (face + 1 >= first_piece_.size()) return std::nullopt;
+  const std::size_t pieces = first_piece_[face + 1] - first_piece_[face];
+  const std::size_t piece = is_piece ? named[1].get<std::size_t>() : 0;
+  if (is_piece ? piece >= pieces : pieces > 1) return std::nullopt;
+  return place_[first_piece_[face] + piece];
 }
 
 std::string Prover::fault_of_occluder(const Json& described, const culler::Camera& camera, std::size_t first,
@@ -303,6 +322,7 @@ bool Prover::is_joined_outside(const Polygon& loop, const Json& parts, std::size
     const auto end = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), from);
     if (end == first_triangle_.end() || length == 0 || length > *end - from) return false;  // beyond the fan of the polygon
     const auto p = static_cast<std::size_t>(end - first_triangle_.begin()) - 1;
+    if (!hierarchy_.soup().is_opaque(p)) return false;
     polygons.push_back(polygon(p, from - first_triangle_[p], length));
   }
   return have_border(polygons, loop);

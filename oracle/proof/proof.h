@@ -52,9 +52,10 @@ class Prover {
   ///   plane or beyond it (camera_picture.h).
   /// - By shadow: seen from the frame's viewpoint, the box is exactly in the shadow of the occluder and strictly beyond its
   ///   near planes. With two occluders, each point is in the shadow of one of them and strictly beyond its near planes. An
-  ///   occluder is a polygon of the model that is not among the triangles, or the border of several such polygons ("parts"),
-  ///   or a polytope whose faces are all such polygons. The renderer clips none of it.
-  /// - By cover: each point of the box has a polygon of the list strictly between it and the frame's viewpoint. Only the
+  ///   occluder is an opaque polygon of the model that is not among the triangles, or the border of several such polygons
+  ///   ("parts"), or a polytope whose faces are all such polygons. The renderer clips none of it.
+  /// - By cover: each point of the box has an opaque polygon of the list strictly between it and the frame's viewpoint. Only
+  /// the
   ///   part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because nothing
   ///   hides the first polygon that a ray meets.
   [[nodiscard]] Proof prove(std::string_view line) const;
@@ -75,6 +76,9 @@ class Prover {
   /// Why the polygons do not hide the box together. Empty when they do.
   [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
                                            const culler::Camera& camera, const Box& box) const;
+  /// The polygon of the tree that is named in a cover by its number in the model file or, where it has several pieces, by
+  /// [number, piece]. None if there is none. Throws LineError if it is neither.
+  [[nodiscard]] std::optional<std::uint32_t> polygon_of(const nlohmann::json& named) const;
   /// Whether the loop is the border of the `parts`. Each part is a run of triangles of one polygon, none of them among those
   /// triangles.
   [[nodiscard]] bool is_joined_outside(const Polygon& loop, const nlohmann::json& parts, std::size_t first,
@@ -86,8 +90,9 @@ class Prover {
   Cameras cameras_;
   oracle::Aabb model_;
   std::vector<std::size_t> first_triangle_;  ///< for each polygon, and the total at the end
-  std::vector<std::uint32_t> by_vertices_;   ///< polygons sorted by their vertices, equal ones by index
-  std::vector<std::uint32_t> place_;         ///< for each polygon of the model file, its index in the tree
+  std::vector<std::uint32_t> by_vertices_;   ///< opaque polygons sorted by their vertices, equal ones by index
+  std::vector<std::uint32_t> place_;         ///< for each piece of a polygon of the model file, its index in the tree
+  std::vector<std::uint32_t> first_piece_;   ///< for each polygon of the model file, and their number at the end
   /// Boxes of triangle runs are kept, because the same subtrees are culled in many frames.
   mutable std::shared_mutex mutex_;
   mutable std::unordered_map<std::uint64_t, kernel::Aabb> boxes_;

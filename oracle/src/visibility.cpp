@@ -89,7 +89,8 @@ using Piece = std::vector<Bound>;
 
 class Scene {
  public:
-  Scene(const Viewpoint& view, std::span<const Triangle> triangles, const Picture& picture)
+  Scene(const Viewpoint& view, std::span<const Triangle> triangles, const Picture& picture,
+        const std::vector<bool>& see_through)
       : rays_(view), half_spaces_(picture.depth), depths_(picture.depth.size()) {
     half_spaces_.insert(half_spaces_.end(), picture.sides.begin(), picture.sides.end());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -104,6 +105,7 @@ class Scene {
       for (std::uint32_t e = 0; e < kEdges; ++e) add_line(Line::Kind::edge, s, e);
     }
     order_by_size();
+    std::erase_if(order_, [&](std::uint32_t s) { return !see_through.empty() && see_through[triangle_[s]]; });
   }
 
   [[nodiscard]] std::size_t size() const { return surfaces_.size(); }
@@ -301,15 +303,17 @@ class Scene {
   std::size_t depths_;
   std::vector<Surface> surfaces_;
   std::vector<std::array<Vector<Interval>, kEdges>> corners_;  ///< for each surface, the rays through its corners
-  std::vector<std::uint32_t> triangle_, order_;
+  std::vector<std::uint32_t> triangle_;
+  std::vector<std::uint32_t> order_;  ///< who hides, large ones first
   std::vector<Line> lines_;
 };
 
 }  // namespace
 
-std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles, const Picture& picture) {
+std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles, const Picture& picture,
+                                    const std::vector<bool>& see_through) {
   const RoundUpward protect;
-  Scene scene(view, triangles, picture);
+  Scene scene(view, triangles, picture, see_through);
   std::vector<bool> visible(triangles.size(), false);
   for (std::uint32_t s = 0; s < scene.size(); ++s) visible[scene.triangle(s)] = scene.shows(s);
   return visible;

@@ -14,6 +14,8 @@ from ._occlude import (
     ShadowFrustum,
     View,
     __version__,
+    is_fan,
+    triangulate,
 )
 
 

@@ -102,12 +102,12 @@ ModelFrame cull_model(const Culler& culler, const Camera& camera, AnyView* view,
 }
 
 std::unique_ptr<Culler> make_culler(const Doubles& vertices, const py::object& polygons, const py::object& sizes,
-                                    std::uint32_t leaf_size, const std::string& bounds) {
+                                    const py::object& see_through, std::uint32_t leaf_size, const std::string& bounds) {
   culler::BuildConfig config;
   config.hierarchy.leaf_size = leaf_size;
   config.hierarchy.bounds =
       to_choice(bounds, "bounds", {std::pair{"aabb", culler::Bounds::aabb}, {"obb", culler::Bounds::obb}});
-  culler::PolygonSoup soup = to_soup(vertices, polygons, sizes);
+  culler::PolygonSoup soup = to_soup(vertices, polygons, sizes, see_through);
   const py::gil_scoped_release others_run;
   return std::make_unique<Culler>(std::move(soup), config);
 }
@@ -138,7 +138,7 @@ void define_models(py::module_& module) {
   py::class_<Culler> culler(module, "Culler", "A model that stands still. prepare() makes what frames by a method need.");
   culler
       .def(py::init(&make_culler), "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
-           "leaf_size"_a = culler::Hierarchy::Config{}.leaf_size, "bounds"_a = "aabb")
+           "see_through"_a = py::none(), "leaf_size"_a = culler::Hierarchy::Config{}.leaf_size, "bounds"_a = "aabb")
       .def(
           "prepare",
           [](const Culler& c, const std::string& method) {

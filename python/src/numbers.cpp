@@ -2,9 +2,13 @@
 #include "numbers.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <string>
+
+#include "occlude/kernel/validity.h"
 
 namespace occlude::python {
 namespace {
@@ -132,7 +136,28 @@ std::vector<std::vector<std::uint32_t>> to_loops(const py::object& polygons) {
   return result;
 }
 
-culler::PolygonSoup to_soup(const Doubles& vertices, const py::object& polygons, const py::object& sizes) {
+std::vector<glm::dvec3> to_face(const Doubles& vertices, const std::vector<std::uint32_t>& loop) {
+  const std::vector<kernel::Vec3> points = to_points(vertices, "vertices");
+  if (loop.size() < 3) throw std::invalid_argument("the face has fewer than 3 corners");
+  if (kernel::check_rounding() != kernel::Refusal::none) throw std::runtime_error("the processor does not round to nearest");
+  std::vector<glm::dvec3> corners;
+  for (const std::uint32_t index : loop) {
+    if (index >= points.size())
+      throw std::invalid_argument("vertex " + std::to_string(index) + " of " + std::to_string(points.size()));
+    glm::dvec3& corner = corners.emplace_back();
+    for (int axis = 0; axis < 3; ++axis) {
+      const double number = points[index][axis];
+      corner[axis] = std::fabs(number) < kernel::kMinMagnitude ? 0 : number;
+    }
+    const kernel::Refusal refusal = kernel::check(kernel::Vec3{corner.x, corner.y, corner.z});
+    if (refusal == kernel::Refusal::none) continue;
+    throw std::invalid_argument("vertex " + std::to_string(index) + ": " + std::string(kernel::to_string(refusal)));
+  }
+  return corners;
+}
+
+culler::PolygonSoup to_soup(const Doubles& vertices, const py::object& polygons, const py::object& sizes,
+                            const py::object& see_through) {
   culler::PolygonSoup soup;
   for (const kernel::Vec3& v : to_points(vertices, "vertices")) soup.add_vertex({v.x, v.y, v.z});
   if (!sizes.is_none()) {
@@ -141,6 +166,11 @@ culler::PolygonSoup to_soup(const Doubles& vertices, const py::object& polygons,
     add_table(py::array(polygons), soup);
   } else {
     for (const std::vector<std::uint32_t>& loop : to_loops(polygons)) soup.add_polygon(loop);
+  }
+  if (!see_through.is_none()) {
+    const py::array_t<bool, py::array::c_style | py::array::forcecast> marks(see_through);
+    soup.see_through.assign(marks.data(), marks.data() + marks.size());
+    if (soup.see_through.size() != soup.size()) throw std::invalid_argument("see_through has another length than polygons");
   }
   return soup;
 }

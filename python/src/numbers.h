@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -37,7 +38,11 @@ using Doubles = py::array_t<double, py::array::forcecast>;
 [[nodiscard]] std::vector<std::uint64_t> to_whole(const py::object& numbers, const char* name, std::uint64_t most);
 /// Polygons: an array (m, k), all with k corners; a sequence of sequences; or, with sizes, one loop after another.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> to_loops(const py::object& polygons);
-[[nodiscard]] culler::PolygonSoup to_soup(const Doubles& vertices, const py::object& polygons, const py::object& sizes);
+/// `see_through` is None, or tells of each polygon whether it hides nothing.
+[[nodiscard]] culler::PolygonSoup to_soup(const Doubles& vertices, const py::object& polygons, const py::object& sizes,
+                                          const py::object& see_through);
+/// The corners of one face, and the loop of these alone. Numbers nearer to 0 than 2^-100 become 0.
+[[nodiscard]] std::vector<glm::dvec3> to_face(const Doubles& vertices, const std::vector<std::uint32_t>& loop);
 
 /// The array has the vector's memory.
 template <class Value>

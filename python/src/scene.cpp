@@ -171,14 +171,15 @@ SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* g
 
 void define_meshes(py::module_& module) {
   using py::literals::operator""_a;
-  py::class_<OccluderMesh, std::shared_ptr<OccluderMesh>>(module, "OccluderMesh",
-                                                          "Geometry that hides, shared by occluders.")
-      .def(py::init([](const Doubles& vertices, const py::object& polygons, const py::object& sizes) {
-             culler::PolygonSoup soup = to_soup(vertices, polygons, sizes);
+  py::class_<OccluderMesh, std::shared_ptr<OccluderMesh>>(
+      module, "OccluderMesh", "Geometry that hides, shared by occluders: polygons drawn as fans.")
+      .def(py::init([](const Doubles& vertices, const py::object& polygons, const py::object& sizes,
+                       const py::object& see_through) {
+             culler::PolygonSoup soup = to_soup(vertices, polygons, sizes, see_through);
              const py::gil_scoped_release others_run;
              return std::make_shared<OccluderMesh>(std::move(soup));
            }),
-           "vertices"_a, "polygons"_a, "sizes"_a = py::none())
+           "vertices"_a, "polygons"_a, "sizes"_a = py::none(), "see_through"_a = py::none())
       .def("__len__", &OccluderMesh::size);
 }
 

@@ -38,6 +38,7 @@ void define_matrix_cameras(py::module_& module);
 void define_views(py::module_& module);
 void define_scenes(py::module_& module);
 void define_models(py::module_& module);
+void define_faces(py::module_& module);
 void define_kernel(py::module_& module);
 
 }  // namespace occlude::python

@@ -33,10 +33,8 @@ class Judge {
   void judge(const culler::Camera& camera, std::vector<VisibilityTrial>& trials) {
     const PolygonRange all = soup_.all();
     const render::ItemBuffer shown = renderer_.item_buffer(camera, std::span(&all, 1));
-    std::vector<bool> is_shown(soup_.size());
-    for (const std::uint32_t polygon : shown.pixels) {
-      if (polygon != render::kNothing) is_shown[polygon] = true;
-    }
+    std::vector<bool> is_shown;
+    for (const std::uint32_t pixels : shown.pixels_of(soup_.size())) is_shown.push_back(pixels != 0);
     const std::vector<bool> is_in_view = culler::polygons_of(trials.front().way->drawn(), soup_.size());
     for (VisibilityTrial& trial : trials) {
       render::check_interrupt();

@@ -51,6 +51,13 @@ void parse_frames(const std::string& text, render::WalkOptions& options) {
 /// An empty name is probably a mistake, such as an unset variable in a script.
 std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
 
+/// Says what is doubtful about a file, if anything is.
+void warn(const std::string& file, const std::string& doubt) {
+  if (doubt.empty()) return;
+  const render::Paint paint(STDERR_FILENO);
+  render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(file + ": " + doubt) + "\n");
+}
+
 Option choice(Command command, const char* name, std::string& value, const std::vector<std::string>& choices,
               const char* text) {
   return command.add(name, value, text).show_default().one_of(choices);
@@ -75,6 +82,11 @@ Option WalkArguments::add_frames_to(Command command) {
   return command
       .add("--frames", frames_, "A:B:STEP, frames A, A+STEP, ... below B, or all; frames between them are only culled")
       .show_default();
+}
+
+Option ReadArguments::add_to(Command command) {
+  return command.add_flag("--opaque-all", options_.is_opaque_all,
+                          "take all surfaces for opaque: glass, and what else lets light through, hides what is behind it");
 }
 
 std::vector<Option> BuildArguments::add_to(Command command) {
@@ -174,13 +186,14 @@ std::vector<Option> WalkArguments::add_debugging_to(Command command) {
   };
 }
 
-Option WalkArguments::add_preprocess_to(Command command) {
+Option WalkArguments::add_model_to(Command command) {
+  const Option opaque_all = read_.add_to(command);
   std::vector<Option> added;
   command.under(kTuning, [&] {
     added.push_back(add_input(command, "--preprocess", preprocess_, "store of this model, by `occlude preprocess`"));
   });
   for (Option option : build_options_) added.front().excludes(option);
-  build_options_.push_back(added.front());
+  build_options_.insert(build_options_.end(), {added.front(), opaque_all});
   return added.front();
 }
 
@@ -204,6 +217,7 @@ render::WalkOptions WalkArguments::options() const {
   options.cull.margin = pixel_margin_ / options.height;
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;
+  options.read = read_.options();
   options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
   options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
   options.build = build_.config(options.cull.method);
@@ -250,16 +264,27 @@ Option add_output(Command command, const char* name, std::string& path, const st
   return command.add(name, path, text).check(check_named);
 }
 
+void warn_of(const render::ModelNotes& notes, const std::string& model_file) { warn(model_file, render::text_of(notes)); }
+
+culler::PolygonSoup read_soup(const std::string& file, const render::ReadOptions& options) {
+  render::Model model = render::read_model(file, options);
+  warn_of(model.notes, file);
+  return std::move(model.soup);
+}
+
+render::ModelFile open_model(const std::string& file, const render::WalkOptions& options) {
+  render::ModelFile model(file, options.read);
+  warn_of(model.notes, file);
+  return model;
+}
+
 void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
                     culler::SoupView model) {
-  const std::string doubt = render::doubt_about(path, model_file, model);
-  if (doubt.empty()) return;
-  const render::Paint paint(STDERR_FILENO);
-  render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(path_file + ": " + doubt) + "\n");
+  warn(path_file, render::doubt_about(path, model_file, model));
 }
 
 render::Digest& add(render::Digest& digest, culler::SoupView soup) {
-  return digest.add(soup.vertices).add(soup.indices).add(soup.first);
+  return digest.add(soup.vertices).add(soup.indices).add(soup.first).add(soup.faces).add(soup.see_through);
 }
 
 std::string limits_help() {

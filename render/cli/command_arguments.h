@@ -18,6 +18,17 @@ namespace occlude::cli {
 /// Headings in the help.
 inline constexpr const char *kTuning = "Tuning", *kDebugging = "Debugging";
 
+/// The options for reading a model.
+class ReadArguments {
+ public:
+  Option add_to(Command command);
+
+  [[nodiscard]] const render::ReadOptions& options() const { return options_; }
+
+ private:
+  render::ReadOptions options_;
+};
+
 /// The options for preparing a model.
 class BuildArguments {
  public:
@@ -43,8 +54,9 @@ class WalkArguments {
   Option add_frames_to(Command command);
   /// Adds the options that affect culling and returns them.
   std::vector<Option> add_culling_to(Command command);
-  /// Adds --preprocess, which excludes the options for preparing a model. Call after add_culling_to().
-  Option add_preprocess_to(Command command);
+  /// Adds the options for reading a model, and --preprocess, which excludes those for preparing one. Returns --preprocess.
+  /// Call after add_culling_to().
+  Option add_model_to(Command command);
 
   /// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
   void require_settled(const std::string& model) const;
@@ -59,8 +71,9 @@ class WalkArguments {
   std::string frames_, size_;
   std::string near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
               test_ = "conservative", angle_ = "area", preprocess_;
+  ReadArguments read_;
   BuildArguments build_;
-  std::vector<Option> build_options_;  ///< and --preprocess, once it is added
+  std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
   double pixel_margin_ = render::kPixelMargin;
   culler::CullOptions cull_;
 };
@@ -99,6 +112,14 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 
 /// Adds the same for an output file or folder.
 Option add_output(Command command, const char* name, std::string& path, const std::string& text);
+
+/// Warns on standard error of what the user must know of how a model was read.
+void warn_of(const render::ModelNotes& notes, const std::string& model_file);
+
+/// Reads a model, and warns.
+[[nodiscard]] culler::PolygonSoup read_soup(const std::string& file, const render::ReadOptions& options);
+/// The model of a walk, with a warning.
+[[nodiscard]] render::ModelFile open_model(const std::string& file, const render::WalkOptions& options);
 
 /// Warns on standard error if the path is probably meant for another model.
 void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,

@@ -14,7 +14,6 @@
 #include "occlude/render/input_file.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/live_page.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
 
@@ -22,6 +21,7 @@ namespace occlude::cli {
 namespace {
 
 struct InspectArguments {
+  ReadArguments read;
   std::string model, path, out = "inspect.html", module;
 };
 
@@ -44,7 +44,7 @@ std::string read_module(const std::string& given) {
 void inspect(const InspectArguments& arguments) {
   render::OutputFile out(arguments.out);
   const std::string module = read_module(arguments.module);
-  const culler::PolygonSoup model = render::read_model(arguments.model);
+  const culler::PolygonSoup model = read_soup(arguments.model, arguments.read.options());
   if (model.size() > render::kMostLivePolygons) {
     throw render::InputError(
         fmt::format("{}: {} polygons; a page takes {} at most", arguments.model, model.size(), render::kMostLivePolygons));
@@ -78,6 +78,7 @@ void add_inspect(Command app, int&) {
   const auto a = std::make_shared<InspectArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
   add_input(command, "--path", a->path, "camera path (JSON): start at its first frame, and fly along it");
+  a->read.add_to(command);
   add_output(command, "--out", a->out, "HTML file to write to").show_default();
   add_input(command, "--module", a->module, "the culler for pages, if it is not beside the program");
   command.run([a] { inspect(*a); });

@@ -63,7 +63,7 @@ void render_frames(const RenderArguments& arguments) {
   if (arguments.frame) frame = whole_number("--frame", *arguments.frame);
   const render::CameraPath path = render::read_camera_path(arguments.path);
   render::OutputFile file(arguments.out);
-  const culler::Culler culler = render::make_culler(render::ModelFile(arguments.model), options);
+  const culler::Culler culler = render::make_culler(open_model(arguments.model, options), options);
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   const Draw draw = std::ranges::find(kLayers, arguments.layer, &Layer::name)->draw;
   const auto context = render::make_offscreen_context();
@@ -126,7 +126,7 @@ void add_render(Command app, int&) {
       .in_range(std::size_t{1}, std::size_t{100});
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
-  a->walk.add_preprocess_to(command);
+  a->walk.add_model_to(command);
   command.add_flag("--json", a->json, "print what was drawn as JSON");
   command.run([a] { render_frames(*a); });
 }

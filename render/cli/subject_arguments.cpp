@@ -9,7 +9,6 @@
 #include "experiments.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
-#include "occlude/render/model_io.h"
 #include "occlude/render/printable.h"
 
 namespace occlude::cli {
@@ -19,6 +18,7 @@ void SubjectArguments::add_to(Command command) {
   Option path = add_input(command, "--path", path_, "camera path (JSON)");
   model.needs(path);
   path.needs(model);
+  read_.add_to(command).needs(model);
   command.add("--polygons", polygons_, "minimum number of polygons in the city")
       .show_default()
       .in_range(render::kSmallestCity, render::kLargestCity)
@@ -34,7 +34,7 @@ experiments::Subject SubjectArguments::subject() const {
     return {fmt::format("generated city, seed {}", seed_), std::move(city.soup), std::move(city.path)};
   }
   render::CameraPath path = render::read_camera_path(path_);
-  culler::PolygonSoup model = render::read_model(model_);
+  culler::PolygonSoup model = read_soup(model_, read_.options());
   warn_of_misfit(path, path_, model_, model);
   return {render::printable(std::filesystem::path(model_).filename().native()), std::move(model), std::move(path)};
 }

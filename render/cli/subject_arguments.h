@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "command_arguments.h"
 #include "command_line.h"
 #include "setting.h"
 
@@ -26,6 +27,7 @@ class SubjectArguments {
   [[nodiscard]] experiments::Subject subject() const;
 
  private:
+  ReadArguments read_;
   std::string model_, path_, seed_ = "1";
   std::size_t polygons_;
 };

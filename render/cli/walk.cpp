@@ -52,7 +52,7 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
   render::WalkFiles files(out, options, command_line);
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
   static_cast<void>(render::frames_of(path, options));  // throws before the work
-  render::ModelFile model(arguments.model);
+  render::ModelFile model = open_model(arguments.model, options);
   if (model.soup) render::require_walkable(model.soup->size(), name);
   const render::Stopwatch stopwatch;
   const culler::Culler culler = render::make_culler(std::move(model), options);
@@ -93,7 +93,7 @@ void add_walk(Command app, int& exit_code, const std::string& command_line) {
   add_output(command, "--out", a->out, "folder to write to").required();
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
-  a->walk.add_preprocess_to(command);
+  a->walk.add_model_to(command);
   command.add_flag("--no-render", a->no_render, "draw nothing: measure culling only");
   add_output(command, "--witness", a->witness, "write the proof of every cull to this file (JSON Lines)");
   command.under(kDebugging, [&] {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "command_arguments.h"
 #include "commands.h"
@@ -28,18 +29,27 @@ struct WhyArguments {
 };
 
 /// Throws InputError if the model lacks the requested polygon.
-void require_polygon(const WhyArguments& arguments, culler::SoupView soup) {
-  if (arguments.polygon && *arguments.polygon >= soup.size()) {
+void require_polygon(const WhyArguments& arguments, std::size_t polygons) {
+  if (arguments.polygon && *arguments.polygon >= polygons) {
     throw render::InputError(
-        fmt::format("{}: no polygon {}: the model has {}", arguments.model, *arguments.polygon, soup.size()));
+        fmt::format("{}: no polygon {}: the model has {}", arguments.model, *arguments.polygon, polygons));
   }
 }
 
-/// The index in the tree of polygon `original` of the model.
-std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t original) {
-  std::uint32_t p = 0;
-  while (hierarchy.original(p) != original) ++p;
-  return p;
+/// The index in the tree of this polygon of the model; of several pieces, of the first one among those that show most.
+std::uint32_t polygon_of(const culler::Hierarchy& hierarchy, std::uint32_t face, const render::ItemBuffer& items) {
+  const std::vector<std::uint32_t> pixels = items.pixels_of(hierarchy.soup().size());
+  std::optional<std::uint32_t> best;
+  for (std::uint32_t p = 0; p < pixels.size(); ++p) {
+    if (hierarchy.face(p) == face && (!best || pixels[p] > pixels[*best])) best = p;
+  }
+  return *best;
+}
+
+/// The polygon visible at a pixel: the opaque one or, where there is none, the nearest see-through one.
+std::uint32_t polygon_at(const render::ItemBuffer& items, int x, int y) {
+  const std::uint32_t opaque = items.at(x, y);
+  return opaque == render::kNothing && !items.before.pixels.empty() ? items.before.at(x, y) : opaque;
 }
 
 struct Pixel {
@@ -66,20 +76,20 @@ int why(const WhyArguments& arguments) {
   const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
-  render::ModelFile model(arguments.model);
-  if (model.soup) require_polygon(arguments, *model.soup);
+  render::ModelFile model = open_model(arguments.model, options);
+  if (model.soup) require_polygon(arguments, model.soup->face_count());
   const culler::Culler culler = render::make_culler(std::move(model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  require_polygon(arguments, hierarchy.soup());  // a store is opened only now
+  require_polygon(arguments, hierarchy.face_count());  // a store is opened only now
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
-  std::uint32_t polygon = arguments.polygon ? polygon_of(hierarchy, *arguments.polygon) : 0;
   const render::ReplayedFrame frame(culler, path, options, number);
 
   const auto context = render::make_offscreen_context();
   const culler::PolygonRange all = hierarchy.soup().all();
   const render::ItemBuffer items =
       render::SceneRenderer(hierarchy.soup(), options.width, options.height).item_buffer(frame.camera(), std::span(&all, 1));
-  if (pixel) polygon = items.at(pixel->x, pixel->y);
+  const std::uint32_t polygon =
+      pixel ? polygon_at(items, pixel->x, pixel->y) : polygon_of(hierarchy, *arguments.polygon, items);
   if (polygon == render::kNothing) {
     throw render::InputError(fmt::format("--pixel {}: no polygon is visible there", arguments.pixel));
   }
@@ -107,7 +117,7 @@ void add_why(Command app, int& exit_code) {
   add_output(command, "--out", a->out, "folder for why.json and plates from the camera and from outside");
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
-  a->walk.add_preprocess_to(command);
+  a->walk.add_model_to(command);
   command.add_flag("--json", a->json, "print JSON instead of text");
   command.run([a, &exit_code] { exit_code = why(*a); });
 }

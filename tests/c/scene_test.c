@@ -174,7 +174,51 @@ static void options_of_objects_and_occluders(void) {
   CHECK_OK(occlude_scene_replace_occluder(scene, body, pentagon));
   cull(scene, view);
   CHECK(!draws(view, behind));
+
+  // The same of glass.
+  const uint8_t see_through[] = {1};
+  data.see_through = see_through;
+  occlude_mesh* pane = NULL;
+  CHECK_OK(occlude_mesh_create(&data, &pane));
+  CHECK_OK(occlude_scene_replace_occluder(scene, body, pane));
+  cull(scene, view);
+  CHECK(draws(view, behind));
+  occlude_mesh_destroy(pane);
   occlude_mesh_destroy(pentagon);
+}
+
+/// A wall with a doorway: its fan fills the doorway.
+static void faces(void) {
+  const float vertices[] = {0, 0, 0, 4, 0, 0, 4, 8, 0, 6, 8, 0, 6, 0, 0, 10, 0, 0, 10, 10, 1e-40f, 0, 10, 0};
+  const occlude_points points = {vertices, 8, 0, OCCLUDE_FLOAT};
+  const uint32_t wall_loop[] = {7, 0, 1, 2, 3, 4, 5, 6}, square[] = {0, 5, 6, 7}, tie[] = {0, 6, 5, 7};
+  int32_t is_fan = 2;
+  CHECK_OK(occlude_face_is_fan(&points, wall_loop, 8, &is_fan));
+  CHECK(is_fan == 0);
+  CHECK_OK(occlude_face_is_fan(&points, square, 4, &is_fan));
+  CHECK(is_fan == 1);
+  uint32_t triangles[18];
+  size_t count = 0;
+  CHECK_OK(occlude_face_triangles(&points, wall_loop, 8, triangles, &count));
+  CHECK(count == 6);
+  float area = 0;
+  for (size_t i = 0; i < count; ++i) {
+    const float *a = vertices + 3 * triangles[3 * i], *b = vertices + 3 * triangles[3 * i + 1],
+                *c = vertices + 3 * triangles[3 * i + 2];
+    const float doubled = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    CHECK(doubled > 0);
+    area += doubled / 2;
+  }
+  CHECK(area == 100 - 16);
+  CHECK(occlude_face_triangles(&points, tie, 4, triangles, &count) == OCCLUDE_INVALID_ARGUMENT);
+  CHECK(strcmp(occlude_last_error(), "the face crosses itself") == 0);
+  CHECK(count == 6);
+  const uint32_t beyond[] = {0, 1, 8};
+  CHECK(occlude_face_is_fan(&points, beyond, 3, &is_fan) == OCCLUDE_INVALID_ARGUMENT);
+  CHECK(strcmp(occlude_last_error(), "corner 2 is vertex 8 of 8") == 0);
+  CHECK(occlude_face_is_fan(&points, square, 2, &is_fan) == OCCLUDE_INVALID_ARGUMENT);
+  CHECK(occlude_face_is_fan(NULL, square, 4, &is_fan) == OCCLUDE_INVALID_ARGUMENT);
+  CHECK(occlude_face_triangles(&points, square, 4, NULL, &count) == OCCLUDE_INVALID_ARGUMENT);
 }
 
 static void occluders_in_arrays(void) {
@@ -437,6 +481,7 @@ int main(void) {
   CHECK(occlude_version() == OCCLUDE_VERSION);
   run_test(objects_come_and_go);
   run_test(options_of_objects_and_occluders);
+  run_test(faces);
   run_test(occluders_in_arrays);
   run_test(arrays_with_strides);
   run_test(matrix_cameras);

@@ -168,6 +168,54 @@ rm many.obj
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
 expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
 
+# A wall that is one face around a doorway, and a thing behind the doorway: the face's fan would fill it. Its pieces have one
+# number, and hide what is beside the doorway.
+{
+  printf 'v 0 %s\n' '-10 0' '-2 0' '-2 4' '2 4' '2 0' '10 0' '10 6' '-10 6'
+  printf 'v %s\n' '20 -1 0.5' '20 1 0.5' '20 1 3' '20 -1 3' '20 8 0.5' '20 9 0.5' '20 9 3' '20 8 3'
+  printf 'f %s\n' '1 2 3 4 5 6 7 8' '9 10 11 12' '13 14 15 16' '16 15 14 13'
+} >doorway.obj
+echo '{"frames":2,"keyframes":[{"eye":[-20,0,1.5],"target":[20,0,1.5]},{"eye":[-20,0,1.5],"target":[20,0,1.5]}]}' >towards.json
+for method in frusta cover; do
+  options="doorway.obj --path towards.json --method $method --leaf 1"
+  "$occlude" why $options --frame 0 --polygon 1 >stdout || fail "why of a doorway"
+  grep -q '^frame 0, polygon 1: drawn$' stdout || fail "a doorway by $method hides: $(cat stdout)"
+  "$occlude" why $options --frame 0 --polygon 2 >stdout || fail "why of a wall with a doorway"
+  grep -q '^frame 0, polygon 2: culled: in shadow$' stdout || fail "a wall with a doorway by $method: $(cat stdout)"
+  grep -q '^  by .*polygons* .*0' stdout || fail "a wall with a doorway by $method: $(cat stdout)"
+  "$occlude" why $options --frame 0 --polygon 0 >stdout || fail "why of pieces"
+  grep -q '^  drawn in 6 pieces' stdout || fail "why of pieces said: $(cat stdout)"
+  "$occlude" walk $options --out doorway --witness doorway.jsonl >stdout || fail "walk to a doorway: $(cat stdout)"
+  "$occlude" validate doorway.obj --path towards.json --witness doorway.jsonl >stdout 2>&1 ||
+    fail "proofs of a doorway by $method: $(cat stdout)"
+  [ -s doorway.jsonl ] || fail "no proofs of a doorway by $method"
+done
+grep -q '"by":"cover","polygons":\[.*\[0,[0-5]\]' doorway.jsonl || fail "no proof names a piece: $(cat doorway.jsonl)"
+expect_error "no polygon 4: the model has 4" "$occlude" why doorway.obj --path towards.json --frame 0 --polygon 4
+
+# The same without its doorway, and of glass.
+{
+  printf 'mtllib glass.mtl\nusemtl glass\n'
+  sed 's/^f 1 2 3 4 5 6 7 8/f 1 6 7 8\nusemtl other/' doorway.obj
+} >glass.obj
+printf 'newmtl glass\nd 0.3\n' >glass.mtl
+for method in frusta cover; do
+  options="glass.obj --path towards.json --method $method --leaf 1"
+  "$occlude" why $options --frame 0 --polygon 1 >stdout || fail "why of what is behind glass"
+  grep -q '^frame 0, polygon 1: drawn$' stdout || fail "glass by $method hides: $(cat stdout)"
+  "$occlude" why $options --opaque-all --frame 0 --polygon 1 >stdout || fail "why --opaque-all"
+  grep -q '^frame 0, polygon 1: culled: in shadow$' stdout || fail "--opaque-all by $method: $(cat stdout)"
+  "$occlude" walk $options --out glass >stdout || fail "walk to glass: $(cat stdout)"
+  grep -q '^see-through polygons 1 of 4, which hide nothing$' stdout || fail "walk to glass said: $(cat stdout)"
+  grep -q '"see_through_polygons": 1' glass/summary.json || fail "summary.json does not count what is see-through"
+  "$occlude" validate $options --exact-up-to 0 >stdout || fail "validate glass in item buffers: $(cat stdout)"
+  "$occlude" validate $options >stdout || fail "validate glass: $(cat stdout)"
+done
+"$occlude" preprocess glass.obj --out glass.pre >/dev/null || fail "preprocess glass"
+"$occlude" why glass.pre --path towards.json --method cover --frame 0 --polygon 1 | grep -q ': drawn$' || fail "glass in a store hides"
+expect_error "settled" "$occlude" walk glass.pre --path towards.json --out out --opaque-all
+expect_error "made from another model" "$occlude" walk glass.obj --path towards.json --out out --opaque-all --preprocess glass.pre
+
 # A real model, if there is one.
 models=${2:-}
 if [ -n "$models" ] && [ -f "$models/sponza.ply" ]; then

@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   options.margin = render::kPixelMargin / 360;
   culler::BuildConfig config;
   config.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::cover);
-  const culler::Culler culler(render::read_model(argv[1]), config);
+  const culler::Culler culler(render::read_model(argv[1]).soup, config);
   culler::View view;
   std::chrono::duration<double, std::milli> time{};
   for (std::size_t f = 0; f < frames; ++f) {

@@ -104,6 +104,20 @@ TEST(Visibility, WhatIsBesideThePictureMayHide) {
   EXPECT_EQ(visible_triangles(kAlongX, scene, {.depth = {aslant}, .sides = {}}), (Visible{true, true, true, true, false}));
 }
 
+TEST(Visibility, WhatIsSeeThroughHidesNothing) {
+  Triangles scene;
+  for (const double x : {2, 3, 4}) add_wall(scene, x, -x, x, -x, x);
+  EXPECT_EQ(visible_triangles(kOrigin, scene, {}), (Visible{true, true, false, false, false, false}));
+  EXPECT_EQ(visible_triangles(kOrigin, scene, {}, {true, true, false, false, false, false}),
+            (Visible{true, true, true, true, false, false}));
+  EXPECT_EQ(visible_triangles(kOrigin, scene, {}, {true, true, true, true, true, true}), Visible(6, true));
+  EXPECT_EQ(visible_triangles(kOrigin, scene, {}, {false, false, true, true, true, true}),
+            (Visible{true, true, false, false, false, false}))
+      << "it is hidden as all others are";
+  EXPECT_EQ(visible_triangles(kOrigin, scene, {}, {true, false, false, false, false, false}),
+            (Visible{true, true, true, false, false, false}));
+}
+
 TEST(Visibility, AtTheEndsOfTheRange) {
   for (const double scale : {0x1p-98, 0x1p96}) {
     for (const Viewpoint& view : {kOrigin, Viewpoint{{0x1p-100, 0, 0}, true}, Viewpoint{{0x1p100, 0, 0}, true}}) {

@@ -189,6 +189,58 @@ class CoverCull : public testing::Test {
   const std::string box_ = R"({"min":[6,-1,-1],"max":[6,1,1]})";
 };
 
+TEST_F(CoverCull, RefusesWhatIsSeeThrough) {
+  const Camera camera = looking_along_x(60, 1);
+  soup_.see_through = {0, 1, 0, 0, 1};
+  EXPECT_EQ(fault("0,1,2", box_, camera), "a see-through polygon hides nothing");
+  soup_.see_through = {0, 0, 0, 1, 1};
+  EXPECT_EQ(fault("0,1,2", box_, camera), "");
+  EXPECT_EQ(fault("0,1,2,3", box_, camera), "a see-through polygon hides nothing");
+}
+
+/// The second half of the wall is one face of two pieces.
+TEST_F(CoverCull, NamesPiecesOfFaces) {
+  const Camera camera = looking_along_x(60, 1);
+  soup_.faces = {0, 1, 1, 2, 3};
+  EXPECT_EQ(fault("0,[1,0],[1,1]", box_, camera), "");
+  EXPECT_EQ(fault("[0,0],[1,0],[1,1]", box_, camera), "");
+  EXPECT_EQ(fault("0,[1,0]", box_, camera), "the polygons do not hide the box");
+  EXPECT_EQ(fault("0,1", box_, camera), "no such polygon") << "it has two";
+  EXPECT_EQ(fault("0,[1,2]", box_, camera), "no such polygon");
+  EXPECT_EQ(fault("0,[4,0]", box_, camera), "no such polygon");
+  EXPECT_THROW(fault("0,[1,0,0]", box_, camera), LineError);
+  EXPECT_THROW(fault("0,[1,-1]", box_, camera), LineError);
+}
+
+/// One polygon, or two that are joined, and a square behind.
+TEST(ShadowProof, RefusesOccludersThatAreSeeThrough) {
+  for (const bool is_joined : {false, true}) {
+    for (const bool is_opaque : {true, false}) {
+      PolygonSoup soup;
+      culler::add(soup, {{2, -1, -1}, {2, 0, -1}, {2, 0, 1}, {2, -1, 1}});
+      culler::add(soup, {{2, 0, -1}, {2, 1, -1}, {2, 1, 1}, {2, 0, 1}});
+      culler::add(soup, {{6, -0.5, -0.5}, {6, -0.25, -0.5}, {6, -0.5, -0.25}});
+      if (!is_opaque) soup.see_through = {1, 0, 0};
+      const auto hierarchy = culler::Hierarchy::build(soup, {.leaf_size = 1});
+      const Prover prover(hierarchy, {1, [](std::size_t) { return looking_along_x(60, 1); }});
+      const auto run_of = [&](std::uint32_t original) {
+        std::uint32_t p = 0;
+        while (hierarchy.original(p) != original) ++p;
+        const std::size_t first = hierarchy.first_triangle(p);
+        return fmt::format("[{},{}]", first, hierarchy.first_triangle(p + 1) - first);
+      };
+      const std::string occluder =
+          is_joined ? fmt::format(R"("polygon":[[2,-1,-1],[2,0,-1],[2,1,-1],[2,1,1],[2,0,1],[2,-1,1]],"parts":[{},{}])",
+                                  run_of(0), run_of(1))
+                    : R"("polygon":[[2,-1,-1],[2,0,-1],[2,0,1],[2,-1,1]])";
+      const std::string line = fmt::format(
+          R"({{"frame":0,"eye":[0,0,0],"box":{{"min":[6,-0.5,-0.5],"max":[6,-0.25,-0.25]}},"triangles":{},"by":"shadow","occluders":[{{{}}}],"near":"surface"}})",
+          run_of(2), occluder);
+      EXPECT_EQ(prover.prove(line).failure, is_opaque ? "" : "the occluder is not of the model outside the subtree");
+    }
+  }
+}
+
 TEST_F(CoverCull, IsProvedByTheOracle) {
   const Camera camera = looking_along_x(60, 1);
   constexpr const char* kSeen = "the polygons do not hide the box";

@@ -22,6 +22,41 @@ def houses(rng):
     return vertices, polygons, np.array([brute.fan(vertices, polygon) for polygon in polygons])
 
 
+class Faces(unittest.TestCase):
+    doorway = np.array([[0, 0, 0], [4, 0, 0], [4, 8, 0], [6, 8, 0], [6, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]], float)
+
+    def test_triangles_are_the_face(self):
+        self.assertFalse(occlude.is_fan(self.doorway, range(8)))
+        self.assertTrue(occlude.is_fan(self.doorway, [0, 5, 6, 7]))
+        triangles = self.doorway[occlude.triangulate(self.doorway, range(8))]
+        self.assertEqual(triangles.shape, (6, 3, 3))
+        areas = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])[:, 2] / 2
+        self.assertTrue((areas > 0).all())
+        self.assertEqual(areas.sum(), 100 - 16)
+
+    def test_refusals(self):
+        for text, loop in (
+            ("crosses itself", [0, 6, 5, 7]),
+            ("fewer than 3 corners", [0, 1]),
+            ("vertex 8 of 8", [0, 1, 8]),
+            ("loop are not whole numbers", [0, 1, 2.5]),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                occlude.triangulate(self.doorway, loop)
+        with self.assertRaisesRegex(ValueError, "vertex 1: number is not finite"):
+            occlude.is_fan([[0, 0, 0], [np.nan, 0, 0], [0, 1, 0]], range(3))
+
+    def test_what_is_see_through_hides_nothing(self):
+        vertices = [[5, -9, -9], [5, 9, -9], [5, 9, 9], [5, -9, 9], [9, 0, 0], [9, 1, 0], [9, 0, 1]]
+        camera = occlude.Camera([0, 0, 0], [1, 0, 0])
+        for see_through, drawn in ((None, [0]), ([False, True], [0]), ([True, False], [0, 1])):
+            culler = occlude.Culler(vertices, [[0, 1, 2, 3], [4, 5, 6]], see_through=see_through, leaf_size=1)
+            for method in ("frusta", "cover"):
+                self.assertEqual(sorted(culler.cull(camera, method=method).polygons), drawn)
+        with self.assertRaisesRegex(ValueError, "see_through has another length"):
+            occlude.OccluderMesh(vertices, [[0, 1, 2, 3]], see_through=[True, False])
+
+
 class Models(unittest.TestCase):
     def check_path(self, culler, view, triangles, rng, **options):
         culled, weights = 0, rng.dirichlet([1, 1, 1], 4)

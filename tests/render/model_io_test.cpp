@@ -51,7 +51,7 @@ class ModelIoTest : public testing::Test {
     return folder_ / name;
   }
   [[nodiscard]] PolygonSoup read(const std::string& name, const std::string& bytes) const {
-    return read_model(store(name, bytes));
+    return read_model(store(name, bytes)).soup;
   }
   [[nodiscard]] std::string failure(const fs::path& file) const {
     try {
@@ -113,7 +113,7 @@ class ModelIoTest : public testing::Test {
 TEST_F(ModelIoTest, PlyRoundTripKeepsEveryBit) {
   const PolygonSoup soup = sample();
   save(folder_ / "a.ply", soup, "first\nsecond");
-  expect_equal(read_model(folder_ / "a.ply"), soup);
+  expect_equal(read_model(folder_ / "a.ply").soup, soup);
 }
 
 TEST_F(ModelIoTest, WrittenPlyHasCommentsAndFixedBytes) {
@@ -133,7 +133,7 @@ TEST_F(ModelIoTest, PolygonsOfMoreThan255VerticesSurvive) {
   for (int i = 0; i < 300; ++i) loop.push_back(soup.add_vertex({i, i * i, 0}));
   soup.add_polygon(loop);
   save(folder_ / "a.ply", soup, "");
-  expect_equal(read_model(folder_ / "a.ply"), soup);
+  expect_equal(read_model(folder_ / "a.ply").soup, soup);
   std::string obj, face = "f";
   for (int i = 0; i < 300; ++i) {
     obj += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
@@ -233,11 +233,9 @@ TEST_F(ModelIoTest, DataFaultsNameThePlace) {
   EXPECT_EQ(failure("a.ply", text_ply("0 0 0\n1 0 -inf\n0 1 0\n")), ":11: vertex 1: z is not finite");
   const std::string range = " is out of range (neither 0 nor of magnitude 2^-100 to 2^100)";
   EXPECT_EQ(failure("a.ply", text_ply("1e31 0 0\n1 0 0\n0 1 0\n")), ":10: vertex 0: x" + range);
-  EXPECT_EQ(failure("a.ply", text_ply("1e-31 0 0\n1 0 0\n0 1 0\n")), ":10: vertex 0: x" + range);
   EXPECT_EQ(failure("a.ply", text_ply("1e999 0 0\n1 0 0\n0 1 0\n")), ":10: vertex 0: x" + range);
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 3\n")), ":13: face 0: vertex index 3 is out of range (3 vertices)");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 -1\n")), ":13: face 0: vertex index -1 is out of range (3 vertices)");
-  EXPECT_EQ(failure("a.ply", text_ply(kCorners, "2 0 1   \n")), ":13: face 0: 2 vertices (a polygon needs 3)");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "-3 0 1 2\n")), ":13: face 0: the list has a negative length");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 2.5\n")), ":13: expected an integer of at most 64 bits");
   EXPECT_EQ(failure("a.ply", text_ply(kCorners, "3 0 1 9223372036854775808\n")),
@@ -260,7 +258,7 @@ TEST_F(ModelIoTest, HugeCountsAreRefusedBeforeAnythingIsAllocated) {
   EXPECT_EQ(failure("a.ply", head + "18446744073709551616" + rest),
             ":3: expected the number of elements, an integer of at most 64 bits");
   // A face that declares 2^32 - 1 indices.
-  EXPECT_EQ(failure("a.ply", head + "0" + rest + std::string(4, '\xff') + std::string(8, '\0')),
+  EXPECT_EQ(failure("a.ply", head + "1" + rest + std::string(12, '\0') + std::string(4, '\xff') + std::string(8, '\0')),
             ": face 0: the file ends here");
   // Elements without properties take no bytes, however many.
   EXPECT_EQ(failure("a.ply",
@@ -318,7 +316,7 @@ TEST_F(ModelIoTest, ObjFaultsNameTheLine) {
   EXPECT_EQ(failure("a.obj", corners), ": no polygons");
   EXPECT_EQ(failure("a.obj", "v 1 2\n"), ":1: expected a number");
   EXPECT_EQ(failure("a.obj", "\nv 1 x 2\n"), ":2: expected a number");
-  EXPECT_EQ(failure("a.obj", "v 1 nan 2\n"), ":1: y is not finite");
+  EXPECT_EQ(failure("a.obj", corners + "v 1 nan 2\nf 1 2 4\n"), ":4: y is not finite");
   EXPECT_EQ(failure("a.obj", corners + "f 1 2 4\n"), ":4: vertex index 4 is out of range (3 vertices)");
   EXPECT_EQ(failure("a.obj", corners + "f 1 2 99999999999\n"), ":4: vertex index 99999999999 is out of range (3 vertices)");
   EXPECT_EQ(failure("a.obj", corners + "f 1 2 0\n"), ":4: vertex index 0 is out of range (3 vertices so far)");
@@ -328,8 +326,8 @@ TEST_F(ModelIoTest, ObjFaultsNameTheLine) {
     EXPECT_EQ(failure("a.obj", corners + "f 1 2 " + index + "\n"),
               ":4: expected a vertex index, an integer of at most 64 bits");
   }
-  EXPECT_EQ(failure("a.obj", corners + "f 1 2\n"), ":4: 2 vertices (a polygon needs 3)");
-  EXPECT_EQ(failure("a.obj", corners + "f\n"), ":4: 0 vertices (a polygon needs 3)");
+  EXPECT_EQ(failure("a.obj", corners + "f 1 2\n"), ": no polygons");
+  EXPECT_EQ(failure("a.obj", corners + "f\n"), ": no polygons");
 }
 
 TEST_F(ModelIoTest, StlThroughAssimp) {

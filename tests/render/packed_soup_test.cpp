@@ -15,7 +15,7 @@
 namespace occlude::render {
 namespace packed_soup_test {
 
-/// Coordinates of any bits, and polygons of three to nine sides.
+/// Coordinates of any bits, and polygons of three to nine sides; of some seeds with see-through ones, and faces of several.
 culler::PolygonSoup random_soup(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   culler::PolygonSoup soup;
@@ -29,6 +29,11 @@ culler::PolygonSoup random_soup(std::uint64_t seed) {
     for (std::uint32_t& index : loop) index = static_cast<std::uint32_t>(random() % 100);
     soup.add_polygon(loop);
   }
+  for (std::uint32_t p = 0, face = 0; p < soup.size() && seed % 3 == 0; ++p) {
+    soup.faces.push_back(face += p == 0 ? 0U : static_cast<std::uint32_t>(random() % 2));
+  }
+  for (std::size_t p = 0; p < soup.size() && seed % 2 == 0; ++p)
+    soup.see_through.push_back(static_cast<std::uint8_t>(random() % 2));
   return soup;
 }
 
@@ -37,6 +42,8 @@ TEST(PackedSoup, ComesBackToTheLastBit) {
     const culler::PolygonSoup soup = random_soup(seed), again = unpacked(packed(soup));
     EXPECT_EQ(again.first, soup.first);
     EXPECT_EQ(again.indices, soup.indices);
+    EXPECT_EQ(again.faces, soup.faces);
+    EXPECT_EQ(again.see_through, soup.see_through);
     ASSERT_EQ(again.vertices.size(), soup.vertices.size());
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
       for (int axis = 0; axis < 3; ++axis) {

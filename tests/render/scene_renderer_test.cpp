@@ -108,6 +108,70 @@ TEST_F(SceneRendererTest, TheNearerPolygonHidesTheFartherInEitherOrder) {
   }
 }
 
+/// A wall of glass before a wall, and one behind it.
+TEST_F(SceneRendererTest, SeeThroughPolygonsHideNothingAndAreHidden) {
+  PolygonSoup soup;
+  add_wall(soup, 5, -1, 1, -1, 1);
+  soup.see_through_from(0);
+  add_wall(soup, 10, -9, 9, -9, 9);
+  add_wall(soup, 15, -99, 99, -5, 5);
+  soup.see_through_from(2);
+  const ItemBuffer items = items_of(soup, camera_at({0, 0, 0}));
+  PolygonSoup wall;
+  add_wall(wall, 10, -9, 9, -9, 9);
+  const ItemBuffer alone = items_of(wall, camera_at({0, 0, 0}));
+  EXPECT_TRUE(alone.before.pixels.empty());
+  EXPECT_TRUE(alone.see_through.empty());
+  ASSERT_GT(pixels(alone, kNothing), 0U);
+  for (std::size_t i = 0; i < items.pixels.size(); ++i) {
+    ASSERT_EQ(items.pixels[i], alone.pixels[i] == kNothing ? kNothing : 1U);
+    ASSERT_EQ(items.before.pixels[i] == 2, alone.pixels[i] == kNothing && items.before.pixels[i] != kNothing);
+  }
+  const auto count_before = [&](std::uint32_t p) { return std::ranges::count(items.before.pixels, p); };
+  EXPECT_GT(count_before(0), 0);
+  EXPECT_GT(count_before(2), 0);
+  EXPECT_EQ(items.see_through, (std::vector<std::uint32_t>{static_cast<std::uint32_t>(count_before(0)), 0,
+                                                           static_cast<std::uint32_t>(count_before(2))}));
+  EXPECT_EQ(items.pixels_of(3)[1], pixels(items, 1));
+  EXPECT_EQ(items.pixels_of(3)[0], items.see_through[0]);
+}
+
+/// Each of many panes, one behind another, is seen in as many pixels as if it were alone.
+TEST_F(SceneRendererTest, SeeThroughPolygonsDoNotHideEachOther) {
+  PolygonSoup panes;
+  for (int i = 0; i < 9; ++i) add_wall(panes, 2 + i, -1, 1, -1, 1);
+  PolygonSoup glass = panes;
+  glass.see_through_from(0);
+  const ItemBuffer items = items_of(glass, camera_at({0, 0, 0}));
+  for (std::uint32_t p = 0; p < panes.size(); ++p) {
+    const PolygonRange only{p, 1};
+    const ItemBuffer alone = SceneRenderer(panes, kWidth, kHeight).item_buffer(camera_at({0, 0, 0}), std::span(&only, 1));
+    EXPECT_EQ(items.see_through[p], pixels(alone, p)) << p;
+  }
+  EXPECT_EQ(pixels(items, kNothing), items.pixels.size());
+}
+
+TEST_F(SceneRendererTest, GlassTintsWhatIsBehindIt) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -99, 99, -99, 99);
+  add_wall(soup, 5, -1, 1, -1, 1);
+  soup.see_through_from(1);
+  add_wall(soup, 20, -99, 99, -99, 99);
+  soup.see_through_from(2);
+  SceneRenderer renderer(soup, kWidth, kHeight);
+  const auto picture = [&](std::vector<PolygonRange> ranges) {
+    renderer.draw(camera_at({0, 0, 0}), ranges);
+    return renderer.image();
+  };
+  const Image all = picture({{0, 3}}), visible = picture({{0, 2}}), wall = picture({{0, 1}}), pane = picture({{1, 1}});
+  EXPECT_EQ(all.pixels, visible.pixels) << "hidden glass leaves no trace";
+  const Rgba tinted = all.at(kWidth / 2, kHeight / 2), behind = wall.at(kWidth / 2, kHeight / 2);
+  EXPECT_NE(tinted, behind);
+  EXPECT_NE(tinted, pane.at(kWidth / 2, kHeight / 2));
+  EXPECT_EQ(tinted.a, 255);
+  EXPECT_EQ(all.at(0, 0), wall.at(0, 0)) << "beside the pane";
+}
+
 TEST_F(SceneRendererTest, BothSidesAreOpaque) {
   PolygonSoup soup;
   add_wall(soup, 10, 1e3, -1e3, -1e3, 1e3);

@@ -125,10 +125,36 @@ TEST_F(StoreTest, CullsAsTheModel) {
 
 TEST_F(StoreTest, HoldsTheModel) {
   EXPECT_TRUE(is_store(file()));
-  const culler::PolygonSoup model = read_model(file());
+  const culler::PolygonSoup model = read_model(file()).soup;
   EXPECT_EQ(model.vertices, city_.soup.vertices);
   EXPECT_EQ(model.indices, city_.soup.indices);
   EXPECT_EQ(model.first, city_.soup.first);
+}
+
+TEST_F(StoreTest, HoldsFacesAndWhatIsSeeThrough) {
+  culler::PolygonSoup soup = city_.soup;
+  std::vector<std::uint32_t> doorway;
+  for (const auto& [y, z] :
+       std::vector<std::pair<int, int>>{{0, 0}, {4, 0}, {4, 8}, {6, 8}, {6, 0}, {10, 0}, {10, 9}, {0, 9}}) {
+    doorway.push_back(soup.add_vertex({0, y, z}));
+  }
+  soup.see_through_from(soup.size() - 2);
+  ASSERT_EQ(soup.add_face(doorway), culler::FaceShape::pieces);
+  OutputFile output(folder_ / "faces.pre");
+  write_store(output, culler::Culler(soup));
+  output.commit();
+  const culler::PolygonSoup model = read_model(folder_ / "faces.pre").soup;
+  EXPECT_EQ(model.indices, soup.indices);
+  EXPECT_EQ(model.faces, soup.faces);
+  EXPECT_EQ(model.see_through, soup.see_through);
+  const culler::Culler culler = read_store(folder_ / "faces.pre", Method::cover);
+  EXPECT_TRUE(is_model_of(soup, culler));
+  culler::PolygonSoup other = soup;
+  other.see_through[0] = 1;
+  EXPECT_FALSE(is_model_of(other, culler));
+  other = soup;
+  other.faces.back() += 1;
+  EXPECT_FALSE(is_model_of(other, culler));
 }
 
 TEST_F(StoreTest, IsOfOneModel) {
@@ -167,7 +193,7 @@ TEST_F(StoreTest, WhatIsRefused) {
   for (const int version : {1, 2, 7}) {
     EXPECT_EQ(
         refusal([&](std::string& bytes) { bytes[19] = static_cast<char>(version); }),
-        "format version " + std::to_string(version) + ", but this program reads version 5: preprocess the model again");
+        "format version " + std::to_string(version) + ", but this program reads version 6: preprocess the model again");
   }
   EXPECT_EQ(refusal([](std::string& bytes) { bytes += 'x'; }), "there is data after the last section");
 }

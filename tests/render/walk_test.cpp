@@ -26,7 +26,8 @@ void add_wall(culler::PolygonSoup& soup, double x, double y0, double y1) {
   soup.add_polygon(loop);
 }
 
-/// A wall, a square behind it and a square beside it, each in a leaf of its own; seen from the origin along +x.
+/// A wall, a square behind it and a square beside it, the same squares of glass, which are drawn last, and glass before the
+/// wall, each in a leaf of its own; seen from the origin along +x.
 class Judge : public testing::Test {
  protected:
   static culler::Culler make_culler() {
@@ -34,6 +35,10 @@ class Judge : public testing::Test {
     add_wall(soup, 4, -1, 1);
     add_wall(soup, 6, -0.5, 0.5);
     add_wall(soup, 6, 2, 3);
+    add_wall(soup, 6, -0.5, 0.5);
+    add_wall(soup, 6, 2, 3);
+    add_wall(soup, 3, -0.5, 0.5);
+    soup.see_through_from(3);
     culler::BuildConfig config;
     config.hierarchy.leaf_size = 1;
     return culler::Culler(soup, config);
@@ -45,7 +50,7 @@ class Judge : public testing::Test {
   }
 
   Picture draw_all() {
-    const PolygonRange all{0, 3};
+    const PolygonRange all = culler_.hierarchy().soup().all();
     return draw(std::span(&all, 1));
   }
 
@@ -82,7 +87,20 @@ TEST_F(Judge, AcceptsWhatIsHidden) {
   const FrameRecord record = judge_cull_of(1);
   EXPECT_EQ(record.false_culls, 0U);
   EXPECT_EQ(record.wrong_pixels, 0U);
-  EXPECT_EQ(record.visible_polygons, 2U);
+  EXPECT_EQ(record.visible_polygons, 3U);
+}
+
+TEST_F(Judge, AcceptsHiddenGlass) {
+  const FrameRecord record = judge_cull_of(3);
+  EXPECT_EQ(record.false_culls, 0U);
+  EXPECT_EQ(record.wrong_pixels, 0U);
+}
+
+TEST_F(Judge, FindsVisibleGlassCulled) {
+  const FrameRecord record = judge_cull_of(5);
+  EXPECT_EQ(record.false_culls, 1U);
+  EXPECT_GT(record.wrong_pixels, 100U);
+  EXPECT_EQ(record.snapped_pixels, 0U);
 }
 
 TEST_F(Judge, FindsAVisiblePolygonCulled) {

@@ -132,7 +132,7 @@ std::vector<bool> drawn_triangles(const Culler& culler, const CullResult& frame)
 class Scenes : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(Scenes, NothingThatShowsIsCulled) {
-  const PolygonSoup soup = render::read_model(GetParam());
+  const PolygonSoup soup = render::read_model(GetParam()).soup;
   std::vector<Culler> cullers;
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
     for (const std::uint32_t leaf : {1U, 4U}) {

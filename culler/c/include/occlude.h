@@ -131,8 +131,9 @@ typedef struct occlude_executor {
 /// Geometry that hides, prepared once and shared by all occluders that have it. It cannot be changed.
 typedef struct occlude_mesh occlude_mesh;
 
-/// Polygons, drawn as the fan (v0, vi, vi+1) of their loop and opaque from both sides. They may have any shape, overlap and
-/// leave gaps. What they hide together is hidden.
+/// Polygons, each drawn as the fan (v0, vi, vi+1) of its loop, whatever its shape, and opaque from both sides. A face that
+/// is concave or has openings is not what its fan draws: occlude_face_is_fan() tells, occlude_face_triangles() divides it.
+/// They may overlap and leave gaps. What they hide together is hidden.
 typedef struct occlude_mesh_data {
   size_t size;  ///< of this struct
   occlude_points vertices;
@@ -144,10 +145,11 @@ typedef struct occlude_mesh_data {
   int (*should_stop)(void* context);
   void* context;
   const occlude_executor* executor;  ///< where the mesh is made; null: threads of the library's own, one for each processor
+  const uint8_t* see_through;        ///< for each polygon, not 0 where it hides nothing, as glass does; null: all hide
 } occlude_mesh_data;
 
 #define OCCLUDE_MESH_DATA_INIT \
-  { sizeof(occlude_mesh_data), {NULL, 0, 0, OCCLUDE_DOUBLE}, NULL, 0, NULL, 0, NULL, NULL, NULL }
+  { sizeof(occlude_mesh_data), {NULL, 0, 0, OCCLUDE_DOUBLE}, NULL, 0, NULL, 0, NULL, NULL, NULL, NULL }
 
 /// Copies the data, and writes the mesh to `mesh`. A mesh without polygons is legal and hides nothing.
 OCCLUDE_API occlude_status occlude_mesh_create(const occlude_mesh_data* data, occlude_mesh** mesh) OCCLUDE_NO_THROW;
@@ -157,6 +159,20 @@ OCCLUDE_API void occlude_mesh_destroy(occlude_mesh* mesh) OCCLUDE_NO_THROW;
 OCCLUDE_API size_t occlude_mesh_polygons(const occlude_mesh* mesh) OCCLUDE_NO_THROW;
 /// The box that holds all vertices; the origin if there are none.
 OCCLUDE_API occlude_status occlude_mesh_box(const occlude_mesh* mesh, occlude_box* box) OCCLUDE_NO_THROW;
+
+// ---- Faces of any shape ----
+
+// A face is a loop of `count` vertices, at least 3. It lies in a plane, or nearly; it may be concave; an opening is joined
+// to the outline by an edge that is passed twice. occlude/culler/face.h says all of it. Numbers nearer to 0 than 2^-100 are
+// taken for 0.
+
+/// Writes to `is_fan` whether the fan of the loop draws the face: nothing outside of it, and nothing twice.
+OCCLUDE_API occlude_status occlude_face_is_fan(const occlude_points* vertices, const uint32_t* loop, size_t count,
+                                               int32_t* is_fan) OCCLUDE_NO_THROW;
+/// Writes triangles that are the face to `triangles`, three vertices each, and to `triangle_count` how many they are: at
+/// most `count` - 2, for which there must be room. Refused is a face that crosses itself.
+OCCLUDE_API occlude_status occlude_face_triangles(const occlude_points* vertices, const uint32_t* loop, size_t count,
+                                                  uint32_t* triangles, size_t* triangle_count) OCCLUDE_NO_THROW;
 
 // ---- Scenes: objects and occluders ----
 

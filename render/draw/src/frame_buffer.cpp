@@ -13,6 +13,11 @@ namespace {
 constexpr GLenum kColour = GL_COLOR_ATTACHMENT0;
 constexpr GLenum kItems = GL_COLOR_ATTACHMENT1;
 
+void clear_items() {
+  constexpr std::array<GLuint, 4> kNoItem = {kNothing, 0, 0, 0};
+  gl.ClearBufferuiv(GL_COLOR, 0, kNoItem.data());
+}
+
 float unit(std::uint8_t channel) { return static_cast<float>(channel) / 255; }
 
 /// OpenGL's rows run from the bottom to the top.
@@ -61,9 +66,18 @@ void FrameBuffer::begin_picture(const Rgba& sky) {
 }
 
 void FrameBuffer::begin_items() {
-  constexpr std::array<GLuint, 4> kNoItem = {kNothing, 0, 0, 0};
   begin(kItems);
-  gl.ClearBufferuiv(GL_COLOR, 0, kNoItem.data());
+  clear_items();
+}
+
+void FrameBuffer::begin_nothing() {
+  constexpr GLenum kNone = GL_NONE;
+  gl.DrawBuffers(1, &kNone);
+}
+
+void FrameBuffer::begin_items_before() {
+  gl.DrawBuffers(1, &kItems);
+  clear_items();
 }
 
 template <class Pixel>
@@ -79,6 +93,6 @@ Raster<Pixel> FrameBuffer::read(GLenum attachment, GLenum format, GLenum type) c
 
 Image FrameBuffer::image() const { return read<Rgba>(kColour, GL_RGBA, GL_UNSIGNED_BYTE); }
 
-ItemBuffer FrameBuffer::item_buffer() const { return read<std::uint32_t>(kItems, GL_RED_INTEGER, GL_UNSIGNED_INT); }
+Items FrameBuffer::items() const { return read<std::uint32_t>(kItems, GL_RED_INTEGER, GL_UNSIGNED_INT); }
 
 }  // namespace occlude::render

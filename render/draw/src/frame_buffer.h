@@ -21,9 +21,13 @@ class FrameBuffer {
   void begin_picture(const Rgba& sky);
   /// Draws into the item buffer from now on. Clears it and sets depth 0. The picture is kept.
   void begin_items();
+  /// Draws depth alone from now on. Nothing is cleared.
+  void begin_nothing();
+  /// Draws into the item buffer from now on. Clears it, but keeps the depths.
+  void begin_items_before();
 
   [[nodiscard]] Image image() const;
-  [[nodiscard]] ItemBuffer item_buffer() const;
+  [[nodiscard]] Items items() const;
 
  private:
   void begin(GLenum attachment) const;

@@ -11,13 +11,14 @@
 
 // clang-format off
 #define OCCLUDE_GL_FUNCTIONS(DO) \
-  DO(AttachShader) DO(BindBuffer) DO(BindFramebuffer) DO(BindRenderbuffer) DO(BindVertexArray) DO(BufferData) \
-  DO(CheckFramebufferStatus) DO(ClearBufferfv) DO(ClearBufferuiv) DO(ClipControl) DO(CompileShader) DO(CreateProgram) \
-  DO(CreateShader) DO(DeleteBuffers) DO(DeleteFramebuffers) DO(DeleteProgram) DO(DeleteRenderbuffers) DO(DeleteShader) \
-  DO(DeleteVertexArrays) DO(DepthFunc) DO(DrawBuffers) DO(Enable) DO(EnableVertexAttribArray) DO(Finish) \
-  DO(FramebufferRenderbuffer) DO(GenBuffers) DO(GenFramebuffers) DO(GenRenderbuffers) DO(GenVertexArrays) DO(GetError) \
+  DO(AttachShader) DO(BindBuffer) DO(BindBufferBase) DO(BindFramebuffer) DO(BindRenderbuffer) DO(BindVertexArray) \
+  DO(BlendColor) DO(BlendFunc) DO(BufferData) DO(CheckFramebufferStatus) DO(ClearBufferfv) DO(ClearBufferuiv) \
+  DO(ClipControl) DO(CompileShader) DO(CreateProgram) DO(CreateShader) DO(DeleteBuffers) DO(DeleteFramebuffers) \
+  DO(DeleteProgram) DO(DeleteRenderbuffers) DO(DeleteShader) DO(DeleteVertexArrays) DO(DepthFunc) DO(DepthMask) \
+  DO(Disable) DO(DrawBuffers) DO(Enable) DO(EnableVertexAttribArray) DO(Finish) DO(FramebufferRenderbuffer) \
+  DO(GenBuffers) DO(GenFramebuffers) DO(GenRenderbuffers) DO(GenVertexArrays) DO(GetBufferSubData) DO(GetError) \
   DO(GetIntegerv) DO(GetProgramInfoLog) DO(GetProgramiv) DO(GetString) DO(GetUniformLocation) DO(LinkProgram) \
-  DO(MultiDrawArrays) DO(PolygonOffset) DO(ReadBuffer) DO(ReadPixels) DO(RenderbufferStorage) DO(ShaderSource) \
+  DO(MemoryBarrier) DO(MultiDrawArrays) DO(PolygonOffset) DO(ReadBuffer) DO(ReadPixels) DO(RenderbufferStorage) DO(ShaderSource) \
   DO(Uniform1f) DO(Uniform3fv) DO(UniformMatrix4fv) DO(UseProgram) DO(VertexAttribIPointer) DO(VertexAttribPointer) \
   DO(Viewport)
 // clang-format on

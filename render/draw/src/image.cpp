@@ -61,6 +61,15 @@ std::string encode(const std::string& what, const Image& picture) {
 
 }  // namespace
 
+std::vector<std::uint32_t> ItemBuffer::pixels_of(std::size_t polygons) const {
+  std::vector<std::uint32_t> counts = see_through;
+  counts.resize(polygons);
+  for (const std::uint32_t p : pixels) {
+    if (p != kNothing) ++counts[p];
+  }
+  return counts;
+}
+
 Image halved(const Image& image) {
   Image half{image.width / 2, image.height / 2, {}};
   for (int y = 0; y < half.height; ++y) {

@@ -42,6 +42,9 @@ constexpr double kBent = 0.85, kApart = 6;
 // One sees this many times as far as in the pictures that are timed.
 constexpr double kClear = 5;
 
+// The share of a see-through surface in what one sees through it.
+constexpr double kGlass = 0.4;
+
 // The sky at the top of the picture, and from its 1 / kSkyFades downwards.
 constexpr dvec3 kSkyAbove{0.66, 0.78, 0.90}, kSkyBelow{0.88, 0.92, 0.95};
 constexpr double kSkyFades = 1.6;
@@ -79,6 +82,7 @@ struct PlateRenderer::Impl {
   void set_styles(std::span<const PlateLayer> layers);
   [[nodiscard]] Image shaded(const Samples& seen, const Light& light) const;
   [[nodiscard]] dvec3 colour(const SeenSurface& seen, const Light& light, int x, int y) const;
+  [[nodiscard]] dvec3 through(std::uint32_t see_through, const dvec3& behind, int x, int y) const;
 
   culler::SoupView soup;
   SceneRenderer& renderer;
@@ -102,6 +106,11 @@ class PlateRenderer::Impl::Samples {
   Samples& operator=(const Samples&) = delete;
 
   [[nodiscard]] std::span<const SeenSurface> pictures() const { return pictures_; }
+  /// The nearest see-through polygon in one of the pictures, or kNothing.
+  [[nodiscard]] std::uint32_t before(std::size_t picture, int x, int y) const {
+    const Items& before = items_[picture].before;
+    return before.pixels.empty() ? kNothing : before.at(x, y);
+  }
   /// With a camera at the sun: the share of the pictures in which the sun reaches a point.
   [[nodiscard]] double sun_at(const dvec3& point, double angle) const {
     double lit = 0;
@@ -132,6 +141,12 @@ dvec3 PlateRenderer::Impl::colour(const SeenSurface& seen, const Light& light, i
   return glm::mix(sky, surface, std::exp2(-seen.depth(x, y) / light.haze_depth));
 }
 
+/// The colour of what is behind a see-through polygon, or of nothing.
+dvec3 PlateRenderer::Impl::through(std::uint32_t see_through, const dvec3& behind, int x, int y) const {
+  if (see_through == kNothing) return behind;
+  return glm::mix(behind, styled(styles[see_through], colours[see_through], x, y, height), kGlass);
+}
+
 PlateRenderer::PlateRenderer(culler::SoupView soup, SceneRenderer& renderer)
     : impl_(std::make_unique<Impl>(soup, renderer)) {}
 
@@ -154,7 +169,9 @@ Image PlateRenderer::Impl::shaded(const Samples& seen, const Light& light) const
     const auto y = static_cast<int>(row);
     for (int x = 0; x < width; ++x) {
       dvec3 sum{0, 0, 0};
-      for (const SeenSurface& sample : seen.pictures()) sum += colour(sample, light, x, y);
+      for (std::size_t i = 0; i < kOffsets.size(); ++i) {
+        sum += through(seen.before(i, x, y), colour(seen.pictures()[i], light, x, y), x, y);
+      }
       image.at(x, y) = to_rgba(sum / static_cast<double>(kOffsets.size()));
     }
   };
@@ -165,9 +182,8 @@ Image PlateRenderer::Impl::shaded(const Samples& seen, const Light& light) const
 std::vector<bool> PlateRenderer::seen(const culler::Camera& camera, std::span<const culler::PolygonRange> ranges) {
   std::vector<bool> is_seen(impl_->soup.size());
   for (const dvec2& offset : kOffsets) {
-    for (const std::uint32_t p : impl_->renderer.item_buffer(camera, ranges, offset).pixels) {
-      if (p != kNothing) is_seen[p] = true;
-    }
+    const std::vector<std::uint32_t> pixels = impl_->renderer.item_buffer(camera, ranges, offset).pixels_of(is_seen.size());
+    for (std::size_t p = 0; p < pixels.size(); ++p) is_seen[p] = is_seen[p] || pixels[p] != 0;
   }
   return is_seen;
 }

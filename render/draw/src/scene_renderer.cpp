@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/scene_renderer.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
@@ -8,6 +9,8 @@
 #include "corner_buffer.h"
 #include "frame_buffer.h"
 #include "gl_program.h"
+#include "occlude/culler/append_range.h"
+#include "pixel_counter.h"
 #include "projection.h"
 #include "triangle_list.h"
 
@@ -58,6 +61,16 @@ out uint item;
 void main() { item = item_of_polygon; }
 )";
 
+constexpr const char* kCountShader = R"(#version 450 core
+layout(early_fragment_tests) in;
+flat in uint item_of_polygon;
+layout(std430, binding = 0) buffer Counts { uint pixels[]; };
+void main() { atomicAdd(pixels[item_of_polygon], 1u); }
+)";
+
+/// The share of a see-through surface in what one sees through it.
+constexpr float kSeeThroughShare = 0.4F;
+
 /// Ranges of corners in the form of glMultiDrawArrays.
 struct DrawRanges {
   std::vector<GLint> first;
@@ -90,27 +103,48 @@ void use_reversed_depth() {
 
 }  // namespace
 
+/// What lets the depths as they are, while this object exists.
+class DepthsKept {
+ public:
+  DepthsKept() { gl.DepthMask(GL_FALSE); }
+  ~DepthsKept() { gl.DepthMask(GL_TRUE); }
+  DepthsKept(const DepthsKept&) = delete;
+  DepthsKept& operator=(const DepthsKept&) = delete;
+};
+
+enum class Kind { opaque, see_through };
+
 struct SceneRenderer::Impl {
-  Impl(const TriangleList& list, int width, int height)
+  Impl(culler::SoupView soup, const TriangleList& list, int width, int height)
       : target(width, height),
         picture(kVertexShader, kPictureShader),
         items(kVertexShader, kItemShader),
+        counter(kVertexShader, kCountShader),
+        pixels(soup.size()),
         extent(list.extent),
         centre(list.centre),
         first_corner(list.first) {
+    for (std::uint32_t p = 0; p < soup.size(); ++p) {
+      if (!soup.is_opaque(p)) culler::append_range(see_through, {p, 1});
+    }
     corners.upload(list.corners);
     use_reversed_depth();
   }
 
   void begin_polygons(const GlProgram& program, const culler::Camera& camera, const glm::dvec2& shift) const;
-  void draw_polygons(std::span<const PolygonRange> ranges) const;
+  void draw_polygons(std::span<const PolygonRange> ranges, Kind kind) const;
+  void blend_polygons(std::span<const PolygonRange> ranges) const;
+  void add_see_through(ItemBuffer& result, const culler::Camera& camera, std::span<const PolygonRange> ranges,
+                       const glm::dvec2& shift);
 
   FrameBuffer target;
-  GlProgram picture, items;
+  GlProgram picture, items, counter;
+  PixelCounter pixels;
   CornerBuffer corners;
   Extent extent;
   glm::dvec3 centre;
   std::vector<std::uint32_t> first_corner;  ///< of each polygon, and the end
+  std::vector<PolygonRange> see_through;    ///< ascending
 };
 
 /// The state that pictures and item buffers share.
@@ -123,14 +157,57 @@ void SceneRenderer::Impl::begin_polygons(const GlProgram& program, const culler:
   gl.DepthFunc(GL_GREATER);
 }
 
-void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges) const {
+/// Draws those of a kind.
+void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges, Kind kind) const {
   DrawRanges runs;
-  for (const PolygonRange& range : ranges) runs.add(first_corner[range.first], first_corner[range.first + range.count]);
+  const auto add = [&](std::uint32_t begin, std::uint32_t end, Kind own) {
+    if (own == kind) runs.add(first_corner[begin], first_corner[end]);
+  };
+  const auto end_of = [](const PolygonRange& range) { return range.first + range.count; };
+  for (const PolygonRange& range : ranges) {
+    std::uint32_t at = range.first;
+    for (auto run = std::ranges::upper_bound(see_through, at, {}, end_of); run != see_through.end(); ++run) {
+      if (run->first >= end_of(range)) break;
+      const std::uint32_t begin = std::max(run->first, at);
+      add(at, begin, Kind::opaque);
+      at = std::min(end_of(*run), end_of(range));
+      add(begin, at, Kind::see_through);
+    }
+    add(at, end_of(range), Kind::opaque);
+  }
   gl.MultiDrawArrays(GL_TRIANGLES, runs.first.data(), runs.count.data(), static_cast<GLsizei>(runs.first.size()));
 }
 
+/// Draws the see-through ones over the picture. Each takes part where no opaque one hides it, in the order of the ranges, so
+/// that leaving out hidden polygons changes nothing.
+void SceneRenderer::Impl::blend_polygons(std::span<const PolygonRange> ranges) const {
+  const DepthsKept kept;
+  gl.Enable(GL_BLEND);
+  gl.BlendColor(0, 0, 0, kSeeThroughShare);
+  gl.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  draw_polygons(ranges, Kind::see_through);
+  gl.Disable(GL_BLEND);
+}
+
+/// The opaque ones have been drawn.
+void SceneRenderer::Impl::add_see_through(ItemBuffer& result, const culler::Camera& camera,
+                                          std::span<const PolygonRange> ranges, const glm::dvec2& shift) {
+  target.begin_nothing();
+  pixels.begin();
+  begin_polygons(counter, camera, shift);
+  {
+    const DepthsKept kept;
+    draw_polygons(ranges, Kind::see_through);
+  }
+  result.see_through = pixels.counts();
+  target.begin_items_before();
+  begin_polygons(items, camera, shift);
+  draw_polygons(ranges, Kind::see_through);
+  result.before = target.items();
+}
+
 SceneRenderer::SceneRenderer(culler::SoupView soup, int width, int height)
-    : impl_(std::make_unique<Impl>(make_triangle_list(soup), width, height)) {}
+    : impl_(std::make_unique<Impl>(soup, make_triangle_list(soup), width, height)) {}
 
 SceneRenderer::~SceneRenderer() = default;
 
@@ -148,7 +225,8 @@ void SceneRenderer::draw(const culler::Camera& camera, std::span<const PolygonRa
   impl_->begin_polygons(impl_->picture, camera, {0, 0});
   impl_->picture.set("haze", static_cast<float>(1 / haze_depth(camera)));
   impl_->picture.set("sky", glm::vec3(kSky.r, kSky.g, kSky.b) / 255.0F);
-  impl_->draw_polygons(ranges);
+  impl_->draw_polygons(ranges, Kind::opaque);
+  if (!impl_->see_through.empty()) impl_->blend_polygons(ranges);
   gl.Finish();
 }
 
@@ -156,10 +234,13 @@ Image SceneRenderer::image() const { return impl_->target.image(); }
 
 ItemBuffer SceneRenderer::item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,
                                       const glm::dvec2& offset) {
+  const glm::dvec2 shift = 2.0 * offset / glm::dvec2(impl_->target.width(), impl_->target.height());
   impl_->target.begin_items();
-  impl_->begin_polygons(impl_->items, camera, 2.0 * offset / glm::dvec2(impl_->target.width(), impl_->target.height()));
-  impl_->draw_polygons(ranges);
-  return impl_->target.item_buffer();
+  impl_->begin_polygons(impl_->items, camera, shift);
+  impl_->draw_polygons(ranges, Kind::opaque);
+  ItemBuffer result{impl_->target.items(), {}, {}};
+  if (!impl_->see_through.empty()) impl_->add_see_through(result, camera, ranges, shift);
+  return result;
 }
 
 }  // namespace occlude::render

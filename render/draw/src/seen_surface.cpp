@@ -26,7 +26,7 @@ DepthRange depth_range(culler::SoupView soup, std::uint32_t polygon, const Pixel
 
 }  // namespace
 
-SeenSurface::SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, const PixelRays& rays, culler::SoupView soup,
+SeenSurface::SeenSurface(const Items& items, const glm::dvec2& offset, const PixelRays& rays, culler::SoupView soup,
                          std::span<const glm::dvec3> normals)
     : items_(items), offset_(offset), rays_(rays), normals_(normals), depths_{items.width, items.height, {}} {
   depths_.pixels.reserve(items.pixels.size());

@@ -15,11 +15,11 @@
 
 namespace occlude::render {
 
-/// An item buffer, with depths from the planes of the polygons.
+/// Items, with depths from the planes of the polygons.
 class SeenSurface {
  public:
   /// `offset` is that of the item buffer, and `normals` are those of the polygons.
-  SeenSurface(const ItemBuffer& items, const glm::dvec2& offset, const PixelRays& rays, culler::SoupView soup,
+  SeenSurface(const Items& items, const glm::dvec2& offset, const PixelRays& rays, culler::SoupView soup,
               std::span<const glm::dvec3> normals);
 
   [[nodiscard]] int width() const { return items_.width; }
@@ -39,7 +39,7 @@ class SeenSurface {
  private:
   [[nodiscard]] PixelRays::Ray ray(int x, int y) const { return rays_.ray(x + 0.5 - offset_.x, y + 0.5 + offset_.y); }
 
-  const ItemBuffer& items_;
+  const Items& items_;
   glm::dvec2 offset_;
   const PixelRays& rays_;
   std::span<const glm::dvec3> normals_;

@@ -4,24 +4,28 @@
 
 #include <filesystem>
 
-#include "occlude/culler/polygon_soup.h"
+#include "counted_files.h"
+#include "occlude/render/model.h"
 
 namespace occlude::render {
 
 // All throw InputError like read_model.
 
 /// PLY, ascii and binary, elements and properties in any order. Uses x, y, z of element `vertex` and the list vertex_indices
-/// (or vertex_index) of element `face`; skips everything else.
-[[nodiscard]] culler::PolygonSoup read_ply(const std::filesystem::path& file);
+/// (or vertex_index) of the elements `face` and `tristrips`; skips everything else.
+[[nodiscard]] Model read_ply(const std::filesystem::path& file);
 
-/// Wavefront OBJ: the statements `v` and `f`; all others are ignored. We have our own reader because tinyobjloader 2.0
-/// rounds every second coordinate wrongly, truncates polygons to their number of sides modulo 256, and reads invalid numbers
-/// as 0. Errors name the line.
-[[nodiscard]] culler::PolygonSoup read_obj(const std::filesystem::path& file);
+/// Wavefront OBJ: the statements `v` and `f`, and of materials whether they let light through. We have our own reader
+/// because tinyobjloader 2.0 rounds every second coordinate wrongly, truncates polygons to their number of sides modulo 256,
+/// and reads invalid numbers as 0. Errors name the line.
+[[nodiscard]] Model read_obj(const std::filesystem::path& file);
 
 /// glTF, COLLADA, STL and the other formats of the Assimp library: every polygon of every mesh, once for each node that uses
 /// the mesh. Points and lines are skipped. Coordinates and up direction are those of the file. Errors name the mesh and the
 /// face.
-[[nodiscard]] culler::PolygonSoup read_with_assimp(const std::filesystem::path& file);
+[[nodiscard]] Model read_with_assimp(const std::filesystem::path& file);
+
+/// The same in the child process of an import (import_child.h).
+[[nodiscard]] Model import_with_assimp(const std::filesystem::path& file, CountedFiles& files);
 
 }  // namespace occlude::render

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <string>
+#include <fmt/format.h>
 
-#include "model_check.h"
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "model_builder.h"
 #include "model_readers.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
@@ -11,14 +19,18 @@
 namespace occlude::render {
 namespace {
 
-using culler::PolygonSoup;
 using ply::Element;
 using ply::Header;
 using ply::Property;
 using ply::ValueReader;
 
-void read_vertices(ValueReader& values, const Element& element, PolygonSoup& soup) {
-  soup.vertices.reserve(element.count);
+/// Lists of vertices of which three in a row are a triangle, as scanners write them.
+constexpr std::string_view kStrips = "tristrips";
+constexpr std::uint32_t kEndOfStrip = ~std::uint32_t{0};
+
+bool is_of_faces(const Element& element) { return element.name == "face" || element.name == kStrips; }
+
+void read_vertices(ValueReader& values, const Element& element, ModelBuilder& builder) {
   for (std::size_t i = 0; i < element.count; ++i) {
     values.enter(element, i);
     glm::dvec3 v{0, 0, 0};
@@ -30,16 +42,8 @@ void read_vertices(ValueReader& values, const Element& element, PolygonSoup& sou
         values.skip(property);
       }
     }
-    if (const auto fault = vertex_fault(v)) values.fail(*fault);
-    soup.vertices.push_back(v);
+    builder.add_vertex(v, [&] { return values.place(); });
   }
-}
-
-void read_loop(ValueReader& values, const Property& property, std::vector<std::int64_t>& loop) {
-  const std::int64_t count = values.integer(*property.count);
-  if (count < 0) values.fail("the list has a negative length");
-  loop.clear();
-  for (std::int64_t i = 0; i < count; ++i) loop.push_back(values.integer(property.type));
 }
 
 const Property* loop_property(const Element& face) {
@@ -47,21 +51,55 @@ const Property* loop_property(const Element& face) {
   return plural != nullptr ? plural : face.find("vertex_index");
 }
 
-void read_faces(ValueReader& values, const Element& element, std::size_t vertices, PolygonSoup& soup) {
+/// A list of vertices, each checked: of a face, or, with -1 where one ends, of strips of triangles.
+void read_loop(ValueReader& values, const Property& property, std::size_t vertices, bool is_strip,
+               std::vector<std::uint32_t>& loop) {
+  const std::int64_t count = values.integer(*property.count);
+  if (count < 0) values.fail("the list has a negative length");
+  loop.clear();
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t index = values.integer(property.type);
+    if (static_cast<std::uint64_t>(index) < vertices) {
+      loop.push_back(static_cast<std::uint32_t>(index));
+    } else if (is_strip && index == -1) {
+      loop.push_back(kEndOfStrip);
+    } else {
+      values.fail(fmt::format("vertex index {} is out of range ({} vertices)", index, vertices));
+    }
+  }
+}
+
+/// Calls add(loop) for each triangle of the strips. One with two corners in one vertex only joins others.
+template <class Add>
+void for_each_triangle(std::span<const std::uint32_t> strips, const Add& add) {
+  for (std::size_t i = 0; i + 2 < strips.size(); ++i) {
+    const std::uint32_t a = strips[i], b = strips[i + 1], c = strips[i + 2];
+    if (a == kEndOfStrip || b == kEndOfStrip || c == kEndOfStrip || a == b || b == c || c == a) continue;
+    add(std::array{a, b, c});
+  }
+}
+
+/// Calls add(loop) for each face of an element of faces or strips.
+template <class Add>
+void read_faces(ValueReader& values, const Element& element, std::size_t vertices, const Add& add) {
   const Property* const indices = loop_property(element);
-  std::vector<std::int64_t> loop;
-  soup.first.reserve(element.count + 1);
+  const bool is_strip = element.name == kStrips;
+  std::vector<std::uint32_t> loop;
   for (std::size_t i = 0; i < element.count; ++i) {
     values.enter(element, i);
+    loop.clear();
     for (const Property& property : element.properties) {
       if (&property == indices) {
-        read_loop(values, property, loop);
+        read_loop(values, property, vertices, is_strip, loop);
       } else {
         values.skip(property);
       }
     }
-    if (const auto fault = loop_fault(loop, vertices)) values.fail(*fault);
-    add_polygon(soup, loop);
+    if (is_strip) {
+      for_each_triangle(loop, add);
+    } else {
+      add(loop);
+    }
   }
 }
 
@@ -81,34 +119,41 @@ void require_declarations(const std::filesystem::path& file, const Header& heade
     const Property* const property = vertex->find(axis);
     if (property == nullptr || property->count) throw InputError(file.string() + ": element vertex has no number " + axis);
   }
-  const Element* const face = header.find("face");
-  if (face == nullptr) throw InputError(file.string() + ": no polygons");
-  const Property* const indices = loop_property(*face);
-  if (indices == nullptr || !indices->count || !ply::is_integer(indices->type))
-    throw InputError(file.string() + ": element face has no list of integers vertex_indices");
+  for (const Element& element : header.elements) {
+    const Property* const indices = loop_property(element);
+    if (is_of_faces(element) && (indices == nullptr || !indices->count || !ply::is_integer(indices->type)))
+      throw InputError(fmt::format("{}: element {} has no list of integers vertex_indices", file.string(), element.name));
+  }
 }
 
 }  // namespace
 
-PolygonSoup read_ply(const std::filesystem::path& file) {
+Model read_ply(const std::filesystem::path& file) {
   const std::string bytes = read_input(file);
   const Header header = ply::read_header(file, bytes);
   require_declarations(file, header);
   ValueReader values(file, header, bytes);
-  PolygonSoup soup;
+  ModelBuilder builder;
+  const auto add = [&](std::span<const std::uint32_t> loop) { builder.add_face(loop); };
+  // Elements may come in any order, and faces need their vertices.
+  const std::size_t vertices = header.find("vertex")->count;
+  std::vector<std::vector<std::uint32_t>> waiting;
   for (const Element& element : header.elements) {
     values.expect_room_for(element);
     if (element.name == "vertex") {
-      read_vertices(values, element, soup);
-    } else if (element.name == "face") {
-      read_faces(values, element, header.find("vertex")->count, soup);
-    } else {
+      read_vertices(values, element, builder);
+    } else if (!is_of_faces(element)) {
       skip_element(values, element);
+    } else if (builder.vertices() == vertices) {
+      read_faces(values, element, vertices, add);
+    } else {
+      read_faces(values, element, vertices,
+                 [&](std::span<const std::uint32_t> loop) { waiting.emplace_back(loop.begin(), loop.end()); });
     }
   }
   values.expect_end();
-  require_usable(file, soup);
-  return soup;
+  for (const std::vector<std::uint32_t>& loop : waiting) add(loop);
+  return builder.finish(file);
 }
 
 }  // namespace occlude::render

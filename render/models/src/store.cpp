@@ -202,6 +202,8 @@ culler::PolygonSoup model_of(const culler::Culler& culler) {
   const culler::SoupView soup = hierarchy.soup();
   culler::PolygonSoup model;
   model.vertices.assign(soup.vertices.begin(), soup.vertices.end());
+  model.faces.assign(hierarchy.faces().begin(), hierarchy.faces().end());
+  model.see_through.resize(soup.see_through.size());
   model.first.resize(soup.first.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
     model.first[hierarchy.original(p) + std::size_t{1}] = static_cast<std::uint32_t>(soup.loop(p).size());
@@ -209,7 +211,9 @@ culler::PolygonSoup model_of(const culler::Culler& culler) {
   for (std::size_t p = 0; p < soup.size(); ++p) model.first[p + 1] += model.first[p];
   model.indices.resize(soup.indices.size());
   for (std::size_t p = 0; p < soup.size(); ++p) {
-    std::ranges::copy(soup.loop(p), model.indices.begin() + model.first[hierarchy.original(p)]);
+    const std::uint32_t original = hierarchy.original(p);
+    std::ranges::copy(soup.loop(p), model.indices.begin() + model.first[original]);
+    if (!soup.see_through.empty()) model.see_through[original] = soup.see_through[p];
   }
   return model;
 }
@@ -220,7 +224,9 @@ bool is_model_of(culler::SoupView soup, const culler::Culler& culler) {
   if (soup.vertices.size() != own.vertices.size() || soup.size() != own.size()) return false;
   if (std::memcmp(soup.vertices.data(), own.vertices.data(), soup.vertices.size() * sizeof(glm::dvec3)) != 0) return false;
   for (std::size_t p = 0; p < own.size(); ++p) {
-    if (!std::ranges::equal(own.loop(p), soup.loop(hierarchy.original(p)))) return false;
+    const std::uint32_t original = hierarchy.original(p);
+    if (!std::ranges::equal(own.loop(p), soup.loop(original))) return false;
+    if (own.is_opaque(p) != soup.is_opaque(original) || hierarchy.face(p) != soup.face(original)) return false;
   }
   return true;
 }

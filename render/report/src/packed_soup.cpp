@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The format: the number of vertices and of polygons; for each polygon its number of sides; for each corner the difference
+// The format: the number of vertices and of polygons; for each polygon four times its number of sides, and 1 more if it is
+// see-through, 2 more if it is another piece of the same face as the polygon before; for each corner the difference
 // of its vertex from that of the corner before; then for x, y and z of each vertex the difference of its 64 bits from those
 // of the vertex before, first the lowest byte of all, then the next ones.
 #include "packed_soup.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +18,8 @@ namespace occlude::render {
 namespace {
 
 constexpr std::size_t kBytes = sizeof(double);
+
+constexpr unsigned kSeeThrough = 1, kSameFace = 2, kFlagBits = 2;
 
 std::uint64_t unfolded(std::uint64_t number) { return number >> 1 ^ ((number & 1U) == 0 ? 0 : ~std::uint64_t{0}); }
 
@@ -41,8 +45,8 @@ class Reader {
     throw std::invalid_argument("a number in the model is too long");
   }
   /// A count of things that take a byte or more each.
-  std::size_t count() {
-    const std::uint64_t value = number();
+  std::size_t count() { return counted(number()); }
+  [[nodiscard]] std::size_t counted(std::uint64_t value) const {
     if (value > bytes_.size()) throw std::invalid_argument("the model ends early");
     return static_cast<std::size_t>(value);
   }
@@ -77,7 +81,10 @@ std::string packed(culler::SoupView soup) {
   Bytes bytes;
   bytes.number(soup.vertices.size());
   bytes.number(soup.size());
-  for (std::size_t p = 0; p < soup.size(); ++p) bytes.number(soup.loop(p).size());
+  for (std::size_t p = 0; p < soup.size(); ++p) {
+    const bool is_same_face = p != 0 && soup.face(p) == soup.face(p - 1);
+    bytes.number(soup.loop(p).size() << kFlagBits | (soup.is_opaque(p) ? 0 : kSeeThrough) | (is_same_face ? kSameFace : 0));
+  }
   std::int64_t before = 0;
   for (const std::uint32_t index : soup.indices) {
     bytes.difference(index - before);
@@ -95,8 +102,14 @@ culler::PolygonSoup unpacked(std::string_view bytes) {
   const std::size_t polygons = reader.count();
   soup.first.reserve(polygons + 1);
   for (std::size_t p = 0; p < polygons; ++p) {
-    soup.first.push_back(culler::PolygonSoup::narrowed(soup.first.back() + reader.count()));
+    const std::uint64_t sides = reader.number();
+    soup.first.push_back(culler::PolygonSoup::narrowed(soup.first.back() + reader.counted(sides >> kFlagBits)));
+    const bool is_same_face = (sides & kSameFace) != 0;
+    soup.faces.push_back(p == 0 ? 0 : soup.faces.back() + (is_same_face ? 0 : 1));
+    soup.see_through.push_back(sides & kSeeThrough);
   }
+  if (soup.face_count() == polygons) soup.faces.clear();
+  if (std::ranges::count(soup.see_through, 1) == 0) soup.see_through.clear();
   soup.indices.reserve(soup.first.back());
   std::uint64_t index = 0;
   for (std::size_t i = 0; i < soup.first.back(); ++i) {

@@ -112,8 +112,8 @@ PageModel::PageModel(const culler::Hierarchy& hierarchy, std::size_t most)
   std::vector<std::uint32_t> leaf;
   const auto add = [&](std::uint32_t p) {
     place_[p] = static_cast<std::uint32_t>(polygons_++);
-    numbers.difference(hierarchy.original(p) - number_before);
-    number_before = hierarchy.original(p);
+    numbers.difference(hierarchy.face(p) - number_before);
+    number_before = hierarchy.face(p);
     sides.number(soup.loop(p).size());
     for (const std::uint32_t index : soup.loop(p)) {
       const std::size_t unused = vertices.points().size();

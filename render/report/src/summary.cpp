@@ -144,6 +144,7 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   Summary summary;
   summary.model = model;
   summary.polygons = result.polygons;
+  summary.see_through_polygons = result.see_through_polygons;
   summary.triangles = result.triangles;
   summary.frames = result.frames.size();
   summary.options = options;
@@ -213,6 +214,10 @@ bool passed(const WalkResult& result) {
 
 std::string text_of(const Summary& summary, const Paint& paint) {
   std::string text = table2_text(summary) + spread_text(summary.spread);
+  if (summary.see_through_polygons != 0) {
+    text +=
+        fmt::format("see-through polygons {} of {}, which hide nothing\n", summary.see_through_polygons, summary.polygons);
+  }
   if (const std::string note = limit_note(summary); !note.empty()) text += note + '\n';
   if (summary.options.render) {
     const bool is_right = *summary.false_culls == 0 && *summary.wrong_pixels == *summary.snapped_pixels;
@@ -272,6 +277,7 @@ Json json_of(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   return {{"model", summary.model},
           {"polygons", summary.polygons},
+          {"see_through_polygons", summary.see_through_polygons},
           {"triangles", summary.triangles},
           {"frames", summary.frames},
           {"method", summary.options.cull.method == culler::Method::cover ? "cover" : "frusta"},

@@ -80,6 +80,7 @@ struct Condition {
 constexpr auto kConditions = std::to_array<Condition>({
     {"model", Type::text},
     {"polygons", Type::whole},
+    {"see_through_polygons", Type::whole},
     {"triangles", Type::whole},
     {"frames", Type::whole},
     {"method", Type::text},
@@ -137,7 +138,8 @@ void flatten(const nlohmann::json& object, const std::string& prefix, std::map<s
 std::map<std::string, std::string> conditions(const nlohmann::json& summary) {
   std::map<std::string, std::string> members;
   nlohmann::json told = nlohmann::json::object();
-  for (const char* name : {"model", "polygons", "triangles", "frames", "method", "options", "machine"}) {
+  for (const char* name :
+       {"model", "polygons", "see_through_polygons", "triangles", "frames", "method", "options", "machine"}) {
     if (summary.contains(name)) told[name] = summary[name];
   }
   flatten(told, "", members);

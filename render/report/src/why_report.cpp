@@ -10,6 +10,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,14 +36,19 @@ double distance(const glm::dvec3& eye, const kernel::Aabb& box) {
   return glm::distance(eye, glm::clamp(eye, low, high));
 }
 
+/// The numbers of polygons in the model file, ascending.
+std::vector<std::uint32_t> numbers_of(const culler::Culler& culler, std::span<const std::uint32_t> polygons) {
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t p : polygons) numbers.push_back(culler.hierarchy().face(p));
+  std::ranges::sort(numbers);
+  const auto repeated = std::ranges::unique(numbers);  // pieces of one polygon
+  numbers.erase(repeated.begin(), repeated.end());
+  return numbers;
+}
+
 /// The polygons of the model that form the occluder.
 std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32_t occluder) {
-  std::vector<std::uint32_t> polygons;
-  for (const std::uint32_t part : culler.occluders().parts(occluder)) {
-    polygons.push_back(culler.hierarchy().original(part));
-  }
-  std::sort(polygons.begin(), polygons.end());
-  return polygons;
+  return numbers_of(culler, culler.occluders().parts(occluder));
 }
 
 /// An occluder in words.
@@ -125,8 +131,11 @@ class Text {
     constexpr std::array<const char*, 3> kFates{"drawn", "culled: out of view", "culled: in shadow"};
     const culler::SoupView soup = culler_.hierarchy().soup();
     const kernel::Aabb box = soup.box(account_.polygon);
-    add("frame {}, polygon {}: {}", frame_.number(), culler_.hierarchy().original(account_.polygon),
+    add("frame {}, polygon {}: {}", frame_.number(), culler_.hierarchy().face(account_.polygon),
         kFates[static_cast<std::size_t>(became_)]);
+    const auto pieces = std::ranges::count(culler_.hierarchy().faces(), culler_.hierarchy().face(account_.polygon));
+    if (pieces > 1) add("  drawn in {} pieces; of that which shows most:", pieces);
+    if (!soup.is_opaque(account_.polygon)) add("  see-through: it hides nothing");
     add("  {} sides, in the box {} - {}, {:.6g} from the eye", soup.loop(account_.polygon).size(), text_of(box.min),
         text_of(box.max), distance(frame_.camera().eye, box));
     const std::string size = fmt::format("{}x{}", frame_.options().width, frame_.options().height);
@@ -151,12 +160,12 @@ class Text {
 
   void add_cover() {
     constexpr std::size_t kNamed = 8;
+    const std::vector<std::uint32_t> cover = numbers_of(culler_, account_.cover);
     std::string named;
-    for (std::size_t i = 0; i < std::min(account_.cover.size(), kNamed); ++i) {
-      named += fmt::format("{}{}", i == 0 ? "" : ", ", culler_.hierarchy().original(account_.cover[i]));
+    for (std::size_t i = 0; i < std::min(cover.size(), kNamed); ++i) {
+      named += fmt::format("{}{}", i == 0 ? "" : ", ", cover[i]);
     }
-    const bool is_all = account_.cover.size() <= kNamed;
-    add("  by {} polygons together: {}{}", account_.cover.size(), named, is_all ? "" : ", ...");
+    add("  by {} polygons together: {}{}", cover.size(), named, cover.size() <= kNamed ? "" : ", ...");
   }
 
   void add_missed(const culler::MissedReasons::Answer& missed) {
@@ -215,7 +224,7 @@ std::string to_json(const ReplayedFrame& frame, const Account& a) {
   const culler::Culler& culler = frame.culler();
   const culler::HierarchyNode& node = culler.hierarchy().nodes()[a.node];
   Json json = {{"frame", frame.number()},
-               {"polygon", culler.hierarchy().original(a.polygon)},
+               {"polygon", culler.hierarchy().face(a.polygon)},
                {"box", json_of(culler.hierarchy().soup().box(a.polygon))},
                {"fate", kFates[static_cast<std::size_t>(became(a))]},
                {"pixels", a.pixels},
@@ -225,8 +234,7 @@ std::string to_json(const ReplayedFrame& frame, const Account& a) {
   for (const AgainstShadow& s : a.shadows) {
     json["shadows"].push_back(json_of_shadow(culler, frame.result().occluders[s.occluder], s.clearance));
   }
-  json["cover"] = Json::array();
-  for (const std::uint32_t p : a.cover) json["cover"].push_back(culler.hierarchy().original(p));
+  json["cover"] = numbers_of(culler, a.cover);
   json["missed"] = a.missed ? json_of_missed(culler, *a.missed) : Json();
   return json.dump(2) + "\n";
 }

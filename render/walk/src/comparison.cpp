@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <map>
 #include <set>
 #include <span>
 
@@ -68,33 +69,67 @@ bool is_snapping(const glm::dvec2& centre, const Projector& project, const culle
   return is_on(cull.index) || (cull.second != culler::Culled::kNone && is_on(cull.second));
 }
 
+/// Finds out what the pixels tell at which two pictures differ.
+class Differences {
+ public:
+  Differences(const ItemBuffer& full, const culler::Culler& culler, const culler::Camera& camera,
+              const culler::CullResult& result)
+      : culler_(culler), result_(result), project_(camera, full.width, full.height) {
+    for (std::uint32_t p = 0; p < full.see_through.size(); ++p) {
+      if (full.see_through[p] != 0 && culler.cull_of(result, p) != nullptr) missing_.emplace(p, full.see_through[p]);
+    }
+  }
+
+  /// Whether rounding explains a pixel in which this polygon shows without culling.
+  bool is_explained(const glm::dvec2& centre, std::uint32_t polygon) {
+    const culler::Culled* const cull = polygon == kNothing ? nullptr : culler_.cull_of(result_, polygon);
+    bool is_explained = cull && is_snapping_at(centre, *cull);
+    if (cull && !is_explained) falsely_culled_.insert(polygon);
+    for (auto& [see_through, pixels] : missing_) {
+      if (pixels == 0 || !is_snapping_at(centre, *culler_.cull_of(result_, see_through))) continue;
+      --pixels;
+      is_explained |= cull == nullptr;
+    }
+    return is_explained;
+  }
+  /// After all pixels.
+  [[nodiscard]] std::size_t false_culls() const {
+    const auto is_seen = [](const auto& missing) { return missing.second != 0; };
+    return falsely_culled_.size() + static_cast<std::size_t>(std::ranges::count_if(missing_, is_seen));
+  }
+
+ private:
+  [[nodiscard]] bool is_snapping_at(const glm::dvec2& centre, const culler::Culled& cull) const {
+    return cull.by == culler::Culled::By::shadow && is_snapping(centre, project_, result_, cull);
+  }
+
+  const culler::Culler& culler_;
+  const culler::CullResult& result_;
+  Projector project_;
+  std::set<std::uint32_t> falsely_culled_;          ///< opaque ones
+  std::map<std::uint32_t, std::uint32_t> missing_;  ///< culled see-through polygons that show; their unexplained pixels
+};
+
 }  // namespace
 
 std::vector<std::uint32_t> compare(const Picture& full, const Picture& culled, const culler::Culler& culler,
                                    const culler::Camera& camera, const culler::CullResult& result, FrameRecord& record) {
-  std::vector<std::uint32_t> visible;
-  std::set<std::uint32_t> falsely_culled;
-  const int width = full.items.width, height = full.items.height;
-  const Projector project(camera, width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
+  Differences differences(full.items, culler, camera, result);
+  for (int y = 0; y < full.items.height; ++y) {
+    for (int x = 0; x < full.items.width; ++x) {
       const std::uint32_t polygon = full.items.at(x, y);
-      if (polygon != kNothing && (visible.empty() || visible.back() != polygon)) visible.push_back(polygon);
-      const bool same = full.image.at(x, y) == culled.image.at(x, y) && polygon == culled.items.at(x, y);
-      if (same) continue;
+      if (full.image.at(x, y) == culled.image.at(x, y) && polygon == culled.items.at(x, y)) continue;
       ++record.wrong_pixels;
-      const culler::Culled* cull = polygon == kNothing ? nullptr : culler.cull_of(result, polygon);
-      if (cull && cull->by == culler::Culled::By::shadow && is_snapping({x + 0.5, y + 0.5}, project, result, *cull)) {
-        ++record.snapped_pixels;
-      } else if (cull) {
-        falsely_culled.insert(polygon);
-      }
+      if (differences.is_explained({x + 0.5, y + 0.5}, polygon)) ++record.snapped_pixels;
     }
   }
-  std::sort(visible.begin(), visible.end());
-  visible.erase(std::unique(visible.begin(), visible.end()), visible.end());
+  const std::vector<std::uint32_t> pixels = full.items.pixels_of(culler.hierarchy().soup().size());
+  std::vector<std::uint32_t> visible;
+  for (std::uint32_t p = 0; p < pixels.size(); ++p) {
+    if (pixels[p] != 0) visible.push_back(p);
+  }
   record.visible_polygons = visible.size();
-  record.false_culls += falsely_culled.size();
+  record.false_culls += differences.false_culls();
   return visible;
 }
 

@@ -88,8 +88,11 @@ culler::Culler make_culler(culler::PolygonSoup soup, const WalkOptions& options)
   return culler;
 }
 
-ModelFile::ModelFile(std::filesystem::path file) : path(std::move(file)) {
-  if (!is_store(path)) soup = read_model(path);
+ModelFile::ModelFile(std::filesystem::path file, const ReadOptions& options) : path(std::move(file)) {
+  if (is_store(path)) return;
+  Model model = read_model(path, options);
+  soup = std::move(model.soup);
+  notes = std::move(model.notes);
 }
 
 culler::Culler make_culler(ModelFile model, const WalkOptions& options) {

@@ -127,6 +127,7 @@ WalkResult walk_frames(const culler::Culler& culler, const CameraPath& path, con
   const culler::SoupView soup = culler.hierarchy().soup();
   WalkResult result;
   result.polygons = soup.size();
+  result.see_through_polygons = static_cast<std::size_t>(std::ranges::count(soup.see_through, 1));
   result.triangles = soup.indices.size() - 2 * soup.size();
   result.build = culler.config();
   result.renderer = drawing.description();

@@ -65,7 +65,7 @@ Account account_for(const ReplayedFrame& frame, std::uint32_t polygon, const Ite
   const culler::CullResult& result = frame.result();
   Account account;
   account.polygon = polygon;
-  account.pixels = static_cast<std::size_t>(std::ranges::count(items.pixels, polygon));
+  account.pixels = items.pixels_of(frame.culler().hierarchy().soup().size())[polygon];
   if (const culler::Culled* cull = culler.cull_of(result, polygon)) {
     account.cull = *cull;
     account.node = cull->node;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "occlude/render/input_limits.h"
 
 namespace occlude::render {
@@ -37,6 +39,15 @@ std::string list(const Items& items, Text&& text) {
   std::string result;
   for (const auto& item : items) result += (result.empty() ? "" : ",") + text(item);
   return "[" + result + "]";
+}
+
+/// The number of a polygon in the model file, or [number, piece] if it is one of several pieces.
+std::string name_of(const culler::Hierarchy& hierarchy, std::uint32_t p) {
+  const std::uint32_t face = hierarchy.face(p);
+  const auto pieces = std::ranges::equal_range(hierarchy.faces(), face);
+  if (pieces.size() < 2) return std::to_string(face);
+  const auto first = static_cast<std::uint32_t>(pieces.begin() - hierarchy.faces().begin());
+  return fmt::format("[{},{}]", face, hierarchy.original(p) - first);
 }
 
 /// For an occluder that is not one polygon of the model: the triangles of its parts.
@@ -139,9 +150,8 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
            fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
   }
   for (const culler::CoverWitness& cover : covers) {
-    append(cover.range, box_member(cover.box), R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) {
-                                                 return std::to_string(hierarchy.original(p));
-                                               }));
+    append(cover.range, box_member(cover.box),
+           R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) { return name_of(hierarchy, p); }));
   }
 }
 

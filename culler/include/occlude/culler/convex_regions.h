@@ -29,10 +29,12 @@ struct FanRun {
 };
 
 /// The regions are numbered in three groups:
-/// 1. Region r < soup.size() is polygon r, whatever its shape.
+/// 1. Region r < soup.size() is polygon r, whatever its shape. It has no corners if the polygon is see-through, so that it
+///    hides nothing.
 /// 2. Then come the joined regions: several polygons, joined edge to edge. Each is convex and nearly flat up to rounding,
 ///    and has at most 32 sides.
 /// 3. Then come the pieces of polygons that are not convex or have more than kMostSides sides.
+/// Joined regions and pieces have no see-through part.
 /// Whether the loop of a region is an occluder for a viewpoint, the kernel decides exactly.
 ///
 /// Two properties of a region's parts (of a piece: of its run of triangles) hold exactly:
@@ -90,6 +92,11 @@ class ConvexRegions {
   std::size_t first_piece_ = 0;
   Array<FanRun> runs_;
 };
+
+/// The corners of region p: those of polygon p, or none if it is see-through.
+[[nodiscard]] inline std::span<const std::uint32_t> corners_of_region(SoupView soup, std::size_t p) {
+  return soup.is_opaque(p) ? soup.loop(p) : std::span<const std::uint32_t>{};
+}
 
 /// The border of a run of triangles in the fan of `loop`: v0, then the corners of the run in order.
 /// REQUIRES: run.first + run.count <= loop.size() - 2.

@@ -71,13 +71,18 @@ class Hierarchy {
   [[nodiscard]] static Hierarchy from_parts(const PartReader& parts, const Config& config,
                                             const Checkpoint& checkpoint = {});
 
-  /// The polygons in the order of the leaves.
+  /// The polygons in the order of the leaves. It has no `faces`.
   [[nodiscard]] const SoupView& soup() const { return soup_.view; }
   [[nodiscard]] const SharedSoup& shared_soup() const { return soup_; }
   /// Config::leaf_size. With the input it fixes the order of the polygons, whatever the bounding volumes are.
   [[nodiscard]] std::uint32_t leaf_size() const { return leaf_size_; }
   /// Index in the input of polygon p of soup().
   [[nodiscard]] std::uint32_t original(std::size_t p) const { return order_[p]; }
+  /// The face of the input that polygon p of soup() is, or of which it is a piece.
+  [[nodiscard]] std::uint32_t face(std::size_t p) const { return faces_.empty() ? order_[p] : faces_[order_[p]]; }
+  [[nodiscard]] std::size_t face_count() const { return faces_.empty() ? order_.size() : faces_.back() + std::size_t{1}; }
+  /// SoupView::faces of the input.
+  [[nodiscard]] std::span<const std::uint32_t> faces() const { return faces_; }
   /// Number of fan triangles in polygons [0, p) of soup(); p may be soup().size().
   [[nodiscard]] std::size_t first_triangle(std::size_t p) const { return soup().first[p] - 2 * p; }
   /// The root first.
@@ -105,7 +110,8 @@ class Hierarchy {
 
   void fit_oriented_boxes(const Checkpoint& checkpoint);
 
-  SharedSoup soup_;
+  Array<std::uint32_t> faces_;
+  SharedSoup soup_;  ///< without faces
   std::uint32_t leaf_size_ = 0;
   Array<std::uint32_t> order_;
   Array<Node> nodes_;

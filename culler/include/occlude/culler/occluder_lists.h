@@ -67,7 +67,7 @@ class OccluderLists {
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;
   /// The lists with these parts. Throws std::invalid_argument if they cannot be of so many occluders.
-  [[nodiscard]] static OccluderLists from_parts(const PartReader& parts, std::size_t occluders,
+  [[nodiscard]] static OccluderLists from_parts(const PartReader& parts, const PotentialOccluders& occluders,
                                                 const Checkpoint& checkpoint = {});
   /// The same lists with what occluders hide. Throws std::invalid_argument unless there is a finite number, not below 0, for
   /// each entry.

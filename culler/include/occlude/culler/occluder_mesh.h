@@ -11,8 +11,9 @@
 
 namespace occlude::culler {
 
-/// The polygons may have any shape, overlap and leave gaps: closed solids, single walls, whole drawn meshes. What they hide
-/// together is hidden (README.md, Joined shadows).
+/// Polygons, each drawn as the fan of its loop, whatever its shape: add concave faces and openings by
+/// PolygonSoup::add_face(). They may overlap and leave gaps: closed solids, single walls, whole drawn meshes. What they hide
+/// together is hidden (README.md, Joined shadows). See-through ones (SoupView::see_through) hide nothing.
 ///
 /// Const calls may run on several threads at once. Meshes may be made on any thread, also while scenes are culled.
 class OccluderMesh {

@@ -33,7 +33,7 @@ class OccluderSet : public PotentialOccluders {
   /// The occluders with these parts. REQUIRES and throws as those of PotentialOccluders and OccluderLists.
   [[nodiscard]] static OccluderSet from_parts(const PartReader& parts, SharedSoup soup, const Checkpoint& checkpoint = {}) {
     PotentialOccluders potential = PotentialOccluders::from_parts(parts, std::move(soup), checkpoint);
-    OccluderLists lists = OccluderLists::from_parts(parts, potential.size(), checkpoint);
+    OccluderLists lists = OccluderLists::from_parts(parts, potential, checkpoint);
     return {std::move(potential), std::move(lists)};
   }
 

@@ -26,7 +26,7 @@ struct Parts {
   std::uint64_t left_out = 0;        ///< bytes of the parts that the model has beside these
 };
 
-inline constexpr unsigned kPartsVersion = 2;
+inline constexpr unsigned kPartsVersion = 3;
 /// The bytes of each part begin at a multiple of this.
 inline constexpr std::size_t kPartAlignment = 64;
 

@@ -28,13 +28,16 @@ struct PolygonRange {
 [[nodiscard]] std::vector<bool> polygons_of(std::span<const PolygonRange> ranges, std::size_t count);
 
 /// Polygons as loops of vertex indices, where they lie. Polygon p is drawn as the fan of triangles (v0, vi, vi+1) of its
-/// loop; both sides are opaque. Coordinates are doubles in the model's own units, right-handed, Z up by convention of the
-/// tools.
+/// loop, whatever its shape: faces that may be concave or have openings are for PolygonSoup::add_face(). Both sides are
+/// opaque, unless it is see-through: then it hides nothing, and is hidden as all others are. Coordinates are doubles in the
+/// model's own units, right-handed, Z up by convention of the tools.
 ///
 /// A soup is well formed if
 /// 1. `first` begins with 0, never descends and ends with indices.size();
 /// 2. each polygon has at least three corners, which may repeat;
-/// 3. all indices are below vertices.size().
+/// 3. all indices are below vertices.size();
+/// 4. `faces` is empty, or has a number for each polygon: 0, and then the one before it or the next;
+/// 5. `see_through` is empty, or has 0 or 1 for each polygon.
 /// Culler, OccluderMesh and preprocess() refuse a soup that is not; everything else REQUIRES that it is. Polygon numbers are
 /// not checked.
 struct SoupView {
@@ -44,6 +47,12 @@ struct SoupView {
   std::span<const glm::dvec3> vertices;
   std::span<const std::uint32_t> indices;             ///< the loops of all polygons, one after another
   std::span<const std::uint32_t> first = kNoPolygon;  ///< polygon p owns indices [first[p], first[p + 1])
+  std::span<const std::uint32_t> faces = {};          ///< the face of which polygon p is a piece; empty: each is a face
+  std::span<const std::uint8_t> see_through = {};     ///< 1 where polygon p hides nothing; empty: nowhere
+
+  /// The face that polygon p is, or of which it is a piece.
+  [[nodiscard]] std::uint32_t face(std::size_t p) const { return faces.empty() ? static_cast<std::uint32_t>(p) : faces[p]; }
+  [[nodiscard]] bool is_opaque(std::size_t p) const { return see_through.empty() || see_through[p] == 0; }
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -60,14 +69,23 @@ struct SoupView {
   [[nodiscard]] kernel::Aabb box(std::size_t p) const;
 };
 
+/// How a face is drawn.
+enum class FaceShape {
+  fan,       ///< as one polygon
+  pieces,    ///< as triangles: its fan would leave it
+  crossing,  ///< as the fan of its loop, and see-through: it crosses itself, or its triangles take too long to find (face.h)
+};
+
 /// A soup that grows: the arrays of SoupView, in memory of its own. An empty one has no polygon.
 struct PolygonSoup {
   std::vector<glm::dvec3> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<std::uint32_t> first = {0};
+  std::vector<std::uint32_t> faces;
+  std::vector<std::uint8_t> see_through;
 
   /// What reads a soup takes this one as well, as long as it is there and does not grow.
-  operator SoupView() const { return {vertices, indices, first}; }  // NOLINT: the same polygons
+  operator SoupView() const { return {vertices, indices, first, faces, see_through}; }  // NOLINT: the same polygons
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -75,6 +93,9 @@ struct PolygonSoup {
   [[nodiscard]] std::span<const std::uint32_t> loop(std::size_t p) const { return SoupView(*this).loop(p); }
   [[nodiscard]] std::size_t triangles(std::size_t p) const { return SoupView(*this).triangles(p); }
   [[nodiscard]] kernel::Aabb box(std::size_t p) const { return SoupView(*this).box(p); }
+  [[nodiscard]] std::uint32_t face(std::size_t p) const { return SoupView(*this).face(p); }
+  [[nodiscard]] bool is_opaque(std::size_t p) const { return SoupView(*this).is_opaque(p); }
+  [[nodiscard]] std::size_t face_count() const { return empty() ? 0 : face(size() - 1) + std::size_t{1}; }
 
   /// Adds a vertex and returns its index. Throws std::length_error, and adds nothing, if 32 bits cannot hold the index.
   std::uint32_t add_vertex(const glm::dvec3& v) {
@@ -82,13 +103,25 @@ struct PolygonSoup {
     vertices.push_back(v);
     return index;
   }
-  /// Adds a polygon over existing vertices. Throws std::length_error, and adds nothing, if 32 bits cannot hold the number of
-  /// all indices. REQUIRES, not checked: at least three indices, all below vertices.size().
+  /// Adds a polygon over existing vertices that is drawn as its fan, and is a face. Throws std::length_error, and adds
+  /// nothing, if 32 bits cannot hold the number of all indices. REQUIRES, not checked: at least three indices, all below
+  /// vertices.size().
   void add_polygon(std::span<const std::uint32_t> polygon) {
     const std::uint32_t end = narrowed(indices.size() + polygon.size());
-    indices.insert(indices.end(), polygon.begin(), polygon.end());
+    for (const std::uint32_t index : polygon) indices.push_back(index);  // faster than insert(): polygons are short
     first.push_back(end);
+    if (!faces.empty()) faces.push_back(faces.back() + 1);
+    if (!see_through.empty()) see_through.push_back(0);
   }
+  /// Adds a face of any shape (face.h) over existing vertices: as one polygon, or as several that are its pieces. Throws and
+  /// REQUIRES as add_polygon(), and legal coordinates.
+  FaceShape add_face(std::span<const std::uint32_t> loop) {
+    if (loop.size() > 3) return add_large_face(loop);
+    add_polygon(loop);
+    return FaceShape::fan;
+  }
+  /// Makes the polygons from `p` on see-through.
+  void see_through_from(std::size_t p);
   /// Adds the box from `low` to `high` as six quadrilaterals over eight vertices of its own, counter-clockwise from outside.
   /// Throws as the two above.
   void add_box(const glm::dvec3& low, const glm::dvec3& high);
@@ -98,6 +131,9 @@ struct PolygonSoup {
     if (number > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("more than 2^32 vertices or corners");
     return static_cast<std::uint32_t>(number);
   }
+
+ private:
+  FaceShape add_large_face(std::span<const std::uint32_t> loop);
 };
 
 /// A soup that copies share.

@@ -65,6 +65,8 @@ class PotentialOccluders {
   [[nodiscard]] const ConvexShells& shells() const { return shells_; }
 
   [[nodiscard]] bool is_shell(std::size_t i) const { return i >= regions_.size(); }
+  /// Whether occluder i hides anything: that of a see-through polygon does not.
+  [[nodiscard]] bool hides(std::size_t i) const { return is_shell(i) || !loop(i).empty(); }
   /// REQUIRES: is_shell(i).
   [[nodiscard]] const kernel::ConvexPolytope& polytope(std::size_t i) const { return shells_.polytope(i - regions_.size()); }
   /// The corners of a region in loop order, as indices of soup vertices. REQUIRES: !is_shell(i).

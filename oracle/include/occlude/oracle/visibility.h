@@ -25,10 +25,11 @@ struct Picture {
 };
 
 /// For each triangle, whether any of it shows: whether the rays from the viewpoint that meet it first, in the picture, fill
-/// an open set. All triangles are opaque from both sides. A triangle seen edge-on does not show. Triangles in one plane do
-/// not hide each other. The time grows with the square of the number of triangles, and with the number of pieces into which
-/// the hidden parts are cut. REQUIRES: all numbers are finite; a direction is not zero.
+/// an open set. Triangles are opaque from both sides, but for those in `see_through`, which hide nothing; it is empty, or
+/// has whether each is. A triangle seen edge-on does not show. Triangles in one plane do not hide each other. The time grows
+/// with the square of the number of triangles, and with the number of pieces into which the hidden parts are cut. REQUIRES:
+/// all numbers are finite; a direction is not zero.
 [[nodiscard]] std::vector<bool> visible_triangles(const Viewpoint& view, std::span<const Triangle> triangles,
-                                                  const Picture& picture);
+                                                  const Picture& picture, const std::vector<bool>& see_through = {});
 
 }  // namespace occlude::oracle

@@ -34,9 +34,19 @@ struct Rgba {
 
 using Image = Raster<Rgba>;
 
-/// The polygon visible at each pixel, as its index in the drawn soup; kNothing where there is none.
-using ItemBuffer = Raster<std::uint32_t>;
+/// A polygon at each pixel, as its index in the drawn soup; kNothing where there is none.
+using Items = Raster<std::uint32_t>;
 inline constexpr std::uint32_t kNothing = 0xFFFFFFFF;
+
+/// The polygons visible at each pixel. The raster itself has the opaque ones: see-through ones hide nothing. The rest is
+/// empty if none of the drawn soup is see-through.
+struct ItemBuffer : Items {
+  Items before;                            ///< the nearest see-through polygon, where no opaque one hides it
+  std::vector<std::uint32_t> see_through;  ///< the pixels at which no opaque polygon hides it, for each see-through polygon
+
+  /// The number of pixels at which each of so many polygons is visible.
+  [[nodiscard]] std::vector<std::uint32_t> pixels_of(std::size_t polygons) const;
+};
 
 /// The same picture in half the size, each pixel the mean of four; odd last rows and columns are left out.
 [[nodiscard]] Image halved(const Image& image);

@@ -33,14 +33,14 @@ class SceneRenderer {
   [[nodiscard]] double haze_depth(const culler::Camera& camera) const;
 
   /// Clears and draws, each polygon in a colour of its own. Returns when the picture is finished (glFinish), so that callers
-  /// can time it. Of polygons at equal depth the first one drawn is visible, so leaving out hidden polygons changes no
-  /// pixel.
+  /// can time it. See-through polygons are drawn over the opaque ones, as tinted glass. Of polygons at equal depth the first
+  /// one drawn is visible, so leaving out hidden polygons changes no pixel.
   void draw(const culler::Camera& camera, std::span<const PolygonRange> ranges);
 
   /// The picture of the last draw().
   [[nodiscard]] Image image() const;
 
-  /// The polygon that draw() shows at each pixel, from the same vertices and rasterisation, in a separate pass: it does not
+  /// The polygons that draw() shows at each pixel, from the same vertices and rasterisation, in a separate pass: it does not
   /// slow draw() down and keeps the last picture. `offset` moves the picture right and up, in pixels, to sample points
   /// between the pixel centres.
   [[nodiscard]] ItemBuffer item_buffer(const culler::Camera& camera, std::span<const PolygonRange> ranges,

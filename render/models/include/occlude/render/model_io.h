@@ -6,17 +6,18 @@
 #include <string>
 
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/render/model.h"
 #include "occlude/render/output_file.h"
 
 namespace occlude::render {
 
-/// Reads a model as polygon soup. Polygons are not triangulated. PLY and OBJ are read in double precision; other formats
-/// (glTF, COLLADA, STL, ...) are read by the Assimp library, in its single precision.
+/// Reads a model. PLY and OBJ are read in double precision; other formats (glTF, COLLADA, STL, ...) are read by the Assimp
+/// library, in its single precision.
 /// Of a store (store.h) it is the model that the store was made of, and throws as read_store().
 /// Assimp runs in a child process, so its crashes do not end this process.
-/// Throws InputError with file and place if the file cannot be read or parsed, a coordinate is not finite or not 0 and
-/// outside [2^-100, 2^100] in magnitude, an index is out of range, a polygon has fewer than 3 vertices, or none exists.
-[[nodiscard]] culler::PolygonSoup read_model(const std::filesystem::path& file);
+/// Throws InputError with file and place if the file cannot be read or parsed, a face uses a vertex with a coordinate that
+/// is not finite or above 2^100 in magnitude, an index is out of range, or there is no polygon.
+[[nodiscard]] Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// The limits of the import library, in words.
 [[nodiscard]] std::string import_limits();

@@ -46,7 +46,7 @@ struct Summary {
   };
 
   std::string model;
-  std::size_t polygons = 0, triangles = 0, frames = 0;
+  std::size_t polygons = 0, see_through_polygons = 0, triangles = 0, frames = 0;
   WalkOptions options;
   culler::BuildConfig build;
   Mean mean;

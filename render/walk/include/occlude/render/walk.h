@@ -17,6 +17,7 @@
 #include "occlude/kernel/operations.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/image.h"
+#include "occlude/render/model.h"
 
 namespace occlude::render {
 
@@ -39,6 +40,7 @@ struct WalkOptions {
   int width = 640, height = 360;  ///< size of the picture, pixels
   std::size_t begin = 0, end = SIZE_MAX,
               step = 1;  ///< frames drawn, compared and counted: begin, begin + step, ... below end
+  ReadOptions read;
   culler::CullOptions cull;
   culler::BuildConfig build;
   std::filesystem::path preprocess;                       ///< store of the model, used instead of `build`; or empty
@@ -59,10 +61,11 @@ struct WalkOptions {
 /// A model's file before it is prepared. A store is opened only by make_culler().
 struct ModelFile {
   /// Reads the polygons unless the file is a store. Throws InputError as read_model() and is_store().
-  explicit ModelFile(std::filesystem::path file);
+  explicit ModelFile(std::filesystem::path file, const ReadOptions& options = {});
 
   std::filesystem::path path;
   std::optional<culler::PolygonSoup> soup;  ///< none of a store
+  ModelNotes notes;
 };
 /// The culler of a walk through this model; of a store, the culler in it.
 [[nodiscard]] culler::Culler make_culler(ModelFile model, const WalkOptions& options);
@@ -105,7 +108,8 @@ struct Plate {
 };
 
 struct WalkResult {
-  std::size_t polygons = 0, triangles = 0;  ///< of the model
+  std::size_t polygons = 0, triangles = 0;  ///< of the model; each piece of a face counts
+  std::size_t see_through_polygons = 0;     ///< of the model
   culler::BuildConfig build;                ///< how the model was prepared: by the options or in its store
   std::vector<FrameRecord> frames;
   /// For each frame why it drew what is hidden; empty if the walk does not render.

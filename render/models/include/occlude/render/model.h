@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A model as it is read from a file: its polygons, and what was made of what the file has.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "occlude/culler/polygon_soup.h"
+
+namespace occlude::render {
+
+/// How a model is read.
+struct ReadOptions {
+  /// What lets light through according to the file is opaque as well. Faces that cross themselves are see-through all the
+  /// same, because no one knows what of them is drawn elsewhere.
+  bool is_opaque_all = false;
+};
+
+/// What a reader found, beside faces that are drawn as they are.
+struct ModelNotes {
+  std::string unit;  ///< of the file's own numbers, as the format says: "centimetres"; empty where it does not say
+  std::string up;    ///< the axis that is up in the file, as the format says: "+y"; empty where it does not say
+
+  std::size_t triangulated = 0;       ///< faces that are concave or have openings, and are drawn as triangles
+  std::size_t crossing = 0;           ///< faces that cross themselves: drawn as a fan, hide nothing
+  std::size_t without_area = 0;       ///< faces whose corners lie on a line
+  std::size_t few_corners = 0;        ///< faces with fewer than three corners, left out
+  std::size_t points_and_lines = 0;   ///< left out
+  std::size_t unused_vertices = 0;    ///< left out, whatever their numbers are
+  std::size_t tiny_numbers = 0;       ///< coordinates of vertices that are nearer to 0 than 2^-100, taken as 0
+  std::vector<std::string> warnings;  ///< what else the user must know, a line each, without the name of the file
+};
+
+/// Polygons are numbered as faces of the file, in its order, those with fewer than three corners left out. A face that is
+/// not the fan of its loop has several polygons (PolygonSoup::face).
+struct Model {
+  culler::PolygonSoup soup;
+  ModelNotes notes;
+};
+
+/// What the user must know of how a file was read, in a line; empty if that is nothing.
+[[nodiscard]] std::string text_of(const ModelNotes& notes);
+
+/// As ReadOptions::is_opaque_all says.
+void make_opaque(culler::PolygonSoup& soup);
+
+}  // namespace occlude::render

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "model_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "occlude/kernel/orientation.h"
+#include "occlude/kernel/validity.h"
+#include "occlude/render/errors.h"
+
+namespace occlude::render {
+namespace {
+
+/// Whether three corners certainly are no line, as seen along one axis or another. The error of a difference of two products
+/// of differences is below 4 * 2^-53 of the sum of their magnitudes (Shewchuk, Adaptive Precision Floating-Point
+/// Arithmetic, 4.4).
+bool is_surely_no_line(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  constexpr double kError = 0x1p-51;
+  const glm::dvec3 u = b - a, v = c - a;
+  const auto has_area = [&](int i, int j) {
+    const double left = u[i] * v[j], right = u[j] * v[i];
+    return std::fabs(left - right) > kError * (std::fabs(left) + std::fabs(right));
+  };
+  return has_area(0, 1) || has_area(1, 2) || has_area(2, 0);
+}
+
+/// Whether the corners of a face lie on a line.
+bool has_no_area(const culler::PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+  const auto corner = [&](std::size_t i) {
+    const glm::dvec3& v = soup.vertices[loop[i]];
+    return kernel::Vec3{v.x, v.y, v.z};
+  };
+  if (is_surely_no_line(soup.vertices[loop[0]], soup.vertices[loop[1]], soup.vertices[loop[2]])) return false;
+  std::size_t other = 1;
+  while (other < loop.size() && corner(other) == corner(0)) ++other;
+  for (std::size_t i = other + 1; i < loop.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (kernel::turn(axis, corner(0), corner(other), corner(i)) != 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void ModelBuilder::add_face(std::span<const std::uint32_t> loop, bool is_opaque) {
+  if (loop.size() < 3) {
+    ++model_.notes.few_corners;
+    return;
+  }
+  if (!faults_.empty()) require_sound(loop);
+  culler::PolygonSoup& soup = model_.soup;
+  const std::size_t first = soup.size();
+  switch (soup.add_face(loop)) {
+    case culler::FaceShape::fan:
+      break;
+    case culler::FaceShape::pieces:
+      ++model_.notes.triangulated;
+      break;
+    case culler::FaceShape::crossing:
+      ++model_.notes.crossing;
+      break;
+  }
+  if (has_no_area(soup, loop)) ++model_.notes.without_area;
+  if (!is_opaque) soup.see_through_from(first);
+}
+
+Model ModelBuilder::finish(const std::filesystem::path& file) {
+  if (model_.soup.empty()) throw InputError(file.string() + ": no polygons");
+  leave_out_unused();
+  return std::move(model_);
+}
+
+void ModelBuilder::drop_tiny(glm::dvec3& vertex) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (vertex[axis] == 0 || !(std::fabs(vertex[axis]) < kernel::kMinMagnitude)) continue;
+    vertex[axis] = 0;
+    ++model_.notes.tiny_numbers;
+  }
+}
+
+void ModelBuilder::require_sound(std::span<const std::uint32_t> loop) const {
+  for (const std::uint32_t vertex : loop) {
+    const auto found = std::ranges::lower_bound(faults_, vertex, {}, &Fault::vertex);
+    if (found != faults_.end() && found->vertex == vertex) throw InputError(found->message);
+  }
+}
+
+void ModelBuilder::leave_out_unused() {
+  culler::PolygonSoup& soup = model_.soup;
+  std::vector<std::uint8_t> is_used(vertices());
+  for (const std::uint32_t index : soup.indices) is_used[index] = 1;
+  model_.notes.unused_vertices = static_cast<std::size_t>(std::ranges::count(is_used, 0));
+  if (model_.notes.unused_vertices == 0) return;
+  std::vector<std::uint32_t> place(vertices());
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < place.size(); ++v) {
+    if (is_used[v] == 0) continue;
+    soup.vertices[kept] = soup.vertices[v];
+    place[v] = kept++;
+  }
+  soup.vertices.resize(kept);
+  for (std::uint32_t& index : soup.indices) index = place[index];
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What every reader does with the vertices and faces of a file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model_check.h"
+#include "occlude/kernel/validity.h"
+#include "occlude/render/model.h"
+
+namespace occlude::render {
+
+/// Puts a model together. What is wrong with a vertex matters only once a face uses it.
+class ModelBuilder {
+ public:
+  /// Adds a vertex, with numbers nearer to 0 than 2^-100 taken as 0. place() is called if it cannot be used: the file and
+  /// the place in it, for the message.
+  template <class Place>
+  std::uint32_t add_vertex(glm::dvec3 vertex, const Place& place) {
+    if (kernel::check(kernel::Vec3{vertex.x, vertex.y, vertex.z}) != kernel::Refusal::none) {
+      drop_tiny(vertex);
+      if (const auto fault = vertex_fault(vertex)) {
+        faults_.push_back({static_cast<std::uint32_t>(vertices()), place() + ": " + *fault});
+        vertex = glm::dvec3(0);
+      }
+    }
+    return model_.soup.add_vertex(vertex);
+  }
+  [[nodiscard]] std::size_t vertices() const { return model_.soup.vertices.size(); }
+
+  /// Adds a face of any shape over vertices that are there; one of fewer than three corners is left out. Throws InputError
+  /// about a vertex that cannot be used.
+  void add_face(std::span<const std::uint32_t> loop, bool is_opaque = true);
+
+  [[nodiscard]] ModelNotes& notes() { return model_.notes; }
+
+  /// The model, without vertices that no face uses. Throws InputError if it has no polygon, or too many corners for 32 bits.
+  [[nodiscard]] Model finish(const std::filesystem::path& file);
+
+ private:
+  struct Fault {
+    std::uint32_t vertex = 0;
+    std::string message;
+  };
+
+  void drop_tiny(glm::dvec3& vertex);
+  void require_sound(std::span<const std::uint32_t> loop) const;
+  void leave_out_unused();
+
+  Model model_;
+  std::vector<Fault> faults_;  ///< of vertices that no face may use, ascending; in the soup they are 0
+};
+
+}  // namespace occlude::render

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "model_handover.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "model_check.h"
+#include "occlude/render/child_process.h"
+#include "occlude/render/errors.h"
+
+namespace occlude::render {
+namespace {
+
+using culler::PolygonSoup;
+
+/// The arrays of a model, and the numbers of its notes, in the order in which they are handed over. Each is written as its
+/// length and its items.
+template <class SomeModel, class Array, class Number>
+void each_part(SomeModel& model, const Array& array, const Number& number) {
+  array(model.soup.vertices), array(model.soup.indices), array(model.soup.first);
+  array(model.soup.faces), array(model.soup.see_through);
+  auto& notes = model.notes;
+  array(notes.unit), array(notes.up);
+  number(notes.triangulated), number(notes.crossing), number(notes.without_area), number(notes.few_corners);
+  number(notes.points_and_lines), number(notes.unused_vertices), number(notes.tiny_numbers);
+}
+
+class HandoverWriter {
+ public:
+  explicit HandoverWriter(std::FILE* file) : file_(file) {}
+
+  template <class Items>
+  void put(const Items& items) {
+    put_number(items.size());
+    write(items.data(), items.size() * sizeof(items[0]));
+  }
+  void put_number(std::uint64_t number) { write(&number, sizeof(number)); }
+
+ private:
+  void write(const void* from, std::size_t bytes) {
+    if (bytes != 0 && std::fwrite(from, 1, bytes, file_) != bytes)
+      throw std::runtime_error("a temporary file cannot be written");
+  }
+
+  std::FILE* file_;
+};
+
+[[noreturn]] void refuse_damage() { throw ChildFailure("returns damaged data", false); }
+
+class HandoverReader {
+ public:
+  explicit HandoverReader(std::FILE* file) : file_(file) {
+    std::fseek(file_, 0, SEEK_END);
+    left_ = static_cast<std::uint64_t>(std::ftell(file_));
+    std::rewind(file_);
+  }
+
+  template <class Items>
+  void take(Items& items) {
+    const std::uint64_t count = take_number();
+    if (count > left_ / sizeof(items[0])) refuse_damage();
+    items.resize(static_cast<std::size_t>(count));
+    read(items.data(), items.size() * sizeof(items[0]));
+  }
+  std::uint64_t take_number() {
+    std::uint64_t number = 0;
+    read(&number, sizeof(number));
+    return number;
+  }
+
+ private:
+  void read(void* to, std::size_t bytes) {
+    if (bytes == 0) return;  // `to` may be null
+    if (bytes > left_ || std::fread(to, 1, bytes, file_) != bytes) refuse_damage();
+    left_ -= bytes;
+  }
+
+  std::FILE* file_;
+  std::uint64_t left_;  ///< bytes left in the file
+};
+
+bool are_faces(std::span<const std::uint32_t> faces, std::size_t polygons) {
+  if (faces.empty()) return true;
+  const auto does_not_follow = [](std::uint32_t before, std::uint32_t face) { return face - before > 1; };
+  return faces.size() == polygons && faces[0] == 0 && std::ranges::adjacent_find(faces, does_not_follow) == faces.end();
+}
+
+bool is_well_formed(const PolygonSoup& soup) {
+  const auto is_short = [](std::uint32_t begin, std::uint32_t end) { return end < begin || end - begin < 3; };
+  return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
+         std::ranges::adjacent_find(soup.first, is_short) == soup.first.end() &&
+         std::ranges::all_of(soup.indices, [&](std::uint32_t index) { return index < soup.vertices.size(); }) &&
+         std::ranges::none_of(soup.vertices, [](const glm::dvec3& v) { return vertex_fault(v).has_value(); }) &&
+         are_faces(soup.faces, soup.size()) &&
+         (soup.see_through.empty() || (soup.see_through.size() == soup.size() &&
+                                       std::ranges::all_of(soup.see_through, [](auto mark) { return mark <= 1; })));
+}
+
+}  // namespace
+
+void hand_over(const std::string& failure, const Model& model, std::FILE* out) {
+  HandoverWriter writer(out);
+  writer.put(failure);
+  each_part(
+      model, [&](const auto& items) { writer.put(items); }, [&](std::size_t number) { writer.put_number(number); });
+  writer.put_number(model.notes.warnings.size());
+  for (const std::string& warning : model.notes.warnings) writer.put(warning);
+}
+
+Model take_over(std::FILE* in) {
+  HandoverReader reader(in);
+  std::string failure;
+  reader.take(failure);
+  if (!failure.empty()) throw InputError(failure);
+  Model model;
+  each_part(
+      model, [&](auto& items) { reader.take(items); }, [&](std::size_t& number) { number = reader.take_number(); });
+  for (std::uint64_t left = reader.take_number(); left > 0; --left) reader.take(model.notes.warnings.emplace_back());
+  if (!is_well_formed(model.soup)) refuse_damage();
+  return model;
+}
+
+}  // namespace occlude::render
