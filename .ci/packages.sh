@@ -8,11 +8,11 @@ packages=(
   g++ cmake ninja-build pkg-config ccache
   libglm-dev                                  # culler
   libcgal-dev                                 # oracle
-  libosmesa6-dev libpng-dev zlib1g-dev libassimp-dev libxxhash-dev libjs-dygraphs libfreetype-dev fonts-dejavu-core  # render
+  libosmesa6-dev libpng-dev zlib1g-dev libassimp-dev libdraco-dev libmeshoptimizer-dev libxxhash-dev libjs-dygraphs libfreetype-dev fonts-dejavu-core  # render
   libcli11-dev nlohmann-json3-dev libfmt-dev  # the command
   libopenmpi-dev openmpi-bin libsodium-dev    # several processes (mpirun), and parts that they keep
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
-  libgtest-dev patch python3 valgrind         # tests
+  libgtest-dev patch python3 valgrind gltfpack  # tests
   python3-dev python3-numpy pybind11-dev      # python
   "$@"
 )

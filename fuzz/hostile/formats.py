@@ -4,6 +4,7 @@ import base64
 import io
 import json
 import math
+import pathlib
 import re
 import struct
 import subprocess
@@ -13,6 +14,7 @@ FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.
          "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "cases": "a.jsonl", "witnesses": "a.jsonl",
          "preprocess": "a.store", "store": "a.store"}
 SOUND = "sound"  # what is done to a file to which nothing is done
+MODELS = pathlib.Path(__file__).resolve().parents[2] / "tests" / "data" / "models"
 IMPORTED = ("stl", "gltf", "glb", "collada", "3mf")
 JSON = ("path", "cases", "witnesses")
 
@@ -91,6 +93,51 @@ def gltf_parts():
                              {"buffer": 0, "byteOffset": len(indices), "byteLength": len(positions), "byteStride": 12}],
              "buffers": [{"byteLength": len(indices) + len(positions)}]}
     return scene, indices + positions
+
+
+def gltf_of_all_kinds():
+    """A scene with what else may say where vertices are: a skin, morph targets, sparse and quantised numbers, instances."""
+    scene, binary = gltf_parts()
+    scene["extensionsUsed"] = ["KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility"]
+
+    def accessor(kind, component, form, elements, **more):
+        nonlocal binary
+        data = b"".join(struct.pack("<" + form, *element) for element in elements)
+        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(data)})
+        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": component,
+                                   "count": len(elements), "type": kind, **more})
+        binary += data + b"\0" * (-len(data) % 4)
+        return len(scene["accessors"]) - 1
+
+    count = len(VERTICES)
+    identity = [1.0 if i % 5 == 0 else 0.0 for i in range(16)]
+    attributes = scene["meshes"][0]["primitives"][0]["attributes"]
+    attributes["JOINTS_0"] = accessor("VEC4", 5121, "4B", [(0, 1, 0, 0)] * count)
+    attributes["WEIGHTS_0"] = accessor("VEC4", 5121, "4B", [(200, 55, 0, 0)] * count, normalized=True)
+    target = accessor("VEC3", 5126, "3f", [(0, 0, 0.1)] * count)
+    indices = accessor("SCALAR", 5123, "H", [(1,), (3,)])
+    values = accessor("VEC3", 5126, "3f", [(0, 0, 0.2)] * 2)
+    scene["accessors"][target]["sparse"] = {
+        "count": 2, "indices": {"bufferView": scene["accessors"][indices]["bufferView"], "componentType": 5123},
+        "values": {"bufferView": scene["accessors"][values]["bufferView"]}}
+    scene["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": target}]
+    scene["meshes"][0]["weights"] = [0.5]
+    scene["skins"] = [{"joints": [0, 2], "inverseBindMatrices": accessor("MAT4", 5126, "16f", [identity] * 2)}]
+    scene["nodes"][1]["skin"] = 0
+    strip = accessor("VEC3", 5122, "4h", [(1, 0, 0, 0), (1, 100, 0, 0), (1, 0, 100, 0), (1, 100, 100, 0)])
+    scene["bufferViews"][scene["accessors"][strip]["bufferView"]]["byteStride"] = 8
+    scene["materials"] = [{"alphaMode": "BLEND", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5}}}]
+    scene["meshes"].append({"primitives": [{"attributes": {"POSITION": strip}, "mode": 5, "material": 0},
+                                           {"attributes": {"POSITION": strip}, "mode": 6}]})
+    instances = {"TRANSLATION": accessor("VEC3", 5126, "3f", [(3, 0, 0), (4, 0, 0)]),
+                 "ROTATION": accessor("VEC4", 5122, "4h", [(0, 0, 0, 32767)] * 2, normalized=True)}
+    scene["nodes"] += [{"translation": [0, 0, 0.25], "rotation": [0, 0, 0, 1], "scale": [1, 1, 1]},
+                       {"mesh": 1, "scale": [0.01, 0.01, 0.01],
+                        "extensions": {"EXT_mesh_gpu_instancing": {"attributes": instances},
+                                       "KHR_node_visibility": {"visible": True}}}]
+    scene["nodes"][0]["children"] += [2, 3]
+    scene["buffers"][0]["byteLength"] = len(binary)
+    return scene, binary
 
 
 def gltf(scene=None, binary=None):
@@ -175,7 +222,9 @@ def make_seeds(occlude, folder):
                 b'[2,2,1]],"faces":[[0,1,2,3],[4,5,6,7],[0,1,5,4],[1,2,6,5],[3,2,6,7],[0,4,7,3]]},"near":"surface",'
                 b'"box":{"center":[6,2,0],"half_edges":[[1,1,0],[-1,1,0],[0,0,1]]},"expect":"inside"}\n')
     return {"ply ascii": [ply_ascii()], "ply binary": [ply_binary("<"), ply_binary(">")], "obj": [obj()],
-            "stl": [stl_ascii(), stl_binary()], "gltf": [gltf()], "glb": [glb()], "collada": [collada()],
+            "stl": [stl_ascii(), stl_binary()], "gltf": [gltf(), gltf(*gltf_of_all_kinds())],
+            "glb": [glb(), glb(*gltf_of_all_kinds())] + [file.read_bytes() for file in sorted(MODELS.glob("*.glb"))],
+            "collada": [collada()],
             "3mf": [pack_3mf(lambda model: model.write(model_3mf()))], "path": [json.dumps(PATH, indent=1).encode()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
             "preprocess": [(folder / "model.store").read_bytes()], "store": [(folder / "model.store").read_bytes()]}

@@ -290,7 +290,7 @@ render::Digest& add(render::Digest& digest, culler::SoupView soup) {
 std::string limits_help() {
   return fmt::format(
       "Limits: at most {} for a JSON file or a line of JSON Lines, {} for any other file.\n"
-      "The import library (formats other than PLY and OBJ) may use\n"
+      "The import library, and the reader of glTF, may use\n"
       "{}.\n"
       "A command may use at most three quarters of the machine's memory.",
       render::in_mebibytes(render::kMostJson), render::in_mebibytes(render::kMostBytes), render::import_limits());

@@ -166,7 +166,7 @@ rm many.obj
 
 # A glTF file of 22 bytes that announces 4 GiB is named on one line, whatever its name.
 printf 'glTF\2\0\0\0\377\377\377\377\360\377\377\377JSON{}' >$'odd\n\e[2J\377.glb'
-expect_error 'odd\x0a\x1b[2J\xff.glb: cannot import: ' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
+expect_error 'odd\x0a\x1b[2J\xff.glb: the file has 22 bytes' timeout 60 "$occlude" walk $'odd\n\e[2J\377.glb' --path path.json --out out
 
 # A wall that is one face around a doorway, and a thing behind the doorway: the face's fan would fill it. Its pieces have one
 # number, and hide what is beside the doorway.

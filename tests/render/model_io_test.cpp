@@ -2,7 +2,6 @@
 #include "occlude/render/model_io.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -368,7 +367,6 @@ TEST_F(ModelIoTest, ColladaKeepsQuadsTransformsAndUp) {
 TEST_F(ModelIoTest, WhatAssimpRefusesIsOneLine) {
   EXPECT_EQ(failure("a.dae", "no XML").rfind(": cannot import: ", 0), 0U);
   EXPECT_EQ(failure("a.dae", collada("9")).rfind(": ", 0), 0U);
-  EXPECT_EQ(failure("a.gltf", "{\"asset\":").rfind(": cannot import: ", 0), 0U);
   EXPECT_EQ(failure("a.xyz", "1 2 3").rfind(": cannot import: ", 0), 0U);
   EXPECT_EQ(failure("a", "").rfind(": cannot import: ", 0), 0U);
   EXPECT_NE(
@@ -383,27 +381,6 @@ TEST_F(ModelIoTest, WhatAssimpCrashesOnIsRefused) {
   EXPECT_EQ(failure("a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n40\n0 1 0\n4 0 1 2 3\n")
                 .rfind(": cannot import: the import library ", 0),
             0U);
-}
-
-TEST_F(ModelIoTest, AFileThatRefersToADeviceIsRefused) {
-  const auto scene = [](const std::string& uri) {
-    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-      "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-      "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
-      "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":")" +
-           uri + "\"}]}";
-  };
-  std::string corners;
-  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) corners += bytes_of(x, std::endian::little);
-  static_cast<void>(store("corners.bin", corners));
-  EXPECT_EQ(read("a.gltf", scene("corners.bin")).size(), 1U);
-  ASSERT_EQ(mkfifo((folder_ / "pipe.bin").c_str(), 0600), 0);
-  for (const char* const uri : {"pipe.bin", "/dev/zero", ".", "none.bin"}) {
-    EXPECT_EQ(failure("a.gltf", scene(uri)).rfind(": cannot import: ", 0), 0U) << uri;
-  }
-  fs::resize_file(store("large.bin", ""), kMostBytes + 1);  // a hole
-  EXPECT_EQ(failure("a.gltf", scene("large.bin")),
-            ": cannot import: " + (folder_ / "large.bin").string() + ": cannot read: it is larger than 4096 MiB");
 }
 
 TEST_F(ModelIoTest, WhatIsTooLargeIsNotRead) {
@@ -424,44 +401,6 @@ TEST_F(ModelIoTest, WhatHasNoContentIsNotImported) {
   }
   const std::string mixed = std::string(3 << 20U, ' ') + "a\t\n\v\f\r b" + std::string(9, '\0') + "\x01\xff";
   EXPECT_EQ(content_of(store("mixed", mixed)), 4U);
-}
-
-/// Memory follows the content of the files that a model names, not their names. The corners are never zero.
-TEST_F(ModelIoTest, AFileWithManyNamesCountsOnce) {
-  constexpr std::size_t kTriangles = 29'000, kBytes = 36 * kTriangles;
-  std::string corners;
-  for (const float x : {1.1F, 1.1F, 1.1F, 2.1F, 1.1F, 1.1F, 1.1F, 2.1F, 1.1F}) corners += bytes_of(x, std::endian::little);
-  std::string all;
-  for (std::size_t i = 0; i < kTriangles; ++i) all += corners;
-  static_cast<void>(store("a.bin", all));
-  const auto list = [](std::size_t count, const auto& item) {
-    std::string items;
-    for (std::size_t i = 0; i < count; ++i) items += (i == 0 ? "" : ",") + item(i);
-    return "[" + items + "]";
-  };
-  const auto scene = [&](std::size_t count, bool by_one_name) {
-    const auto number = [](std::size_t i) { return std::to_string(i); };
-    std::string text =
-        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":)";
-    text += list(count, [&](std::size_t i) { return R"({"attributes":{"POSITION":)" + number(i) + "}}"; }) +
-            R"(}],"accessors":)";
-    text += list(count, [&](std::size_t i) {
-      return R"({"bufferView":)" + number(i) + R"(,"componentType":5126,"count":3,"type":"VEC3"})";
-    });
-    text += R"(,"bufferViews":)" +
-            list(count, [&](std::size_t i) { return R"({"buffer":)" + number(i) + R"(,"byteLength":36})"; });
-    text += R"(,"buffers":)" + list(count, [&](std::size_t i) {
-              std::string before;
-              for (std::size_t k = 0; k < i && !by_one_name; ++k) before += "./";
-              return R"({"byteLength":)" + number(kBytes) + R"(,"uri":")" + before + R"(a.bin"})";
-            });
-    return text + "}";
-  };
-  EXPECT_EQ(read("a.gltf", scene(3, false)).size(), 3U);
-  const std::string refused = ": cannot import: the import library ";
-  for (const bool by_one_name : {false, true}) {
-    EXPECT_EQ(failure("a.gltf", scene(600, by_one_name)).substr(0, refused.size()), refused);
-  }
 }
 
 TEST_F(ModelIoTest, VerticesThatNoPolygonHasAreNotImported) {

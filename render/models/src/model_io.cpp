@@ -23,6 +23,7 @@ Model read_as_it_is(const std::filesystem::path& file) {
   const std::string extension = lower_case(file.extension().string());
   if (extension == ".ply") return read_ply(file);
   if (extension == ".obj") return read_obj(file);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(file);
   return read_with_assimp(file);
 }
 

@@ -20,7 +20,13 @@ namespace occlude::render {
 /// and reads invalid numbers as 0. Errors name the line.
 [[nodiscard]] Model read_obj(const std::filesystem::path& file);
 
-/// glTF, COLLADA, STL and the other formats of the Assimp library: every polygon of every mesh, once for each node that uses
+/// glTF 2.0, as .gltf or .glb (1.0 by the Assimp library): every triangle of every mesh, once for each node of the scene
+/// that shows it, where the file shows it at rest. Numbers of the file are doubles from the first on. Reads quantised,
+/// sparse, compressed (Draco, meshopt) and instanced geometry, morph targets and skins; refuses what else it requires.
+/// Buffers must be in the file, or in its folder. Errors name mesh, primitive and vertex.
+[[nodiscard]] Model read_gltf(const std::filesystem::path& file);
+
+/// COLLADA, STL and the other formats of the Assimp library: every polygon of every mesh, once for each node that uses
 /// the mesh. Points and lines are skipped. Coordinates and up direction are those of the file. Errors name the mesh and the
 /// face.
 [[nodiscard]] Model read_with_assimp(const std::filesystem::path& file);

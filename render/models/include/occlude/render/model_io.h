@@ -11,15 +11,15 @@
 
 namespace occlude::render {
 
-/// Reads a model. PLY and OBJ are read in double precision; other formats (glTF, COLLADA, STL, ...) are read by the Assimp
+/// Reads a model. PLY, OBJ and glTF are read in double precision; other formats (COLLADA, STL, ...) are read by the Assimp
 /// library, in its single precision.
 /// Of a store (store.h) it is the model that the store was made of, and throws as read_store().
-/// Assimp runs in a child process, so its crashes do not end this process.
-/// Throws InputError with file and place if the file cannot be read or parsed, a face uses a vertex with a coordinate that
-/// is not finite or above 2^100 in magnitude, an index is out of range, or there is no polygon.
+/// Assimp and the reader of glTF run in a child process, so their crashes do not end this process.
+/// Throws InputError with file and place if the file cannot be read or parsed, a face uses a vertex with a coordinate that is
+/// not finite or above 2^100 in magnitude, an index is out of range, or there is no polygon.
 [[nodiscard]] Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// The limits of the import library, in words.
+/// The limits of that child process, in words.
 [[nodiscard]] std::string import_limits();
 
 /// Writes binary little-endian PLY with double coordinates and lists of uint32 indices. Each line of `comment` becomes a

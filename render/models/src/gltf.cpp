@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// glTF 2.0. The library that loads it for others, tinygltf, refuses files that are legal (compressed ones with a buffer that
+// is not there, indices that are all zero), and reads what no triangle needs.
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gltf_buffers.h"
+#include "gltf_document.h"
+#include "gltf_extensions.h"
+#include "gltf_meshes.h"
+#include "gltf_nodes.h"
+#include "gltf_primitive.h"
+#include "gltf_transform.h"
+#include "import_child.h"
+#include "model_builder.h"
+#include "model_readers.h"
+#include "occlude/render/input_file.h"
+#include "occlude/render/printable.h"
+
+namespace occlude::render {
+namespace gltf {
+namespace {
+
+/// Where the vertices of what is being added are in the model. A model may have any number of others beside them.
+class Places {
+ public:
+  explicit Places(const ModelBuilder& builder) : builder_(builder) {}
+
+  /// From now on none is there.
+  void forget() { first_ = builder_.vertices(); }
+  /// Calls add(), which adds the vertex, if it is not there yet.
+  template <class Add>
+  std::uint32_t place(std::uint32_t vertex, const Add& add) {
+    if (vertex >= ends_.size()) ends_.resize(std::size_t{vertex} + 1);
+    if (ends_[vertex] <= first_) ends_[vertex] = add() + 1;
+    return ends_[vertex] - 1;
+  }
+
+ private:
+  const ModelBuilder& builder_;
+  std::size_t first_ = 0;
+  /// One more than the vertex's index in the model. The vertex is there if that is above first_.
+  std::vector<std::uint32_t> ends_;
+};
+
+class SceneReader {
+ public:
+  SceneReader(const Document& document, Buffers& buffers, ModelBuilder& builder)
+      : document_(document), nodes_(document), meshes_(document, buffers, nodes_), builder_(builder) {}
+
+  void read() {
+    ModelNotes& notes = builder_.notes();
+    notes.unit = "metres";
+    notes.up = "+y";
+    notes.warnings = check_extensions(document_);
+    for (const std::uint64_t node : nodes_.shown()) {
+      if (find(document_.item(kNodes, node), "mesh") == nullptr) continue;
+      at([&] { return document_.label(kNodes, node); }, [&] { add_node(node); });
+    }
+  }
+
+  /// Vertices of what is shown that no triangle has.
+  [[nodiscard]] std::size_t unused_vertices() const {
+    std::size_t unused = 0;
+    for (const auto& [accessor, used] : used_) unused += used.unused();
+    return unused;
+  }
+
+ private:
+  /// Which vertices of an accessor are used. Primitives may share it.
+  struct Used {
+    std::uint64_t vertices = 0, count = 0;
+    std::vector<bool> is_used;
+
+    void use(std::uint32_t vertex) {
+      if (vertex >= is_used.size()) is_used.resize(std::size_t{vertex} + 1);
+      if (!is_used[vertex]) ++count;
+      is_used[vertex] = true;
+    }
+    [[nodiscard]] std::uint64_t unused() const { return vertices - count; }
+  };
+
+  void add_node(std::uint64_t index) {
+    const json& node = document_.item(kNodes, index);
+    const std::uint64_t mesh = whole_in(node, "mesh");
+    const std::vector<double> weights = weights_of(node, mesh);
+    const auto skin = find_whole(node, "skin");
+    const Pose pose{weights, skin ? std::span(meshes_.skin(*skin)) : std::span<const glm::dmat4>()};
+    const std::vector<Primitive>& primitives = meshes_.mesh(mesh);
+    for (const glm::dmat4& instance : meshes_.instances(node)) {
+      for (std::size_t i = 0; i < primitives.size(); ++i) {
+        at([&] { return fmt::format("{}: primitive {}", document_.label(kMeshes, mesh), i); },
+           [&] {
+             // What joints move is where they say, wherever the node is.
+             const bool is_skinned = skin && primitives[i].is_skinned();
+             add_primitive(primitives[i], is_skinned ? instance : nodes_.world(index) * instance, pose);
+           });
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<double> weights_of(const json& node, std::uint64_t mesh) const {
+    auto weights = find_numbers(node, "weights");
+    if (!weights) weights = find_numbers(document_.item(kMeshes, mesh), "weights");
+    return weights.value_or(std::vector<double>());
+  }
+
+  void add_primitive(const Primitive& primitive, const glm::dmat4& matrix, const Pose& pose) {
+    if (primitive.vertices() == 0) return;
+    builder_.notes().points_and_lines += primitive.points_and_lines();
+    Used& used = used_[primitive.position_accessor()];
+    used.vertices = primitive.vertices();
+    const auto add_vertex = [&](std::uint32_t vertex) {
+      used.use(vertex);
+      return builder_.add_vertex(placed(matrix, primitive.position(vertex, pose)),
+                                 [&] { return fmt::format("vertex {}", vertex); });
+    };
+    places_.forget();
+    std::array<std::uint32_t, 3> room{};
+    for (std::uint64_t i = 0, faces = primitive.faces(); i < faces; ++i) {
+      const std::span<std::uint32_t> face = primitive.face(i, room);
+      for (std::uint32_t& corner : face) corner = places_.place(corner, [&, vertex = corner] { return add_vertex(vertex); });
+      builder_.add_face(face, primitive.is_opaque());
+    }
+  }
+
+  const Document& document_;
+  const Nodes nodes_;
+  Meshes meshes_;
+  ModelBuilder& builder_;
+  Places places_{builder_};
+  std::map<std::uint64_t, Used> used_;  ///< by accessor
+};
+
+/// Adds what the file shows, and returns the number of vertices that it leaves out.
+std::size_t add_scene(std::string bytes, const std::filesystem::path& folder, CountedFiles& files, ModelBuilder& builder) {
+  const Document document(std::move(bytes));
+  Buffers buffers(document, folder, files);
+  SceneReader reader(document, buffers, builder);
+  reader.read();
+  return reader.unused_vertices();
+}
+
+}  // namespace
+}  // namespace gltf
+
+Model read_gltf(const std::filesystem::path& file) {
+  return import_in_child(file, "the reader of glTF", [&](CountedFiles& files) {
+    files.count(file);
+    ModelBuilder builder;
+    std::size_t unused = 0;
+    try {
+      unused = gltf::add_scene(read_input(file), file.has_parent_path() ? file.parent_path() : ".", files, builder);
+    } catch (const gltf::OldVersion&) {
+      return import_with_assimp(file, files);
+    } catch (const InputError& error) {
+      throw InputError(file.string() + ": " + printable(error.what()));
+    }
+    Model model = builder.finish(file);
+    model.notes.unused_vertices += unused;
+    return model;
+  });
+}
+
+}  // namespace occlude::render
