@@ -91,7 +91,7 @@ def fault(name, kind, outcome, folder, with_limits):
         return f"exit code {code}"
     lines = errors.splitlines()
     # A damaged path may lie far from the model, which is worth a warning.
-    if lines and lines[0].startswith(b"occlude: warning: "):
+    while lines and lines[0].startswith(b"occlude: warning: "):
         del lines[0]
     # What a check has found, exit code 1, may take a line for each kind.
     if len(lines) not in {0: (0,), 1: (0, 1, 2), 2: (1,)}[code]:

@@ -58,6 +58,12 @@ void warn(const std::string& file, const std::string& doubt) {
   render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(file + ": " + doubt) + "\n");
 }
 
+/// What is wrong with a unit or an axis.
+template <class Parse>
+std::string fault_of(const std::string& text, const Parse& parse, const char* expected) {
+  return text == "file" || parse(text) ? "" : fmt::format("expected {}, or file", expected);
+}
+
 Option choice(Command command, const char* name, std::string& value, const std::vector<std::string>& choices,
               const char* text) {
   return command.add(name, value, text).show_default().one_of(choices);
@@ -84,9 +90,28 @@ Option WalkArguments::add_frames_to(Command command) {
       .show_default();
 }
 
-Option ReadArguments::add_to(Command command) {
-  return command.add_flag("--opaque-all", options_.is_opaque_all,
-                          "take all surfaces for opaque: glass, and what else lets light through, hides what is behind it");
+std::vector<Option> ReadArguments::add_to(Command command) {
+  return {
+      command.add_flag("--opaque-all", is_opaque_all_,
+                       "take all surfaces for opaque: glass, and what else lets light through, hides what is behind it"),
+      command
+          .add("--up", up_,
+               "axis of the file that is up: x, y, z, -x, -y, -z, or file for the one that it says; turns the model so that "
+               "it is z (default: coordinates are those of the file)")
+          .check([](const std::string& text) { return fault_of(text, render::parse_up, "x, y, z, -x, -y, -z"); }),
+      command
+          .add("--unit", unit_,
+               "unit of the file: m, km, cm, mm, in, ft, a number of metres, or file for the one that it says; converts the "
+               "model to metres (default: coordinates are those of the file)")
+          .check(
+              [](const std::string& text) { return fault_of(text, render::parse_unit, "m, km, cm, mm, in, ft, metres"); })};
+}
+
+render::ReadOptions ReadArguments::options() const {
+  render::ReadOptions options{is_opaque_all_, {!unit_.empty(), !up_.empty()}};
+  options.conversion.file.metres = render::parse_unit(unit_).value_or(0);
+  options.conversion.file.up = render::parse_up(up_).value_or(glm::dvec3(0));
+  return options;
 }
 
 std::vector<Option> BuildArguments::add_to(Command command) {
@@ -187,13 +212,14 @@ std::vector<Option> WalkArguments::add_debugging_to(Command command) {
 }
 
 Option WalkArguments::add_model_to(Command command) {
-  const Option opaque_all = read_.add_to(command);
+  const std::vector<Option> reading = read_.add_to(command);
   std::vector<Option> added;
   command.under(kTuning, [&] {
     added.push_back(add_input(command, "--preprocess", preprocess_, "store of this model, by `occlude preprocess`"));
   });
   for (Option option : build_options_) added.front().excludes(option);
-  build_options_.insert(build_options_.end(), {added.front(), opaque_all});
+  build_options_.push_back(added.front());
+  build_options_.insert(build_options_.end(), reading.begin(), reading.end());
   return added.front();
 }
 
@@ -287,10 +313,23 @@ render::Digest& add(render::Digest& digest, culler::SoupView soup) {
   return digest.add(soup.vertices).add(soup.indices).add(soup.first).add(soup.faces).add(soup.see_through);
 }
 
+std::string formats_help() {
+  return "Models:\n"
+         "  format             numbers  kept beside polygons                        not kept\n"
+         "  PLY                doubles  strips of triangles                         all else\n"
+         "  OBJ, MTL           doubles  weights of vertices; glass (d, Tr, map_d)   curves, points, lines\n"
+         "  glTF 2.0           doubles  placements, instances, quantised, sparse    animations, points, lines;\n"
+         "                              and compressed numbers (Draco, meshopt);    what else the file requires\n"
+         "                              morph targets and skins at rest; glass      is refused\n"
+         "  COLLADA, FBX, 3DS, floats   placements; glass                           animations, skins, points,\n"
+         "  STL, OFF, 3MF, ...                                                      lines, holes in COLLADA\n"
+         "Coordinates are those of the file; --up and --unit turn the model so that z is up, and convert it to metres.";
+}
+
 std::string limits_help() {
   return fmt::format(
       "Limits: at most {} for a JSON file or a line of JSON Lines, {} for any other file.\n"
-      "The import library, and the reader of glTF, may use\n"
+      "The import library (formats other than PLY and OBJ) may use\n"
       "{}.\n"
       "A command may use at most three quarters of the machine's memory.",
       render::in_mebibytes(render::kMostJson), render::in_mebibytes(render::kMostBytes), render::import_limits());

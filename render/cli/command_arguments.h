@@ -21,12 +21,14 @@ inline constexpr const char *kTuning = "Tuning", *kDebugging = "Debugging";
 /// The options for reading a model.
 class ReadArguments {
  public:
-  Option add_to(Command command);
+  /// Adds the options and returns them.
+  std::vector<Option> add_to(Command command);
 
-  [[nodiscard]] const render::ReadOptions& options() const { return options_; }
+  [[nodiscard]] render::ReadOptions options() const;
 
  private:
-  render::ReadOptions options_;
+  bool is_opaque_all_ = false;
+  std::string up_, unit_;
 };
 
 /// The options for preparing a model.
@@ -127,6 +129,9 @@ void warn_of_misfit(const render::CameraPath& path, const std::string& path_file
 
 /// Adds all that the model consists of.
 render::Digest& add(render::Digest& digest, culler::SoupView soup);
+
+/// What is read of models of each format, for `--help`.
+[[nodiscard]] std::string formats_help();
 
 /// The limits of inputs, for `--help`.
 [[nodiscard]] std::string limits_help();

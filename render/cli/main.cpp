@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "command_arguments.h"
 #include "commands.h"
 #include "occlude/oracle/memory.h"
 #include "occlude/render/console.h"
@@ -74,8 +75,9 @@ void run(int argc, char** argv) {
       {.name = "occlude",
        .text = "Occlusion culling with shadow frusta, certified: nothing visible is ever culled.",
        .footer =
-           "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json --out "
-           "report",
+           occlude::cli::formats_help() +
+           "\nExample: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json "
+           "--out report",
        .version = OCCLUDE_VERSION},
       argc, argv, declare);
   if (!told.empty()) occlude::render::print(told);

@@ -18,7 +18,7 @@ void SubjectArguments::add_to(Command command) {
   Option path = add_input(command, "--path", path_, "camera path (JSON)");
   model.needs(path);
   path.needs(model);
-  read_.add_to(command).needs(model);
+  for (Option option : read_.add_to(command)) option.needs(model);
   command.add("--polygons", polygons_, "minimum number of polygons in the city")
       .show_default()
       .in_range(render::kSmallestCity, render::kLargestCity)

@@ -232,8 +232,7 @@ TEST_F(GltfTest, TextAndContainerAreTheSame) {
   EXPECT_EQ(corners(text.soup), (std::vector<dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
   EXPECT_EQ(corners(text.soup), corners(binary.soup));
   EXPECT_EQ(text.soup.vertices.size(), 4U);
-  EXPECT_EQ(text.notes.unit, "metres");
-  EXPECT_EQ(text.notes.up, "+y");
+  EXPECT_EQ(text.notes.file, (Convention{1, {0, 1, 0}}));
   EXPECT_TRUE(text.notes.warnings.empty());
 }
 
@@ -433,6 +432,9 @@ TEST_F(GltfTest, Instances) {
   PolygonSoup soup = read(file).soup;
   ASSERT_EQ(soup.size(), 6U);
   EXPECT_EQ(corners(soup)[7], dvec3(1, 2, 0) + dvec3(6e6 + 0.1, 0, 0));
+  file.node()["scale"] = {2, 2, 2};  // of the instances and their places
+  EXPECT_EQ(corners(read(file).soup)[7], dvec3(2, 4, 0) + dvec3(6e6 + 0.1, 0, 0));
+  file.node().erase("scale");
   // A quarter turn about z, in shorts; and scales in bytes, which are not normalized.
   attributes["ROTATION"] =
       file.add(std::vector<std::int16_t>{0, 0, 23170, 23170, 0, 0, 0, 32767, 0, 0, 0, 32767}, "VEC4", 4, true);
@@ -510,9 +512,9 @@ TEST_F(GltfTest, WhatLetsLightThroughHidesNothing) {
 TEST_F(GltfTest, ExtensionsByName) {
   File file = square();
   file.root["extensionsRequired"] = {"KHR_texture_transform", "KHR_materials_unlit", "KHR_mesh_quantization"};
-  file.root["extensionsUsed"] = {"KHR_texture_transform", "EXT_bend", "KHR_mesh_quantization"};
+  file.root["extensionsUsed"] = {"KHR_texture_transform", "EXT_bend", "KHR_mesh_quantization", "EXT_twist"};
   EXPECT_EQ(read(file).notes.warnings,
-            (std::vector<std::string>{"extension EXT_bend is not supported: what it says is left out"}));
+            (std::vector<std::string>{"what these extensions say is left out: EXT_bend, EXT_twist"}));
   file.root["extensionsRequired"].push_back("EXT_bend");
   EXPECT_EQ(failure(file), "extensionsRequired: EXT_bend is not supported");
 }
@@ -652,7 +654,9 @@ TEST_F(GltfTest, Version1IsReadAsBefore) {
                           {"uri", "data:application/octet-stream;base64," + base64(bytes)}};
   for (const json& version : {json("1.0"), json(1.0)}) {
     root["asset"]["version"] = version;
-    EXPECT_EQ(corners(read_gltf(store("a.gltf", root.dump())).soup), (std::vector<dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+    const Model model = read_gltf(store("a.gltf", root.dump()));
+    EXPECT_EQ(corners(model.soup), (std::vector<dvec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+    EXPECT_EQ(model.notes.file, (Convention{1, {0, 1, 0}}));
   }
 }
 

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/GltfMaterial.h>
-#include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <assimp/Importer.hpp>
+#include <algorithm>
 #include <cstdint>
-#include <exception>
+#include <glm/common.hpp>
 #include <glm/mat4x4.hpp>
-#include <new>
 #include <span>
 #include <string>
-#include <system_error>
+#include <utility>
 #include <vector>
 
-#include "counted_files.h"
+#include "assimp_scene.h"
 #include "import_child.h"
 #include "model_builder.h"
 #include "model_readers.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/printable.h"
 
 namespace occlude::render {
 namespace {
@@ -41,43 +37,83 @@ bool is_see_through(const aiMaterial& material) {
          (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS && mode != aiString("OPAQUE"));
 }
 
+/// Where a node is, in the coordinates of the scene, and how exactly: the library gives its own placement and those above it
+/// in single precision.
+struct Placement {
+  glm::dmat4 matrix{1}, magnitude{1};  ///< magnitude: the product of the magnitudes of what the matrix is the product of
+  unsigned roundings = 0;
+
+  [[nodiscard]] Placement then(const glm::dmat4& local) const {
+    if (local == glm::dmat4(1)) return *this;
+    glm::dmat4 sizes;
+    for (int i = 0; i < 4; ++i) sizes[i] = glm::abs(local[i]);
+    return {matrix * local, magnitude * sizes, roundings + 1};
+  }
+  [[nodiscard]] glm::dvec3 of(const glm::dvec3& v) const { return glm::dvec3(matrix * glm::dvec4(v, 1)); }
+  /// By how much a vertex may be off that has no coordinate above those of `most`, each number rounded once.
+  [[nodiscard]] double error(const glm::dvec3& most) const {
+    constexpr double kRounding = 0x1p-24;
+    const glm::dvec4 reached = magnitude * glm::dvec4(most, 1);
+    return (roundings + 1) * kRounding * std::max({reached.x, reached.y, reached.z});
+  }
+};
+
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& file, const aiScene& scene) : file_(file), scene_(scene) {}
+  SceneReader(const std::filesystem::path& file, const ImportedScene& imported) : file_(file), scene_(imported.scene()) {
+    builder_.notes().file = imported.convention();
+  }
 
   Model read() {
     // An explicit stack: the file decides how deep the tree is.
-    std::vector<Placed> stack = {{scene_.mRootNode, glm::dmat4(1)}};
+    std::vector<std::pair<const aiNode*, Placement>> stack = {{scene_.mRootNode, {}}};
     while (!stack.empty()) {
       const auto [node, parent] = stack.back();
       stack.pop_back();
-      const glm::dmat4 transform = parent * to_double(node->mTransformation);
-      for (unsigned i = 0; i < node->mNumMeshes; ++i) add_mesh(node->mMeshes[i], transform);
-      for (unsigned i = node->mNumChildren; i-- > 0;) stack.push_back({node->mChildren[i], transform});
+      const Placement placement = parent.then(to_double(node->mTransformation));
+      for (unsigned i = 0; i < node->mNumMeshes; ++i) add_mesh(node->mMeshes[i], placement);
+      for (unsigned i = node->mNumChildren; i-- > 0;) stack.emplace_back(node->mChildren[i], placement);
     }
-    return builder_.finish(file_);
+    Model model = builder_.finish(file_);
+    warn_of_rounding(model);
+    return model;
   }
 
  private:
-  struct Placed {
-    const aiNode* node;
-    glm::dmat4 parent;
-  };
+  /// Of an error that may show: parts that fit no longer.
+  static void warn_of_rounding(Model& model) {
+    constexpr double kShows = 0x1p-20;  // of the size of the model: sixteen times what single precision costs at its origin
+    glm::dvec3 low = model.soup.vertices.front(), high = low;
+    for (const glm::dvec3& v : model.soup.vertices) low = glm::min(low, v), high = glm::max(high, v);
+    const glm::dvec3 size = high - low;
+    if (model.notes.rounding > kShows * std::max({size.x, size.y, size.z}))
+      model.notes.warnings.push_back(
+          fmt::format("the import library has single precision: coordinates may be off by {:.1g}", model.notes.rounding));
+  }
 
-  /// False for points and lines.
   static bool is_polygon(const aiFace& face) { return face.mNumIndices >= 3; }
 
   [[nodiscard]] std::string place(unsigned mesh, const char* what, unsigned index) const {
     return fmt::format("{}: mesh {}: {} {}", file_.string(), mesh, what, index);
   }
 
-  void add_mesh(unsigned index, const glm::dmat4& transform) {
+  void add_mesh(unsigned index, const Placement& placement) {
     const aiMesh& mesh = *scene_.mMeshes[index];
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) check_face(index, i);
-    add_vertices(index, transform);
+    add_vertices(index, placement);
     const bool is_opaque =
         mesh.mMaterialIndex >= scene_.mNumMaterials || !is_see_through(*scene_.mMaterials[mesh.mMaterialIndex]);
-    for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) add_face(face, is_opaque);
+    const std::span<const aiFace> faces(mesh.mFaces, mesh.mNumFaces);
+    // The library does not tell a line from a face of two corners. Who writes lines makes a mesh of them.
+    ModelNotes& notes = builder_.notes();
+    std::size_t& others = std::ranges::any_of(faces, is_polygon) ? notes.few_corners : notes.points_and_lines;
+    for (const aiFace& face : faces) {
+      if (is_polygon(face)) {
+        add_face(face, is_opaque);
+      } else {
+        ++others;
+      }
+    }
   }
 
   void check_face(unsigned mesh, unsigned index) const {
@@ -92,7 +128,7 @@ class SceneReader {
   }
 
   /// Only the vertices that polygons use: an importer can create any number of others from a short file.
-  void add_vertices(unsigned index, const glm::dmat4& transform) {
+  void add_vertices(unsigned index, const Placement& placement) {
     const aiMesh& mesh = *scene_.mMeshes[index];
     std::vector<bool> is_used(mesh.mNumVertices);
     for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
@@ -100,19 +136,21 @@ class SceneReader {
       for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) is_used[vertex] = true;
     }
     places_.resize(mesh.mNumVertices);
+    glm::dvec3 most(0);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-      if (!is_used[i]) continue;
-      const aiVector3D& v = mesh.mVertices[i];
-      places_[i] = builder_.add_vertex(glm::dvec3(transform * glm::dvec4(v.x, v.y, v.z, 1)),
-                                       [&] { return place(index, "vertex", i); });
+      if (!is_used[i]) {
+        ++builder_.notes().unused_vertices;
+        continue;
+      }
+      const glm::dvec3 v(mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z);
+      most = glm::max(most, glm::abs(v));
+      places_[i] = builder_.add_vertex(placement.of(v), [&] { return place(index, "vertex", i); });
     }
+    double& rounding = builder_.notes().rounding;
+    rounding = std::max(rounding, placement.error(most));
   }
 
   void add_face(const aiFace& face, bool is_opaque) {
-    if (!is_polygon(face)) {
-      ++builder_.notes().points_and_lines;
-      return;
-    }
     loop_.clear();
     for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) loop_.push_back(places_[vertex]);
     builder_.add_face(loop_, is_opaque);
@@ -125,57 +163,11 @@ class SceneReader {
   std::vector<std::uint32_t> loop_;
 };
 
-/// Opens files for an importer.
-class ImporterFiles : public Assimp::DefaultIOSystem {
- public:
-  explicit ImporterFiles(CountedFiles& files) : files_(files) {}
-
-  bool Exists(const char* file) const override {
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error);
-  }
-
-  Assimp::IOStream* Open(const char* file, const char* mode) override {
-    try {
-      files_.count(file);
-    } catch (const InputError& error) {
-      // Importers can do without missing files.
-      if (fault_.empty() && Exists(file)) fault_ = error.what();
-      return nullptr;
-    }
-    return DefaultIOSystem::Open(file, mode);
-  }
-
-  /// Why an existing file could not be opened; empty if all could.
-  [[nodiscard]] const std::string& fault() const { return fault_; }
-
- private:
-  CountedFiles& files_;
-  std::string fault_;
-};
-
 }  // namespace
 
-Model import_with_assimp(const std::filesystem::path& file, CountedFiles& counted) {
-  Assimp::Importer importer;
-  auto* const files = new ImporterFiles(counted);  // owned by the importer
-  importer.SetIOHandler(files);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  constexpr unsigned kNoPostProcessing = 0;  // in particular no triangulation
-  const aiScene* const scene = importer.ReadFile(file.string(), kNoPostProcessing);
-  try {
-    // Assimp stores what importers throw. Running out of memory is our error, not one of the file.
-    if (importer.GetException()) std::rethrow_exception(importer.GetException());
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (...) {
-  }
-  if (scene == nullptr || scene->mRootNode == nullptr) {
-    const std::string reason = printable(files->fault().empty() ? importer.GetErrorString() : files->fault());
-    throw InputError(file.string() +
-                     ": cannot import: " + (reason.empty() ? "the import library does not say why" : reason));
-  }
-  return SceneReader(file, *scene).read();
+Model import_with_assimp(const std::filesystem::path& file, CountedFiles& files) {
+  const ImportedScene imported(file, files);
+  return SceneReader(file, imported).read();
 }
 
 Model read_with_assimp(const std::filesystem::path& file) {

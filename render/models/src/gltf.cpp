@@ -56,20 +56,13 @@ class SceneReader {
 
   void read() {
     ModelNotes& notes = builder_.notes();
-    notes.unit = "metres";
-    notes.up = "+y";
+    notes.file = {1, {0, 1, 0}};
     notes.warnings = check_extensions(document_);
     for (const std::uint64_t node : nodes_.shown()) {
       if (find(document_.item(kNodes, node), "mesh") == nullptr) continue;
       at([&] { return document_.label(kNodes, node); }, [&] { add_node(node); });
     }
-  }
-
-  /// Vertices of what is shown that no triangle has.
-  [[nodiscard]] std::size_t unused_vertices() const {
-    std::size_t unused = 0;
-    for (const auto& [accessor, used] : used_) unused += used.unused();
-    return unused;
+    for (const auto& [accessor, used] : used_) notes.unused_vertices += used.unused();
   }
 
  private:
@@ -138,13 +131,11 @@ class SceneReader {
   std::map<std::uint64_t, Used> used_;  ///< by accessor
 };
 
-/// Adds what the file shows, and returns the number of vertices that it leaves out.
-std::size_t add_scene(std::string bytes, const std::filesystem::path& folder, CountedFiles& files, ModelBuilder& builder) {
+/// Adds what the file shows.
+void add_scene(std::string bytes, const std::filesystem::path& folder, CountedFiles& files, ModelBuilder& builder) {
   const Document document(std::move(bytes));
   Buffers buffers(document, folder, files);
-  SceneReader reader(document, buffers, builder);
-  reader.read();
-  return reader.unused_vertices();
+  SceneReader(document, buffers, builder).read();
 }
 
 }  // namespace
@@ -154,17 +145,14 @@ Model read_gltf(const std::filesystem::path& file) {
   return import_in_child(file, "the reader of glTF", [&](CountedFiles& files) {
     files.count(file);
     ModelBuilder builder;
-    std::size_t unused = 0;
     try {
-      unused = gltf::add_scene(read_input(file), file.has_parent_path() ? file.parent_path() : ".", files, builder);
+      gltf::add_scene(read_input(file), file.has_parent_path() ? file.parent_path() : ".", files, builder);
     } catch (const gltf::OldVersion&) {
       return import_with_assimp(file, files);
     } catch (const InputError& error) {
       throw InputError(file.string() + ": " + printable(error.what()));
     }
-    Model model = builder.finish(file);
-    model.notes.unused_vertices += unused;
-    return model;
+    return builder.finish(file);
   });
 }
 

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 5> kRead = {"EXT_mesh_gpu_instancing", "E
                                                    "KHR_node_visibility"};
 
 /// They say how surfaces look, how they are lit, how they move or what they mean.
-constexpr std::array<std::string_view, 49> kWithoutGeometry = {"ADOBE_materials_clearcoat_specular",
+constexpr std::array<std::string_view, 50> kWithoutGeometry = {"ADOBE_materials_clearcoat_specular",
                                                                "ADOBE_materials_clearcoat_tint",
                                                                "ADOBE_materials_thin_transparency",
                                                                "AGI_stk_metadata",
@@ -30,6 +30,7 @@ constexpr std::array<std::string_view, 49> kWithoutGeometry = {"ADOBE_materials_
                                                                "EXT_texture_avif",
                                                                "EXT_texture_webp",
                                                                "FB_geometry_metadata",
+                                                               "FB_ngon_encoding",
                                                                "GRIFFEL_bim_data",
                                                                "KHR_animation_pointer",
                                                                "KHR_lights_punctual",
@@ -84,10 +85,9 @@ std::vector<std::string> check_extensions(const Document& document) {
   static_assert(std::ranges::is_sorted(kRead) && std::ranges::is_sorted(kWithoutGeometry));
   for (const std::string& name : unknown_in(document, "extensionsRequired"))
     refuse(fmt::format("extensionsRequired: {} is not supported", name));
-  std::vector<std::string> warnings = unknown_in(document, "extensionsUsed");
-  for (std::string& warning : warnings)
-    warning = fmt::format("extension {} is not supported: what it says is left out", warning);
-  return warnings;
+  const std::vector<std::string> unknown = unknown_in(document, "extensionsUsed");
+  if (unknown.empty()) return {};
+  return {fmt::format("what these extensions say is left out: {}", fmt::join(unknown, ", "))};
 }
 
 }  // namespace occlude::render::gltf

@@ -24,6 +24,10 @@ std::string text_of(const ModelNotes& notes) {
     add(counted(notes.few_corners, "face with fewer than three corners is left out",
                 "faces with fewer than three corners are left out"));
   }
+  if (notes.unsound_vertices != 0) {
+    add(counted(notes.unsound_vertices, "vertex that no face uses is left out: its numbers are not legal",
+                "vertices that no face uses are left out: their numbers are not legal"));
+  }
   if (notes.crossing != 0) {
     add(counted(notes.crossing, "face that crosses itself is drawn as a fan and hides nothing",
                 "faces that cross themselves are drawn as fans and hide nothing"));

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "occlude/kernel/orientation.h"
-#include "occlude/kernel/validity.h"
 #include "occlude/render/errors.h"
 
 namespace occlude::render {
@@ -49,6 +48,8 @@ void ModelBuilder::add_face(std::span<const std::uint32_t> loop, bool is_opaque)
     return;
   }
   if (!faults_.empty()) require_sound(loop);
+  if (is_used_.size() < vertices()) is_used_.resize(vertices());
+  for (const std::uint32_t vertex : loop) is_used_[vertex] = 1;
   culler::PolygonSoup& soup = model_.soup;
   const std::size_t first = soup.size();
   switch (soup.add_face(loop)) {
@@ -65,18 +66,18 @@ void ModelBuilder::add_face(std::span<const std::uint32_t> loop, bool is_opaque)
   if (!is_opaque) soup.see_through_from(first);
 }
 
+void ModelBuilder::reserve(std::size_t vertices, std::size_t faces) {
+  model_.soup.vertices.reserve(vertices);
+  model_.soup.indices.reserve(3 * faces);
+  model_.soup.first.reserve(faces + 1);
+}
+
 Model ModelBuilder::finish(const std::filesystem::path& file) {
   if (model_.soup.empty()) throw InputError(file.string() + ": no polygons");
   leave_out_unused();
+  model_.notes.unsound_vertices = faults_.size();
+  if (model_.notes.tiny_numbers != 0) require_coarse(file, model_.soup);
   return std::move(model_);
-}
-
-void ModelBuilder::drop_tiny(glm::dvec3& vertex) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (vertex[axis] == 0 || !(std::fabs(vertex[axis]) < kernel::kMinMagnitude)) continue;
-    vertex[axis] = 0;
-    ++model_.notes.tiny_numbers;
-  }
 }
 
 void ModelBuilder::require_sound(std::span<const std::uint32_t> loop) const {
@@ -88,14 +89,14 @@ void ModelBuilder::require_sound(std::span<const std::uint32_t> loop) const {
 
 void ModelBuilder::leave_out_unused() {
   culler::PolygonSoup& soup = model_.soup;
-  std::vector<std::uint8_t> is_used(vertices());
-  for (const std::uint32_t index : soup.indices) is_used[index] = 1;
-  model_.notes.unused_vertices = static_cast<std::size_t>(std::ranges::count(is_used, 0));
-  if (model_.notes.unused_vertices == 0) return;
+  is_used_.resize(vertices());
+  const auto unused = static_cast<std::size_t>(std::ranges::count(is_used_, 0));
+  if (unused == 0) return;
+  model_.notes.unused_vertices += unused;
   std::vector<std::uint32_t> place(vertices());
   std::uint32_t kept = 0;
   for (std::size_t v = 0; v < place.size(); ++v) {
-    if (is_used[v] == 0) continue;
+    if (is_used_[v] == 0) continue;
     soup.vertices[kept] = soup.vertices[v];
     place[v] = kept++;
   }

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "model_check.h"
-#include "occlude/kernel/validity.h"
 #include "occlude/render/model.h"
 
 namespace occlude::render {
@@ -22,15 +21,8 @@ class ModelBuilder {
   /// Adds a vertex, with numbers nearer to 0 than 2^-100 taken as 0. place() is called if it cannot be used: the file and
   /// the place in it, for the message.
   template <class Place>
-  std::uint32_t add_vertex(glm::dvec3 vertex, const Place& place) {
-    if (kernel::check(kernel::Vec3{vertex.x, vertex.y, vertex.z}) != kernel::Refusal::none) {
-      drop_tiny(vertex);
-      if (const auto fault = vertex_fault(vertex)) {
-        faults_.push_back({static_cast<std::uint32_t>(vertices()), place() + ": " + *fault});
-        vertex = glm::dvec3(0);
-      }
-    }
-    return model_.soup.add_vertex(vertex);
+  std::uint32_t add_vertex(const glm::dvec3& vertex, const Place& place) {
+    return model_.soup.add_vertex(is_legal(vertex) ? vertex : mended(vertex, place));
   }
   [[nodiscard]] std::size_t vertices() const { return model_.soup.vertices.size(); }
 
@@ -39,6 +31,9 @@ class ModelBuilder {
   void add_face(std::span<const std::uint32_t> loop, bool is_opaque = true);
 
   [[nodiscard]] ModelNotes& notes() { return model_.notes; }
+
+  /// Makes room for so many vertices, and faces of three corners.
+  void reserve(std::size_t vertices, std::size_t faces);
 
   /// The model, without vertices that no face uses. Throws InputError if it has no polygon, or too many corners for 32 bits.
   [[nodiscard]] Model finish(const std::filesystem::path& file);
@@ -49,12 +44,22 @@ class ModelBuilder {
     std::string message;
   };
 
-  void drop_tiny(glm::dvec3& vertex);
+  template <class Place>
+  glm::dvec3 mended(glm::dvec3 vertex, const Place& place) {
+    const std::size_t tiny = drop_tiny(vertex);
+    if (const auto fault = vertex_fault(vertex)) {
+      faults_.push_back({static_cast<std::uint32_t>(vertices()), place() + ": " + *fault});
+      return glm::dvec3(0);
+    }
+    model_.notes.tiny_numbers += tiny;
+    return vertex;
+  }
   void require_sound(std::span<const std::uint32_t> loop) const;
   void leave_out_unused();
 
   Model model_;
-  std::vector<Fault> faults_;  ///< of vertices that no face may use, ascending; in the soup they are 0
+  std::vector<std::uint8_t> is_used_;  ///< 1 where a face has the vertex
+  std::vector<Fault> faults_;          ///< of vertices that no face may use, ascending; in the soup they are 0
 };
 
 }  // namespace occlude::render

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +31,16 @@ std::optional<std::string> vertex_fault(const glm::dvec3& v) {
   return coordinate_fault('z', v.z);
 }
 
+std::size_t drop_tiny(glm::dvec3& v) {
+  std::size_t dropped = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (v[axis] == 0 || !(std::fabs(v[axis]) < kSmallest)) continue;
+    v[axis] = 0;
+    ++dropped;
+  }
+  return dropped;
+}
+
 std::optional<std::string> loop_fault(std::span<const std::int64_t> loop, std::size_t vertices, int base) {
   if (loop.size() < 3) return fmt::format("{} vertices (a polygon needs 3)", loop.size());
   for (const std::int64_t index : loop) {
@@ -42,6 +53,16 @@ std::optional<std::string> loop_fault(std::span<const std::int64_t> loop, std::s
 void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop) {
   for (const std::int64_t index : loop) soup.indices.push_back(static_cast<std::uint32_t>(index));
   soup.first.push_back(static_cast<std::uint32_t>(soup.indices.size()));
+}
+
+void require_coarse(const std::filesystem::path& file, culler::SoupView soup) {
+  constexpr double kLeast = 0x1p53 * kSmallest;  // of doubles from here on, the last bit is 2^-100 or more
+  const auto is_coarse = [](const glm::dvec3& v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) >= kLeast;
+  };
+  if (std::ranges::any_of(soup.vertices, is_coarse)) return;
+  throw InputError(file.string() +
+                   ": coordinates are nearer to 0 than 2^-100, and none reaches 2^-47: give them in another unit");
 }
 
 void require_usable(const std::filesystem::path& file, culler::SoupView soup) {

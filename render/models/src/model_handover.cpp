@@ -2,6 +2,7 @@
 #include "model_handover.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -16,16 +17,16 @@ namespace {
 
 using culler::PolygonSoup;
 
-/// The arrays of a model, and the numbers of its notes, in the order in which they are handed over. Each is written as its
-/// length and its items.
+/// The arrays of a model, and the numbers of its notes, in the order in which they are handed over. Arrays are written as
+/// their length and their items.
 template <class SomeModel, class Array, class Number>
 void each_part(SomeModel& model, const Array& array, const Number& number) {
   array(model.soup.vertices), array(model.soup.indices), array(model.soup.first);
   array(model.soup.faces), array(model.soup.see_through);
   auto& notes = model.notes;
-  array(notes.unit), array(notes.up);
+  number(notes.file.metres), number(notes.file.up), number(notes.rounding);
   number(notes.triangulated), number(notes.crossing), number(notes.without_area), number(notes.few_corners);
-  number(notes.points_and_lines), number(notes.unused_vertices), number(notes.tiny_numbers);
+  number(notes.points_and_lines), number(notes.unused_vertices), number(notes.unsound_vertices), number(notes.tiny_numbers);
 }
 
 class HandoverWriter {
@@ -37,7 +38,10 @@ class HandoverWriter {
     put_number(items.size());
     write(items.data(), items.size() * sizeof(items[0]));
   }
-  void put_number(std::uint64_t number) { write(&number, sizeof(number)); }
+  template <class Number>
+  void put_number(const Number& number) {
+    write(&number, sizeof(number));
+  }
 
  private:
   void write(const void* from, std::size_t bytes) {
@@ -60,15 +64,15 @@ class HandoverReader {
 
   template <class Items>
   void take(Items& items) {
-    const std::uint64_t count = take_number();
+    std::size_t count = 0;
+    take_number(count);
     if (count > left_ / sizeof(items[0])) refuse_damage();
-    items.resize(static_cast<std::size_t>(count));
+    items.resize(count);
     read(items.data(), items.size() * sizeof(items[0]));
   }
-  std::uint64_t take_number() {
-    std::uint64_t number = 0;
+  template <class Number>
+  void take_number(Number& number) {
     read(&number, sizeof(number));
-    return number;
   }
 
  private:
@@ -88,6 +92,12 @@ bool are_faces(std::span<const std::uint32_t> faces, std::size_t polygons) {
   return faces.size() == polygons && faces[0] == 0 && std::ranges::adjacent_find(faces, does_not_follow) == faces.end();
 }
 
+bool is_well_formed(const Convention& convention) {
+  const glm::dvec3& up = convention.up;
+  return convention.metres >= 0 && std::isfinite(convention.metres) &&
+         (up == glm::dvec3(0) || parse_up(up_in_words(up)) == up);
+}
+
 bool is_well_formed(const PolygonSoup& soup) {
   const auto is_short = [](std::uint32_t begin, std::uint32_t end) { return end < begin || end - begin < 3; };
   return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
@@ -105,7 +115,7 @@ void hand_over(const std::string& failure, const Model& model, std::FILE* out) {
   HandoverWriter writer(out);
   writer.put(failure);
   each_part(
-      model, [&](const auto& items) { writer.put(items); }, [&](std::size_t number) { writer.put_number(number); });
+      model, [&](const auto& items) { writer.put(items); }, [&](const auto& number) { writer.put_number(number); });
   writer.put_number(model.notes.warnings.size());
   for (const std::string& warning : model.notes.warnings) writer.put(warning);
 }
@@ -117,9 +127,11 @@ Model take_over(std::FILE* in) {
   if (!failure.empty()) throw InputError(failure);
   Model model;
   each_part(
-      model, [&](auto& items) { reader.take(items); }, [&](std::size_t& number) { number = reader.take_number(); });
-  for (std::uint64_t left = reader.take_number(); left > 0; --left) reader.take(model.notes.warnings.emplace_back());
-  if (!is_well_formed(model.soup)) refuse_damage();
+      model, [&](auto& items) { reader.take(items); }, [&](auto& number) { reader.take_number(number); });
+  std::size_t warnings = 0;
+  reader.take_number(warnings);
+  for (; warnings > 0; --warnings) reader.take(model.notes.warnings.emplace_back());
+  if (!is_well_formed(model.soup) || !is_well_formed(model.notes.file)) refuse_damage();
   return model;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "occlude/culler/polygon_soup.h"
+#include "occlude/render/convention.h"
 
 namespace occlude::render {
 
@@ -15,20 +16,25 @@ struct ReadOptions {
   /// What lets light through according to the file is opaque as well. Faces that cross themselves are see-through all the
   /// same, because no one knows what of them is drawn elsewhere.
   bool is_opaque_all = false;
+  /// The default is that coordinates are those of the file, whatever it says of unit and axes.
+  Conversion conversion = {};
 };
 
 /// What a reader found, beside faces that are drawn as they are.
 struct ModelNotes {
-  std::string unit;  ///< of the file's own numbers, as the format says: "centimetres"; empty where it does not say
-  std::string up;    ///< the axis that is up in the file, as the format says: "+y"; empty where it does not say
+  Convention file;        ///< what the numbers of the file mean, as it, its format or the user says
+  Convention convention;  ///< what the coordinates of the model mean: the same, unless they are converted
 
-  std::size_t triangulated = 0;       ///< faces that are concave or have openings, and are drawn as triangles
-  std::size_t crossing = 0;           ///< faces that cross themselves: drawn as a fan, hide nothing
-  std::size_t without_area = 0;       ///< faces whose corners lie on a line
-  std::size_t few_corners = 0;        ///< faces with fewer than three corners, left out
-  std::size_t points_and_lines = 0;   ///< left out
-  std::size_t unused_vertices = 0;    ///< left out, whatever their numbers are
-  std::size_t tiny_numbers = 0;       ///< coordinates of vertices that are nearer to 0 than 2^-100, taken as 0
+  std::size_t triangulated = 0;      ///< faces that are concave or have openings, and are drawn as triangles
+  std::size_t crossing = 0;          ///< faces that cross themselves: drawn as a fan, hide nothing
+  std::size_t without_area = 0;      ///< faces whose corners lie on a line
+  std::size_t few_corners = 0;       ///< faces with fewer than three corners, left out
+  std::size_t points_and_lines = 0;  ///< left out
+  std::size_t unused_vertices = 0;   ///< left out, whatever their numbers are
+  std::size_t unsound_vertices = 0;  ///< how many of these have numbers that are not finite or above 2^100, if known
+  std::size_t tiny_numbers = 0;      ///< coordinates of vertices that are nearer to 0 than 2^-100, taken as 0
+  /// About how far at most a library has moved vertices that gives numbers in single precision; 0: there is none.
+  double rounding = 0;
   std::vector<std::string> warnings;  ///< what else the user must know, a line each, without the name of the file
 };
 
