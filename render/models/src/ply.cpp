@@ -52,22 +52,34 @@ const Property* loop_property(const Element& face) {
 }
 
 /// A list of vertices, each checked: of a face, or, with -1 where one ends, of strips of triangles.
-void read_loop(ValueReader& values, const Property& property, std::size_t vertices, bool is_strip,
-               std::vector<std::uint32_t>& loop) {
-  const std::int64_t count = values.integer(*property.count);
-  if (count < 0) values.fail("the list has a negative length");
-  loop.clear();
-  for (std::int64_t i = 0; i < count; ++i) {
-    const std::int64_t index = values.integer(property.type);
-    if (static_cast<std::uint64_t>(index) < vertices) {
-      loop.push_back(static_cast<std::uint32_t>(index));
-    } else if (is_strip && index == -1) {
-      loop.push_back(kEndOfStrip);
-    } else {
-      values.fail(fmt::format("vertex index {} is out of range ({} vertices)", index, vertices));
-    }
+class LoopReader {
+ public:
+  LoopReader(ValueReader& values, std::size_t vertices, bool is_strip)
+      : values_(values), vertices_(vertices), is_strip_(is_strip) {}
+
+  std::span<const std::uint32_t> read(const Property& property) {
+    const std::int64_t count = values_.integer(*property.count);
+    if (count < 0) values_.fail("the list has a negative length");
+    values_.integers(property.type, count, items_);
+    loop_.resize(items_.size());
+    for (std::size_t i = 0; i < items_.size(); ++i) loop_[i] = vertex(items_[i]);
+    return loop_;
   }
-}
+
+ private:
+  [[nodiscard]] std::uint32_t vertex(std::int64_t index) const {
+    if (index >= 0 && std::cmp_less(index, vertices_)) return static_cast<std::uint32_t>(index);
+    if (!is_strip_ || index != -1)
+      values_.fail(fmt::format("vertex index {} is out of range ({} vertices)", index, vertices_));
+    return kEndOfStrip;
+  }
+
+  ValueReader& values_;
+  const std::size_t vertices_;
+  const bool is_strip_;
+  std::vector<std::int64_t> items_;
+  std::vector<std::uint32_t> loop_;
+};
 
 /// Calls add(loop) for each triangle of the strips. One with two corners in one vertex only joins others.
 template <class Add>
@@ -84,13 +96,13 @@ template <class Add>
 void read_faces(ValueReader& values, const Element& element, std::size_t vertices, const Add& add) {
   const Property* const indices = loop_property(element);
   const bool is_strip = element.name == kStrips;
-  std::vector<std::uint32_t> loop;
+  LoopReader loops(values, vertices, is_strip);
   for (std::size_t i = 0; i < element.count; ++i) {
     values.enter(element, i);
-    loop.clear();
+    std::span<const std::uint32_t> loop;
     for (const Property& property : element.properties) {
       if (&property == indices) {
-        read_loop(values, property, vertices, is_strip, loop);
+        loop = loops.read(property);
       } else {
         values.skip(property);
       }
@@ -141,10 +153,12 @@ Model read_ply(const std::filesystem::path& file) {
   for (const Element& element : header.elements) {
     values.expect_room_for(element);
     if (element.name == "vertex") {
+      builder.reserve(element.count, 0);
       read_vertices(values, element, builder);
     } else if (!is_of_faces(element)) {
       skip_element(values, element);
     } else if (builder.vertices() == vertices) {
+      builder.reserve(0, element.count);
       read_faces(values, element, vertices, add);
     } else {
       read_faces(values, element, vertices,

@@ -96,22 +96,41 @@ double ValueReader::real(Scalar type) {
   return static_cast<double>(integer(type));
 }
 
-std::int64_t ValueReader::integer(Scalar type) {
-  if (encoding_ == Encoding::ascii) return take_text<std::int64_t>();
+/// What work(T()) returns for the type T of a binary integer.
+template <class Work>
+auto with_type(Scalar type, const Work& work) {
   switch (type) {
     case Scalar::int8:
-      return take_binary<std::int8_t>();
+      return work(std::int8_t());
     case Scalar::uint8:
-      return take_binary<std::uint8_t>();
+      return work(std::uint8_t());
     case Scalar::int16:
-      return take_binary<std::int16_t>();
+      return work(std::int16_t());
     case Scalar::uint16:
-      return take_binary<std::uint16_t>();
+      return work(std::uint16_t());
     case Scalar::int32:
-      return take_binary<std::int32_t>();
+      return work(std::int32_t());
     default:
-      return take_binary<std::uint32_t>();
+      return work(std::uint32_t());
   }
+}
+
+std::int64_t ValueReader::integer(Scalar type) {
+  if (encoding_ == Encoding::ascii) return take_text<std::int64_t>();
+  return with_type(type, [&]<class T>(T) -> std::int64_t { return take_binary<T>(); });
+}
+
+void ValueReader::integers(Scalar type, std::int64_t count, std::vector<std::int64_t>& to) {
+  to.clear();
+  if (encoding_ == Encoding::ascii) {
+    for (; count > 0; --count) to.push_back(take_text<std::int64_t>());
+    return;
+  }
+  if (static_cast<std::uint64_t>(count) > rest_.size() / size_of(type)) fail("the file ends here");
+  to.resize(static_cast<std::size_t>(count));
+  with_type(type, [&]<class T>(T) {
+    for (std::int64_t& item : to) item = take_binary<T>();
+  });
 }
 
 void ValueReader::skip(const Property& property) {

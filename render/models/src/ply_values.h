@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ply_header.h"
 
@@ -19,6 +20,8 @@ class ValueReader {
   [[nodiscard]] double real(Scalar type);
   /// REQUIRES: is_integer(type).
   [[nodiscard]] std::int64_t integer(Scalar type);
+  /// Reads so many integers into `to`. REQUIRES: is_integer(type).
+  void integers(Scalar type, std::int64_t count, std::vector<std::int64_t>& to);
   /// Skips `property` of one element.
   void skip(const Property& property);
 
