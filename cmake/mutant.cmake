@@ -1,10 +1,11 @@
-# Planted faults (fuzz/mutants/README.md). With OCCLUDE_MUTANT=NAME the kernel and the culler are built from a copy in the
-# build folder to which fuzz/mutants/NAME.patch was applied, to check that the tests and the fuzzer catch the fault. Included
-# once, from the top. Sets OCCLUDE_SOURCES, the folder from which kernel/ and culler/ are built.
+# Planted faults (fuzz/mutants/README.md). With OCCLUDE_MUTANT=NAME the kernel, the culler and the readers of models
+# are built from a copy in the build folder to which fuzz/mutants/NAME.patch was applied, to check that the tests and the fuzzer
+# catch the fault. Included once, from the top. Sets OCCLUDE_SOURCES, the folder from which kernel/, culler/ and render/models/
+# are built.
 set(OCCLUDE_MUTANT "" CACHE STRING "Planted fault to build with, for testing the tests: a name from fuzz/mutants, or none")
 set(OCCLUDE_SOURCES ${PROJECT_SOURCE_DIR})
 
-# occlude_plant(NAME FOLDER): makes FOLDER/kernel and FOLDER/culler, copies with the fault. Unchanged files keep their time.
+# occlude_plant(NAME FOLDER): makes FOLDER/kernel, FOLDER/culler and FOLDER/render/models, copies with the fault. Unchanged files keep their time.
 function(occlude_plant name folder)
   set(patch ${PROJECT_SOURCE_DIR}/fuzz/mutants/${name}.patch)
   if(NOT EXISTS ${patch})
@@ -18,6 +19,7 @@ function(occlude_plant name folder)
   set(fresh ${folder}.new)
   file(REMOVE_RECURSE ${fresh})
   file(COPY ${PROJECT_SOURCE_DIR}/kernel ${PROJECT_SOURCE_DIR}/culler DESTINATION ${fresh})
+  file(COPY ${PROJECT_SOURCE_DIR}/render/models DESTINATION ${fresh}/render)
   execute_process(COMMAND ${OCCLUDE_PATCH} --strip=1 --fuzz=0 --no-backup-if-mismatch --silent
     --input=${patch} WORKING_DIRECTORY ${fresh}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
