@@ -168,7 +168,7 @@ void preprocess(PreprocessArguments& arguments) {
   std::optional<render::OutputFile> file, box_file;
   if (is_first && !arguments.out.empty()) file.emplace(arguments.out);
   if (is_first && !arguments.inner_boxes.empty()) box_file.emplace(arguments.inner_boxes);
-  const culler::PolygonSoup soup = read_soup(arguments.model, arguments.read.options());
+  const culler::PolygonSoup soup = read_model(arguments.model, arguments.read.options()).soup;
 
   render::Job job = job_of(arguments, soup);
   if (!is_first) {

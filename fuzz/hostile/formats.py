@@ -11,11 +11,12 @@ import subprocess
 import zipfile
 
 FILES = {"ply ascii": "a.ply", "ply binary": "a.ply", "obj": "a.obj", "stl": "a.stl", "gltf": "a.gltf", "glb": "a.glb",
-         "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "cases": "a.jsonl", "witnesses": "a.jsonl",
+         "collada": "a.dae", "3mf": "a.3mf", "path": "a.json", "matrices": "a.csv",
+         "gltf camera": "a.gltf", "collada camera": "a.dae", "cases": "a.jsonl", "witnesses": "a.jsonl",
          "preprocess": "a.store", "store": "a.store"}
 SOUND = "sound"  # what is done to a file to which nothing is done
 MODELS = pathlib.Path(__file__).resolve().parents[2] / "tests" / "data" / "models"
-IMPORTED = ("stl", "gltf", "glb", "collada", "3mf")
+IMPORTED = ("stl", "gltf", "glb", "collada", "3mf", "gltf camera", "collada camera")
 JSON = ("path", "cases", "witnesses")
 
 
@@ -24,8 +25,10 @@ def command(name, seeds):
     walk = ["--frames", "0:1", "--no-render", "--occluders", "2", "--probes", "1", "--out", "out"]
     model, path = str(seeds / "model.ply"), str(seeds / "path.json")
     file = FILES[name]
-    if name == "path":
+    if name in ("path", "matrices"):
         return ["walk", model, "--path", file, *walk]
+    if name.endswith(" camera"):
+        return ["walk", file, "--path", "camera:eye", *walk]
     if name == "cases":
         return ["classify", file]
     if name == "witnesses":
@@ -40,6 +43,14 @@ TRIANGLES = [(4 * i + a, 4 * i + b, 4 * i + c) for i in range(len(SQUARES)) for 
 PATH = {"frames": 4, "keyframes": [{"eye": [0, 0, 0], "target": [1, 0, 0]}, {"eye": [0.5, 0.25, 0],
                                                                              "target": [1.5, 0, 0]}],
         "fov_y_deg": 60, "near": 0.1, "far": 1000.0, "up": [0, 0, 1], "interpolation": "smooth"}
+
+
+# Cameras on the same way, as matrices.
+MATRICES = [[0, 0, -1, x, -1, 0, 0, y, 0, 1, 0, 0, 0, 0, 0, 1] for x, y in ((0, 0), (0.25, 0.125), (0.5, 0.25))]
+
+
+def matrices():
+    return "\n".join(["# made to be damaged"] + [",".join(map(repr, m)) for m in MATRICES]).encode() + b"\n"
 
 
 def ply_header(kind, vertices=len(VERTICES), faces=len(SQUARES), more=""):
@@ -158,6 +169,35 @@ def glb(scene=None, binary=None, lengths=(0, 0, 0)):
     return struct.pack("<4sII", b"glTF", 2, lengths[0] or 12 + len(chunks)) + chunks
 
 
+def gltf_camera():
+    """The same with a camera that moves."""
+    scene, binary = gltf_parts()
+    tracks = [(1, "SCALAR", [0, 0.5, 1]), (3, "VEC3", [0, 0, 0, 0.5, 0.25, 0, 1, 0, 0]),
+              (4, "VEC4", [0.5, -0.5, -0.5, 0.5] * 3)]
+    for width, kind, numbers in tracks:
+        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": 4 * len(numbers)})
+        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": 5126,
+                                   "count": len(numbers) // width, "type": kind})
+        binary += struct.pack(f"<{len(numbers)}f", *numbers)
+    scene["buffers"][0]["byteLength"] = len(binary)
+    scene["scenes"][0]["nodes"].append(2)
+    scene["nodes"] += [{"children": [3]}, {"name": "eye", "camera": 0}]
+    scene["cameras"] = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1, "zfar": 1000}}]
+    scene["animations"] = [{"samplers": [{"input": 2, "output": 3}, {"input": 2, "output": 4, "interpolation": "STEP"}],
+                            "channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}},
+                                         {"sampler": 1, "target": {"node": 3, "path": "rotation"}}]}]
+    return gltf(scene, binary)
+
+
+def collada_camera():
+    optics = ("<optics><technique_common><perspective><xfov>60</xfov><aspect_ratio>1.5</aspect_ratio><znear>0.1</znear>"
+              "<zfar>1000</zfar></perspective></technique_common></optics>")
+    node = ('<node id="n"><instance_geometry url="#g"/></node><node id="eye" name="eye"><rotate>0 0 1 -90</rotate>'
+            '<rotate>1 0 0 90</rotate><instance_camera url="#c"/></node>')
+    camera = f'<library_cameras><camera id="c" name="c">{optics}</camera></library_cameras>\n<library_geometries>'.encode()
+    return collada(node).replace(b"<library_geometries>", camera)
+
+
 def collada(nodes='<node id="n"><translate>0 0 0</translate><instance_geometry url="#g"/></node>', doctype=""):
     numbers = " ".join("%g %g %g" % v for v in VERTICES)
     indices = " ".join(str(i) for i in range(len(VERTICES)))
@@ -225,7 +265,9 @@ def make_seeds(occlude, folder):
             "stl": [stl_ascii(), stl_binary()], "gltf": [gltf(), gltf(*gltf_of_all_kinds())],
             "glb": [glb(), glb(*gltf_of_all_kinds())] + [file.read_bytes() for file in sorted(MODELS.glob("*.glb"))],
             "collada": [collada()],
-            "3mf": [pack_3mf(lambda model: model.write(model_3mf()))], "path": [json.dumps(PATH, indent=1).encode()],
+            "3mf": [pack_3mf(lambda model: model.write(model_3mf()))],
+            "path": [json.dumps(PATH, indent=1).encode(), json.dumps({"matrices": MATRICES, "near": 0.1}).encode()],
+            "matrices": [matrices()], "gltf camera": [gltf_camera()], "collada camera": [collada_camera()],
             "cases": [b"".join(cases) + polytope, polytope], "witnesses": [(folder / "witness.jsonl").read_bytes()],
             "preprocess": [(folder / "model.store").read_bytes()], "store": [(folder / "model.store").read_bytes()]}
 
@@ -650,6 +692,15 @@ def path_bombs(random):
     return kind, json.dumps(path).encode()
 
 
+def matrix_bombs(random):
+    size = random.choice([1000, 100_000, 2 * MIB])
+    return random.choice([
+        lambda: ("line", b"1," * size), lambda: ("number", numbers_without_end(random)),
+        lambda: ("lines", (b",".join([b"1"] * 16) + b"\n") * (size // 32)), lambda: ("empty lines", b"\n" * size),
+        lambda: ("comments", b"#\n" * size), lambda: ("hole", sparse(b"")), lambda: ("long line", b"x" * (17 * MIB)),
+        lambda: ("words", b"x " * size)])()
+
+
 def case_bombs(random):
     n = random.choice([100, 1000, 4096, 4097, 20_000])
     ring = [[2, math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n)] for i in range(n)]
@@ -678,7 +729,8 @@ def preprocess_bombs(random):
 
 BOMBS = {"ply ascii": ply_bombs, "ply binary": ply_bombs, "obj": obj_bombs, "stl": stl_bombs, "gltf": gltf_bombs,
          "glb": glb_bombs,
-         "collada": collada_bombs, "3mf": bombs_3mf, "path": path_bombs, "cases": case_bombs, "witnesses": json_bombs,
+         "collada": collada_bombs, "3mf": bombs_3mf, "path": path_bombs, "matrices": matrix_bombs,
+         "gltf camera": gltf_bombs, "collada camera": collada_bombs, "cases": case_bombs, "witnesses": json_bombs,
          "preprocess": preprocess_bombs}
 
 
@@ -700,7 +752,7 @@ class Maker:
 
     def __init__(self, name, seeds, folder, forger):
         self.name, self.seeds, self.folder, self.forger = name, seeds, folder, forger
-        self.damages = DAMAGES + [with_other_value] * 6 if name in JSON + ("gltf",) else DAMAGES
+        self.damages = DAMAGES + [with_other_value] * 6 if name in JSON + ("gltf", "gltf camera") else DAMAGES
 
     def write(self, random, file):
         """Writes one; returns what was done, in a word or two."""

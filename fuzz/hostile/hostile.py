@@ -90,7 +90,7 @@ def fault(name, kind, outcome, folder, with_limits):
     if code not in (0, 1, 2):
         return f"exit code {code}"
     lines = errors.splitlines()
-    # A damaged path may lie far from the model, which is worth a warning.
+    # A damaged model or path has what is worth warnings.
     while lines and lines[0].startswith(b"occlude: warning: "):
         del lines[0]
     # What a check has found, exit code 1, may take a line for each kind.

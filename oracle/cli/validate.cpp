@@ -24,7 +24,6 @@
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/errors.h"
-#include "occlude/render/input_file.h"
 #include "occlude/render/input_limits.h"
 #include "occlude/render/job.h"
 #include "occlude/render/packing.h"
@@ -36,6 +35,7 @@
 #include "occlude/render/walk.h"
 #include "occlude/render/witness.h"
 #include "packed_visibility.h"
+#include "path_arguments.h"
 #include "proof.h"
 #include "validation.h"
 #include "visibility_check.h"
@@ -45,7 +45,8 @@ namespace occlude::cli {
 namespace {
 
 struct ValidateArguments {
-  std::string model, path, witness, out;
+  std::string model, witness, out;
+  PathArguments path;
   WalkArguments walk;
   /// Exact visibility then takes half a minute for the 300 frames of a path through random triangles. Lattices take longer.
   std::size_t exact_up_to = 2000;
@@ -378,10 +379,10 @@ void require_leaves(const WitnessFile& witnesses, const culler::Hierarchy& hiera
 }
 
 /// Tells jobs apart by what is not in the inputs of the parts.
-std::uint64_t key_of(const ValidateArguments& arguments, const render::WalkOptions& options,
+std::uint64_t key_of(const ValidateArguments& arguments, const render::CameraPath& path, const render::WalkOptions& options,
                      const culler::Hierarchy& hierarchy) {
   render::Digest digest;
-  add(digest.add(arguments.given).add(render::read_input(arguments.path)), hierarchy.soup());
+  add(digest.add(arguments.given).add(json_of(path)), hierarchy.soup());
   const std::string store = options.preprocess.empty() ? arguments.model : options.preprocess.string();
   if (render::is_store(store)) digest.add(std::to_string(render::hash_of_store(store)));
   return digest.value();
@@ -390,20 +391,21 @@ std::uint64_t key_of(const ValidateArguments& arguments, const render::WalkOptio
 void validate(ValidateArguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
-  const render::CameraPath path = render::read_camera_path(arguments.path);
   const bool is_anew = arguments.witness.empty();
   require_readable_by_all(arguments.witness);
   std::optional<WitnessFile> witnesses;
   if (!is_anew) options.build.hierarchy.leaf_size = witnesses.emplace(arguments.witness).leaf_size();
-  const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
   std::optional<FailureFiles> files = failure_files(arguments.out);
-  const culler::Culler culler = render::make_culler(open_model(arguments.model, options), options);
+  render::ModelFile model = open_model(arguments.model, options);
+  const render::CameraPath path = arguments.path.through(model);
+  const Turns turns(is_anew ? render::frames_of(path, options) : all_frames(path));
+  const culler::Culler culler = render::make_culler(std::move(model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   if (witnesses) require_leaves(*witnesses, hierarchy, arguments);
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
   const Walked walked{culler, path, options};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
-  render::Job job(arguments.parts.keeping(), [&] { return key_of(arguments, options, hierarchy); });
+  render::Job job(arguments.parts.keeping(), [&] { return key_of(arguments, path, options, hierarchy); });
 
   const proof::Prover prover(hierarchy,
                              {path.frames, [&](std::size_t frame) { return path.camera(frame, checked.aspect); }});
@@ -458,7 +460,7 @@ void add_validate(Command app, int& exit_code) {
       "Example: mpirun -n 4 occlude validate city.ply --path city.json     and, after a failure, with --resume");
   const auto a = std::make_shared<ValidateArguments>();
   add_input(command, "MODEL", a->model, "the model walked through").required();
-  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  a->path.add_to(command, "camera path");
   Option witness = add_input(command, "--witness", a->witness,
                              "prove this file of `occlude walk --witness`; without it, cull anew and prove that");
   command

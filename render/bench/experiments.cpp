@@ -7,18 +7,16 @@
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
-#include "occlude/render/walk_frames.h"
 
 namespace occlude::experiments {
 namespace {
 
 /// A walk that writes no files.
-render::WalkResult measure_table2(const Subject& subject, const Options& options) {
+render::WalkResult walk_without_files(const Subject& subject, const render::WalkOptions& options) {
   const render::Stopwatch stopwatch;
-  const culler::Culler culler = make_culler(subject.soup, options.walk);
+  const culler::Culler culler = make_culler(subject.soup, options);
   const double preprocess_s = stopwatch.seconds();
-  const render::Drawing drawing(culler, options.walk);
-  render::WalkResult result = walk_frames(culler, subject.path, options.walk, drawing);
+  render::WalkResult result = walk_beside(culler, subject.path, options);
   result.preprocess_s = preprocess_s;
   return result;
 }
@@ -35,9 +33,12 @@ Result run(const Subject& subject, const Options& options, const std::vector<std
   result.last_frame = frames.back();
   result.frames = frames.size();
   if (is_chosen("table2")) {
-    render::WalkResult walk = measure_table2(subject, options);
+    render::WalkResult walk = walk_without_files(subject, options.walk);
+    const render::WalkOptions by_other = render::by_other_method(options.walk);
+    const render::WalkResult other = walk_without_files(subject, by_other);
     result.table2 = summarise(walk, options.walk, subject.name);
-    result.methods = measure_methods(subject, options, walk);
+    result.table2->methods =
+        render::methods_of({{options.walk.cull.method, &walk}, {by_other.cull.method, &other}}, options.walk.render);
     result.walked = std::move(walk.frames);
   }
   if (is_chosen("figure4")) result.figure4 = measure_figure4(subject, options);

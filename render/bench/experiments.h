@@ -10,7 +10,6 @@
 #include "figure4.h"
 #include "growth.h"
 #include "joined.h"
-#include "methods.h"
 #include "occlude/render/summary.h"
 #include "setting.h"
 #include "sorting.h"
@@ -26,8 +25,7 @@ inline constexpr std::array kExperiments{"table2", "figure4", "sweeps", "sort", 
 struct Result {
   std::string model;
   std::size_t polygons = 0, first_frame = 0, last_frame = 0, frames = 0;
-  std::optional<render::Summary> table2;
-  std::optional<Methods> methods;           ///< with table2: the same walk by each method
+  std::optional<render::Summary> table2;    ///< by every method
   std::vector<render::FrameRecord> walked;  ///< the frames of table 2, for figures 2 and 3
   std::optional<Figure4> figure4;
   std::optional<Sweeps> sweeps;

@@ -25,8 +25,8 @@ constexpr const char *kMain = "#1565c0", *kOther = "#d9822b", *kThird = "#5f6b7a
 std::string figure(const std::string& chart) { return "<figure>" + chart + "</figure>"; }
 
 std::string table2_section(const Result& result, const Options& options) {
-  return section("Averages (the paper's table 2)", table2_html(*result.table2)) + section(methods_table(*result.methods)) +
-         render::figures_html(result.walked, options.walk.render);
+  return section("Averages (the paper's table 2)", table2_html(*result.table2)) +
+         section(methods_table(result.table2->methods)) + render::figures_html(result.walked, options.walk.render);
 }
 
 std::string figure4_section(const Figure4& figure4) {

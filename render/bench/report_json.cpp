@@ -15,21 +15,8 @@ Json if_known(const std::optional<double>& value) { return value ? Json(*value) 
 Json table2_json(const render::Summary& summary) {
   Json json = json_of(summary);
   // Stated once for all experiments; witnesses and operations belong to walks only.
-  for (const char* member : {"model", "polygons", "frames", "options", "machine", "witnesses", "operations"}) {
+  for (const char* member : {"model", "polygons", "frames", "options", "machine", "witnesses", "operations", "methods"}) {
     json.erase(member);
-  }
-  return json;
-}
-
-Json methods_json(const Methods& methods) {
-  Json json = Json::array();
-  for (const MethodRow& m : methods) {
-    json.push_back({{"method", m.name},
-                    {"drawn", m.drawn},
-                    {"hidden_culled", if_known(m.hidden_culled)},
-                    {"cull_ms", m.cull_ms},
-                    {"worst_cull_ms", m.worst_cull_ms},
-                    {"frame_ms", if_known(m.frame_ms)}});
   }
   return json;
 }
@@ -158,7 +145,7 @@ std::string report_json(const Result& result, const Options& options) {
             {"frames", {{"first", result.first_frame}, {"last", result.last_frame}, {"count", result.frames}}},
             {"options", settings}};
   json["table2"] = result.table2 ? table2_json(*result.table2) : Json(nullptr);
-  json["methods"] = result.methods ? methods_json(*result.methods) : Json(nullptr);
+  json["methods"] = result.table2 ? json_of(result.table2->methods) : Json(nullptr);
   json["figures_2_and_3"] = result.table2 ? frames_json(result.walked, rendered) : Json(nullptr);
   json["figure4"] = result.figure4 ? figure4_json(*result.figure4) : Json(nullptr);
   json["sweeps"] = nullptr;

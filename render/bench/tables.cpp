@@ -57,16 +57,16 @@ Table joined_table(const std::string& title, const std::string& varied, const st
 
 }  // namespace
 
-Table methods_table(const Methods& methods) {
+Table methods_table(const render::Methods& methods) {
   Table table{"Table 2 by every method, averages per frame",
               {"method", "polygons drawn", "of the hidden culled, %", "cull, ms", "worst cull, ms", "frame, ms",
                "frame, ratio to visible polygons only"},
               {},
               {}};
   const std::optional<double> least = methods.back().frame_ms;
-  for (const MethodRow& m : methods) {
+  for (const render::MethodRow& m : methods) {
     const bool is_culled = m.worst_cull_ms > 0;
-    table.rows.push_back({m.name, grouped(m.drawn), if_known(m.hidden_culled, percent), is_culled ? two(m.cull_ms) : "-",
+    table.rows.push_back({m.method, grouped(m.drawn), if_known(m.hidden_culled, percent), is_culled ? two(m.cull_ms) : "-",
                           is_culled ? two(m.worst_cull_ms) : "-", if_known(m.frame_ms, one),
                           m.frame_ms ? two(*m.frame_ms / *least) : "-"});
   }

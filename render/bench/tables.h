@@ -8,7 +8,7 @@
 #include "figure4.h"
 #include "growth.h"
 #include "joined.h"
-#include "methods.h"
+#include "occlude/render/methods.h"
 #include "sorting.h"
 #include "sweeps.h"
 #include "table.h"
@@ -18,7 +18,7 @@ namespace occlude::experiments {
 
 using bench::Table;
 
-[[nodiscard]] Table methods_table(const Methods& methods);
+[[nodiscard]] Table methods_table(const render::Methods& methods);
 [[nodiscard]] Table figure4_table(const Figure4& figure);
 [[nodiscard]] Table regions_table(const Sweeps& sweeps);
 [[nodiscard]] Table threshold_table(const Sweeps& sweeps);

@@ -14,7 +14,6 @@
 #include "occlude/render/model_io.h"
 #include "occlude/render/output_place.h"
 #include "occlude/render/paint.h"
-#include "occlude/render/path_fit.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/ranks.h"
 #include "occlude/render/store.h"
@@ -46,16 +45,6 @@ void parse_frames(const std::string& text, render::WalkOptions& options) {
   options.end = values[1];
   options.step = values.size() == 3 ? values[2] : 1;
   if (options.step == 0) refuse("--frames", "STEP must be at least 1");
-}
-
-/// An empty name is probably a mistake, such as an unset variable in a script.
-std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
-
-/// Says what is doubtful about a file, if anything is.
-void warn(const std::string& file, const std::string& doubt) {
-  if (doubt.empty()) return;
-  const render::Paint paint(STDERR_FILENO);
-  render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(file + ": " + doubt) + "\n");
 }
 
 /// What is wrong with a unit or an axis.
@@ -151,9 +140,11 @@ std::vector<Option> WalkArguments::add_common_to(Command command) {
   constexpr std::size_t kMostOccluders = 4096;  // each costs one test at every node that it does not decide
   return {
       add_frames_to(command),
-      choice(command, "--method", method_, {"frusta", "cover"},
-             "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
-             "coarse picture"),
+      command
+          .add("--method", method_,
+               "frusta: the shadows of a few chosen occluders; cover: the joined shadows of all visible polygons, in a "
+               "coarse picture (default: frusta; of walk both, side by side, in detail by frusta)")
+          .one_of({"frusta", "cover"}),
       command.add("--occluders", cull_.occluders, "occluders per frame; 0: view-frustum culling alone")
           .show_default()
           .in_range(std::size_t{0}, kMostOccluders),
@@ -278,6 +269,8 @@ std::uint64_t whole_number(const std::string& option, const std::string& text) {
   return static_cast<std::uint64_t>(number);
 }
 
+std::string check_named(const std::string& file) { return file.empty() ? "it is empty" : ""; }
+
 Option add_input(Command command, const char* name, std::string& file, const char* text) {
   return command.add(name, file, text).check(check_named).each(render::keep_input);
 }
@@ -290,23 +283,22 @@ Option add_output(Command command, const char* name, std::string& path, const st
   return command.add(name, path, text).check(check_named);
 }
 
-void warn_of(const render::ModelNotes& notes, const std::string& model_file) { warn(model_file, render::text_of(notes)); }
+void warn(const std::string& file, const std::string& doubt) {
+  if (doubt.empty()) return;
+  const render::Paint paint(STDERR_FILENO);
+  render::say(paint(render::Colour::yellow, "occlude: warning:") + " " + render::printable(file + ": " + doubt) + "\n");
+}
 
-culler::PolygonSoup read_soup(const std::string& file, const render::ReadOptions& options) {
+render::Model read_model(const std::string& file, const render::ReadOptions& options) {
   render::Model model = render::read_model(file, options);
-  warn_of(model.notes, file);
-  return std::move(model.soup);
+  warn(file, render::text_of(model.notes));
+  return model;
 }
 
 render::ModelFile open_model(const std::string& file, const render::WalkOptions& options) {
   render::ModelFile model(file, options.read);
-  warn_of(model.notes, file);
+  warn(file, render::text_of(model.notes));
   return model;
-}
-
-void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
-                    culler::SoupView model) {
-  warn(path_file, render::doubt_about(path, model_file, model));
 }
 
 render::Digest& add(render::Digest& digest, culler::SoupView soup) {

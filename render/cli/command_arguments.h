@@ -8,7 +8,6 @@
 
 #include "command_line.h"
 #include "occlude/culler/polygon_soup.h"
-#include "occlude/render/camera_path.h"
 #include "occlude/render/digest.h"
 #include "occlude/render/job.h"
 #include "occlude/render/walk.h"
@@ -62,6 +61,8 @@ class WalkArguments {
 
   /// Calls refuse() if the model is a store and one of these options is given, which are settled in it.
   void require_settled(const std::string& model) const;
+  /// Whether --method is given.
+  [[nodiscard]] bool has_method() const { return !method_.empty(); }
   /// The parsed options. Calls refuse() for text that cannot be parsed.
   [[nodiscard]] render::WalkOptions options() const;
 
@@ -71,8 +72,8 @@ class WalkArguments {
   std::vector<Option> add_debugging_to(Command command);
 
   std::string frames_, size_;
-  std::string near_ = "surface", method_ = "frusta", cover_size_ = "512x288", arithmetic_ = "certified",
-              test_ = "conservative", angle_ = "area", preprocess_;
+  std::string near_ = "surface", method_, cover_size_ = "512x288", arithmetic_ = "certified", test_ = "conservative",
+              angle_ = "area", preprocess_;
   ReadArguments read_;
   BuildArguments build_;
   std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
@@ -108,6 +109,9 @@ inline constexpr std::size_t kLargestSide = 8192;
 /// Parses a whole number; calls refuse() for anything else.
 [[nodiscard]] std::uint64_t whole_number(const std::string& option, const std::string& text);
 
+/// What is wrong with the name of a file: an empty one is probably a mistake, such as an unset variable in a script.
+[[nodiscard]] std::string check_named(const std::string& file);
+
 /// Adds an option, or without dashes an argument, for an input file. No output may replace that file.
 Option add_input(Command command, const char* name, std::string& file, const char* text);
 Option add_inputs(Command command, const char* name, std::vector<std::string>& files, const char* text);
@@ -115,17 +119,13 @@ Option add_inputs(Command command, const char* name, std::vector<std::string>& f
 /// Adds the same for an output file or folder.
 Option add_output(Command command, const char* name, std::string& path, const std::string& text);
 
-/// Warns on standard error of what the user must know of how a model was read.
-void warn_of(const render::ModelNotes& notes, const std::string& model_file);
+/// Says on standard error what is doubtful about a file, if anything is.
+void warn(const std::string& file, const std::string& doubt);
 
-/// Reads a model, and warns.
-[[nodiscard]] culler::PolygonSoup read_soup(const std::string& file, const render::ReadOptions& options);
-/// The model of a walk, with a warning.
+/// Reads a model, and warns of what the user must know of how it was read.
+[[nodiscard]] render::Model read_model(const std::string& file, const render::ReadOptions& options);
+/// The same of the model of a walk.
 [[nodiscard]] render::ModelFile open_model(const std::string& file, const render::WalkOptions& options);
-
-/// Warns on standard error if the path is probably meant for another model.
-void warn_of_misfit(const render::CameraPath& path, const std::string& path_file, const std::string& model_file,
-                    culler::SoupView model);
 
 /// Adds all that the model consists of.
 render::Digest& add(render::Digest& digest, culler::SoupView soup);

@@ -8,7 +8,6 @@
 
 #include "command_arguments.h"
 #include "commands.h"
-#include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
@@ -16,13 +15,15 @@
 #include "occlude/render/live_page.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
+#include "path_arguments.h"
 
 namespace occlude::cli {
 namespace {
 
 struct InspectArguments {
+  std::string model, out = "inspect.html", module;
+  PathArguments path;
   ReadArguments read;
-  std::string model, path, out = "inspect.html", module;
 };
 
 /// live.wasm lies beside the program.
@@ -44,14 +45,15 @@ std::string read_module(const std::string& given) {
 void inspect(const InspectArguments& arguments) {
   render::OutputFile out(arguments.out);
   const std::string module = read_module(arguments.module);
-  const culler::PolygonSoup model = read_soup(arguments.model, arguments.read.options());
+  const render::Model read = read_model(arguments.model, arguments.read.options());
+  const culler::PolygonSoup& model = read.soup;
   if (model.size() > render::kMostLivePolygons) {
     throw render::InputError(
         fmt::format("{}: {} polygons; a page takes {} at most", arguments.model, model.size(), render::kMostLivePolygons));
   }
   render::LiveStart start = render::start_beside(model);
-  if (!arguments.path.empty()) {
-    const render::CameraPath path = render::read_camera_path(arguments.path);
+  if (arguments.path.is_given()) {
+    const render::CameraPath path = arguments.path.through(arguments.model, read);
     warn_of_misfit(path, arguments.path, arguments.model, model);
     start = render::start_of(path, model);
   }
@@ -77,7 +79,7 @@ void add_inspect(Command app, int&) {
       "Example: occlude inspect city.ply --path city.json --out city.html");
   const auto a = std::make_shared<InspectArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
-  add_input(command, "--path", a->path, "camera path (JSON): start at its first frame, and fly along it");
+  a->path.add_to(command, "path to start on, and to fly along", "none");
   a->read.add_to(command);
   add_output(command, "--out", a->out, "HTML file to write to").show_default();
   add_input(command, "--module", a->module, "the culler for pages, if it is not beside the program");

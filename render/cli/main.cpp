@@ -74,10 +74,9 @@ void run(int argc, char** argv) {
   const std::string told = occlude::cli::run_program(
       {.name = "occlude",
        .text = "Occlusion culling with shadow frusta, certified: nothing visible is ever culled.",
-       .footer =
-           occlude::cli::formats_help() +
-           "\nExample: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json "
-           "--out report",
+       .footer = occlude::cli::formats_help() +
+                 "\nExample: occlude walk MODEL\n"
+                 "Example: occlude generate city --out city.ply --path city.json && occlude walk city.ply --path city.json",
        .version = OCCLUDE_VERSION},
       argc, argv, declare);
   if (!told.empty()) occlude::render::print(told);

@@ -19,12 +19,14 @@
 #include "occlude/render/progress.h"
 #include "occlude/render/view_along_path.h"
 #include "occlude/render/why.h"
+#include "path_arguments.h"
 
 namespace occlude::cli {
 namespace {
 
 struct RenderArguments {
-  std::string model, path, out, layer = "drawn";
+  std::string model, out, layer = "drawn";
+  PathArguments path;
   std::optional<std::string> frame;
   std::uint32_t fps = 10;
   bool json = false;
@@ -61,9 +63,10 @@ void render_frames(const RenderArguments& arguments) {
   arguments.walk.require_settled(arguments.model);
   std::optional<std::size_t> frame;
   if (arguments.frame) frame = whole_number("--frame", *arguments.frame);
-  const render::CameraPath path = render::read_camera_path(arguments.path);
   render::OutputFile file(arguments.out);
-  const culler::Culler culler = render::make_culler(open_model(arguments.model, options), options);
+  render::ModelFile model = open_model(arguments.model, options);
+  const render::CameraPath path = arguments.path.through(model);
+  const culler::Culler culler = render::make_culler(std::move(model), options);
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
   const Draw draw = std::ranges::find(kLayers, arguments.layer, &Layer::name)->draw;
   const auto context = render::make_offscreen_context();
@@ -117,7 +120,7 @@ void add_render(Command app, int&) {
                  "Example: occlude render city.ply --path city.json --frames 0:600:10 --layer fates --out fates.png");
   const auto a = std::make_shared<RenderArguments>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
-  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  a->path.add_to(command, "camera path");
   add_output(command, "--out", a->out, "PNG file to write").required();
   command.add("--frame", a->frame, "number of the frame, from 0 (default: all of --frames, as an animated PNG)");
   command.add("--layer", a->layer, "what to draw: see below").show_default().one_of(names);

@@ -7,7 +7,6 @@
 
 #include "command_arguments.h"
 #include "experiments.h"
-#include "occlude/render/camera_path.h"
 #include "occlude/render/city.h"
 #include "occlude/render/printable.h"
 
@@ -15,9 +14,7 @@ namespace occlude::cli {
 
 void SubjectArguments::add_to(Command command) {
   Option model = add_input(command, "MODEL", model_, "PLY, OBJ, glTF, COLLADA, STL, ...");
-  Option path = add_input(command, "--path", path_, "camera path (JSON)");
-  model.needs(path);
-  path.needs(model);
+  path_.add_to(command, "camera path").needs(model);
   for (Option option : read_.add_to(command)) option.needs(model);
   command.add("--polygons", polygons_, "minimum number of polygons in the city")
       .show_default()
@@ -33,10 +30,10 @@ experiments::Subject SubjectArguments::subject() const {
     render::City city = render::generate_city(polygons_, seed());
     return {fmt::format("generated city, seed {}", seed_), std::move(city.soup), std::move(city.path)};
   }
-  render::CameraPath path = render::read_camera_path(path_);
-  culler::PolygonSoup model = read_soup(model_, read_.options());
-  warn_of_misfit(path, path_, model_, model);
-  return {render::printable(std::filesystem::path(model_).filename().native()), std::move(model), std::move(path)};
+  render::Model model = read_model(model_, read_.options());
+  render::CameraPath path = path_.through(model_, model);
+  warn_of_misfit(path, path_, model_, model.soup);
+  return {render::printable(std::filesystem::path(model_).filename().native()), std::move(model.soup), std::move(path)};
 }
 
 }  // namespace occlude::cli

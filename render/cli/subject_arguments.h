@@ -9,6 +9,7 @@
 
 #include "command_arguments.h"
 #include "command_line.h"
+#include "path_arguments.h"
 #include "setting.h"
 
 namespace occlude::cli {
@@ -27,8 +28,9 @@ class SubjectArguments {
   [[nodiscard]] experiments::Subject subject() const;
 
  private:
+  std::string model_, seed_ = "1";
+  PathArguments path_;
   ReadArguments read_;
-  std::string model_, path_, seed_ = "1";
   std::size_t polygons_;
 };
 

@@ -14,20 +14,24 @@
 #include "cases/case_line.h"
 #include "command_arguments.h"
 #include "commands.h"
-#include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
 #include "occlude/render/interrupt.h"
+#include "occlude/render/methods.h"
+#include "occlude/render/model_text.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/stopwatch.h"
+#include "occlude/render/store.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_files.h"
+#include "path_arguments.h"
 
 namespace occlude::cli {
 namespace {
 
 struct WalkCommand {
-  std::string model, path, out, witness, cases;
+  std::string model, out = "report", witness, cases;
+  PathArguments path;
   WalkArguments walk;
   bool no_render = false, json = false;
 };
@@ -40,29 +44,56 @@ void record_shadow_tests(render::WalkOptions& options, render::OutputFile& file)
   };
 }
 
+/// Whether the path is the one that an earlier walk has left in this folder.
+bool is_path_of(const std::filesystem::path& folder, const PathArguments& path) {
+  std::error_code error;
+  return std::filesystem::equivalent(folder / render::kPathFile, path.file(), error);
+}
+
+/// A culler of the same model for other options.
+culler::Culler culler_beside(const culler::Culler& culler, const std::string& model, const render::WalkOptions& options) {
+  return render::is_store(model) ? make_culler(render::ModelFile(model), options)
+                                 : make_culler(render::model_of(culler), options);
+}
+
+/// The first lines: what was read.
+std::string what_is_walked(const std::string& name, const culler::Culler& culler, const render::Convention& convention,
+                           const render::CameraPath& path) {
+  return render::text_of_model(name, culler.hierarchy(), convention) + fmt::format("path: {} frames\n\n", path.frames);
+}
+
 void walk(const WalkCommand& arguments, int& exit_code, const std::string& command_line) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
   options.render = !arguments.no_render;
   if (!arguments.witness.empty()) options.witness = arguments.witness;
-  const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::OutputFile> cases;
   if (!arguments.cases.empty()) record_shadow_tests(options, cases.emplace(arguments.cases));
   const std::filesystem::path out = arguments.out;
-  render::WalkFiles files(out, options, command_line);
+  render::WalkFiles files(out, options, command_line, !is_path_of(out, arguments.path));
   const std::string name = render::printable(std::filesystem::path(arguments.model).filename().native());
-  static_cast<void>(render::frames_of(path, options));  // throws before the work
   render::ModelFile model = open_model(arguments.model, options);
   if (model.soup) render::require_walkable(model.soup->size(), name);
+  const render::CameraPath path = arguments.path.through(model);
+  static_cast<void>(render::frames_of(path, options));  // throws before the work
+  const render::Convention convention = model.notes.convention;
   const render::Stopwatch stopwatch;
   const culler::Culler culler = render::make_culler(std::move(model), options);
   const double preprocess_s = stopwatch.seconds();
   warn_of_misfit(path, arguments.path, arguments.model, culler.hierarchy().soup());
+  if (!arguments.json) render::tell(what_is_walked(name, culler, convention, path));
   render::WalkResult result = render::walk(culler, path, options, name, files);
   result.preprocess_s = preprocess_s;
-  exit_code = render::passed(result) ? kDone : kCheckFailed;
-  const render::Summary summary = summarise(result, options, name);
-  files.write(result, summary);
+  render::Summary summary = summarise(result, options, name);
+  bool has_passed = render::passed(result);
+  if (!arguments.walk.has_method()) {
+    const render::WalkOptions by_other = render::by_other_method(options);
+    const render::WalkResult other = walk_beside(culler_beside(culler, arguments.model, by_other), path, by_other);
+    summary.methods = render::methods_of({{options.cull.method, &result}, {by_other.cull.method, &other}}, options.render);
+    has_passed = has_passed && render::passed(other);
+  }
+  exit_code = has_passed ? kDone : kCheckFailed;
+  files.write(result, summary, path);
   if (cases) cases->close();
   {
     const render::Uninterrupted together;
@@ -82,15 +113,17 @@ void walk(const WalkCommand& arguments, int& exit_code, const std::string& comma
 void add_walk(Command app, int& exit_code, const std::string& command_line) {
   Command command = app.add_command("walk", "Walk a path through a model with and without occlusion culling, and compare");
   command.footer(
-      "Writes summary.json, frames.csv, report.html and plates/*.png into DIR.\n"
+      "Writes summary.json, frames.csv, report.html, path.json and plates/*.png into DIR. --path DIR/path.json repeats\n"
+      "the walk. Without --path it leads through the model at eye height if there is room for that, else round it.\n"
       "Exit code: 0, or 1 if a visible polygon was culled or a pixel differs without explanation, or 2 for bad input.\n" +
       limits_help() +
       "\n"
-      "Example: occlude walk city.ply --path city.json --out report");
+      "Example: occlude walk city.ply\n"
+      "Example: occlude walk city.ply --path city.json --out report --witness witness.jsonl");
   const auto a = std::make_shared<WalkCommand>();
   add_input(command, "MODEL", a->model, "PLY, OBJ, glTF, COLLADA, STL, ...").required();
-  add_input(command, "--path", a->path, "camera path (JSON)").required();
-  add_output(command, "--out", a->out, "folder to write to").required();
+  a->path.add_to(command, "camera path");
+  add_output(command, "--out", a->out, "folder to write to").show_default();
   a->walk.add_size_to(command);
   a->walk.add_culling_to(command);
   a->walk.add_model_to(command);

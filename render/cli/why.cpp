@@ -17,12 +17,14 @@
 #include "occlude/render/progress.h"
 #include "occlude/render/scene_renderer.h"
 #include "occlude/render/why_report.h"
+#include "path_arguments.h"
 
 namespace occlude::cli {
 namespace {
 
 struct WhyArguments {
-  std::string model, path, frame, pixel, out;
+  std::string model, frame, pixel, out;
+  PathArguments path;
   std::optional<std::uint32_t> polygon;
   WalkArguments walk;
   bool json = false;
@@ -73,11 +75,11 @@ int why(const WhyArguments& arguments) {
   std::optional<Pixel> pixel;
   if (!arguments.polygon) pixel = parse_pixel(arguments.pixel, options);
   const std::size_t number = whole_number("--frame", arguments.frame);
-  const render::CameraPath path = render::read_camera_path(arguments.path);
   std::optional<render::WhyFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out);
   render::ModelFile model = open_model(arguments.model, options);
   if (model.soup) require_polygon(arguments, model.soup->face_count());
+  const render::CameraPath path = arguments.path.through(model);
   const culler::Culler culler = render::make_culler(std::move(model), options);
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   require_polygon(arguments, hierarchy.face_count());  // a store is opened only now
@@ -109,7 +111,7 @@ void add_why(Command app, int& exit_code) {
                  "Example: occlude why city.ply --path city.json --frame 120 --pixel 320,180");
   const auto a = std::make_shared<WhyArguments>();
   add_input(command, "MODEL", a->model, "model of the walk").required();
-  add_input(command, "--path", a->path, "camera path (JSON)").required();
+  a->path.add_to(command, "camera path of the walk");
   command.add("--frame", a->frame, "number of the frame, from 0").required();
   Command which = command.add_alternatives("which", "the polygon");
   which.add("--polygon", a->polygon, "number in the model file, from 0");

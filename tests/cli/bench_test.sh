@@ -41,7 +41,7 @@ grep -q 'all three' stdout && fail "bench culler --samples 0: curves that need s
 "$occlude" bench culler good.ply --path path.json --only sort,sweeps --frames 0:2 --repetitions 1 >stdout || fail "bench culler --only"
 grep -q 'Table 2\|Figure 4' stdout && fail "bench culler --only: more than was chosen"
 expect_error "--only" "$occlude" bench culler --only nonsense
-expect_error "--path" "$occlude" bench culler good.ply
+expect_error "--path" "$occlude" bench culler --path path.json
 expect_error "--largest" "$occlude" bench culler --largest 5
 expect_error "--largest" "$occlude" bench culler --largest many
 expect_error "no frame" "$occlude" bench culler good.ply --path path.json --frames 7:9 --out benchmarks
@@ -99,7 +99,7 @@ grep -q '<table' rivals/rivals.html || fail "bench rivals: no table in the page"
 grep -q '<script\|src="http\|href="http' rivals/rivals.html && fail "bench rivals: scripts or addresses in the page"
 "$occlude" bench rivals "${small[@]}" --frames 0:1 | grep -q 'of the hidden culled' || fail "bench rivals without --json"
 expect_error "--rays" "$occlude" bench rivals "${small[@]}" --rays 5 --out rivals2
-expect_error "--path" "$occlude" bench rivals good.ply
+expect_error "--path" "$occlude" bench rivals --path path.json
 expect_error "no frame" "$occlude" bench rivals good.ply --path path.json --frames 7:9 --out rivals2
 expect_error "missing.ply" "$occlude" bench rivals missing.ply --path path.json --out rivals2
 interrupt INT "$occlude" bench rivals --polygons 20000 --repetitions 1000 --out rivals2

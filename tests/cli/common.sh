@@ -55,6 +55,12 @@ walk_of_squares() {
   sed 's/"target":\[1,0,0\]/"target":[-1,0,0]/; s/"target":\[1.5,0,0\]/"target":[-0.5,0,0]/' path.json >back.json
 }
 
+# room: writes room.ply, a room of 8 by 6 and 3 high, open at one end, with a wall and a way past it.
+room() {
+  local vertices='0 0 0\n8 0 0\n8 6 0\n0 6 0\n0 0 3\n8 0 3\n8 6 3\n0 6 3\n4 0 0\n4 4 0\n4 4 3\n4 0 3\n'
+  ply room.ply 12 6 "${vertices}4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 8 9 10 11\n"
+}
+
 # slanting_wall: writes slanting.ply, a wall and behind it a slanting one of 64 tiles, for trees of oriented boxes.
 slanting_wall() {
   local vertices faces i along up

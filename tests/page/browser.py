@@ -7,6 +7,7 @@ import unittest
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
 
 
 def browser(*options):
@@ -45,6 +46,18 @@ class Page(unittest.TestCase):
     def click(self, element):
         self.run_script('arguments[0].scrollIntoView({block: "center"})', element)
         element.click()
+
+    def saved(self, button, name):
+        """The text of the file that a button hands to the reader."""
+        folder = os.path.join(os.getcwd(), 'saved')
+        self.driver.execute_cdp_cmd('Page.setDownloadBehavior', {'behavior': 'allow', 'downloadPath': folder})
+        file = os.path.join(folder, name)
+        if os.path.exists(file):
+            os.remove(file)
+        self.click(self.element(button))
+        WebDriverWait(self.driver, 20).until(lambda _: os.path.exists(file))
+        with open(file, encoding='utf-8') as text:
+            return text.read()
 
     def assert_quiet(self):
         """No message on the console, and nothing fetched but the page itself."""

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Walks in the page of `occlude inspect`: live.html, made with a path, and free.html, in the working folder."""
+import json
 import os
 import time
 import unittest
@@ -46,6 +47,22 @@ class Live(browser.Page):
 
     def settle(self):
         self.wait_for('page.request === null')
+
+    def test_the_way_is_saved(self):
+        self.open('free.html')
+        start = self.eye()
+        self.press('w')
+        self.wait_for('page.way.length > 5', 300)
+        self.release('w')
+        self.settle()
+        path = json.loads(self.saved('save', 'path.json'))
+        self.assertEqual(path['model'], 'city.ply')
+        self.assertEqual(path['frames'], len(path['keyframes']))
+        self.assertEqual(path['keyframes'][0]['eye'], start)
+        self.assertEqual(path['keyframes'][-1]['eye'], self.eye())
+        self.click(self.element('start'))
+        self.settle()
+        self.assertEqual(self.run_script('return page.way.length'), 1)
 
     def test_a_hundred_steps_are_culled_live(self):
         for file in ('live.html', 'free.html'):

@@ -102,6 +102,22 @@ class Reading(Page):
         self.assertEqual(self.element('play').get_attribute('aria-label'), 'Play')
         self.assertEqual(self.number(), at)
 
+    def test_the_path_is_saved_as_it_was_walked(self):
+        for walk in ('frusta', 'tilted'):
+            self.open(walk)
+            with open(f'{walk}/path.json', encoding='utf-8') as path:
+                self.assertEqual(self.saved('save', 'path.json'), path.read())
+            self.assert_quiet()
+
+    def test_a_camera_may_be_tilted(self):
+        self.open('tilted')
+        self.look(from_outside=False)
+        self.assertEqual(self.run_script('return page.viewer.camera.up'), [0, 0, 1])
+        upright = self.picture()
+        self.run_script('page.setIndex(1)')
+        self.assertEqual(self.run_script('return page.viewer.camera.up'), [0, 1, 0])
+        self.assertNotEqual(self.picture(), upright)
+
     def test_an_address_names_a_frame(self):
         self.open('frusta')
         self.driver.get(f'file://{os.getcwd()}/frusta/report.html#frame=60')

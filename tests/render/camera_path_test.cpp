@@ -164,7 +164,7 @@ TEST_F(CameraPathTest, SyntaxErrorsNameTheLine) {
   const std::string message = failure("{\"frames\": 3,\n\"keyframes\": [}\n");
   EXPECT_EQ(message.rfind(":2: ", 0), 0U) << message;
   EXPECT_EQ(failure("").rfind(":1: ", 0), 0U) << failure("");
-  EXPECT_EQ(failure("[1]"), ": expected a JSON object");
+  EXPECT_EQ(failure("1"), ": expected a JSON object");
   // The message about a number that is too large does not repeat its digits.
   EXPECT_EQ(failure("{\"frames\": 1e999}"), ": frames: expected a whole number from 2 to 1000000");
   json path = good();
@@ -224,6 +224,65 @@ TEST_F(CameraPathTest, AFrameWithoutLineOfSightIsRefused) {
   EXPECT_EQ(failure(R"({"frames": 3, "keyframes": [{"eye": [0, 0, 0], "target": [1, 0, 0]},
                         {"eye": [0, 0, 0], "target": [-1, 0, 0]}]})"),
             ": keyframes: in frame 1 eye and target meet, or up lies along the line of sight");
+}
+
+TEST_F(CameraPathTest, UpIsThatOfTheModelWhereThePathSaysNone) {
+  std::ofstream(file_) << good().dump();
+  EXPECT_EQ(read_camera_path(file_, {.up = {0, 1, 0}, .order = {}}).up, glm::dvec3(0, 1, 0));
+  json own = good();
+  own["up"] = {0, 2, 5};
+  std::ofstream(file_) << own.dump();
+  EXPECT_EQ(read_camera_path(file_, {.up = {0, 1, 0}, .order = {}}).up, glm::dvec3(0, 2, 5));
+}
+
+TEST_F(CameraPathTest, AViewAlongUpNamesTheMemberToWrite) {
+  json down = good();
+  down["keyframes"][0]["target"] = {0, 0, -1};
+  EXPECT_EQ(failure(down.dump()),
+            ": keyframes: in frame 0 eye and target meet, or up lies along the line of sight: write \"up\": [x, y, z]");
+  down["up"] = {0, 1, 0};
+  EXPECT_EQ(failure(down.dump()), "no error");
+}
+
+TEST_F(CameraPathTest, RoundingNoiseIsZero) {
+  json noisy = good();
+  noisy["keyframes"][1]["eye"] = {10, 1e-40, -1e-300};
+  noisy["up"] = {1e-33, 0, 1};
+  const CameraPath path = read(noisy.dump());
+  EXPECT_EQ(path.keyframes[1].eye, glm::dvec3(10, 0, 0));
+  EXPECT_EQ(path.up, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(path.noise, 3U);
+  // Beside numbers that are as little, it is no noise.
+  noisy["keyframes"][1] = {{"eye", {1e-40, 0, 0}}, {"target", {1e-20, 0, 0}}};
+  EXPECT_EQ(failure(noisy.dump()).rfind(": keyframes[1].eye: x is out of range", 0), 0U) << failure(noisy.dump());
+}
+
+TEST_F(CameraPathTest, RoundingNoiseBetweenKeyframesIsZero) {
+  // An eighth of the least legal number, beside large ones.
+  const CameraPath path = read(R"({"frames": 9, "keyframes": [{"eye": [0, 0, 0], "target": [1, 0, 0]},
+                                   {"eye": [0, 7.888609052210118e-31, 0], "target": [1, 0, 0]}]})");
+  EXPECT_EQ(path.camera(1, 1).eye, glm::dvec3(0, 0, 0));
+  EXPECT_EQ(path.camera(8, 1).eye, glm::dvec3(0, 0x1p-100, 0));
+}
+
+TEST_F(CameraPathTest, ATiltedKeyframeHasItsOwnUp) {
+  json tilted = good();
+  tilted["keyframes"][1]["up"] = {0, 1, 0};
+  const CameraPath path = read(tilted.dump());
+  EXPECT_EQ(path.camera(0, 1).up, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(path.camera(1, 1).up, glm::dvec3(0, 0.5, 0.5));
+  EXPECT_EQ(path.camera(2, 1).up, glm::dvec3(0, 1, 0));
+  save(file_, path);
+  EXPECT_EQ(read_camera_path(file_).camera(2, 1).up, glm::dvec3(0, 1, 0));
+  tilted["keyframes"][1]["up"] = {0, 0, 0};
+  EXPECT_EQ(failure(tilted.dump()), ": keyframes[1].up: must not be zero");
+}
+
+TEST_F(CameraPathTest, TheModelIsWritten) {
+  CameraPath path = read(good().dump());
+  path.model = "a \"model\".ply";
+  save(file_, path);
+  EXPECT_EQ(read_camera_path(file_).model, path.model);
 }
 
 TEST_F(CameraPathTest, AMissingFileIsNamed) {

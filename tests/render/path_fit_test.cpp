@@ -34,6 +34,9 @@ TEST(PathFit, DoubtsAPathFarFromTheModel) {
   const auto doubt = [](const CameraPath& path) { return doubt_about(path, "cube.ply", cube()); };
   EXPECT_EQ(doubt(path_between({-9, 5, 5}, {-9, 6, 5})), "");
   EXPECT_EQ(doubt(path_between({-50, 5, 5}, {-50, 6, 5})), "the path is nowhere near cube.ply");
+  CameraPath named = path_between({-50, 5, 5}, {-50, 6, 5});
+  named.model = "cube.ply";
+  EXPECT_EQ(doubt(named), "") << "who made it knew";
   // Through the model between two keyframes that are far from it.
   EXPECT_EQ(doubt(path_between({-50, 5, 5}, {50, 5, 5})), "");
   // From far, at the model.

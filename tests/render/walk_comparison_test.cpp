@@ -56,7 +56,8 @@ Json whole_summary() {
 
 /// What is not compared.
 bool is_read(std::string_view name) {
-  constexpr std::array<std::string_view, 4> kOthers{"/spread/", "/missed", "/reference_frames", "/speedup_limit/exceeded"};
+  constexpr std::array<std::string_view, 5> kOthers{"/spread/", "/methods", "/missed", "/reference_frames",
+                                                    "/speedup_limit/exceeded"};
   for (const std::string_view other : kOthers) {
     if (name.starts_with(other)) return false;
   }

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison.h"
+#include "occlude/render/methods.h"
+#include "occlude/render/model_text.h"
 #include "occlude/render/offscreen_context.h"
 #include "occlude/render/paper_html.h"
 #include "occlude/render/scene_renderer.h"
@@ -169,7 +171,7 @@ std::string page_of(const Summary& summary, const WalkResult& result) {
   WalkRecording recording(culler);
   const culler::CullResult culled = culler.cull(culler::Camera{});
   recording.add_frame({result.frames[0], culler::Camera{}, culled, {}, nullptr, nullptr});
-  return walk_page(summary, {result.frames, result.missed, recording, {}, "occlude walk 'a<b.ply'"});
+  return walk_page(summary, {result.frames, result.missed, recording, {}, "occlude walk 'a<b.ply'", "{}"});
 }
 
 TEST(Summary, TextAndPageShowItsFigures) {
@@ -182,6 +184,89 @@ TEST(Summary, TextAndPageShowItsFigures) {
   EXPECT_NE(page.find("<td>75.0 %</td>"), std::string::npos) << page;  // of the hidden polygons, culled
   EXPECT_NE(page.find("occlude walk 'a&lt;b.ply'"), std::string::npos) << page;
   EXPECT_NE(page.find("The model is simplified here: the 2 largest of its 3 polygons."), std::string::npos) << page;
+}
+
+/// Two walks of the same frames: 40 of 100 polygons drawn, and 25.
+Summary two_methods(const WalkResult& frusta, const WalkResult& cover) {
+  Summary summary = summarise(frusta, {}, "model.ply");
+  summary.methods = methods_of({{culler::Method::frusta, &frusta}, {culler::Method::cover, &cover}}, true);
+  return summary;
+}
+
+TEST(Methods, StandSideBySide) {
+  const WalkResult frusta = one_frame(some_frame());
+  WalkResult cover = frusta;
+  FrameRecord& frame = cover.frames[0];
+  frame.rendered_polygons = 25;
+  frame.frame_ms = 2.5;
+  frame.cull_ms = 1.5;
+  frame.wrong_pixels = 5;
+  frame.snapped_pixels = 3;
+  frame.false_culls = 7;
+  const Summary summary = two_methods(frusta, cover);
+  const auto json = json_of(summary)["methods"];
+  ASSERT_EQ(json.size(), 4U);
+  const auto column = [&](const char* member) {
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
+    for (const auto& row : json) values.push_back(row[member]);
+    return values.dump();
+  };
+  EXPECT_EQ(column("method"), R"(["view frustum alone","shadow frusta","joined shadows","visible polygons only"])");
+  EXPECT_EQ(column("drawn"), "[100.0,40.0,25.0,20.0]");
+  EXPECT_EQ(column("culled_share"), "[0.0,0.6,0.75,0.8]");
+  EXPECT_EQ(column("hidden_culled"), "[0.0,0.75,0.9375,1.0]");
+  EXPECT_EQ(column("frame_ms_view_frustum_only"), "[10.0,10.0,10.0,10.0]");
+  EXPECT_EQ(column("speedup"), "[1.0,2.0,4.0,null]");
+  EXPECT_EQ(column("wrong_pixels"), "[null,0,2,null]") << "those that rounding does not explain";
+  EXPECT_EQ(column("false_culls"), "[null,0,7,null]");
+  // The rest stays that of the first.
+  EXPECT_EQ(json_of(summary)["method"], "frusta");
+  EXPECT_EQ(json_of(summary)["mean"]["rendered_polygons"], 40);
+  for (const std::string& text : {text_of(summary), page_of(summary, frusta)}) {
+    for (const char* part : {"shadow frusta", "joined shadows", "75.0 %", "93.8 %"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << part << " is not in " << text;
+    }
+  }
+  EXPECT_NE(page_of(summary, frusta).find("<div class=\"fact bad\"><b>7</b>visible polygons culled"), std::string::npos);
+  EXPECT_NE(text_of(summary).find("by joined shadows: false culls 7, unexplained wrong pixels 2\n"), std::string::npos);
+  EXPECT_EQ(text_of(two_methods(frusta, frusta)).find("unexplained"), std::string::npos);
+}
+
+TEST(Methods, ASingleOneStandsBesideTheViewFrustum) {
+  const auto json = json_of(summarise(one_frame(some_frame()), {}, "model.ply"))["methods"];
+  ASSERT_EQ(json.size(), 3U);
+  EXPECT_EQ(json[1]["method"], "shadow frusta");
+  WalkOptions undrawn;
+  undrawn.render = false;
+  const auto rows = json_of(summarise(one_frame(some_frame()), undrawn, "model.ply"))["methods"];
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_TRUE(rows[1]["speedup"].is_null() && rows[1]["false_culls"].is_null() && rows[1]["hidden_culled"].is_null());
+}
+
+TEST(Methods, TheOtherHasLeavesOfItsOwn) {
+  WalkOptions options;
+  options.build.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::frusta);
+  EXPECT_EQ(by_other_method(options).cull.method, culler::Method::cover);
+  EXPECT_EQ(by_other_method(options).build.hierarchy.leaf_size, culler::leaf_size_for(culler::Method::cover));
+  EXPECT_EQ(by_other_method(by_other_method(options)).cull.method, culler::Method::frusta);
+  options.build.hierarchy.leaf_size = 7;
+  EXPECT_EQ(by_other_method(options).build.hierarchy.leaf_size, 7U);
+}
+
+TEST(ModelText, SaysWhatWasRead) {
+  culler::PolygonSoup soup;
+  add_wall(soup, 4, -1, 1);
+  add_wall(soup, 6, -1, 1);
+  EXPECT_EQ(text_of_model("walls.ply", culler::Hierarchy::build(soup, {}), {}),
+            "walls.ply: 2 polygons; 2 x 2 x 2 units, +z taken as up\n");
+  const auto a = soup.add_vertex({0, 0, 0}), b = soup.add_vertex({0.125, 0, 0}), c = soup.add_vertex({0.375, 0, 0});
+  soup.add_polygon(std::array{a, a, b, c});
+  soup.add_polygon(std::array{a, a, a});
+  const auto d = soup.add_vertex({1, 0, 0}), e = soup.add_vertex({0, 1, 0}), f = soup.add_vertex({0.125, 0.125, 0});
+  soup.add_face(std::array{d, a, e, f});
+  soup.see_through_from(0);
+  EXPECT_EQ(text_of_model("walls.ply", culler::Hierarchy::build(soup, {}), {0.01, {0, 1, 0}}),
+            "walls.ply: 5 polygons (1 drawn in pieces, 2 without area, 6 see-through); 6 x 2 x 2 centimetres, +y up\n");
 }
 
 TEST(Summary, CountsWhyHiddenPolygonsAreDrawn) {

@@ -16,6 +16,7 @@
 #include "assimp_scene.h"
 #include "import_child.h"
 #include "model_builder.h"
+#include "model_check.h"
 #include "model_readers.h"
 #include "occlude/render/errors.h"
 
@@ -171,7 +172,9 @@ Model import_with_assimp(const std::filesystem::path& file, CountedFiles& files)
 }
 
 Model read_with_assimp(const std::filesystem::path& file) {
-  return import_in_child(file, "the import library", [&](CountedFiles& files) { return import_with_assimp(file, files); });
+  Model model = import_in_child(file, kImportLibrary, [&](CountedFiles& files) { return import_with_assimp(file, files); });
+  require_usable(file, model.soup);
+  return model;
 }
 
 }  // namespace occlude::render

@@ -6,11 +6,15 @@
 
 #include <assimp/Importer.hpp>
 #include <filesystem>
+#include <string_view>
 
 #include "counted_files.h"
 #include "occlude/render/convention.h"
 
 namespace occlude::render {
+
+/// As messages name it.
+inline constexpr std::string_view kImportLibrary = "the import library";
 
 class ImportedScene {
  public:

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/camera_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+
+#include "noise.h"
+#include "path_readers.h"
 
 namespace occlude::render {
 namespace {
@@ -46,7 +52,12 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
     camera.eye = catmull_rom(before.eye, from.eye, to.eye, after.eye, t);
     camera.target = catmull_rom(before.target, from.target, to.target, after.target, t);
   }
+  drop_noise({&camera.eye, &camera.target});
   camera.up = up;
+  if (from.up || to.up) {
+    camera.up = linear(from.up.value_or(up), to.up.value_or(up), t);
+    drop_noise({&camera.up});
+  }
   camera.projection = projection;
   camera.fov_y_deg = fov_y_deg;
   camera.height = height;
@@ -54,6 +65,32 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
   camera.near = near;
   camera.far = far;
   return camera;
+}
+
+namespace {
+
+/// Whether the camera has a fault with its `up` alone.
+bool is_up_at_fault(culler::Camera camera) {
+  return std::ranges::any_of(std::array{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)}, [&](const dvec3& other) {
+    camera.up = other;
+    return culler::fault(camera).empty();
+  });
+}
+
+}  // namespace
+
+std::optional<PathFault> fault_of(const CameraPath& path) {
+  for (std::size_t frame = 0; frame < path.frames; ++frame) {
+    const culler::Camera camera = path.camera(frame, 1);
+    const std::string fault = culler::fault(camera);
+    if (!fault.empty()) return PathFault{fmt::format("in frame {} {}", frame, fault), is_up_at_fault(camera)};
+  }
+  return std::nullopt;
+}
+
+CameraPath read_camera_path(const std::filesystem::path& file, const PathDefaults& defaults) {
+  const bool is_table = file.extension() == ".csv" || file.extension() == ".txt";
+  return is_table ? read_csv_path(file, defaults) : read_json_path(file, defaults);
 }
 
 }  // namespace occlude::render

@@ -9,11 +9,14 @@
 #include <string>
 #include <string_view>
 
+#include "matrix_poses.h"
 #include "model_check.h"
+#include "noise.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/json_text.h"
 #include "occlude/render/output_file.h"
+#include "path_readers.h"
 
 namespace occlude::render {
 namespace {
@@ -21,20 +24,21 @@ namespace {
 using culler::Projection;
 using nlohmann::json;
 
-// Nine hours at 30 frames per second. The reader checks the camera of every frame, so the number must be bounded.
-constexpr std::uint64_t kMostFrames = 1'000'000;
-
 /// Reads the members of a path from JSON. Every error names the member.
 class PathReader {
  public:
-  explicit PathReader(const std::filesystem::path& file) : file_(file), root_(read_json(file)) {
+  PathReader(const std::filesystem::path& file, const PathDefaults& defaults)
+      : file_(file), defaults_(defaults), root_(read_json(file)) {
+    path_.up = defaults.up;
+    if (root_.is_array()) root_ = json{{"matrices", std::move(root_)}};
     if (!root_.is_object()) throw InputError(file.string() + ": expected a JSON object");
   }
 
   CameraPath read() {
     read_model_name();
+    read_up();
     read_frames();
-    read_keyframes();
+    has_matrices() ? read_matrices() : read_keyframes();
     read_manner();
     read_lens();
     check_frames();
@@ -66,9 +70,23 @@ class PathReader {
 
   glm::dvec3 vector(const json& value, const std::string& name) const {
     if (!value.is_array() || value.size() != 3) fail(name, "expected three numbers [x, y, z]");
-    const glm::dvec3 v(number(value[0], name), number(value[1], name), number(value[2], name));
+    return {number(value[0], name), number(value[1], name), number(value[2], name)};
+  }
+
+  void require_legal(const glm::dvec3& v, const std::string& name) const {
     if (const auto fault = vertex_fault(v)) fail(name, *fault);
-    return v;
+  }
+
+  glm::dvec3 up_in(const json& value, const std::string& name) {
+    glm::dvec3 up = vector(value, name);
+    path_.noise += drop_noise({&up});
+    require_legal(up, name);
+    if (up == glm::dvec3(0, 0, 0)) fail(name, "must not be zero");
+    return up;
+  }
+
+  void read_up() {
+    if (root_.contains("up")) path_.up = up_in(root_["up"], "up");
   }
 
   void read_model_name() {
@@ -76,7 +94,10 @@ class PathReader {
     if (model != root_.end() && model->is_string()) path_.model = model->get<std::string>();
   }
 
+  [[nodiscard]] bool has_matrices() const { return root_.contains("matrices") && !root_.contains("keyframes"); }
+
   void read_frames() {
+    if (has_matrices() && !root_.contains("frames")) return;
     const json& frames = required(root_, "frames", "frames");
     if (!frames.is_number_unsigned() || frames.get<std::uint64_t>() < 2 || frames.get<std::uint64_t>() > kMostFrames)
       fail("frames", fmt::format("expected a whole number from 2 to {}", kMostFrames));
@@ -89,8 +110,50 @@ class PathReader {
     for (std::size_t i = 0; i < keyframes.size(); ++i) {
       const std::string name = fmt::format("keyframes[{}]", i);
       if (!keyframes[i].is_object()) fail(name, "expected {\"eye\": [x, y, z], \"target\": [x, y, z]}");
-      path_.keyframes.push_back({vector_in(keyframes[i], "eye", name), vector_in(keyframes[i], "target", name)});
+      read_keyframe(keyframes[i], name);
     }
+  }
+
+  void read_keyframe(const json& keyframe, const std::string& name) {
+    CameraPath::Keyframe key{vector_in(keyframe, "eye", name), vector_in(keyframe, "target", name)};
+    path_.noise += drop_noise({&key.eye, &key.target});
+    require_legal(key.eye, name + ".eye");
+    require_legal(key.target, name + ".target");
+    if (keyframe.contains("up")) key.up = up_in(keyframe["up"], name + ".up");
+    if (key.eye == key.target) fail(name, "eye and target are the same point");
+    path_.keyframes.push_back(key);
+  }
+
+  void read_matrices() {
+    const json& list = root_["matrices"];
+    if (!list.is_array() || list.size() < 2 || list.size() > kMostFrames) {
+      fail("matrices", fmt::format("expected an array of 2 to {}", kMostFrames));
+    }
+    std::optional<MatrixOrder> order = defaults_.order;
+    if (root_.contains("order")) order = choice("order", "row", "column") == 0 ? MatrixOrder::row : MatrixOrder::column;
+    std::vector<MatrixNumbers> matrices;
+    for (std::size_t i = 0; i < list.size(); ++i) matrices.push_back(matrix(list[i], fmt::format("matrices[{}]", i)));
+    if (path_.frames == 0) path_.frames = matrices.size();
+    add_keyframes(path_, matrices, order, R"(write "order": "row" or "order": "column")");
+  }
+
+  /// A list of numbers, or of rows or columns of them. Where the last row is left out, these are told apart by their length.
+  [[nodiscard]] MatrixNumbers matrix(const json& value, const std::string& name) const {
+    MatrixNumbers result{{}, fmt::format("{}: {}", file_.string(), name)};
+    if (!value.is_array()) fail(name, "expected an array of numbers");
+    const bool has_columns = value.size() == 4 && value[0].is_array() && value[0].size() == 3;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const json& line = value[i];
+      if (line.size() > 4) fail(name, "expected rows of 4 numbers");
+      if (line.is_array()) {
+        for (const json& item : line) result.numbers.push_back(number(item, name));
+        if (has_columns) result.numbers.push_back(i == 3 ? 1 : 0);
+      } else {
+        result.numbers.push_back(number(line, name));
+      }
+    }
+    if (value.size() == 3 && value[0].is_array()) result.numbers.insert(result.numbers.end(), {0, 0, 0, 1});
+    return result;
   }
 
   glm::dvec3 vector_in(const json& keyframe, const char* member, const std::string& name) const {
@@ -121,22 +184,17 @@ class PathReader {
     path_.near = positive("near", path_.near);
     path_.far = positive("far", path_.far);
     if (path_.far <= path_.near) fail("far", "must be greater than near");
-    if (root_.contains("up")) path_.up = vector(root_["up"], "up");
-    if (path_.up == glm::dvec3(0, 0, 0)) fail("up", "must not be zero");
   }
 
   void check_frames() const {
-    for (std::size_t i = 0; i < path_.keyframes.size(); ++i) {
-      const auto& [eye, target] = path_.keyframes[i];
-      if (eye == target) fail(fmt::format("keyframes[{}]", i), "eye and target are the same point");
-    }
-    for (std::size_t frame = 0; frame < path_.frames; ++frame) {
-      const std::string fault = culler::fault(path_.camera(frame, 1));
-      if (!fault.empty()) fail("keyframes", fmt::format("in frame {} {}", frame, fault));
-    }
+    const auto fault = fault_of(path_);
+    if (!fault) return;
+    const bool lacks_up = fault->is_of_up && !root_.contains("up");
+    fail(has_matrices() ? "matrices" : "keyframes", fault->text + (lacks_up ? R"(: write "up": [x, y, z])" : ""));
   }
 
   const std::filesystem::path& file_;
+  const PathDefaults& defaults_;
   json root_;
   CameraPath path_;
 };
@@ -157,16 +215,22 @@ std::string manner(const CameraPath& path) {
 
 }  // namespace
 
-CameraPath read_camera_path(const std::filesystem::path& file) { return PathReader(file).read(); }
+CameraPath read_json_path(const std::filesystem::path& file, const PathDefaults& defaults) {
+  return PathReader(file, defaults).read();
+}
 
-void write_camera_path(OutputFile& output, const CameraPath& path) {
-  output.write(fmt::format("{{\"frames\": {},\n", path.frames) + manner(path) + " \"keyframes\": [\n");
+std::string json_of(const CameraPath& path) {
+  const std::string model = path.model.empty() ? "" : fmt::format("\"model\": {}, ", json(path.model).dump());
+  std::string result = fmt::format("{{{}\"frames\": {},\n", model, path.frames) + manner(path) + " \"keyframes\": [\n";
   const char* separator = "";
-  for (const auto& [eye, target] : path.keyframes) {
-    output.write(fmt::format("{}  {{\"eye\": {}, \"target\": {}}}", separator, text(eye), text(target)));
+  for (const auto& [eye, target, up] : path.keyframes) {
+    result += fmt::format("{}  {{\"eye\": {}, \"target\": {}{}}}", separator, text(eye), text(target),
+                          up ? fmt::format(", \"up\": {}", text(*up)) : "");
     separator = ",\n";
   }
-  output.write("\n]}\n");
+  return result + "\n]}\n";
 }
+
+void write_camera_path(OutputFile& output, const CameraPath& path) { output.write(json_of(path)); }
 
 }  // namespace occlude::render

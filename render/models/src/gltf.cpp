@@ -13,15 +13,15 @@
 #include "gltf_buffers.h"
 #include "gltf_document.h"
 #include "gltf_extensions.h"
+#include "gltf_file.h"
 #include "gltf_meshes.h"
 #include "gltf_nodes.h"
 #include "gltf_primitive.h"
 #include "gltf_transform.h"
 #include "import_child.h"
 #include "model_builder.h"
+#include "model_check.h"
 #include "model_readers.h"
-#include "occlude/render/input_file.h"
-#include "occlude/render/printable.h"
 
 namespace occlude::render {
 namespace gltf {
@@ -131,29 +131,23 @@ class SceneReader {
   std::map<std::uint64_t, Used> used_;  ///< by accessor
 };
 
-/// Adds what the file shows.
-void add_scene(std::string bytes, const std::filesystem::path& folder, CountedFiles& files, ModelBuilder& builder) {
-  const Document document(std::move(bytes));
-  Buffers buffers(document, folder, files);
-  SceneReader(document, buffers, builder).read();
-}
-
 }  // namespace
 }  // namespace gltf
 
 Model read_gltf(const std::filesystem::path& file) {
-  return import_in_child(file, "the reader of glTF", [&](CountedFiles& files) {
-    files.count(file);
+  Model model = import_in_child(file, gltf::kReader, [&](CountedFiles& files) {
     ModelBuilder builder;
     try {
-      gltf::add_scene(read_input(file), file.has_parent_path() ? file.parent_path() : ".", files, builder);
+      gltf::of_file(file, files, [&](const gltf::Document& document, gltf::Buffers& buffers) {
+        gltf::SceneReader(document, buffers, builder).read();
+      });
     } catch (const gltf::OldVersion&) {
       return import_with_assimp(file, files);
-    } catch (const InputError& error) {
-      throw InputError(file.string() + ": " + printable(error.what()));
     }
     return builder.finish(file);
   });
+  require_usable(file, model.soup);
+  return model;
 }
 
 }  // namespace occlude::render

@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "model_check.h"
-#include "model_handover.h"
 #include "occlude/render/child_process.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
@@ -16,27 +14,29 @@
 
 namespace occlude::render {
 
-Model import_in_child(const std::filesystem::path& file, std::string_view importer,
-                      const std::function<Model(CountedFiles&)>& import) {
+void import_by(const ImportSteps& steps, const std::filesystem::path& file, std::string_view importer) {
   require_readable(file);
   const auto work = [&](std::FILE* out) {
     CountedFiles files;
     std::string failure;
-    Model model;
     try {
-      model = import(files);
+      steps.import(files);
     } catch (const InputError& error) {
       failure = error.what();
     } catch (const std::length_error& error) {
       failure = file.string() + ": " + error.what();
     }
-    hand_over(failure, model, out);
+    HandoverWriter writer(out);
+    writer.put(failure);
+    if (failure.empty()) steps.hand_over(writer);
   };
   try {
     const File handed_over = run_in_child(import_limits_for(0), work);
-    Model model = take_over(handed_over.get());
-    require_usable(file, model.soup);
-    return model;
+    HandoverReader reader(handed_over.get());
+    std::string failure;
+    reader.take(failure);
+    if (!failure.empty()) throw InputError(failure);
+    steps.take_over(reader);
   } catch (const ChildFailure& failure) {
     throw InputError(fmt::format("{}: cannot import: {} {}{}", file.string(), importer, failure.what(),
                                  failure.at_limit ? ": " + import_limits() : ""));

@@ -17,6 +17,11 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 
 }  // namespace
 
+glm::dvec3 up_of(const ModelNotes& notes) {
+  const glm::dvec3& up = notes.convention.up;
+  return up == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : up;
+}
+
 std::string text_of(const ModelNotes& notes) {
   std::string text;
   const auto add = [&](const std::string& note) { text += (text.empty() ? "" : "; ") + note; };

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "model_check.h"
-#include "occlude/render/child_process.h"
-#include "occlude/render/errors.h"
 
 namespace occlude::render {
 namespace {
@@ -28,63 +26,6 @@ void each_part(SomeModel& model, const Array& array, const Number& number) {
   number(notes.triangulated), number(notes.crossing), number(notes.without_area), number(notes.few_corners);
   number(notes.points_and_lines), number(notes.unused_vertices), number(notes.unsound_vertices), number(notes.tiny_numbers);
 }
-
-class HandoverWriter {
- public:
-  explicit HandoverWriter(std::FILE* file) : file_(file) {}
-
-  template <class Items>
-  void put(const Items& items) {
-    put_number(items.size());
-    write(items.data(), items.size() * sizeof(items[0]));
-  }
-  template <class Number>
-  void put_number(const Number& number) {
-    write(&number, sizeof(number));
-  }
-
- private:
-  void write(const void* from, std::size_t bytes) {
-    if (bytes != 0 && std::fwrite(from, 1, bytes, file_) != bytes)
-      throw std::runtime_error("a temporary file cannot be written");
-  }
-
-  std::FILE* file_;
-};
-
-[[noreturn]] void refuse_damage() { throw ChildFailure("returns damaged data", false); }
-
-class HandoverReader {
- public:
-  explicit HandoverReader(std::FILE* file) : file_(file) {
-    std::fseek(file_, 0, SEEK_END);
-    left_ = static_cast<std::uint64_t>(std::ftell(file_));
-    std::rewind(file_);
-  }
-
-  template <class Items>
-  void take(Items& items) {
-    std::size_t count = 0;
-    take_number(count);
-    if (count > left_ / sizeof(items[0])) refuse_damage();
-    items.resize(count);
-    read(items.data(), items.size() * sizeof(items[0]));
-  }
-  template <class Number>
-  void take_number(Number& number) {
-    read(&number, sizeof(number));
-  }
-
- private:
-  void read(void* to, std::size_t bytes) {
-    if (bytes == 0) return;  // `to` may be null
-    if (bytes > left_ || std::fread(to, 1, bytes, file_) != bytes) refuse_damage();
-    left_ -= bytes;
-  }
-
-  std::FILE* file_;
-  std::uint64_t left_;  ///< bytes left in the file
-};
 
 bool are_faces(std::span<const std::uint32_t> faces, std::size_t polygons) {
   if (faces.empty()) return true;
@@ -111,28 +52,20 @@ bool is_well_formed(const PolygonSoup& soup) {
 
 }  // namespace
 
-void hand_over(const std::string& failure, const Model& model, std::FILE* out) {
-  HandoverWriter writer(out);
-  writer.put(failure);
+void hand_over(const Model& model, HandoverWriter& writer) {
   each_part(
       model, [&](const auto& items) { writer.put(items); }, [&](const auto& number) { writer.put_number(number); });
   writer.put_number(model.notes.warnings.size());
   for (const std::string& warning : model.notes.warnings) writer.put(warning);
 }
 
-Model take_over(std::FILE* in) {
-  HandoverReader reader(in);
-  std::string failure;
-  reader.take(failure);
-  if (!failure.empty()) throw InputError(failure);
-  Model model;
+void take_over(Model& model, HandoverReader& reader) {
   each_part(
       model, [&](auto& items) { reader.take(items); }, [&](auto& number) { reader.take_number(number); });
   std::size_t warnings = 0;
   reader.take_number(warnings);
   for (; warnings > 0; --warnings) reader.take(model.notes.warnings.emplace_back());
   if (!is_well_formed(model.soup) || !is_well_formed(model.notes.file)) refuse_damage();
-  return model;
 }
 
 }  // namespace occlude::render

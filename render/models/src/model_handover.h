@@ -2,19 +2,14 @@
 // A model on its way from the child process that has read it.
 #pragma once
 
-#include <cstdio>
-#include <string>
-
+#include "handover.h"
 #include "occlude/render/model.h"
 
 namespace occlude::render {
 
-/// Writes the message of the InputError that the import ended with, empty if there was none, and the model. Throws
-/// std::runtime_error if the file cannot be written.
-void hand_over(const std::string& failure, const Model& model, std::FILE* out);
+void hand_over(const Model& model, HandoverWriter& writer);
 
-/// Reads what hand_over() wrote in a child that may have corrupted its own memory: the soup is well formed and its vertices
-/// are legal. Throws the InputError, or ChildFailure if the data is damaged.
-[[nodiscard]] Model take_over(std::FILE* in);
+/// Reads what hand_over() wrote: the soup is well formed and its vertices are legal, else it throws ChildFailure.
+void take_over(Model& model, HandoverReader& reader);
 
 }  // namespace occlude::render

@@ -50,8 +50,10 @@ bool comes_near(const CameraPath& path, culler::SoupView model) {
 
 std::string doubt_about(const CameraPath& path, const std::filesystem::path& file, culler::SoupView model) {
   const std::filesystem::path meant(path.model);
-  if (!path.model.empty() && meant.stem() != file.stem()) {
-    return fmt::format("made for {}, not for {}", meant.filename().string(), file.filename().string());
+  if (!path.model.empty()) {
+    return meant.stem() == file.stem()
+               ? ""
+               : fmt::format("made for {}, not for {}", meant.filename().string(), file.filename().string());
   }
   if (!comes_near(path, model)) return fmt::format("the path is nowhere near {}", file.filename().string());
   return "";

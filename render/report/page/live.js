@@ -5,6 +5,7 @@ const byId = id => document.getElementById(id);
 const kTimes = 60;  // frames of the median
 const kSettling = 10;  // frames: occluders are chosen by what they hid in the frames before
 const kLongestStep = 0.1;  // seconds: after a pause nobody jumps
+const kLongestWay = 100000;  // frames, half an hour
 
 /** What the sliders mean. */
 const trianglesOf = value => value === 28 ? Infinity : Math.round(100 * 10 ** (value / 7));
@@ -14,7 +15,7 @@ const grouped = number => Math.round(number).toLocaleString('en-US');
 
 class LivePage {
   constructor(start, culler) {
-    Object.assign(this, {start, culler, times: [], steps: 0, frameOfPath: 0});
+    Object.assign(this, {start, culler, times: [], steps: 0, frameOfPath: 0, way: []});
     this.viewer = new Viewer(byId('picture'), culler.model, start.lens, [start.lens.aspect * start.height, start.height]);
     this.viewer.isOutside = false;
     this.viewer.layers.occluders = false;
@@ -56,12 +57,25 @@ class LivePage {
   /** Culls for where one stands, and shows it. */
   cull() {
     const {eye, target} = this.walk;
+    this.remember(eye, target);
     this.times.push(this.culler.cull(eye, target, this.start.lens.aspect, this.options));
     if (this.times.length > kTimes) this.times.shift();
     this.frame = this.culler.frame();
     this.viewer.setFrame(this.frame, eye, target);
     ++this.steps;
     this.tell();
+  }
+
+  /** The way that one has gone, a keyframe for each place. */
+  remember(eye, target) {
+    const isAt = place => place && [...place[0], ...place[1]].every((x, i) => x === [...eye, ...target][i]);
+    if (!isAt(this.way.at(-1))) this.way.push([eye, target]);
+    if (this.way.length > kLongestWay) this.way.shift();
+  }
+  /** Stands somewhere else, where the way begins anew. */
+  jump(eye, target) {
+    this.way = [];
+    this.walk.place(eye, target);
   }
 
   tell() {
@@ -140,10 +154,11 @@ class LivePage {
     });
     byId('start').addEventListener('click', () => {
       this.frameOfPath = 0;
-      this.walk.place(...this.placeOfPath(0));
+      this.jump(...this.placeOfPath(0));
       this.setFlying(false);
       this.setOutside(false);
     });
+    byId('save').addEventListener('click', () => saveFile('path.json', pathText(this.start.model, this.start.lens, this.way)));
     byId('play').hidden = this.start.eyes.length < 2;
     byId('play').addEventListener('click', () => this.setFlying(!this.isFlying));
     for (const input of document.querySelectorAll('input[name=method], input[type=range]')) input.addEventListener('input', () => this.setOptions());
@@ -156,7 +171,7 @@ class LivePage {
     }
     addEventListener('hashchange', () => {
       const place = this.placeOfAddress();
-      if (place) this.walk.place(...place);
+      if (place) this.jump(...place);
       this.wake();
     });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.viewer.invalidate());

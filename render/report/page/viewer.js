@@ -52,11 +52,11 @@ class Viewer {
     new ResizeObserver(() => this.invalidate()).observe(canvas);
   }
 
-  /** A frame of Frames, and its eye and target. */
-  setFrame(frame, eye, target) {
+  /** A frame of Frames, and its eye, target and up, if that is not the one of the path. */
+  setFrame(frame, eye, target, up = this.lens.up) {
     this.frame = frame;
     const before = this.camera;
-    this.camera = {...this.lens, eye, target};
+    this.camera = {...this.lens, eye, target, up};
     this.camera.far ??= this.farthest(eye);
     const depth = this.depthOfScene();
     const isNear = before && distance(before.eye, eye) < 0.1 * this.depth;

@@ -54,6 +54,7 @@ class WalkPage {
     this.details = details;
     this.eyes = points(path.eyes);
     this.targets = points(path.targets);
+    this.ups = path.ups && points(path.ups);
     for (const outline of scene.outlines) {
       outline.points = outline.corners.map(corner => model.point(corner));
       outline.polygons = scene.occluders[outline.occluder].polygons;
@@ -99,7 +100,7 @@ class WalkPage {
     const shown = Math.floor(this.index / this.scene.every);
     this.frame = this.frames.at(shown);
     const at = this.shown = shown * this.scene.every;
-    this.viewer.setFrame(this.frame, this.eyes[at], this.targets[at]);
+    this.viewer.setFrame(this.frame, this.eyes[at], this.targets[at], this.ups?.[at]);
     this.map?.setCursor(this.index);
     this.tellPicked();
     this.fillHiders();
@@ -270,6 +271,7 @@ class WalkPage {
       this.viewer.isFollowing = true;
       this.showFrame();
     });
+    byId('save').addEventListener('click', async () => saveFile('path.json', new TextDecoder().decode(await bytesOfPart('way'))));
     for (const box of document.querySelectorAll('input[data-layer]')) {
       box.addEventListener('change', () => {
         this.viewer.layers[box.dataset.layer] = box.checked;

@@ -41,6 +41,7 @@ class WalkControl {
     this.yaw = Math.atan2(dot(forward, north), dot(forward, east));
     this.pitch = Math.asin(Math.min(1, Math.max(-1, dot(forward, up))));
     this.target = target;
+    if (Math.abs(this.pitch) > kSteepest) this.look(0, 0);
   }
 
   /** Moves on by the keys that are held down; returns whether any is. */

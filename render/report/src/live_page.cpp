@@ -45,17 +45,15 @@ Extent extent_of(culler::SoupView model) {
 /// A walk through all of it in so many seconds, where no path tells.
 constexpr double kSecondsThrough = 40;
 
-std::string start_json(const LiveStart& start) {
+std::string start_json(const std::string& model, const LiveStart& start) {
   nlohmann::ordered_json eyes = nlohmann::ordered_json::array(), targets = eyes;
   for (const culler::Camera& camera : start.cameras) {
     eyes.push_back(page_json(camera.eye));
     targets.push_back(page_json(camera.target));
   }
-  const nlohmann::ordered_json json = {{"lens", page_lens(start.cameras.front())},
-                                       {"height", kHeight},
-                                       {"leaf", kLeafSize},
-                                       {"speed", start.speed},
-                                       {"eyes", eyes},
+  const nlohmann::ordered_json json = {{"model", model},       {"lens", page_lens(start.cameras.front())},
+                                       {"height", kHeight},    {"leaf", kLeafSize},
+                                       {"speed", start.speed}, {"eyes", eyes},
                                        {"targets", targets}};
   return json.dump();
 }
@@ -67,6 +65,7 @@ LiveStart start_of(const CameraPath& path, culler::SoupView model) {
   double length = 0;
   for (std::size_t frame = 0; frame < path.frames; ++frame) {
     start.cameras.push_back(path.camera(frame, kAspect));
+    start.cameras.back().up = path.up;  // who walks keeps upright
     if (frame > 0) length += glm::distance(start.cameras[frame - 1].eye, start.cameras[frame].eye);
   }
   constexpr double kFramesASecond = 30;
@@ -97,7 +96,8 @@ std::string live_page(const std::string& name, culler::SoupView model, const Liv
       {"leaf", [] { return fmt::format("{}", kLeafSize); }},
       {"version", [] { return std::string(OCCLUDE_VERSION); }},
       {"parts", [&] {
-         return page_part("start", start_json(start)) + page_part("module", module) + page_part("model", packed(model));
+         return page_part("start", start_json(name, start)) + page_part("module", module) +
+                page_part("model", packed(model));
        }}};
   return filled(page_file("live.html"), [&](std::string_view value) {
     const auto found = values.find(value);

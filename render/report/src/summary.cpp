@@ -103,7 +103,7 @@ std::string spread_text(const Summary::Spreads& spread) {
 std::string table2_text(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   return fmt::format(
-      "Table 2, averages per frame           this run   the paper, its own model\n"
+      "{:<37} this run   the paper, its own model\n"
       "                                  polygons      fps      polygons      fps\n"
       "view-frustum culling            {:>10.0f} {:>8}        49,196      3.6\n"
       "with occlusion culling          {:>10.0f} {:>8}        29,749      5.6\n"
@@ -111,7 +111,8 @@ std::string table2_text(const Summary& summary) {
       "polygons culled                 {:>9.1f} %                 39.5 %\n"
       "speedup                         {:>19}                      +55 %\n"
       "  limit by polygons drawn       {:>19}                      +65 %\n",
-      mean.view_frustum_polygons, fps(mean.frame_ms_view_frustum_only, "-"), mean.rendered_polygons, fps(mean.frame_ms, "-"),
+      fmt::format("Table 2, by {}", text_of(summary.options.cull.method)), mean.view_frustum_polygons,
+      fps(mean.frame_ms_view_frustum_only, "-"), mean.rendered_polygons, fps(mean.frame_ms, "-"),
       mean.visible_polygons ? fmt::format("{:.0f}", *mean.visible_polygons) : "-", fps(mean.frame_ms_visible_only, "-"),
       100 * summary.culled_share, gain(summary.speedup, "-"), gain(summary.limit_by_polygons, "-"));
 }
@@ -182,6 +183,7 @@ Summary summarise(const WalkResult& result, const WalkOptions& options, const st
   summary.wrong_pixels = if_rendered(total_of(&FrameRecord::wrong_pixels));
   summary.snapped_pixels = if_rendered(total_of(&FrameRecord::snapped_pixels));
   summary.false_culls = if_rendered(total_of(&FrameRecord::false_culls));
+  summary.methods = methods_of({{options.cull.method, &result}}, options.render);
   if (!result.missed.empty()) {
     summary.missed = {.method = options.cull.method, .frames = result.missed.size(), .counts = {}};
     for (const culler::MissedReasons::Counts& counts : result.missed) summary.missed->counts += counts;
@@ -213,11 +215,7 @@ bool passed(const WalkResult& result) {
 }
 
 std::string text_of(const Summary& summary, const Paint& paint) {
-  std::string text = table2_text(summary) + spread_text(summary.spread);
-  if (summary.see_through_polygons != 0) {
-    text +=
-        fmt::format("see-through polygons {} of {}, which hide nothing\n", summary.see_through_polygons, summary.polygons);
-  }
+  std::string text = text_of(summary.methods) + "\n" + table2_text(summary) + spread_text(summary.spread);
   if (const std::string note = limit_note(summary); !note.empty()) text += note + '\n';
   if (summary.options.render) {
     const bool is_right = *summary.false_culls == 0 && *summary.wrong_pixels == *summary.snapped_pixels;
@@ -225,6 +223,15 @@ std::string text_of(const Summary& summary, const Paint& paint) {
                   fmt::format("false culls {}, wrong pixels {} (of them by the renderer's 1/256-pixel rounding: {})",
                               *summary.false_culls, *summary.wrong_pixels, *summary.snapped_pixels)) +
             '\n';
+  }
+  for (const MethodRow& m : summary.methods) {
+    const bool is_other = m.method != text_of(summary.options.cull.method);
+    const std::size_t false_culls = m.false_culls.value_or(0), wrong = m.wrong_pixels.value_or(0);
+    if (is_other && false_culls + wrong != 0) {
+      text += paint(Colour::red,
+                    fmt::format("by {}: false culls {}, unexplained wrong pixels {}", m.method, false_culls, wrong)) +
+              '\n';
+    }
   }
   if (const auto& witness = summary.options.witness) {
     text += fmt::format("witnesses {}: {}\n", summary.witnesses, printable(witness->native()));
@@ -309,6 +316,7 @@ Json json_of(const Summary& summary) {
           {"wrong_pixels", if_known(summary.wrong_pixels)},
           {"wrong_pixels_explained_by_snapping", if_known(summary.snapped_pixels)},
           {"false_culls", if_known(summary.false_culls)},
+          {"methods", json_of(summary.methods)},
           {"missed", summary.missed ? json_of(*summary.missed) : Json()},
           {"reference_frames", summary.reference_frames},
           {"witnesses", summary.witnesses},

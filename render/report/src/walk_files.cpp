@@ -22,12 +22,13 @@ Image small(const Image& image) {
 
 }  // namespace
 
-WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command)
+WalkFiles::WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command, bool writes_path)
     : folder_(folder),
       plates_folder_(folder / "plates"),
       csv_(folder / "frames.csv"),
       report_(folder / "report.html"),
       summary_(folder / "summary.json"),
+      path_(writes_path ? std::optional<OutputFile>(std::in_place, folder / kPathFile) : std::nullopt),
       witness_(options.witness ? std::optional<OutputFile>(std::in_place, *options.witness) : std::nullopt),
       pictures_(folder / "plates", is_plate),
       command_(std::move(command)) {}
@@ -47,10 +48,11 @@ void WalkFiles::add_plate(const Plate& plate, const Image& image) {
   if (page_pictures_.size() < kInPage) page_pictures_.push_back({plate.caption, png_of(small(image))});
 }
 
-void WalkFiles::write(const WalkResult& result, const Summary& summary) {
+void WalkFiles::write(const WalkResult& result, const Summary& summary, const CameraPath& path) {
   csv_.write(frames_csv(result));
-  report_.write(walk_page(summary, {result.frames, result.missed, *recording_, page_pictures_, command_}));
+  report_.write(walk_page(summary, {result.frames, result.missed, *recording_, page_pictures_, command_, json_of(path)}));
   summary_.write(json_of(summary).dump(2) + "\n");
+  if (path_) write_camera_path(*path_, path);
   for (OutputFile* file : files()) file->close();
 }
 
@@ -61,7 +63,9 @@ void WalkFiles::commit() {
 
 std::vector<OutputFile*> WalkFiles::files() {
   std::vector<OutputFile*> files{&csv_, &report_, &summary_};
-  if (witness_) files.push_back(&*witness_);
+  for (std::optional<OutputFile>* file : {&path_, &witness_}) {
+    if (*file) files.push_back(&**file);
+  }
   return files;
 }
 

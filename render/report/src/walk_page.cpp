@@ -27,15 +27,24 @@ std::string fact(const std::string& value, const std::string& what, bool bad = f
 
 /// The main results. The paper's are of its own city, so only shares and ratios stand beside them.
 std::string facts(const Summary& summary) {
-  std::string html =
-      fact(percent(summary.culled_share), "of the polygons in the view frustum culled <small>(paper: 39.5 %)</small>");
-  if (!summary.options.render) {
-    return html + fact(fmt::format("{:.2f} ms", summary.mean.cull_ms), "to cull a frame, on average");
+  std::string shares, speeds;
+  std::size_t false_culls = 0;
+  for (const MethodRow& m : summary.methods) {
+    if (!m.hides) continue;
+    const bool is_of_paper = m.method == text_of(culler::Method::frusta);
+    const auto by = [&](const char* what, const char* paper) {
+      return fmt::format("{} by {}{}", what, m.method, is_of_paper ? paper : "");
+    };
+    shares += fact(percent(m.culled_share), by("of the polygons in view culled", " <small>(paper: 39.5 %)</small>"));
+    speeds += m.speedup
+                  ? fact(fmt::format("{:.2f} &times;", *m.speedup), by("frames a second", " <small>(paper: 1.55)</small>"))
+                  : fact(fmt::format("{:.2f} ms", m.cull_ms), by("to cull a frame, on average", ""));
+    false_culls += m.false_culls.value_or(0);
   }
+  std::string html = shares + speeds;
+  if (!summary.options.render) return html;
   const std::size_t wrong = *summary.wrong_pixels, snapped = *summary.snapped_pixels;
-  html += fact(fmt::format("{:.2f} &times;", *summary.speedup),
-               "frames a second, against view-frustum culling <small>(paper: 1.55)</small>");
-  html += fact(fmt::format("{}", *summary.false_culls), "visible polygons culled", *summary.false_culls != 0);
+  html += fact(fmt::format("{}", false_culls), "visible polygons culled", false_culls != 0);
   html += fact(fmt::format("{}", wrong),
                snapped == 0 ? "pixels that differ"
                             : fmt::format("pixels that differ, {} of them by the renderer's 1/256-pixel rounding", snapped),
@@ -46,14 +55,21 @@ std::string facts(const Summary& summary) {
 bool is_cover(const Summary& summary) { return summary.options.cull.method == culler::Method::cover; }
 
 std::string lead(const Summary& summary) {
-  return fmt::format(
-      "{} polygons, {} frames; {}. After Hudson et al. 1997, section 6.3.{}", grouped(static_cast<double>(summary.polygons)),
-      grouped(static_cast<double>(summary.frames)),
-      is_cover(summary) ? "hidden by everything in front, joined" : "hidden by the shadows of single occluders",
-      summary.options.render ? "" : " Nothing was drawn: this walk measured culling alone.");
+  return fmt::format("{} polygons, {} frames. After Hudson et al. 1997, section 6.3.{}",
+                     grouped(static_cast<double>(summary.polygons)), grouped(static_cast<double>(summary.frames)),
+                     summary.options.render ? "" : " Nothing was drawn: this walk measured culling alone.");
 }
 
 const char* method_of(const Summary& summary) { return is_cover(summary) ? "cover" : "frusta"; }
+
+std::string methods(const Summary& summary) {
+  const char* const shown = is_cover(summary) ? "joined shadows, of everything in front" : "the shadows of single occluders";
+  return html_of(summary.methods) +
+         fmt::format(
+             "<p class=\"soft\">Without: the same frames by the view frustum alone, in turns with "
+             "the method. All below is by {}.</p>",
+             shown);
+}
 
 std::string note(const std::string& text) { return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>"; }
 
@@ -168,6 +184,7 @@ std::string figures(const Summary& summary, const WalkPageContent& content) {
 
 std::string parts(const Summary& summary, const WalkPageContent& content) {
   std::string html = page_part("figures", figures(summary, content));
+  html += page_part("way", content.path);
   for (const auto& [name, bytes] : content.recording.parts()) html += page_part(name, bytes);
   return html;
 }
@@ -179,6 +196,7 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
       {"model", [&] { return escaped(summary.model); }},
       {"lead", [&] { return lead(summary); }},
       {"method", [&] { return method_of(summary); }},
+      {"methods", [&] { return methods(summary); }},
       {"times", [&] { return summary.options.render ? "Frame time (the paper's figure 2)" : "Time to cull"; }},
       {"facts", [&] { return facts(summary); }},
       {"simplified", [&] { return simplified(summary, content.recording); }},

@@ -94,9 +94,10 @@ struct WalkRecording::Impl {
   PagePieces pieces;
   bool has_covers = false;
   PageVain vain;
-  std::size_t drawn = 0;      ///< frames
-  culler::Camera camera;      ///< of the last frame
-  std::string eyes, targets;  ///< of all frames, numbers with commas
+  std::size_t drawn = 0;           ///< frames
+  culler::Camera camera;           ///< of the last frame
+  std::string eyes, targets, ups;  ///< of all frames, numbers with commas
+  bool is_tilted = false;          ///< whether `up` changes
 };
 
 WalkRecording::WalkRecording(const culler::Culler& culler) : impl_(std::make_unique<Impl>(culler)) {}
@@ -115,12 +116,14 @@ void WalkRecording::add_frame(const ShownFrame& frame) {
     impl_->vain.add(frame.culled, *frame.visible);
     ++impl_->drawn;
   }
+  if (!impl_->eyes.empty()) impl_->is_tilted = impl_->is_tilted || frame.camera.up != impl_->camera.up;
   impl_->camera = frame.camera;
   const auto append = [](std::string& list, const glm::dvec3& v) {
     fmt::format_to(std::back_inserter(list), "{}{:.9g},{:.9g},{:.9g}", list.empty() ? "" : ",", v.x, v.y, v.z);
   };
   append(impl_->eyes, frame.camera.eye);
   append(impl_->targets, frame.camera.target);
+  append(impl_->ups, frame.camera.up);
 }
 
 std::size_t WalkRecording::polygons() const { return impl_->model.polygons(); }
@@ -144,7 +147,8 @@ std::vector<std::pair<std::string, std::string>> WalkRecording::parts() const {
                       {"reasons", reasons()},
                       {"planes", kViewPlanes}};
   return {{"scene", scene.dump()},
-          {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]}})", impl_->eyes, impl_->targets)},
+          {"path", fmt::format(R"({{"eyes":[{}],"targets":[{}]{}}})", impl_->eyes, impl_->targets,
+                               impl_->is_tilted ? fmt::format(R"(,"ups":[{}])", impl_->ups) : "")},
           {"vertices", model.vertices()},
           {"leaves", model.leaf_sizes()},
           {"sides", model.sides()},

@@ -136,8 +136,8 @@ class WayTree {
 bool is_free_way(culler::SoupView model, std::span<const CameraPath::Keyframe> way, double clearance) {
   // Where coordinates are so large that distances of this size are rounded away, nothing is sure.
   constexpr double kSure = 0x1p-40;
-  for (const auto& [eye, target] : way) {
-    if (std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}) * kSure > clearance) return false;
+  for (const CameraPath::Keyframe& key : way) {
+    if (std::max({std::fabs(key.eye.x), std::fabs(key.eye.y), std::fabs(key.eye.z)}) * kSure > clearance) return false;
   }
   const WayTree tree(way, clearance);
   for (std::size_t p = 0; p < model.size(); ++p) {

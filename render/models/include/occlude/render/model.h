@@ -45,6 +45,9 @@ struct Model {
   ModelNotes notes;
 };
 
+/// The direction that is up in the model: z where nobody says.
+[[nodiscard]] glm::dvec3 up_of(const ModelNotes& notes);
+
 /// What the user must know of how a file was read, in a line; empty if that is nothing.
 [[nodiscard]] std::string text_of(const ModelNotes& notes);
 

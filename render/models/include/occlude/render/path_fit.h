@@ -11,7 +11,8 @@
 namespace occlude::render {
 
 /// Why the path is probably meant for another model than the one in `file`: it names another (the kind of file does not
-/// matter), or every eye and target is farther from the model's box than that is large. Empty if neither is so.
+/// matter), or it names none and every eye and target is farther from the model's box than that is large. Empty if neither
+/// is so.
 [[nodiscard]] std::string doubt_about(const CameraPath& path, const std::filesystem::path& file, culler::SoupView model);
 
 }  // namespace occlude::render

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "occlude/kernel/operations.h"
+#include "occlude/render/methods.h"
 #include "occlude/render/missed_report.h"
 #include "occlude/render/paint.h"
 #include "occlude/render/spread.h"
@@ -58,6 +59,7 @@ struct Summary {
   std::optional<double> limit_by_visible;   ///< of the speedup: drawing only what is visible
   AboveLimit above_limit = AboveLimit::no;
   std::optional<std::size_t> wrong_pixels, snapped_pixels, false_culls;
+  Methods methods;                     ///< this walk beside others by other methods
   std::optional<MissedCounts> missed;  ///< over all frames, if the walk rendered
   std::size_t reference_frames = 0, witnesses = 0;
   kernel::Operations operations;
@@ -65,7 +67,7 @@ struct Summary {
   Machine machine;
 };
 
-/// REQUIRES: at least one frame.
+/// Beside no other method. REQUIRES: at least one frame.
 [[nodiscard]] Summary summarise(const WalkResult& result, const WalkOptions& options, const std::string& model);
 
 /// Whether no visible polygon was culled and the renderer's rounding explains every differing pixel.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "occlude/render/camera_path.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/output_folder.h"
 #include "occlude/render/picture_set.h"
@@ -17,19 +18,23 @@
 
 namespace occlude::render {
 
-/// frames.csv, summary.json, report.html and plates/*.png in a folder, and the witness file that the options name.
+/// The path of a walk, in the folder of its report.
+inline constexpr const char* kPathFile = "path.json";
+
+/// frames.csv, summary.json, report.html, path.json and plates/*.png in a folder, and the witness file that the options
+/// name.
 class WalkFiles : public WalkOutput {
  public:
   /// Opens all files before the work starts. Throws InputError if one cannot be written. `command` is the command line, for
-  /// the report.
-  WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command);
+  /// the report. The path is written unless the walk has read it from there.
+  WalkFiles(const std::filesystem::path& folder, const WalkOptions& options, std::string command, bool writes_path);
 
   void add_model(const culler::Culler& culler) override;
   void add_frame(const ShownFrame& frame) override;
   void add_witness(std::string_view line) override;
   void add_plate(const Plate& plate, const Image& image) override;
   /// Writes the reports. All files are complete then.
-  void write(const WalkResult& result, const Summary& summary);
+  void write(const WalkResult& result, const Summary& summary, const CameraPath& path);
   /// Gives all files their names.
   void commit();
 
@@ -38,7 +43,7 @@ class WalkFiles : public WalkOutput {
 
   OutputFolder folder_, plates_folder_;
   OutputFile csv_, report_, summary_;
-  std::optional<OutputFile> witness_;
+  std::optional<OutputFile> path_, witness_;
   PictureSet pictures_;
   std::optional<WalkRecording> recording_;
   std::vector<PagePicture> page_pictures_;

@@ -23,6 +23,7 @@ struct WalkPageContent {
   const WalkRecording& recording;
   std::vector<PagePicture> pictures;  ///< shown where the browser cannot draw the model
   std::string command;                ///< the command line of the walk; may be empty
+  std::string path;                   ///< the file of its path
 };
 
 [[nodiscard]] std::string walk_page(const Summary& summary, const WalkPageContent& content);

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "camera_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "path_readers.h"
+
+namespace occlude::render {
+
+std::string add_name(CameraMotion& motion, const std::string& name) {
+  const bool is_there = std::ranges::find(motion.names, name) != motion.names.end();
+  motion.names.push_back(is_there ? fmt::format("{} #{}", name, motion.names.size()) : name);
+  return motion.names.back();
+}
+
+void hand_over(const CameraMotion& motion, HandoverWriter& writer) {
+  writer.put_number(motion.names.size());
+  for (const std::string& name : motion.names) writer.put(name);
+  const CameraMotion::Lens& lens = motion.lens;
+  writer.put(std::array{lens.is_perspective ? 1.0 : 0.0, lens.fov_y_deg, lens.height, lens.near, lens.far});
+  writer.put(motion.poses);
+}
+
+void take_over(CameraMotion& motion, HandoverReader& reader) {
+  std::size_t names = 0;
+  reader.take_number(names);
+  for (; names > 0; --names) reader.take(motion.names.emplace_back());
+  std::vector<double> lens;
+  reader.take(lens);
+  reader.take(motion.poses);
+  if (lens.size() != 5 || motion.poses.size() > kMostFrames) refuse_damage();
+  motion.lens = {lens[0] != 0, lens[1], lens[2], lens[3], lens[4]};
+}
+
+}  // namespace occlude::render

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Ways to draw the same frames, side by side: view-frustum culling alone, the paper's frusta, joined shadows, and the ideal:
+// drawing only visible polygons.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "occlude/render/walk.h"
+
+namespace occlude::render {
+
+/// Means per frame. The optional numbers need pictures.
+struct MethodRow {
+  std::string method;
+  bool hides = false;                     ///< it culls what is hidden
+  double drawn = 0;                       ///< polygons
+  double culled_share = 0;                ///< of the polygons in the view frustum
+  std::optional<double> hidden_culled;    ///< share of the hidden polygons in view
+  double cull_ms = 0, worst_cull_ms = 0;  ///< 0 if nothing was culled
+  /// And by the view frustum alone in the same walk, as the machine was then; their ratio is the speedup.
+  std::optional<double> frame_ms, frame_ms_view_frustum_only, speedup;
+  /// Over all frames; pixels that the renderer's rounding does not explain. Empty where nothing is culled by shadow.
+  std::optional<std::size_t> wrong_pixels, false_culls;
+};
+
+using Methods = std::vector<MethodRow>;
+
+/// A walk, and the method by which it culled.
+struct MethodWalk {
+  culler::Method method;
+  const WalkResult* walk;
+};
+
+/// A row for each of these walks of the same frames, below that of view-frustum culling alone; that of the ideal comes last
+/// if frames were drawn. REQUIRES: at least one walk.
+[[nodiscard]] Methods methods_of(const std::vector<MethodWalk>& walks, bool is_drawn);
+
+/// The options of the same walk by the other method, with leaves of the size that is best for it if that is so now.
+[[nodiscard]] WalkOptions by_other_method(WalkOptions options);
+/// Walks without a report. REQUIRES: the culler is that of make_culler() with these options.
+[[nodiscard]] WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, const WalkOptions& options);
+
+/// In words: "shadow frusta" or "joined shadows".
+[[nodiscard]] const char* text_of(culler::Method method);
+
+/// A table for a terminal, and for a page.
+[[nodiscard]] std::string text_of(const Methods& methods);
+[[nodiscard]] std::string html_of(const Methods& methods);
+[[nodiscard]] nlohmann::ordered_json json_of(const Methods& methods);
+
+}  // namespace occlude::render
