@@ -106,7 +106,10 @@ struct ReadModel {
     std::int64_t last = 0;
     for (std::size_t p = 0; p < model.polygons(); ++p) numbers.push_back(last += number.difference());
     leaf_sizes = page_numbers(model.leaf_sizes());
-    sides = page_numbers(model.sides());
+    for (const std::uint64_t side : page_numbers(model.sides())) {
+      sides.push_back(side >> 1);
+      see_through.push_back((side & 1U) != 0);
+    }
     std::uint64_t unused = 0;
     for (const std::uint64_t back : page_numbers(model.corners())) {
       corners.push_back(unused - back);
@@ -133,11 +136,13 @@ struct ReadModel {
 
   std::vector<std::int64_t> numbers;
   std::vector<std::uint64_t> leaf_sizes, sides, corners;
+  std::vector<bool> see_through;
   std::vector<GridPoint> points;
 };
 
 TEST(PageModel, ReadsBackAsTheModel) {
-  const culler::PolygonSoup soup = random_soup(500);
+  culler::PolygonSoup soup = random_soup(500);
+  soup.see_through_from(400);
   const culler::Hierarchy hierarchy = culler::Hierarchy::build(soup, {});
   const PageModel model(hierarchy);
   const ReadModel read(model);
@@ -151,6 +156,7 @@ TEST(PageModel, ReadsBackAsTheModel) {
     seen[number] = true;
     const auto loop = soup.loop(number);
     ASSERT_EQ(read.sides[p], loop.size());
+    EXPECT_EQ(read.see_through[p], number >= 400);
     for (const std::uint32_t index : loop) {
       const auto& point = read.points.at(read.corners.at(corner++));
       for (int axis = 0; axis < 3; ++axis) {

@@ -4,7 +4,12 @@
 const kFatesWide = 1024;      // leaves in a row of the texture of fates
 const kTrianglesWide = 4096;  // triangles in a row of the texture of what is seen
 
-/** Corners of the model. Triangles of leaves that no layer shows become nothing. */
+/** Of what is see-through every second pixel is left out, as on a chessboard: whatever is drawn first, what is behind shows. */
+const kSeeThrough = `
+flat in uint seeThrough;
+bool isLeftOut() { return seeThrough == 1u && ((int(gl_FragCoord.x) + int(gl_FragCoord.y)) & 1) == 0; }`;
+
+/** Corners of the model, and of each twice its leaf, and 1 more if it is see-through. Triangles of leaves that no layer shows become nothing. */
 const kModelVertices = `#version 300 es
 precision highp float;
 precision highp usampler2D;
@@ -18,10 +23,13 @@ in ivec3 corner;
 in uint leaf;
 flat out uint fate;
 flat out uint triangle;
+flat out uint seeThrough;
 out vec3 place;
 invariant gl_Position;
 void main() {
-  fate = texelFetch(fates, ivec2(leaf % ${kFatesWide}u, leaf / ${kFatesWide}u), 0).r;
+  uint number = leaf >> 1;
+  fate = texelFetch(fates, ivec2(number % ${kFatesWide}u, number / ${kFatesWide}u), 0).r;
+  seeThrough = leaf & 1u;
   triangle = uint(gl_VertexID) / 3u;
   place = step * (vec3(corner - eyeCell) - eyeRest);
   bool isShown = showsAll || (fate == 0u ? showsDrawn : fate == 1u ? showsOutOfView : showsHidden);
@@ -46,7 +54,7 @@ uniform usampler2D marks;  // of each triangle: 1 if the view of the camera show
 uniform vec3 heat[5];
 uniform float unitOfHatching;
 flat in uint fate;
-flat in uint triangle;
+flat in uint triangle;${kSeeThrough}
 in vec3 place;
 out vec4 colour;
 
@@ -85,7 +93,7 @@ bool isDotted() {
 vec3 patterned(vec3 base) { return mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1)) < 0.5 ? 1 : 0), 0.45); }
 
 void main() {
-  if (dot(place, up) > ceiling) discard;
+  if (dot(place, up) > ceiling || isLeftOut()) discard;
   vec3 normal = cross(dFdx(place), dFdy(place));
   float size = length(normal);
   normal = size > 0.0 ? normal / size : up;
@@ -115,11 +123,11 @@ uniform vec3 up, forward;
 uniform float ceiling, near, far;
 uniform bool isPerspective;
 flat in uint fate;
-flat in uint triangle;
+flat in uint triangle;${kSeeThrough}
 in vec3 place;
 out uint number;
 void main() {
-  if (dot(place, up) > ceiling) discard;
+  if (dot(place, up) > ceiling || isLeftOut()) discard;
   float away = dot(place, forward);
   gl_FragDepth = isPerspective ? near / away : (far - away) / (far - near);
   number = triangle + 1u;

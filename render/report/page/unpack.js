@@ -79,7 +79,7 @@ class Model {
     this.step = scene.step;
     this.steps = scene.steps;
     this.firstPolygon = runningSums(parts.leaves);               // of each leaf
-    this.firstTriangle = runningSums(parts.sides, sides => sides - 2);  // of each polygon
+    this.firstTriangle = runningSums(parts.sides, sides => (sides >> 1) - 2);  // of each polygon
     this.leaves = this.firstPolygon.length - 1;
     this.polygons = this.firstTriangle.length - 1;
     this.triangles = this.firstTriangle[this.polygons];
@@ -104,8 +104,8 @@ class Model {
   }
   readTriangles(points, sides, corners) {
     this.corners = new Int32Array(9 * this.triangles);  // x, y and z of each corner of each triangle
-    this.cornerLeaves = new Uint32Array(3 * this.triangles);
-    let unused = 0, at = 0, leaf = 0;
+    this.cornerLeaves = new Uint32Array(3 * this.triangles);  // twice the leaf, and 1 more of what is see-through
+    let unused = 0, at = 0, leaf = 0, seeThrough = 0;
     const nextCorner = () => {
       const back = corners.next();
       return back === 0 ? unused++ : unused - back;
@@ -114,12 +114,13 @@ class Model {
       this.corners[3 * at] = points[3 * vertex];
       this.corners[3 * at + 1] = points[3 * vertex + 1];
       this.corners[3 * at + 2] = points[3 * vertex + 2];
-      this.cornerLeaves[at++] = leaf;
+      this.cornerLeaves[at++] = 2 * leaf + seeThrough;
     };
     for (let p = 0; p < this.polygons; ++p) {
       while (this.firstPolygon[leaf + 1] <= p) ++leaf;
-      const first = nextCorner();
-      for (let k = sides.next(), before = nextCorner(); k > 2; --k) {
+      const side = sides.next(), first = nextCorner();
+      seeThrough = side & 1;
+      for (let k = side >> 1, before = nextCorner(); k > 2; --k) {
         const corner = nextCorner();
         put(first);
         put(before);

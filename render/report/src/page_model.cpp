@@ -114,7 +114,7 @@ PageModel::PageModel(const culler::Hierarchy& hierarchy, std::size_t most)
     place_[p] = static_cast<std::uint32_t>(polygons_++);
     numbers.difference(hierarchy.face(p) - number_before);
     number_before = hierarchy.face(p);
-    sides.number(soup.loop(p).size());
+    sides.number(2 * soup.loop(p).size() + (soup.is_opaque(p) ? 0 : 1));
     for (const std::uint32_t index : soup.loop(p)) {
       const std::size_t unused = vertices.points().size();
       corners.number(unused - vertices.number_of(grid_.at(soup.vertices[index])));

@@ -58,7 +58,7 @@ class PageModel {
   [[nodiscard]] const std::string& vertices() const { return vertices_; }  ///< see pack_vertices() in page_model.cpp
   /// For each leaf its number of polygons.
   [[nodiscard]] const std::string& leaf_sizes() const { return leaf_sizes_; }
-  /// For each polygon its number of corners.
+  /// For each polygon twice its number of corners, and 1 more if it is see-through.
   [[nodiscard]] const std::string& sides() const { return sides_; }
   /// For each corner how far its vertex is before the first one not yet used.
   [[nodiscard]] const std::string& corners() const { return corners_; }
