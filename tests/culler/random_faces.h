@@ -92,7 +92,7 @@ class RandomFaces {
       hole.push_back(face[outer]);
       face.insert(face.begin() + static_cast<std::ptrdiff_t>(outer) + 1, hole.begin(), hole.end());
     }
-    std::ranges::rotate(face, face.begin() + static_cast<std::ptrdiff_t>(random_() % face.size()));
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(random_() % face.size()), face.end());
     result.loop = std::move(face);
     return result;
   }
