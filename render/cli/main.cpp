@@ -113,6 +113,15 @@ void run_and_report(int argc, char** argv) {
   }
 }
 
+/// The end, together with other ranks.
+void leave() {
+  try {
+    occlude::render::leave_ranks();
+  } catch (const occlude::render::Interrupted&) {
+    exit_code = kInterrupted;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -125,6 +134,6 @@ int main(int argc, char** argv) {
   if (!is_first) occlude::render::be_silent();
   if (occlude::render::mpirun_has_terminal()) occlude::render::show_progress();
   run_and_report(argc, argv);
-  occlude::render::leave_ranks();
+  if (exit_code != kInterrupted) leave();
   return exit_code;
 }

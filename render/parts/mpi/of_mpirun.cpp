@@ -74,13 +74,8 @@ void pause() {
   std::this_thread::sleep_for(std::chrono::microseconds(200));
 }
 
-void finalise() {
-  const Blocked blocked;
-  MPI_Finalize();
-}
-
 [[noreturn]] void leave_helper() {
-  finalise();
+  MPI_Finalize();
   std::_Exit(EXIT_SUCCESS);  // the first rank has the exit code
 }
 
@@ -185,14 +180,10 @@ void tell_first_rank(const std::string& fault) {
 
 void leave_ranks() {
   if (ranks() == 1 || !is_initialised()) return;
-  try {
-    check_interrupt();
-    if (!is_first_rank()) wait_for_first_rank();
-    for (int helper = 1; helper < static_cast<int>(ranks()); ++helper) send(helper, kLeave);
-    finalise();
-  } catch (const Interrupted&) {
-    // mpirun ends the others.
-  }
+  if (!is_first_rank()) wait_for_first_rank();
+  for (int helper = 1; helper < static_cast<int>(ranks()); ++helper) send(helper, kLeave);
+  // Not Blocked: ended at once, mpirun would take what is done for a failure.
+  MPI_Finalize();
 }
 
 }  // namespace occlude::render

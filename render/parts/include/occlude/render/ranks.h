@@ -25,7 +25,8 @@ void follow_mpirun();
 /// Of a helper that cannot go on: the first rank will fail with this message. Does nothing on the first rank.
 void tell_first_rank(const std::string& fault);
 
-/// The end of every rank that was not interrupted: helpers wait for the first rank.
+/// The end of every rank that was not interrupted: helpers wait for the first rank. Throws Interrupted if a helper is while
+/// it waits; mpirun then ends the others.
 void leave_ranks();
 
 }  // namespace occlude::render
