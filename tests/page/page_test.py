@@ -294,6 +294,14 @@ class Viewing(Page):
                 same += polygon == said['polygon']
             self.assertEqual(same, tried, walk)
 
+    def test_what_is_behind_glass_is_seen_and_so_is_the_glass(self):
+        self.open('glass')
+        seen = self.run_script('''page.viewer.see();
+            const {numbers, firstTriangle} = page.viewer.model, marks = page.viewer.models.marks.texels;
+            return Array.from(numbers).map((number, p) => [number, marks[firstTriangle[p]] & 1]);''')
+        self.assertEqual(dict(seen)[0], 1, 'the pane')
+        self.assertEqual(dict(seen)[1], 1, 'the wall behind it')
+
     def test_a_click_tells_the_fate_that_why_tells(self):
         random.seed(2)
         words = {'drawn': 'drawn', 'out_of_view': 'out of view', 'in_shadow': 'culled, '}
