@@ -382,7 +382,7 @@ void require_leaves(const WitnessFile& witnesses, const culler::Hierarchy& hiera
 std::uint64_t key_of(const ValidateArguments& arguments, const render::CameraPath& path, const render::WalkOptions& options,
                      const culler::Hierarchy& hierarchy) {
   render::Digest digest;
-  add(digest.add(arguments.given).add(json_of(path)), hierarchy.soup());
+  add(digest.add(arguments.given).add(json_of(path)), hierarchy.soup()).add(hierarchy.faces());
   const std::string store = options.preprocess.empty() ? arguments.model : options.preprocess.string();
   if (render::is_store(store)) digest.add(std::to_string(render::hash_of_store(store)));
   return digest.value();
