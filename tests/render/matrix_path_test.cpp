@@ -1,42 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Camera paths that are lists of matrices.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 
+#include "folder_test.h"
 #include "occlude/render/camera_path.h"
-#include "occlude/render/errors.h"
 
 namespace occlude::render {
 namespace matrix_path_test {
 
-namespace fs = std::filesystem;
 using glm::dvec3;
 
-class MatrixPathTest : public testing::Test {
+class MatrixPathTest : public FolderTest {
  protected:
-  MatrixPathTest() { fs::create_directories(folder_); }
-  ~MatrixPathTest() override { fs::remove_all(folder_); }
-
   [[nodiscard]] CameraPath read(const std::string& name, const std::string& text, const PathDefaults& defaults = {}) const {
-    std::ofstream(folder_ / name) << text;
-    return read_camera_path(folder_ / name, defaults);
+    return read_camera_path(save(name, text), defaults);
   }
   /// The message after the folder.
   [[nodiscard]] std::string failure(const std::string& name, const std::string& text) const {
-    try {
-      static_cast<void>(read(name, text));
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      return what.substr(std::min(what.size(), (folder_ / "").string().size()));
-    }
-    return "no error";
+    return failure_after(folder_ / "", [&] { return read(name, text); });
   }
-
-  fs::path folder_ = fs::temp_directory_path() / ("occlude_matrix_path_" + std::to_string(getpid()));
 };
 
 // Cameras at (1, 2, 3) and (1, 2, 4) that look to +y, with z upwards.
@@ -57,6 +41,7 @@ void expect_the_cameras(const CameraPath& path) {
 TEST_F(MatrixPathTest, TheLastRowTellsTheOrder) {
   expect_the_cameras(read("rows.csv", kRows));
   expect_the_cameras(read("columns.txt", kColumns));
+  expect_the_cameras(read("ROWS.CSV", kRows));
 }
 
 TEST_F(MatrixPathTest, TablesMayHaveAHeadingCommentsAndBlanks) {

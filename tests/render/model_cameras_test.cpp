@@ -3,23 +3,19 @@
 #include "occlude/render/model_cameras.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 
-#include "occlude/render/errors.h"
+#include "folder_test.h"
 
 namespace occlude::render {
 namespace model_cameras_test {
 
-namespace fs = std::filesystem;
 using glm::dvec3;
 using nlohmann::json;
 
@@ -30,29 +26,15 @@ ModelNotes notes_of(const Convention& convention) {
   return notes;
 }
 
-class ModelCameras : public testing::Test {
+class ModelCameras : public FolderTest {
  protected:
-  ModelCameras() { fs::create_directories(folder_); }
-  ~ModelCameras() override { fs::remove_all(folder_); }
-
-  void save(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
   [[nodiscard]] CameraPath read(const std::string& file, const std::string& camera) const {
     return read_model_camera(folder_ / file, camera, notes_of({1, {0, 1, 0}}));
   }
   /// The message after the folder.
   [[nodiscard]] std::string failure(const std::string& file, const std::string& camera) const {
-    try {
-      static_cast<void>(read(file, camera));
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      return what.substr(std::min(what.size(), (folder_ / "").string().size()));
-    }
-    return "no error";
+    return failure_after(folder_ / "", [&] { return read(file, camera); });
   }
-
-  fs::path folder_ = fs::temp_directory_path() / ("occlude_model_cameras_" + std::to_string(getpid()));
 };
 
 /// A scene of a node "arm" at (0, 0, 5) with a camera "eye" a unit above it, and another camera.
@@ -224,6 +206,8 @@ TEST_F(ModelCameras, NamesAreListed) {
   json root = scene();
   save("a.gltf", root.dump());
   EXPECT_EQ(failure("a.gltf", ""), "a.gltf: its cameras are camera:eye, camera:flat");
+  save("A.GLTF", root.dump());
+  EXPECT_EQ(failure("A.GLTF", ""), "A.GLTF: its cameras are camera:eye, camera:flat") << "by the same reader";
   EXPECT_EQ(failure("a.gltf", "ear"), "a.gltf: it has no camera \"ear\", but camera:eye, camera:flat");
   root["nodes"][0]["camera"] = 1;
   root["nodes"][0]["name"] = "eye";

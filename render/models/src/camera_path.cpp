@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "extension.h"
 #include "noise.h"
 #include "path_readers.h"
 
@@ -32,6 +33,14 @@ CameraPath::Keyframe extended(const std::vector<CameraPath::Keyframe>& keys, std
   if (index_plus_one <= keys.size()) return keys[index_plus_one - 1];
   const auto &last = keys.back(), &before = keys[keys.size() - 2];
   return {2.0 * last.eye - before.eye, 2.0 * last.target - before.target};
+}
+
+/// Whether the camera has a fault with its `up` alone.
+bool is_up_at_fault(culler::Camera camera) {
+  return std::ranges::any_of(std::array{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)}, [&](const dvec3& other) {
+    camera.up = other;
+    return culler::fault(camera).empty();
+  });
 }
 
 }  // namespace
@@ -67,18 +76,6 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
   return camera;
 }
 
-namespace {
-
-/// Whether the camera has a fault with its `up` alone.
-bool is_up_at_fault(culler::Camera camera) {
-  return std::ranges::any_of(std::array{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)}, [&](const dvec3& other) {
-    camera.up = other;
-    return culler::fault(camera).empty();
-  });
-}
-
-}  // namespace
-
 std::optional<PathFault> fault_of(const CameraPath& path) {
   for (std::size_t frame = 0; frame < path.frames; ++frame) {
     const culler::Camera camera = path.camera(frame, 1);
@@ -89,7 +86,8 @@ std::optional<PathFault> fault_of(const CameraPath& path) {
 }
 
 CameraPath read_camera_path(const std::filesystem::path& file, const PathDefaults& defaults) {
-  const bool is_table = file.extension() == ".csv" || file.extension() == ".txt";
+  const std::string extension = extension_of(file);
+  const bool is_table = extension == ".csv" || extension == ".txt";
   return is_table ? read_csv_path(file, defaults) : read_json_path(file, defaults);
 }
 

@@ -16,4 +16,10 @@ namespace occlude::render {
   return extension;
 }
 
+/// Whether it is read by the reader of glTF.
+[[nodiscard]] inline bool is_gltf(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  return extension == ".gltf" || extension == ".glb";
+}
+
 }  // namespace occlude::render

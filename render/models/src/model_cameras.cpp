@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "camera_motion.h"
+#include "extension.h"
 #include "matrix_poses.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/store.h"
@@ -14,8 +15,7 @@ namespace {
 
 CameraMotion motion_of(const std::filesystem::path& file, const std::string& name) {
   if (is_store(file)) throw InputError(file.string() + ": a store has no cameras; the model that it was made of may have");
-  const auto is = [&](const char* extension) { return file.extension() == extension; };
-  return is(".gltf") || is(".glb") ? gltf_camera(file, name) : imported_camera(file, name);
+  return is_gltf(file) ? gltf_camera(file, name) : imported_camera(file, name);
 }
 
 /// Turns and scales the camera as the model was.

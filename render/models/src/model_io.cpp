@@ -18,7 +18,7 @@ Model read_as_it_is(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == ".ply") return read_ply(file);
   if (extension == ".obj") return read_obj(file);
-  if (extension == ".gltf" || extension == ".glb") return read_gltf(file);
+  if (is_gltf(file)) return read_gltf(file);
   return read_with_assimp(file);
 }
 
