@@ -66,7 +66,7 @@ glm::dvec3 meeting_point(const std::array<MatrixRow, 3>& rows, const Basis& basi
     point += basis.combine(off[0], off[1], off[2]);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::fabs(point[axis]) < kernel::kMinMagnitude) point[axis] = 0;
+    point[axis] = kernel::flushed(point[axis]);
   }
   return point;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/occluder_mesh.h"
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -14,7 +13,7 @@ namespace {
 void drop_negligible(PolygonSoup& soup) {
   for (glm::dvec3& vertex : soup.vertices) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (std::fabs(vertex[axis]) < kernel::kMinMagnitude) vertex[axis] = 0;
+      vertex[axis] = kernel::flushed(vertex[axis]);
     }
   }
 }

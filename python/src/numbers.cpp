@@ -2,7 +2,6 @@
 #include "numbers.h"
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -145,10 +144,7 @@ std::vector<glm::dvec3> to_face(const Doubles& vertices, const std::vector<std::
     if (index >= points.size())
       throw std::invalid_argument("vertex " + std::to_string(index) + " of " + std::to_string(points.size()));
     glm::dvec3& corner = corners.emplace_back();
-    for (int axis = 0; axis < 3; ++axis) {
-      const double number = points[index][axis];
-      corner[axis] = std::fabs(number) < kernel::kMinMagnitude ? 0 : number;
-    }
+    for (int axis = 0; axis < 3; ++axis) corner[axis] = kernel::flushed(points[index][axis]);
     const kernel::Refusal refusal = kernel::check(kernel::Vec3{corner.x, corner.y, corner.z});
     if (refusal == kernel::Refusal::none) continue;
     throw std::invalid_argument("vertex " + std::to_string(index) + ": " + std::string(kernel::to_string(refusal)));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Faces of any shape, in the C interface.
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -33,7 +32,7 @@ struct LoneFace {
                                     std::to_string(vertices->count));
       }
       const auto [x, y, z] = points[indices[i]];
-      const kernel::Vec3 corner{flushed(x), flushed(y), flushed(z)};
+      const kernel::Vec3 corner{kernel::flushed(x), kernel::flushed(y), kernel::flushed(z)};
       require_legal(kernel::check(corner), "corner " + std::to_string(i) + ": ");
       corners.push_back({corner.x, corner.y, corner.z});
     }
@@ -42,9 +41,6 @@ struct LoneFace {
 
   std::vector<glm::dvec3> corners;
   std::vector<std::uint32_t> loop;
-
- private:
-  static double flushed(double x) { return std::fabs(x) < kernel::kMinMagnitude ? 0 : x; }
 };
 
 }  // namespace

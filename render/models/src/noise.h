@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 
+#include "model_check.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::render {
@@ -19,13 +20,7 @@ inline std::size_t drop_noise(std::initializer_list<glm::dvec3*> vectors) {
   for (const glm::dvec3* v : vectors) largest = std::max({largest, std::fabs(v->x), std::fabs(v->y), std::fabs(v->z)});
   std::size_t dropped = 0;
   if (!(largest * 0x1p-53 >= kernel::kMinMagnitude)) return dropped;
-  for (glm::dvec3* v : vectors) {
-    for (double* number : {&v->x, &v->y, &v->z}) {
-      if (*number == 0 || !(std::fabs(*number) < kernel::kMinMagnitude)) continue;
-      *number = 0;
-      ++dropped;
-    }
-  }
+  for (glm::dvec3* v : vectors) dropped += drop_tiny(*v);
   return dropped;
 }
 

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -78,6 +79,9 @@ enum class Refusal {
 /// 2^(6 * 101 + 12), and neither underflow (2^-1022) nor overflow (2^1024). Covers (cover.h) use longer integers instead.
 inline constexpr double kMinMagnitude = 0x1p-100;
 inline constexpr double kMaxMagnitude = 0x1p+100;
+
+/// The number, or 0 if it is nearer to it than any legal one.
+[[nodiscard]] inline double flushed(double x) { return std::fabs(x) < kMinMagnitude ? 0 : x; }
 
 /// Refusal::rounding_mode if the calling thread does not round to nearest, else Refusal::none. It tests real additions,
 /// since the mode may have been set without <cfenv>. Takes about a nanosecond.
