@@ -73,15 +73,8 @@ inline void require_legal(SoupView soup) {
 
 /// Whether require_legal() would throw nothing about the soup. In parallel.
 [[nodiscard]] inline bool is_legal(SoupView soup, const Checkpoint& checkpoint) {
-  const auto is_vertex = [&](std::size_t i) { return soup.indices[i] < soup.vertices.size(); };
-  const auto has_corners = [&](std::size_t p) {
-    return std::uint64_t{soup.first[p]} + 3 <= soup.first[p + 1] && soup.first[p + 1] <= soup.indices.size();
-  };
   const auto is_point = [&](std::size_t v) { return kernel::check(to_kernel(soup.vertices[v])) == kernel::Refusal::none; };
-  return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
-         are_faces(soup.faces, soup.size()) && are_marks(soup.see_through, soup.size()) &&
-         are_all(soup.size(), has_corners, checkpoint) && are_all(soup.indices.size(), is_vertex, checkpoint) &&
-         are_all(soup.vertices.size(), is_point, checkpoint);
+  return is_well_formed(soup, checkpoint) && are_all(soup.vertices.size(), is_point, checkpoint);
 }
 
 }  // namespace occlude::culler

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bounds.h"
+#include "legal_soup.h"
 #include "occlude/culler/face.h"
 
 namespace occlude::culler {
@@ -22,6 +23,16 @@ kernel::Aabb SoupView::box(std::size_t p) const {
   kernel::Aabb box = empty_box();
   for (const std::uint32_t index : loop(p)) grow(box, to_kernel(vertices[index]));
   return box;
+}
+
+bool is_well_formed(SoupView soup, const Checkpoint& checkpoint) {
+  const auto is_vertex = [&](std::size_t i) { return soup.indices[i] < soup.vertices.size(); };
+  const auto has_corners = [&](std::size_t p) {
+    return std::uint64_t{soup.first[p]} + 3 <= soup.first[p + 1] && soup.first[p + 1] <= soup.indices.size();
+  };
+  return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
+         are_faces(soup.faces, soup.size()) && are_marks(soup.see_through, soup.size()) &&
+         are_all(soup.size(), has_corners, checkpoint) && are_all(soup.indices.size(), is_vertex, checkpoint);
 }
 
 FaceShape PolygonSoup::add_large_face(std::span<const std::uint32_t> loop) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "path_readers.h"
 
@@ -16,17 +17,14 @@ std::string add_name(CameraMotion& motion, const std::string& name) {
 }
 
 void hand_over(const CameraMotion& motion, HandoverWriter& writer) {
-  writer.put_number(motion.names.size());
-  for (const std::string& name : motion.names) writer.put(name);
+  writer.put_texts(motion.names);
   const CameraMotion::Lens& lens = motion.lens;
   writer.put(std::array{lens.is_perspective ? 1.0 : 0.0, lens.fov_y_deg, lens.height, lens.near, lens.far});
   writer.put(motion.poses);
 }
 
 void take_over(CameraMotion& motion, HandoverReader& reader) {
-  std::size_t names = 0;
-  reader.take_number(names);
-  for (; names > 0; --names) reader.take(motion.names.emplace_back());
+  reader.take_texts(motion.names);
   std::vector<double> lens;
   reader.take(lens);
   reader.take(motion.poses);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "occlude/render/child_process.h"
 
@@ -25,6 +27,10 @@ class HandoverWriter {
   template <class Number>
   void put_number(const Number& number) {
     write(&number, sizeof(number));
+  }
+  void put_texts(const std::vector<std::string>& texts) {
+    put_number(texts.size());
+    for (const std::string& text : texts) put(text);
   }
 
  private:
@@ -59,6 +65,10 @@ class HandoverReader {
   template <class Number>
   void take_number(Number& number) {
     read(&number, sizeof(number));
+  }
+  void take_texts(std::vector<std::string>& texts) {
+    std::size_t count = 0;
+    for (take_number(count); count > 0; --count) take(texts.emplace_back());
   }
 
  private:

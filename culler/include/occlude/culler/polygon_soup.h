@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "occlude/culler/checkpoint.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -68,6 +69,9 @@ struct SoupView {
   /// The smallest axis-aligned box that holds polygon p.
   [[nodiscard]] kernel::Aabb box(std::size_t p) const;
 };
+
+/// Whether the soup is well formed.
+[[nodiscard]] bool is_well_formed(SoupView soup, const Checkpoint& checkpoint = {});
 
 /// How a face is drawn.
 enum class FaceShape {
