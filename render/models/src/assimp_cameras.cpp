@@ -34,8 +34,7 @@ class SceneNodes {
       stack.pop_back();
       MovingNode moving;
       moving.parent = parent;
-      const aiMatrix4x4& m = node->mTransformation;  // rows
-      moving.rest = {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
+      moving.rest = placement_of(*node);
       numbers_.emplace(node->mName.C_Str(), nodes_.size());
       nodes_.push_back(moving);
       for (const aiNode* child : std::span(node->mChildren, node->mNumChildren))

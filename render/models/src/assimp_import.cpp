@@ -23,11 +23,6 @@
 namespace occlude::render {
 namespace {
 
-glm::dmat4 to_double(const aiMatrix4x4& m) {
-  // Assimp stores rows, glm columns.
-  return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
-}
-
 /// Whether the material lets light through: an opacity below 1, or a picture of it. Where the importer cannot tell, it does
 /// not.
 bool is_see_through(const aiMaterial& material) {
@@ -71,7 +66,7 @@ class SceneReader {
     while (!stack.empty()) {
       const auto [node, parent] = stack.back();
       stack.pop_back();
-      const Placement placement = parent.then(to_double(node->mTransformation));
+      const Placement placement = parent.then(placement_of(*node));
       for (unsigned i = 0; i < node->mNumMeshes; ++i) add_mesh(node->mMeshes[i], placement);
       for (unsigned i = node->mNumChildren; i-- > 0;) stack.emplace_back(node->mChildren[i], placement);
     }

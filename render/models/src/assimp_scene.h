@@ -6,6 +6,7 @@
 
 #include <assimp/Importer.hpp>
 #include <filesystem>
+#include <glm/mat4x4.hpp>
 #include <string_view>
 
 #include "counted_files.h"
@@ -15,6 +16,12 @@ namespace occlude::render {
 
 /// As messages name it.
 inline constexpr std::string_view kImportLibrary = "the import library";
+
+/// Below its parent, in doubles.
+[[nodiscard]] inline glm::dmat4 placement_of(const aiNode& node) {
+  const aiMatrix4x4& m = node.mTransformation;  // stores rows, glm columns
+  return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
+}
 
 class ImportedScene {
  public:

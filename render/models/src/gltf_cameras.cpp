@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include "gltf_accessor.h"
 #include "gltf_document.h"
 #include "gltf_file.h"
+#include "gltf_nodes.h"
 #include "gltf_transform.h"
 #include "import_child.h"
 #include "node_motion.h"
@@ -61,12 +61,10 @@ class CameraReader {
   void read_node(std::size_t index) {
     const json& item = document_.item(kNodes, index);
     MovingNode& node = nodes_[index];
-    if (const auto translation = find_numbers(item, "translation", 3))
-      node.translation = glm::make_vec3(translation->data());
-    if (const auto rotation = find_numbers(item, "rotation", 4)) node.rotation = glm::make_vec4(rotation->data());
-    if (const auto scale = find_numbers(item, "scale", 3)) node.scale = glm::make_vec3(scale->data());
-    const auto matrix = find_numbers(item, "matrix", 16);
-    node.rest = matrix ? glm::make_mat4(matrix->data()) : placement(node.translation, node.rotation, node.scale);
+    node.translation = translation_of(item);
+    node.rotation = rotation_of(item);
+    node.scale = scale_of(item);
+    node.rest = matrix_of(item).value_or(placement(node.translation, node.rotation, node.scale));
     for (const json& child : array_in(item, "children")) {
       if (!child.is_number_unsigned() || child.get<std::uint64_t>() >= nodes_.size())
         refuse("children: there is no such node");

@@ -17,16 +17,14 @@ glm::dvec3 vec3_in(const json& node, const char* name, double otherwise) {
   return numbers ? glm::make_vec3(numbers->data()) : glm::dvec3(otherwise);
 }
 
-glm::dmat4 matrix_of(const json& node) {
-  if (const auto matrix = find_numbers(node, "matrix", 16)) {
-    glm::dmat4 local = glm::make_mat4(matrix->data());
-    const glm::dvec4 last_row(local[0].w, local[1].w, local[2].w, local[3].w);
-    if (last_row != glm::dvec4(0, 0, 0, 1)) refuse("matrix: its last row is not 0, 0, 0, 1");
-    return local;
+glm::dmat4 local_matrix(const json& node) {
+  if (const auto matrix = matrix_of(node)) {
+    const glm::dmat4& m = *matrix;
+    if (glm::dvec4(m[0].w, m[1].w, m[2].w, m[3].w) != glm::dvec4(0, 0, 0, 1))
+      refuse("matrix: its last row is not 0, 0, 0, 1");
+    return m;
   }
-  const auto rotation = find_numbers(node, "rotation", 4);
-  return placement(vec3_in(node, "translation", 0), rotation ? glm::make_vec4(rotation->data()) : glm::dvec4(0, 0, 0, 1),
-                   vec3_in(node, "scale", 1));
+  return placement(translation_of(node), rotation_of(node), scale_of(node));
 }
 
 bool is_visible(const json& node) {
@@ -35,6 +33,19 @@ bool is_visible(const json& node) {
 }
 
 }  // namespace
+
+glm::dvec3 translation_of(const json& node) { return vec3_in(node, "translation", 0); }
+glm::dvec3 scale_of(const json& node) { return vec3_in(node, "scale", 1); }
+
+glm::dvec4 rotation_of(const json& node) {
+  const auto rotation = find_numbers(node, "rotation", 4);
+  return rotation ? glm::make_vec4(rotation->data()) : glm::dvec4(0, 0, 0, 1);
+}
+
+std::optional<glm::dmat4> matrix_of(const json& node) {
+  const auto matrix = find_numbers(node, "matrix", 16);
+  return matrix ? std::optional<glm::dmat4>(glm::make_mat4(matrix->data())) : std::nullopt;
+}
 
 Nodes::Nodes(const Document& document) : document_(document), nodes_(document.count(kNodes)) {
   for (std::uint64_t i = 0; i < nodes_.size(); ++i) {
@@ -57,7 +68,7 @@ Nodes::Nodes(const Document& document) : document_(document), nodes_(document.co
 
 void Nodes::read(std::uint64_t index) {
   const json& node = document_.item(kNodes, index);
-  nodes_[index].world = matrix_of(node);
+  nodes_[index].world = local_matrix(node);
   nodes_[index].is_visible = is_visible(node);
   nodes_[index].children = listed_in(node, "children");
   for (const std::uint64_t child : nodes_[index].children) {

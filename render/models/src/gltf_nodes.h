@@ -4,11 +4,22 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
 #include <vector>
 
 #include "gltf_document.h"
 
 namespace occlude::render::gltf {
+
+// The members of a node that place it below its parent: a matrix, or what gltf_transform.h makes one of.
+
+[[nodiscard]] glm::dvec3 translation_of(const json& node);
+[[nodiscard]] glm::dvec4 rotation_of(const json& node);
+[[nodiscard]] glm::dvec3 scale_of(const json& node);
+/// Nothing if the node has none.
+[[nodiscard]] std::optional<glm::dmat4> matrix_of(const json& node);
 
 /// All nodes, as trees. Refuses a node with two parents or among its own ancestors.
 class Nodes {

@@ -23,8 +23,9 @@ bool is_surely_no_line(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
   return has_area(0, 1) || has_area(1, 2) || has_area(2, 0);
 }
 
-/// Whether the corners of a face lie on a line.
-bool has_no_area(const culler::PolygonSoup& soup, std::span<const std::uint32_t> loop) {
+}  // namespace
+
+bool has_no_area(culler::SoupView soup, std::span<const std::uint32_t> loop) {
   const auto corner = [&](std::size_t i) {
     const glm::dvec3& v = soup.vertices[loop[i]];
     return kernel::Vec3{v.x, v.y, v.z};
@@ -39,8 +40,6 @@ bool has_no_area(const culler::PolygonSoup& soup, std::span<const std::uint32_t>
   }
   return true;
 }
-
-}  // namespace
 
 void ModelBuilder::add_face(std::span<const std::uint32_t> loop, bool is_opaque) {
   if (loop.size() < 3) {

@@ -41,20 +41,6 @@ std::size_t drop_tiny(glm::dvec3& v) {
   return dropped;
 }
 
-std::optional<std::string> loop_fault(std::span<const std::int64_t> loop, std::size_t vertices, int base) {
-  if (loop.size() < 3) return fmt::format("{} vertices (a polygon needs 3)", loop.size());
-  for (const std::int64_t index : loop) {
-    if (index < 0 || static_cast<std::uint64_t>(index) >= vertices)
-      return fmt::format("vertex index {} is out of range ({} vertices)", index + base, vertices);
-  }
-  return std::nullopt;
-}
-
-void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop) {
-  for (const std::int64_t index : loop) soup.indices.push_back(static_cast<std::uint32_t>(index));
-  soup.first.push_back(static_cast<std::uint32_t>(soup.indices.size()));
-}
-
 void require_coarse(const std::filesystem::path& file, culler::SoupView soup) {
   constexpr double kLeast = 0x1p53 * kSmallest;  // of doubles from here on, the last bit is 2^-100 or more
   const auto is_coarse = [](const glm::dvec3& v) {

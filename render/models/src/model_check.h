@@ -2,11 +2,10 @@
 // The checks on models of every format.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "occlude/culler/polygon_soup.h"
@@ -24,13 +23,6 @@ namespace occlude::render {
 
 /// Makes coordinates 0 that are nearer to it than 2^-100, and returns how many.
 [[nodiscard]] std::size_t drop_tiny(glm::dvec3& v);
-
-/// Why `loop` (indices from 0) is not a legal polygon over `vertices` vertices: it has fewer than three indices, or one is
-/// out of range. Repeated indices and zero area are legal. `base` is the number of the first vertex in the file, 0 or 1.
-[[nodiscard]] std::optional<std::string> loop_fault(std::span<const std::int64_t> loop, std::size_t vertices, int base = 0);
-
-/// Adds a polygon. REQUIRES: no loop_fault.
-void add_polygon(culler::PolygonSoup& soup, std::span<const std::int64_t> loop);
 
 /// Throws InputError for a model of which 2^-100 is no rounding error: one of whose coordinates none is 2^53 times that.
 void require_coarse(const std::filesystem::path& file, culler::SoupView soup);

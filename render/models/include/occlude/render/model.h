@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,9 @@ struct Model {
   culler::PolygonSoup soup;
   ModelNotes notes;
 };
+
+/// Whether the corners of a face lie on a line. Exact. REQUIRES: at least three corners, and legal coordinates.
+[[nodiscard]] bool has_no_area(culler::SoupView soup, std::span<const std::uint32_t> loop);
 
 /// The direction that is up in the model: z where nobody says.
 [[nodiscard]] glm::dvec3 up_of(const ModelNotes& notes);
