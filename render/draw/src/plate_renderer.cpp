@@ -11,6 +11,7 @@
 #include <numbers>
 #include <optional>
 
+#include "glass.h"
 #include "legend.h"
 #include "occlude/culler/executor.h"
 #include "occlude/render/pixel_rays.h"
@@ -41,9 +42,6 @@ constexpr double kBent = 0.85, kApart = 6;
 
 // One sees this many times as far as in the pictures that are timed.
 constexpr double kClear = 5;
-
-// The share of a see-through surface in what one sees through it.
-constexpr double kGlass = 0.4;
 
 // The sky at the top of the picture, and from its 1 / kSkyFades downwards.
 constexpr dvec3 kSkyAbove{0.66, 0.78, 0.90}, kSkyBelow{0.88, 0.92, 0.95};
@@ -144,7 +142,7 @@ dvec3 PlateRenderer::Impl::colour(const SeenSurface& seen, const Light& light, i
 /// The colour of what is behind a see-through polygon, or of nothing.
 dvec3 PlateRenderer::Impl::through(std::uint32_t see_through, const dvec3& behind, int x, int y) const {
   if (see_through == kNothing) return behind;
-  return glm::mix(behind, styled(styles[see_through], colours[see_through], x, y, height), kGlass);
+  return glm::mix(behind, styled(styles[see_through], colours[see_through], x, y, height), kGlassShare);
 }
 
 PlateRenderer::PlateRenderer(culler::SoupView soup, SceneRenderer& renderer)

@@ -9,6 +9,7 @@
 #include "corner_buffer.h"
 #include "frame_buffer.h"
 #include "gl_program.h"
+#include "glass.h"
 #include "occlude/culler/append_range.h"
 #include "pixel_counter.h"
 #include "projection.h"
@@ -68,9 +69,6 @@ layout(std430, binding = 0) buffer Counts { uint pixels[]; };
 void main() { atomicAdd(pixels[item_of_polygon], 1u); }
 )";
 
-/// The share of a see-through surface in what one sees through it.
-constexpr float kSeeThroughShare = 0.4F;
-
 /// Ranges of corners in the form of glMultiDrawArrays.
 struct DrawRanges {
   std::vector<GLint> first;
@@ -101,9 +99,7 @@ void use_reversed_depth() {
   gl.PolygonOffset(kDepthSlope, 0);
 }
 
-}  // namespace
-
-/// What lets the depths as they are, while this object exists.
+/// While one lives, drawing leaves the depths as they are.
 class DepthsKept {
  public:
   DepthsKept() { gl.DepthMask(GL_FALSE); }
@@ -113,6 +109,8 @@ class DepthsKept {
 };
 
 enum class Kind { opaque, see_through };
+
+}  // namespace
 
 struct SceneRenderer::Impl {
   Impl(culler::SoupView soup, const TriangleList& list, int width, int height)
@@ -183,7 +181,7 @@ void SceneRenderer::Impl::draw_polygons(std::span<const PolygonRange> ranges, Ki
 void SceneRenderer::Impl::blend_polygons(std::span<const PolygonRange> ranges) const {
   const DepthsKept kept;
   gl.Enable(GL_BLEND);
-  gl.BlendColor(0, 0, 0, kSeeThroughShare);
+  gl.BlendColor(0, 0, 0, static_cast<float>(kGlassShare));
   gl.BlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
   draw_polygons(ranges, Kind::see_through);
   gl.Disable(GL_BLEND);

@@ -42,7 +42,7 @@ MethodRow row_of(const MethodWalk& of, bool is_drawn) {
   const WalkResult& walk = *of.walk;
   MethodRow result = row(text_of(of.method), walk, is_drawn, &FrameRecord::rendered_polygons, &FrameRecord::cull_ms,
                          &FrameRecord::frame_ms);
-  result.hides = true;
+  result.by = of.method;
   if (!is_drawn) return result;
   result.wrong_pixels = result.false_culls = 0;
   for (const FrameRecord& record : walk.frames) {

@@ -5,27 +5,14 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <initializer_list>
 #include <span>
 
+#include "occlude/render/model.h"
 #include "occlude/render/page.h"
 
 namespace occlude::render {
 namespace {
-
-/// Whether the corners lie on a line, up to rounding.
-bool has_no_area(culler::SoupView soup, std::size_t polygon) {
-  const std::span<const std::uint32_t> loop = soup.loop(polygon);
-  const glm::dvec3 origin = soup.vertices[loop[0]];
-  glm::dvec3 along(0);
-  for (const std::uint32_t corner : loop.subspan(1)) {
-    const glm::dvec3 to = soup.vertices[corner] - origin;
-    if (along == glm::dvec3(0)) along = to;
-    if (glm::cross(along, to) != glm::dvec3(0)) return false;
-  }
-  return true;
-}
 
 std::string count(std::size_t number, const char* one, const char* several) {
   return fmt::format("{} {}", grouped(static_cast<double>(number)), number == 1 ? one : several);
@@ -68,7 +55,7 @@ std::string text_of_model(const std::string& name, const culler::Hierarchy& hier
     high = glm::max(high, soup.vertices[corner]);
   }
   std::size_t without_area = 0;
-  for (std::size_t p = 0; p < soup.size(); ++p) without_area += has_no_area(soup, p) ? 1 : 0;
+  for (std::size_t p = 0; p < soup.size(); ++p) without_area += has_no_area(soup, soup.loop(p)) ? 1 : 0;
   const glm::dvec3 size = high - low;
   const std::string unit = unit_in_words(convention.metres), up = up_in_words(convention.up);
   return fmt::format("{}: {}{}; {:.6g} x {:.6g} x {:.6g} {}, {}\n", name,

@@ -225,7 +225,7 @@ std::string text_of(const Summary& summary, const Paint& paint) {
             '\n';
   }
   for (const MethodRow& m : summary.methods) {
-    const bool is_other = m.method != text_of(summary.options.cull.method);
+    const bool is_other = m.by && m.by != summary.options.cull.method;
     const std::size_t false_culls = m.false_culls.value_or(0), wrong = m.wrong_pixels.value_or(0);
     if (is_other && false_culls + wrong != 0) {
       text += paint(Colour::red,

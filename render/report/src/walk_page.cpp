@@ -30,8 +30,8 @@ std::string facts(const Summary& summary) {
   std::string shares, speeds;
   std::size_t false_culls = 0;
   for (const MethodRow& m : summary.methods) {
-    if (!m.hides) continue;
-    const bool is_of_paper = m.method == text_of(culler::Method::frusta);
+    if (!m.by) continue;
+    const bool is_of_paper = m.by == culler::Method::frusta;
     const auto by = [&](const char* what, const char* paper) {
       return fmt::format("{} by {}{}", what, m.method, is_of_paper ? paper : "");
     };

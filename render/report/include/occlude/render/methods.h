@@ -16,7 +16,7 @@ namespace occlude::render {
 /// Means per frame. The optional numbers need pictures.
 struct MethodRow {
   std::string method;
-  bool hides = false;                     ///< it culls what is hidden
+  std::optional<culler::Method> by;       ///< by which what is hidden is culled; none: it is not
   double drawn = 0;                       ///< polygons
   double culled_share = 0;                ///< of the polygons in the view frustum
   std::optional<double> hidden_culled;    ///< share of the hidden polygons in view
