@@ -54,10 +54,9 @@ class Prover {
   ///   near planes. With two occluders, each point is in the shadow of one of them and strictly beyond its near planes. An
   ///   occluder is an opaque polygon of the model that is not among the triangles, or the border of several such polygons
   ///   ("parts"), or a polytope whose faces are all such polygons. The renderer clips none of it.
-  /// - By cover: each point of the box has an opaque polygon of the list strictly between it and the frame's viewpoint. Only
-  /// the
-  ///   part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because nothing
-  ///   hides the first polygon that a ray meets.
+  /// - By cover: each point of the box has an opaque polygon of the list strictly between it and the frame's viewpoint.
+  ///   Only the part of a polygon that the renderer certainly draws counts. The polygons may be culled themselves, because
+  ///   nothing hides the first polygon that a ray meets.
   [[nodiscard]] Proof prove(std::string_view line) const;
 
  private:

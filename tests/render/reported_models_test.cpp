@@ -1,49 +1,32 @@
 // SPDX-License-Identifier: MIT
 // Models that people reported as refused for nothing, or as read wrongly; and what all readers agree on about such.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <glm/common.hpp>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "occlude/render/errors.h"
+#include "folder_test.h"
 #include "occlude/render/model_io.h"
 
 namespace occlude::render {
 namespace reported_models_test {
 
-namespace fs = std::filesystem;
 using glm::dvec3;
 
-class ReportedModelsTest : public testing::Test {
+class ReportedModelsTest : public FolderTest {
  protected:
-  ReportedModelsTest() { fs::create_directories(folder_); }
-  ~ReportedModelsTest() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] Model read(const std::string& name, const std::string& bytes) const {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    return read_model(folder_ / name);
-  }
+  [[nodiscard]] Model read(const std::string& name, const std::string& bytes) const { return read_model(save(name, bytes)); }
   [[nodiscard]] std::string failure(const std::string& name, const std::string& bytes) const {
-    try {
-      static_cast<void>(read(name, bytes));
-    } catch (const InputError& error) {
-      return std::string(error.what()).substr((folder_ / name).string().size());
-    }
-    return "no error";
+    return failure_after(folder_ / name, [&] { return read(name, bytes); });
   }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("occlude_reported_" + std::to_string(getpid()));
 };
 
 std::pair<dvec3, dvec3> box(const Model& model) {

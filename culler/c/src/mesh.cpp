@@ -55,9 +55,8 @@ PolygonSoup soup_of(const occlude_mesh_data& data) {
     add_triangles(data.index_count, soup);
   }
   if (data.index_count != 0) soup.indices.assign(data.indices, data.indices + data.index_count);
-  for (std::size_t p = 0; p < soup.size() && data.see_through != nullptr; ++p) {
-    soup.see_through.push_back(data.see_through[p] != 0 ? 1 : 0);
-  }
+  if (data.see_through == nullptr) return soup;
+  for (std::size_t p = 0; p < soup.size(); ++p) soup.see_through.push_back(data.see_through[p] != 0 ? 1 : 0);
   return soup;
 }
 
