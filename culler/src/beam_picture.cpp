@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <optional>
 
 namespace occlude::culler {
 namespace {
@@ -16,6 +17,27 @@ namespace {
 /// coordinate of a cut differs from near() by no more than that. Parallel rays run along `forward`, to which the other axes
 /// are perpendicular up to a few roundings: 2 more. That is 11 in all; the constant is 16.
 constexpr double kSeenError = 0x1p-49;
+
+/// The part of an edge that is no more than `reach` from the middle of the picture, across and up: the nearness of its
+/// nearest point. None if there is no such part. Finding where the edge enters and leaves rounds by a few 2^-53 of its
+/// length, and so the nearness by as much of that of the ends.
+std::optional<double> nearness_within(const Place& a, const Place& b, double nearness_a, double nearness_b,
+                                      const Place& reach) {
+  double enters = 0, leaves = 1;
+  const auto clip = [&](double from, double to, double most) {
+    for (const double side : {-1.0, 1.0}) {
+      const double here = most - side * from, there = most - side * to;  // negative: beyond the side
+      if (here < 0 && there < 0) return false;
+      if (here < 0) enters = std::max(enters, here / (here - there));
+      if (there < 0) leaves = std::min(leaves, here / (here - there));
+    }
+    return true;
+  };
+  constexpr double kRounded = 0x1p-48;
+  if (!clip(a.x, b.x, reach.x) || !clip(a.y, b.y, reach.y) || enters > leaves + kRounded) return std::nullopt;
+  const auto at = [&](double share) { return nearness_a + share * (nearness_b - nearness_a); };
+  return std::max(at(enters), at(leaves)) + kRounded * std::max(nearness_a, nearness_b);
+}
 
 }  // namespace
 
@@ -47,6 +69,44 @@ BeamPicture::BeamPicture(const FrameView& view, const Size& size, double roundin
 Seen BeamPicture::cut(const Seen& a, const Seen& b) const {
   const double share = (near_ - a.forward) / (b.forward - a.forward);
   return {a.right + share * (b.right - a.right), a.up + share * (b.up - a.up), near_};
+}
+
+/// Take the edge as it was found, and as it exactly is, and point by point those that divide both in the same ratio in
+/// space. Their coordinates differ by no more than at the ends. So place_error() bounds the error of each position: with f
+/// the distance along the line of sight, it is (scale + aside) r, where r = moved / (f - moved), and a rounding that both
+/// ends bound. Between the ends, 1 / f is linear in the picture.
+///  - A position that is A from the middle is off by no more than (scale + A) r + rounding, r that of the nearer end. Where
+///    r < 1, this is less than A - half from (half + scale r + rounding) / (1 - r) on: what was found to be farther aside is
+///    not in the picture.
+///  - What was found to be farther from the picture than a bound of its error is not in it either.
+/// Each bound leaves a shorter part of the edge, and so gives a smaller one. Three leave a few pixels.
+double BeamPicture::error_in_picture(const Corner& a, const Corner& b) const {
+  double error = std::max(a.error, b.error);
+  const double nearest = std::min(a.forward, b.forward);
+  if (!is_perspective_ || !(nearest > moved_)) return error;
+  const auto from_middle = [&](const Corner& c) { return Place{c.place.x - middle_.x, c.place.y - middle_.y}; };
+  const Place from = from_middle(a), to = from_middle(b);
+  const double aside = std::max({std::fabs(from.x), std::fabs(from.y), std::fabs(to.x), std::fabs(to.y)});
+  const double scale = std::max(scale_.x, scale_.y), rounding = kPlaceError * (aside + width_ + height_);
+  const auto share_at = [&](double forward) { return kBoundRounded * (moved_ / (forward - moved_)); };
+  const double most_share = share_at(nearest);
+  Place reach{middle_.x + error, middle_.y + error};
+  if (most_share < 1) {
+    const double beside =
+        kBoundRounded * (std::max(middle_.x, middle_.y) + scale * most_share + rounding) / (1 - most_share);
+    reach = {std::min(reach.x, beside), std::min(reach.y, beside)};
+  }
+  for (int bound = 0; bound < 3; ++bound) {
+    const auto nearness = nearness_within(from, to, 1 / a.forward, 1 / b.forward, reach);
+    if (!nearness) return rounding;
+    const double forward = 1 / *nearness;
+    if (!(forward > moved_)) return error;
+    const double smaller = kBoundRounded * (scale + std::max(reach.x, reach.y)) * share_at(forward) + rounding;
+    if (!(smaller < error)) return error;
+    error = smaller;
+    reach = {std::min(reach.x, middle_.x + error), std::min(reach.y, middle_.y + error)};
+  }
+  return error;
 }
 
 double BeamPicture::area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {

@@ -27,6 +27,7 @@ struct Place {
 struct Corner {
   Place place;
   double error;
+  double forward = 0;  ///< how far along the line of sight the point is, as it was found; 0 if nobody knows
 };
 
 /// All positions between two.
@@ -86,7 +87,13 @@ class BeamPicture {
   [[nodiscard]] double place_error(const Place& place, double forward) const;
   [[nodiscard]] Corner corner(const Seen& seen) const {
     const Place place = this->place(seen);
-    return {place, place_error(place, seen.forward)};
+    return {place, place_error(place, seen.forward), seen.forward};
+  }
+  /// Bounds the error of every position of an edge that may be in the picture, wherever the edge exactly is. At most the
+  /// larger error of its ends. It is less where the edge leaves the picture towards an end that is near the eye.
+  [[nodiscard]] double edge_error(const Corner& a, const Corner& b) const {
+    const double most = std::max(a.error, b.error);
+    return most <= kSmallError ? most : error_in_picture(a, b);
   }
   /// How many pixels a triangle of points covers, up to rounding; infinity if it reaches before near().
   [[nodiscard]] double area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
@@ -115,6 +122,11 @@ class BeamPicture {
   [[nodiscard]] int height() const { return height_; }
 
  private:
+  /// In pixels. A smaller bound leaves hardly more pixels to close.
+  static constexpr double kSmallError = 1;
+
+  [[nodiscard]] double error_in_picture(const Corner& a, const Corner& b) const;
+
   glm::dvec3 eye_{}, right_{}, up_{}, forward_{};
   bool is_perspective_ = true;
   int width_ = 0, height_ = 0;

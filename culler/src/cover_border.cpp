@@ -178,12 +178,11 @@ constexpr double kMost = 0x1p1000;
 }  // namespace
 
 void CoverBorder::begin(const BeamPicture& picture, const PixelRectangle& tiles) {
-  width_ = picture.width();
-  height_ = picture.height();
-  tiles_across_ = width_ / kTile;
+  picture_ = picture;
+  tiles_across_ = picture.width() / kTile;
   tiles_ = tiles;
   pixels_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
-  const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(height_ / kTile);
+  const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(picture.height() / kTile);
   if (++border_ == 0 || drawn_.size() != count) {
     drawn_.assign(count, {});
     enclosed_.resize(static_cast<std::size_t>(tiles_across_));
@@ -210,7 +209,7 @@ bool CoverBorder::may_touch(const Corner& from, const Corner& to) const {
 
 void CoverBorder::touch(const Corner& from, const Corner& to) {
   if (!may_touch(from, to)) return;
-  const SeenEdge edge(from, to);
+  const SeenEdge edge(from, to, picture_.edge_error(from, to));
   const auto part = edge.within({{static_cast<double>(pixels_.x0), static_cast<double>(pixels_.y0)},
                                  {static_cast<double>(pixels_.x1), static_cast<double>(pixels_.y1)}});
   if (!part) return;
@@ -221,8 +220,8 @@ void CoverBorder::touch(const Corner& from, const Corner& to) {
   const double rise = std::max(high.y - low.y, kLeastRise);
   const double error = edge.error() + kLeastRise + 0x1p-21 * (rise + kTile);
   const double wide = edge.wide() + 0x1p-20 * (std::fabs(low.x) + std::fabs(high.x));
-  const int row0 = std::max(pixel_at(low.y - error, height_), pixels_.y0);
-  const int row1 = std::min(pixel_at(low.y + rise + error, height_) + 1, pixels_.y1);
+  const int row0 = std::max(pixel_at(low.y - error, picture_.height()), pixels_.y0);
+  const int row1 = std::min(pixel_at(low.y + rise + error, picture_.height()) + 1, pixels_.y1);
   if (row0 >= row1) return;
   HWY_DYNAMIC_DISPATCH(touch)
   ({drawn_.data(), tiles_across_, border_},
@@ -235,7 +234,7 @@ void CoverBorder::touch(const Corner& from, const Corner& to) {
 void CoverBorder::turn(const Place& a, const Place& b) {
   const double run = b.x - a.x;
   if (!(run > 0)) return;
-  const auto first_from = [&](double x) { return std::clamp(first_middle(x, width_), pixels_.x0, pixels_.x1); };
+  const auto first_from = [&](double x) { return std::clamp(first_middle(x, picture_.width()), pixels_.x0, pixels_.x1); };
   const int column0 = first_from(a.x), column1 = first_from(b.x);
   if (column0 >= column1) return;
   const double slope = std::clamp((b.y - a.y) / run, -kMost, kMost);

@@ -23,8 +23,8 @@ class CoverBorder {
   /// Starts an empty border in these tiles of a picture. REQUIRES: its width and height are multiples of kTile.
   void begin(const BeamPicture& picture, const PixelRectangle& tiles);
 
-  /// Draws an edge. Pixels are touched that come as near to it as the errors of its ends, if it may be in the tiles at all.
-  /// REQUIRES: the errors are those of BeamPicture::place_error() or larger.
+  /// Draws an edge. Pixels are touched that come as near to it as BeamPicture::edge_error(), if it may be in the tiles at
+  /// all. REQUIRES: the errors are those of BeamPicture::place_error() or larger.
   void draw(const Corner& from, const Corner& to);
 
   /// Finds the closed pixels of the tiles: those that the border does not touch, and whose middle it encloses an odd number
@@ -36,7 +36,8 @@ class CoverBorder {
   void touch(const Corner& from, const Corner& to);
   void turn(const Place& a, const Place& b);
 
-  int width_ = 0, height_ = 0, tiles_across_ = 0;
+  BeamPicture picture_;
+  int tiles_across_ = 0;
   PixelRectangle tiles_{}, pixels_{};
   std::uint32_t border_ = 0;  ///< counts calls of begin()
   std::vector<BorderTile> drawn_;

@@ -10,22 +10,25 @@
 namespace occlude::culler {
 namespace {
 
-/// Pixels added on each side of the camera's picture, so that boxes which reach a little beyond it can still be hidden. With
-/// twice as many no more is hidden in the models tried, and the picture itself has fewer pixels.
-constexpr double kBorder = 16;
+/// The border around the camera's picture, as a share of the shorter side of both. Boxes that reach beyond the camera's
+/// picture can be hidden only as far as the border reaches. In a picture of 576x360 this share draws as many polygons of
+/// Utrecht, the castle and Sponza as 16 pixels in one of 512x288, in the same time, and 7 % fewer of a town. Where boxes are
+/// large it hides more: half of a globe instead of a quarter.
+constexpr double kBorder = 1.0 / 6;
 
 constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 }  // namespace
 
 void CoverBuffer::begin(const FrameView& view, int width, int height, double margin) {
-  picture_ = BeamPicture(view, {width, height, kBorder}, margin > 0 ? kSinglePrecision * view.depth : 0);
+  const double border = kBorder * std::min(width, height);
+  picture_ = BeamPicture(view, {width, height, border}, margin > 0 ? kSinglePrecision * view.depth : 0);
   piece_.begin(picture_);
   tiles_across_ = width / kTile;
   // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
-  const double up = margin >= 0 ? margin * (height - 2 * kBorder) : std::numeric_limits<double>::infinity();
+  const double up = margin >= 0 ? margin * (height - 2 * border) : std::numeric_limits<double>::infinity();
   boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up});
-  const double share = 1 / (height - 2 * kBorder);
+  const double share = 1 / (height - 2 * border);
   share_of_pixel_ = {share * (picture_.scale().y / picture_.scale().x), share};
   work_ = 0;
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

@@ -27,10 +27,10 @@ class CoverBuffer {
  public:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// Starts a picture of this size in which all pixels are open. It is the camera's picture with 16 more pixels on each
-  /// side. `margin` is a share of the height of the camera's picture. With a margin above 0, a box counts as hidden only if
-  /// it stays hidden however it is moved by the margin in the picture, and however a renderer in single precision moves it
-  /// and what hides it. REQUIRES: width and height are multiples of kTile; margin >= 0.
+  /// Starts a picture of this size in which all pixels are open. It is the camera's picture and a border around it, a
+  /// sixth of the shorter side wide. `margin` is a share of the height of the camera's picture. With a margin above 0, a box
+  /// counts as hidden only if it stays hidden however it is moved by the margin in the picture, and however a renderer in
+  /// single precision moves it and what hides it. REQUIRES: width and height are multiples of kTile; margin >= 0.
   void begin(const FrameView& view, int width, int height, double margin);
 
   /// Reserves memory for meshes of this many triangles.

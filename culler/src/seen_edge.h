@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An edge in the coarse picture, widened by the errors of its ends.
+// An edge in the coarse picture, widened by its error.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +23,12 @@ class SeenEdge {
   };
 
   SeenEdge() = default;
-  SeenEdge(const Corner& p, const Corner& q)
+  SeenEdge(const Corner& p, const Corner& q) : SeenEdge(p, q, std::max(p.error, q.error)) {}
+  /// An edge with this error, instead of the larger one of its ends.
+  SeenEdge(const Corner& p, const Corner& q, double error)
       : low_(p.place.y <= q.place.y ? p.place : q.place),
         high_(p.place.y <= q.place.y ? q.place : p.place),
-        error_(std::max(p.error, q.error)),
+        error_(error),
         rise_(high_.y - low_.y),
         slope_((high_.x - low_.x) / rise_),  // not used without a rise
         // Computing a position on the edge rounds ten more times.
@@ -37,8 +39,8 @@ class SeenEdge {
   /// Bounds the horizontal error of a position on the edge.
   [[nodiscard]] double wide() const { return wide_; }
 
-  /// The horizontal range of the edge between two heights, or as near to them as the errors of its ends. Empty if the edge
-  /// does not come that near.
+  /// The horizontal range of the edge between two heights, or as near to them as its error. Empty if it does not come
+  /// that near.
   [[nodiscard]] Range between(double low, double high) const {
     const double from = low - error_ - low_.y, to = high + error_ - low_.y;
     if (to < 0 || from > rise_) return {};
@@ -47,8 +49,8 @@ class SeenEdge {
     return {std::min(first, last) - wide_, std::max(first, last) + wide_};
   }
 
-  /// A piece of the edge, from its low to its high end. No other piece comes as near to the window as the errors of the
-  /// ends. None if the whole edge does not come that near. The piece ends at most a few pixels from the window.
+  /// A piece of the edge, from its low to its high end. No other piece comes as near to the window as the error of the edge.
+  /// None if the whole edge does not come that near. The piece ends at most a few pixels from the window.
   [[nodiscard]] std::optional<PlaceRectangle> within(const PlaceRectangle& window) const {
     if (!(wide_ < kMostWide)) return PlaceRectangle{window.low, {window.low.x, window.high.y}};
     const double from = std::max(window.low.y - error_ - low_.y, 0.0), to = std::min(window.high.y + error_ - low_.y, rise_);

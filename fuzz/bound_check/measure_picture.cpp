@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
@@ -117,6 +118,41 @@ Share positions(Choices& choices, bool is_moved) {
   const auto point = any_seen_point(choices, is_moved);
   if (!point) return std::nullopt;
   return place_share(point->picture, point->seen, point->truth);
+}
+
+/// A point in the picture, on an edge that goes on from there.
+std::optional<std::array<glm::dvec3, 2>> any_edge_in(Choices& choices, const BeamPicture& picture) {
+  const auto from = any_point(choices, picture), beside = any_point(choices, picture);
+  if (!from || !beside || !picture.is_perspective()) return std::nullopt;
+  const Place slope = picture.slope(choices.real(0, 1) * picture.width(), choices.real(0, 1) * picture.height());
+  const double forward = picture.see(*beside).forward;
+  const glm::dvec3 met = picture.eye() + forward * (picture.forward() + slope.x * picture.right() + slope.y * picture.up());
+  const glm::dvec3 to = met + choices.scale(-10, 3) * (met - *from), y = to - picture.eye();
+  const bool is_near = std::fabs(y.x) + std::fabs(y.y) + std::fabs(y.z) <= picture.depth() * (1 - 0x1p-50);
+  if (!is_near || picture.see(to).forward < picture.near()) return std::nullopt;
+  return std::array{*from, to};
+}
+
+/// A point of an edge that is in the picture once its ends are moved, and the point that divides the edge as it was found in
+/// the same ratio.
+Share positions_on_edges_in_the_picture(Choices& choices) {
+  const BeamPicture picture = any_picture(choices, true);
+  const auto edge = any_edge_in(choices, picture);
+  if (!edge) return std::nullopt;
+  const TruePicture exact(picture);
+  std::array<Seen, 2> seen;
+  std::array<Vector, 2> truth;
+  for (std::size_t i = 0; i < 2; ++i) {
+    seen[i] = picture.see((*edge)[i]);
+    truth[i] = exact.see(vector_of((*edge)[i]) + any_move(choices, picture));
+  }
+  const Exact along(choices.chance(0.5) ? choices.scale(-60, 0) : choices.real(0, 1));
+  const Vector here = truth[0] + along * (truth[1] - truth[0]);
+  const Exact x = exact.x(here), y = exact.y(here);
+  if (here.z() <= 0 || x < 0 || x > picture.width() || y < 0 || y > picture.height()) return std::nullopt;
+  const Vector found = exactly(seen[0]) + along * (exactly(seen[1]) - exactly(seen[0]));
+  const double error = picture.edge_error(picture.corner(seen[0]), picture.corner(seen[1]));
+  return share(largest(CGAL::abs(x - exact.x(found)), CGAL::abs(y - exact.y(found))), error);
 }
 
 Share nearness_of_points(Choices& choices, bool is_moved) {
@@ -272,6 +308,7 @@ std::vector<Measured> measure_picture(int cases, std::uint64_t seed) {
       search("positions of points", "beam_picture", cases, seed, still(positions)),
       search("positions of points that are moved", "beam_picture", cases, seed, moved(positions)),
       search("positions of cuts", "beam_picture", cases, seed, positions_of_cuts),
+      search("positions on edges in the picture", "beam_picture", cases, seed, positions_on_edges_in_the_picture),
       search("nearness of points", "beam_picture", cases, seed, still(nearness_of_points)),
       search("nearness of points that are moved", "beam_picture", cases, seed, moved(nearness_of_points)),
       search("nearness of planes along rays", "seen_plane", cases, seed, planes(Moves::roundings)),

@@ -72,7 +72,7 @@ class WalkArguments {
   std::vector<Option> add_debugging_to(Command command);
 
   std::string frames_, size_;
-  std::string near_ = "surface", method_, cover_size_ = "512x288", arithmetic_ = "certified", test_ = "conservative",
+  std::string near_ = "surface", method_, cover_size_ = "576x360", arithmetic_ = "certified", test_ = "conservative",
               angle_ = "area", preprocess_;
   ReadArguments read_;
   BuildArguments build_;

@@ -149,6 +149,34 @@ TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
   EXPECT_EQ(look(culler, kCover).stats.shadow_culled_polygons, 200U);
 }
 
+/// A globe of triangles like a planet's, from low over one of its vertices. What lies below is large and near the eye, and
+/// much of the rest reaches beyond the picture. All but a few triangles are behind the horizon.
+TEST(CoverFrame, AGlobeHidesMostOfItsFarSide) {
+  constexpr double kRadius = 6378137;
+  constexpr int kAround = 80, kUp = 40;
+  PolygonSoup soup;
+  const auto at = [](int i, int k) {
+    const double turn = 2 * std::numbers::pi * i / kAround, tilt = std::numbers::pi * k / kUp;
+    return kRadius * glm::dvec3{std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt)};
+  };
+  for (int k = 0; k < kUp; ++k) {
+    for (int i = 0; i < kAround; ++i) {
+      if (k > 0) add(soup, {at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+      if (k < kUp - 1) add(soup, {at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+    }
+  }
+  Camera camera;
+  camera.eye = {0, 0, kRadius + 2000};
+  camera.target = camera.eye + glm::dvec3{1000, 0, -20};
+  camera.aspect = 16.0 / 9;
+  camera.near = 1;
+  const Culler culler = culler_of(soup);
+  CullOptions options{.method = Method::cover};
+  options.margin = 1.0 / 256;
+  const CullStats stats = culler.cull(camera, options).stats;
+  EXPECT_GT(stats.shadow_culled_polygons, stats.drawn_polygons);
+}
+
 /// What was drawn before is drawn again where it touches something, but not all of it that meets at one corner.
 TEST(CoverFrame, ACornerOfManyPolygonsTakesLinearTime) {
   constexpr int kCount = 20000;

@@ -397,7 +397,7 @@ typedef struct occlude_cull_options {
 } occlude_cull_options;
 
 #define OCCLUDE_CULL_OPTIONS_INIT \
-  { sizeof(occlude_cull_options), 512, 288, 0, 0, 0, 0xffffffffu, 0, 0, 0, NULL }
+  { sizeof(occlude_cull_options), 576, 360, 0, 0, 0, 0xffffffffu, 0, 0, 0, NULL }
 
 /// What to draw, for the next frame of the view. If the camera is refused, the view keeps its last frame. When memory runs
 /// out, it may be empty.

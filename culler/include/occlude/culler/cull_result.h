@@ -52,7 +52,7 @@ inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;
 struct CoverOptions {
   /// The size in pixels, clamped to the limits above and then rounded up to multiples of 8. A larger picture hides more and
   /// costs more.
-  int width = 512, height = 288;
+  int width = 576, height = 360;
   /// Once so many triangles are drawn into the picture, no more are; the nearest come first. Triangles are drawn in groups,
   /// so that the last group may exceed the number by some hundred.
   std::size_t triangles = std::numeric_limits<std::size_t>::max();
