@@ -71,42 +71,38 @@ Seen BeamPicture::cut(const Seen& a, const Seen& b) const {
   return {a.right + share * (b.right - a.right), a.up + share * (b.up - a.up), near_};
 }
 
-/// Take the edge as it was found, and as it exactly is, and point by point those that divide both in the same ratio in
-/// space. Their coordinates differ by no more than at the ends. So place_error() bounds the error of each position: with f
-/// the distance along the line of sight, it is (scale + aside) r, where r = moved / (f - moved), and a rounding that both
-/// ends bound. Between the ends, 1 / f is linear in the picture.
-///  - A position that is A from the middle is off by no more than (scale + A) r + rounding, r that of the nearer end. Where
-///    r < 1, this is less than A - half from (half + scale r + rounding) / (1 - r) on: what was found to be farther aside is
-///    not in the picture.
-///  - What was found to be farther from the picture than a bound of its error is not in it either.
+/// Each end is within its own error of where it was found, so that no position of the edge is farther from the edge that was
+/// found than the larger error. Here is a bound that depends on what is in the picture. Take points of both edges that
+/// divide them in the same ratio in space. Their coordinates differ by no more than those of the ends. So place_error()
+/// bounds how far their positions are apart: with f the distance along the line of sight where the point was found, it is
+/// (scale + aside) r, where r = moved / (f - moved), and a rounding that both ends bound. Along the edge, 1 / f is linear in
+/// the picture.
+///  - A position that was found A from the middle is off by no more than (scale + A) r + rounding, r that of the nearer end.
+///    Where r < 1, this is less than A - half from (half + scale r + rounding) / (1 - r) on: what was found to be farther
+///    aside is not in the picture.
+///  - What was found to be farther from the picture than a bound of this kind is not in it either.
 /// Each bound leaves a shorter part of the edge, and so gives a smaller one. Three leave a few pixels.
 double BeamPicture::error_in_picture(const Corner& a, const Corner& b) const {
-  double error = std::max(a.error, b.error);
-  const double nearest = std::min(a.forward, b.forward);
-  if (!is_perspective_ || !(nearest > moved_)) return error;
+  const double most = std::max(a.error, b.error), nearest = std::min(a.forward, b.forward);
+  const auto share_at = [&](double forward) { return kBoundRounded * (moved_ / (forward - moved_)); };
+  if (!is_perspective_ || !(nearest > moved_) || !(share_at(nearest) < 1)) return most;
   const auto from_middle = [&](const Corner& c) { return Place{c.place.x - middle_.x, c.place.y - middle_.y}; };
   const Place from = from_middle(a), to = from_middle(b);
   const double aside = std::max({std::fabs(from.x), std::fabs(from.y), std::fabs(to.x), std::fabs(to.y)});
   const double scale = std::max(scale_.x, scale_.y), rounding = kPlaceError * (aside + width_ + height_);
-  const auto share_at = [&](double forward) { return kBoundRounded * (moved_ / (forward - moved_)); };
-  const double most_share = share_at(nearest);
-  Place reach{middle_.x + error, middle_.y + error};
-  if (most_share < 1) {
-    const double beside =
-        kBoundRounded * (std::max(middle_.x, middle_.y) + scale * most_share + rounding) / (1 - most_share);
-    reach = {std::min(reach.x, beside), std::min(reach.y, beside)};
-  }
+  const double half = std::max(middle_.x, middle_.y), share = share_at(nearest);
+  const double beside = kBoundRounded * (half + scale * share + rounding) / (1 - share);
+  Place reach{beside, beside};
+  double error = std::numeric_limits<double>::infinity();
   for (int bound = 0; bound < 3; ++bound) {
     const auto nearness = nearness_within(from, to, 1 / a.forward, 1 / b.forward, reach);
-    if (!nearness) return rounding;
-    const double forward = 1 / *nearness;
-    if (!(forward > moved_)) return error;
-    const double smaller = kBoundRounded * (scale + std::max(reach.x, reach.y)) * share_at(forward) + rounding;
-    if (!(smaller < error)) return error;
-    error = smaller;
+    if (!nearness) return std::min(most, rounding);
+    const double farther_than = 1 / *nearness;
+    if (!(farther_than > moved_)) break;
+    error = std::min(error, kBoundRounded * (scale + std::max(reach.x, reach.y)) * share_at(farther_than) + rounding);
     reach = {std::min(reach.x, middle_.x + error), std::min(reach.y, middle_.y + error)};
   }
-  return error;
+  return std::min(most, error);
 }
 
 double BeamPicture::area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {

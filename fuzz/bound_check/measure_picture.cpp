@@ -133,26 +133,40 @@ std::optional<std::array<glm::dvec3, 2>> any_edge_in(Choices& choices, const Bea
   return std::array{*from, to};
 }
 
-/// A point of an edge that is in the picture once its ends are moved, and the point that divides the edge as it was found in
-/// the same ratio.
+/// How far a position on an edge is from the one that divides another edge in the same ratio in the picture.
+Exact distance_in_ratio(const std::array<Exact, 2>& at, const std::array<Vector, 2>& edge,
+                        const std::array<Vector, 2>& found, const TruePicture& exact) {
+  const Exact run_x = exact.x(edge[1]) - exact.x(edge[0]), run_y = exact.y(edge[1]) - exact.y(edge[0]);
+  const bool is_level = CGAL::abs(run_x) > CGAL::abs(run_y);
+  if (!is_level && run_y == 0) return largest(CGAL::abs(at[0] - exact.x(found[0])), CGAL::abs(at[1] - exact.y(found[0])));
+  const Exact ratio = is_level ? Exact((at[0] - exact.x(edge[0])) / run_x) : Exact((at[1] - exact.y(edge[0])) / run_y);
+  const auto between = [&](const Exact& from, const Exact& to) { return Exact(from + ratio * (to - from)); };
+  return largest(CGAL::abs(at[0] - between(exact.x(found[0]), exact.x(found[1]))),
+                 CGAL::abs(at[1] - between(exact.y(found[0]), exact.y(found[1]))));
+}
+
+/// A point of an edge that is in the picture once its ends are moved. It is no farther from the edge as that was found than
+/// from those of its points that divide it in the same ratio, in space and in the picture.
 Share positions_on_edges_in_the_picture(Choices& choices) {
   const BeamPicture picture = any_picture(choices, true);
   const auto edge = any_edge_in(choices, picture);
   if (!edge) return std::nullopt;
   const TruePicture exact(picture);
   std::array<Seen, 2> seen;
-  std::array<Vector, 2> truth;
+  std::array<Vector, 2> truth, found;
   for (std::size_t i = 0; i < 2; ++i) {
     seen[i] = picture.see((*edge)[i]);
+    found[i] = exactly(seen[i]);
     truth[i] = exact.see(vector_of((*edge)[i]) + any_move(choices, picture));
+    if (truth[i].z() <= 0) return std::nullopt;
   }
   const Exact along(choices.chance(0.5) ? choices.scale(-60, 0) : choices.real(0, 1));
-  const Vector here = truth[0] + along * (truth[1] - truth[0]);
-  const Exact x = exact.x(here), y = exact.y(here);
-  if (here.z() <= 0 || x < 0 || x > picture.width() || y < 0 || y > picture.height()) return std::nullopt;
-  const Vector found = exactly(seen[0]) + along * (exactly(seen[1]) - exactly(seen[0]));
+  const Vector here = truth[0] + along * (truth[1] - truth[0]), same = found[0] + along * (found[1] - found[0]);
+  const std::array<Exact, 2> at{exact.x(here), exact.y(here)};
+  if (at[0] < 0 || at[0] > picture.width() || at[1] < 0 || at[1] > picture.height()) return std::nullopt;
+  const Exact in_space = largest(CGAL::abs(at[0] - exact.x(same)), CGAL::abs(at[1] - exact.y(same)));
   const double error = picture.edge_error(picture.corner(seen[0]), picture.corner(seen[1]));
-  return share(largest(CGAL::abs(x - exact.x(found)), CGAL::abs(y - exact.y(found))), error);
+  return share(least(in_space, distance_in_ratio(at, truth, found, exact)), error);
 }
 
 Share nearness_of_points(Choices& choices, bool is_moved) {

@@ -39,7 +39,7 @@ class WorthDrawing : public testing::Test {
     camera.projection = Projection::orthographic;
     camera.height = 128;
     camera.aspect = 2;
-    buffer_.begin(FrameView(camera, 100), 256 + 32, 128 + 32, 0);  // a pixel is a unit
+    buffer_.begin(FrameView(camera, 100), 256 + 64, 128 + 64, 0);  // a pixel is a unit
   }
 
   /// The leaves that a descent passes on once so many triangles are drawn, and whether each is worth drawing.

@@ -196,8 +196,8 @@ TEST(CoverFrame, WhatIsSeenThroughFewerThanEightPixelsIsNotDrawn) {
   Camera camera;
   camera.target = {10, 0, 0};
   camera.projection = Projection::orthographic;
-  camera.aspect = 2;
-  camera.height = 112;
+  camera.aspect = 208.0 / 96;
+  camera.height = 96;
   const auto drawn = [&](double across, double up) {
     PolygonSoup soup;
     add_wall(soup, 10, 0.1, across - 0.1, 0.1, up - 0.1);
@@ -217,24 +217,24 @@ TEST(CoverFrame, WhatCoversFewPixelsIsNotDrawn) {
   };
   Camera camera;
   camera.target = {10, 0, 0};
-  camera.aspect = 2;  // that of the picture without its border, so that pixels are square
-  // The height of 112 pixels is 2 * 10 * tan(30 degrees) units: 9.7 pixels are one unit, and the four cover 753 width
+  camera.aspect = 208.0 / 96;  // that of the picture without its border, so that pixels are square
+  // The height of 96 pixels is 2 * 10 * tan(30 degrees) units: 8.3 pixels are one unit, and the four cover 553 width
   // pixels.
-  EXPECT_EQ(drawn(4.0 / 800, camera), 0U);
-  EXPECT_EQ(drawn(4.0 / 700, camera), 4U);
-  // What begins before the near plane is as large as it may be. From here the formula alone would give 1.9 pixels.
+  EXPECT_EQ(drawn(4.0 / 600, camera), 0U);
+  EXPECT_EQ(drawn(4.0 / 500, camera), 4U);
+  // What begins before the near plane is as large as it may be. From here the formula alone would give 1.4 pixels.
   PolygonSoup passing;
   for (int i = 0; i < 4; ++i) add(passing, {{-1000, 5, -2}, {10, 5, 2 - 0.002 * i}, {10, 5, 2 - 0.002 * (i + 1)}});
   EXPECT_EQ(culler_of(passing).cull(camera, kCover).stats.cover_triangles, 4U);
   camera.eye = {9.5, 0, -2};
   camera.target = {9.5, 2, 0};
   camera.near = 1;
-  EXPECT_EQ(drawn(4.0 / 800, camera), 4U);
+  EXPECT_EQ(drawn(4.0 / 600, camera), 4U);
   Camera parallel;
   parallel.target = {10, 0, 0};
   parallel.projection = Projection::orthographic;
-  parallel.aspect = 2;
-  parallel.height = 112;  // so that a pixel is a unit, and the four cover 8 width
+  parallel.aspect = 208.0 / 96;
+  parallel.height = 96;  // so that a pixel is a unit, and the four cover 8 width
   EXPECT_EQ(drawn(0.45, parallel), 0U);
   EXPECT_EQ(drawn(0.55, parallel), 4U);
 }

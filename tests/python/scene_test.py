@@ -85,7 +85,7 @@ class Scenes(unittest.TestCase):
         moving = world.add(100, moves=True)
         for i in range(25):
             world.add_wall(moves=i % 2 == 0)
-        for _ in range(12):
+        for _ in range(18):
             boxes = world.random_boxes(len(moving))
             world.scene.move_objects(moving, boxes)
             world.boxes.update(zip(moving.tolist(), boxes))
