@@ -54,10 +54,18 @@ if(OCCLUDE_FUZZERS)
   target_compile_options(occlude_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# occlude_module(NAME DIRECTORY): makes the library occlude::NAME from DIRECTORY/src, with its public headers in
-# DIRECTORY/include.
+# occlude_module(NAME ROOMS...): makes the library occlude::NAME from the sources in the folder src, or in these folders, with its
+# public headers in the folder include.
 function(occlude_module name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/src/*/*.cpp)
+  if(ARGN)
+    list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE folders)
+    set(private ${CMAKE_CURRENT_SOURCE_DIR})
+  else()
+    set(private ${CMAKE_CURRENT_SOURCE_DIR}/src)
+    set(folders ${private} ${private}/*)
+  endif()
+  list(TRANSFORM folders APPEND /*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${folders})
   add_library(occlude_${name} STATIC ${sources})
   # In a unity build, too, Highway compiles these files once per instruction set, each by itself.
   foreach(source IN LISTS sources)
@@ -69,7 +77,7 @@ function(occlude_module name)
   add_library(occlude::${name} ALIAS occlude_${name})
   target_include_directories(occlude_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
-    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+    PRIVATE ${private})
   target_compile_features(occlude_${name} PUBLIC cxx_std_20)
   target_link_libraries(occlude_${name} PRIVATE $<BUILD_INTERFACE:occlude_options>)
   # For shared libraries and modules that are made of it. What is hidden is called directly there, too.

@@ -63,4 +63,37 @@ ninja -C "$build" -t deps | sed "s|^    $PWD/|    |; s|^    \(\.\./\)*|    |" | 
     for (name in known) if (!(name in met)) print "not checked, because not built: " name
     exit bad
   }'
+
+# ROOM of the culler: the rooms that its files may include, beside the public headers, which include no room.
+rooms='
+include:
+base:
+camera: base
+model: base
+descent: base camera model
+frusta: base camera model descent
+cover: base camera model descent
+scene: base camera model descent cover
+inner: base model frusta
+store: base model frusta cover
+frame: base camera model descent frusta cover
+'
+grep -rHo --include="*.h" --include="*.cpp" '^#include "[a-z]*/' culler/*/ | awk -F '[/:"]' -v rooms="$rooms" '
+  BEGIN {
+    count = split(rooms, lines, "\n")
+    for (i = 1; i <= count; ++i) {
+      split(lines[i], sides, ":")
+      wanted = split(sides[2], below, " ")
+      known[sides[1]] = 1
+      for (k = 1; k <= wanted; ++k) allowed[sides[1], below[k]] = 1
+    }
+    delete known[""]
+  }
+  { from = $2; to = $(NF - 1) }
+  from in known && to in known { met[to] = 1 }
+  from in known && to in known && from != to && !((from, to) in allowed) { print $0 ": culler/" from " may not include culler/" to; bad = 1 }
+  END {
+    if (!("base" in met)) { print "no room of the culler includes another"; bad = 1 }
+    exit bad
+  }'
 echo "No folder includes what stands above it"

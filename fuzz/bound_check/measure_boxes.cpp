@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
+#include "cover/seen_boxes.h"
 #include "measure_culler.h"
-#include "seen_boxes.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "frame_view.h"
-#include "matrix_eye.h"
+#include "camera/frame_view.h"
+#include "camera/matrix_eye.h"
+#include "camera/single_precision.h"
 #include "measure_culler.h"
-#include "single_precision.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "beam_picture.h"
-#include "cover_border.h"
+#include "camera/frame_view.h"
+#include "cover/beam_picture.h"
+#include "cover/cover_border.h"
+#include "cover/seen_edge.h"
 #include "exact.h"
-#include "frame_view.h"
 #include "measure_culler.h"
-#include "seen_edge.h"
 
 namespace occlude::bound_check {
 namespace {

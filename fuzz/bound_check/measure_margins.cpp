@@ -10,11 +10,11 @@
 #include <optional>
 #include <vector>
 
-#include "frame_view.h"
+#include "camera/frame_view.h"
+#include "camera/single_precision.h"
 #include "measure_culler.h"
 #include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/shadow_frustum.h"
-#include "single_precision.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {

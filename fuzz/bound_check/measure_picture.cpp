@@ -5,10 +5,10 @@
 #include <iterator>
 #include <limits>
 
-#include "cover_tile.h"
+#include "base/rounded_float.h"
+#include "cover/cover_tile.h"
+#include "cover/seen_plane.h"
 #include "measure_culler.h"
-#include "rounded_float.h"
-#include "seen_plane.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "beam_picture.h"
+#include "camera/single_precision.h"
+#include "cover/beam_picture.h"
 #include "recompute.h"
-#include "single_precision.h"
 #include "traced_number.h"
 #include "vector3.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "true_picture.h"
 
-#include "frame_view.h"
-#include "single_precision.h"
+#include "camera/frame_view.h"
+#include "camera/single_precision.h"
 
 namespace occlude::bound_check {
 namespace {

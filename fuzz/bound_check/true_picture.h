@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "beam_picture.h"
+#include "cover/beam_picture.h"
 #include "search.h"
 #include "true_plane.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "adjacency.h"
+#include "model/adjacency.h"
 
 #include <gtest/gtest.h>
 

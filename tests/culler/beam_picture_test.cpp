@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The coarse picture's bounds of errors: no point, wherever it is moved to, lies beyond them.
-#include "beam_picture.h"
+#include "cover/beam_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "base/rounded_float.h"
+#include "camera/single_precision.h"
 #include "exact_picture.h"
-#include "rounded_float.h"
 #include "scenes.h"
-#include "single_precision.h"
 
 namespace beam_picture_test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "candidate_order.h"
+#include "frusta/candidate_order.h"
 
 #include <gtest/gtest.h>
 

@@ -11,12 +11,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/parallel_sort.h"
 #include "executors.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/kernel/validity.h"
-#include "parallel_sort.h"
 #include "scenes.h"
 
 namespace checkpoint_test {

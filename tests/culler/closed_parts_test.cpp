@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Parts of soups, closed and open.
-#include "closed_parts.h"
+#include "frusta/closed_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <vector>
 
-#include "adjacency.h"
+#include "model/adjacency.h"
 #include "scenes.h"
 
 namespace closed_parts_test {

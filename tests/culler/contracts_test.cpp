@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "frame_view.h"
+#include "camera/frame_view.h"
 #include "frames.h"
 #include "kernel/rounding.h"
 #include "occlude/culler/culler.h"

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "adjacency.h"
+#include "model/adjacency.h"
 #include "occlude/culler/potential_occluders.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"

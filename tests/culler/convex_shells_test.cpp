@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "adjacency.h"
+#include "model/adjacency.h"
 #include "scenes.h"
 
 namespace convex_shells_test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Borders in the coarse picture: what an edge may touch is touched and little more, and the rest is closed where the border
 // encloses it.
-#include "cover_border.h"
+#include "cover/cover_border.h"
 
 #include <gtest/gtest.h>
 

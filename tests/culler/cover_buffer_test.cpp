@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The coarse picture of joined shadows: what it hides is hidden by the kernel's exact answer, and it finds most of what is
 // hidden.
-#include "cover_buffer.h"
+#include "cover/cover_buffer.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-#include "bounds.h"
-#include "cover_group.h"
-#include "cover_triangles.h"
+#include "base/bounds.h"
+#include "camera/single_precision.h"
+#include "cover/cover_group.h"
+#include "cover/cover_triangles.h"
 #include "occlude/kernel/cover.h"
 #include "scenes.h"
-#include "single_precision.h"
 
 namespace cover_buffer_test {
 

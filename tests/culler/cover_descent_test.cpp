@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a descent finds worth drawing into the coarse picture.
-#include "cover_descent.h"
+#include "cover/cover_descent.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-#include "radix_sort.h"
+#include "base/radix_sort.h"
 #include "scenes.h"
 
 namespace cover_descent_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The division of a mesh into sheets, and the numbers of what is gathered.
-#include "cover_sheets.h"
+#include "cover/cover_sheets.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "cover_group.h"
-#include "cover_triangles.h"
-#include "local_index.h"
+#include "base/local_index.h"
+#include "cover/cover_group.h"
+#include "cover/cover_triangles.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace cover_sheets_test {

@@ -15,12 +15,12 @@
 #include <thread>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
+#include "base/outer_box.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
 #include "only_target.h"
-#include "outer_box.h"
 #include "scenes.h"
 
 namespace cover_test {

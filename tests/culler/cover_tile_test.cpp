@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pixels of tiles, several at a time, as one by one; on every instruction set.
-#include "cover_tile.h"
+#include "cover/cover_tile.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "base/rounded_float.h"
 #include "only_target.h"
-#include "rounded_float.h"
 
 namespace cover_tile_test {
 

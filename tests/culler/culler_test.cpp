@@ -14,16 +14,16 @@
 #include <utility>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
+#include "descent/traverse.h"
 #include "executors.h"
+#include "frame/view_memory.h"
 #include "frames.h"
+#include "frusta/occluder_history.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/validity.h"
-#include "occluder_history.h"
 #include "scenes.h"
-#include "traverse.h"
-#include "view_memory.h"
 
 namespace culler_test {
 
@@ -373,9 +373,9 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
                                          stats.view_culled_polygons, stats.shadow_culled_polygons});
     walk.found.insert(walk.found.end(), {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept,
                                          stats.sort_moves, stats.sort_comparisons});
-    walk.put_off += view.memory().parts.put_off.size;
+    walk.put_off += view.memory().frusta.parts.put_off.size;
     const auto has_groups = [](const ChoicePart& part) { return part.first < part.end; };
-    walk.divided += static_cast<std::size_t>(std::ranges::count_if(view.memory().choice_parts, has_groups));
+    walk.divided += static_cast<std::size_t>(std::ranges::count_if(view.memory().frusta.choice_parts, has_groups));
   }
   return walk;
 }
@@ -441,7 +441,7 @@ TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   for (int frame = 0; frame < 3; ++frame) {
     const CullResult& found = culler.cull(camera, options, view);
     EXPECT_EQ(found.drawn, culler.cull(camera, {}, alone).drawn);
-    const PutOffSubtrees& put_off = view.memory().parts.put_off;
+    const PutOffSubtrees& put_off = view.memory().frusta.parts.put_off;
     std::size_t most = 0;
     for (const PutOffSubtree& subtree : std::span(put_off.subtrees).first(put_off.size)) {
       most = std::max(most, subtree.found.stats.nodes_visited);
@@ -457,7 +457,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   std::size_t calls = 0, done = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
-    for (const PartRunner::Turn& turn : view.memory().runner.turns()) done += turn.is_done ? 1 : 0;
+    for (const PartRunner::Turn& turn : view.memory().frusta.runner.turns()) done += turn.is_done ? 1 : 0;
     ++calls;
   });
   CullOptions options;
@@ -669,15 +669,15 @@ TEST(Culler, NoProbeIsPartOfAnOccluderInUseOrOfAnotherProbe) {
     culler.cull(random_camera(random), {}, view);
     std::vector<std::uint32_t> used;
     for (const Occluder& o : view.result().occluders) used.push_back(o.index);
-    for (const Occluder& o : view.memory().probes) used.push_back(o.index);
-    for (const Occluder& probe : view.memory().probes) {
+    for (const Occluder& o : view.memory().frusta.probes) used.push_back(o.index);
+    for (const Occluder& probe : view.memory().frusta.probes) {
       ++probes;
       for (std::uint32_t p = probe.index; culler.occluders().container(p) != p;) {
         p = culler.occluders().container(p);
         EXPECT_EQ(std::ranges::count(used, p), 0) << "occluder " << probe.index << " is part of " << p;
       }
     }
-    EXPECT_LE(view.memory().probes.size(), CullOptions{}.probes);
+    EXPECT_LE(view.memory().frusta.probes.size(), CullOptions{}.probes);
   }
   EXPECT_GT(probes, 200U);
 }

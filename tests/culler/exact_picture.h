@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "beam_picture.h"
+#include "cover/beam_picture.h"
 
 namespace occlude::culler {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "followed_silhouettes.h"
+#include "frusta/followed_silhouettes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is made when it is first asked for, and what is zero until it is used.
-#include "lazy.h"
+#include "base/lazy.h"
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "zeros.h"
+#include "base/zeros.h"
 
 namespace lazy_test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "linear_tree.h"
+#include "model/linear_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
 #include "scenes.h"
 
 namespace linear_tree_test {

@@ -22,8 +22,9 @@
 #include <utility>
 #include <vector>
 
-#include "bounds.h"
-#include "frame_view.h"
+#include "base/bounds.h"
+#include "camera/frame_view.h"
+#include "camera/single_precision.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/convex_polytope.h"
@@ -32,7 +33,6 @@
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
-#include "single_precision.h"
 
 namespace matrix_camera_test {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "frames.h"
+#include "frusta/plane_work.h"
 #include "occlude/culler/clearance.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/clearance.h"
-#include "plane_work.h"
 #include "scenes.h"
 
 namespace missed_test {

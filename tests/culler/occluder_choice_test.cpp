@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occluder_choice.h"
+#include "frusta/occluder_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <limits>
 #include <optional>
 
+#include "frame/view_memory.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
-#include "view_memory.h"
 
 namespace occluder_choice_test {
 
@@ -111,14 +111,15 @@ TEST(OccluderChoice, WhatTheKernelRefusesIsNoProbeAndLeavesRoomForAnother) {
     ASSERT_EQ(frame.occluders.size(), 1U);
     EXPECT_EQ(original(culler, frame.occluders[0]), 0U);
     std::vector<std::uint32_t> probes;
-    for (const Occluder& probe : view.memory().probes) {
+    for (const Occluder& probe : view.memory().frusta.probes) {
       probes.push_back(original(culler, probe));
-      EXPECT_EQ(view.memory().trials[probe.index], Trial::taken);
+      EXPECT_EQ(view.memory().frusta.trials[probe.index], Trial::taken);
       EXPECT_GT(probe.frustum.plane_count(), 0U);
     }
     EXPECT_EQ(probes, (std::vector<std::uint32_t>{5, 6, 7, 8, 9}));
     std::size_t refused = 0;
-    for (const std::uint32_t i : view.memory().tried) refused += view.memory().trials[i] == Trial::refused ? 1 : 0;
+    for (const std::uint32_t i : view.memory().frusta.tried)
+      refused += view.memory().frusta.trials[i] == Trial::refused ? 1 : 0;
     EXPECT_EQ(refused, 6U) << "two walls and their triangles";
     EXPECT_GE(frame.stats.choice_work, refused * PlaneWork::kExact);
   }
@@ -136,8 +137,9 @@ TEST(OccluderChoice, IsMadeWhateverTheWeights) {
     for (int frame = 0; frame < 3; ++frame) {
       const CullResult& result = culler.cull(Camera{}, options, view);
       EXPECT_GT(result.occluders.size(), 0U) << weight;
-      ASSERT_GT(view.memory().candidates.size(), 50U);
-      for (const Candidate& candidate : view.memory().candidates) EXPECT_TRUE(std::isfinite(candidate.score)) << weight;
+      ASSERT_GT(view.memory().frusta.candidates.size(), 50U);
+      for (const Candidate& candidate : view.memory().frusta.candidates)
+        EXPECT_TRUE(std::isfinite(candidate.score)) << weight;
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "outer_box.h"
+#include "base/outer_box.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "packed_tree.h"
+#include "model/packed_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <random>
 #include <vector>
 
-#include "bounds.h"
-#include "curve_order.h"
+#include "base/bounds.h"
+#include "model/curve_order.h"
+#include "model/split_order.h"
 #include "scenes.h"
-#include "split_order.h"
 
 namespace packed_tree_test {
 

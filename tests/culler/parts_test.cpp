@@ -19,11 +19,11 @@
 #include <string>
 #include <vector>
 
-#include "bounds.h"
-#include "cover_triangles.h"
+#include "base/bounds.h"
+#include "cover/cover_triangles.h"
 #include "forged_parts.h"
 #include "frames.h"
-#include "node_blocks.h"
+#include "model/node_blocks.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
+#include "frusta/solid_angle.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"
-#include "solid_angle.h"
 
 namespace potential_occluders_test {
 

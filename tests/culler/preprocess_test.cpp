@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "depth_complexity.h"
 #include "forged_parts.h"
 #include "frames.h"
+#include "frusta/depth_complexity.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 

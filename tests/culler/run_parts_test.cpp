@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run_parts.h"
+#include "base/run_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -23,15 +23,15 @@
 #include <utility>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
+#include "base/outer_box.h"
+#include "cover/placed.h"
 #include "executors.h"
 #include "frames.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/kernel/half_space.h"
-#include "outer_box.h"
-#include "placed.h"
-#include "scene_frame.h"
-#include "scene_objects.h"
+#include "scene/scene_frame.h"
+#include "scene/scene_objects.h"
 #include "scenes.h"
 
 namespace scene_test {

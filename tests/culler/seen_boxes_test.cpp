@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boxes in the coarse picture: no corner lies outside the bounds found for its box.
-#include "seen_boxes.h"
+#include "cover/seen_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 #include <span>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
+#include "camera/single_precision.h"
 #include "exact_picture.h"
 #include "scenes.h"
-#include "single_precision.h"
 
 namespace seen_boxes_test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Several occluders at once: the same answers as one by one, on every instruction set.
-#include "seen_occluders.h"
+#include "frusta/seen_occluders.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

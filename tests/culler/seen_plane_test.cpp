@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Planes of triangles in the coarse picture: no ray meets a triangle, wherever its vertices are moved to, farther away than
 // its bound says.
-#include "seen_plane.h"
+#include "cover/seen_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "camera/single_precision.h"
 #include "exact_picture.h"
 #include "scenes.h"
-#include "single_precision.h"
 
 namespace seen_plane_test {
 

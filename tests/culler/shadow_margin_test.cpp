@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "bounds.h"
-#include "frame_view.h"
+#include "base/bounds.h"
+#include "camera/frame_view.h"
+#include "camera/single_precision.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"
 #include "scenes.h"
-#include "single_precision.h"
 
 namespace shadow_margin_test {
 

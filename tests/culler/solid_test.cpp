@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Triangles and boxes that touch, and rays through edges and corners.
-#include "solid.h"
+#include "frusta/solid.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
 #include "scenes.h"
 
 namespace solid_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The traversal, which asks about the nodes of blocks at once, answers as a descent from node to node does.
-#include "traverse.h"
+#include "descent/traverse.h"
 
 #include <gtest/gtest.h>
 
@@ -14,15 +14,15 @@
 #include <tuple>
 #include <vector>
 
-#include "bounds.h"
+#include "base/bounds.h"
+#include "camera/shadow_rule.h"
 #include "executors.h"
-#include "node_blocks.h"
-#include "node_tests.h"
+#include "frame/view_memory.h"
+#include "frusta/node_tests.h"
+#include "model/node_blocks.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
-#include "shadow_rule.h"
-#include "view_memory.h"
 
 namespace traverse_test {
 
@@ -36,17 +36,20 @@ constexpr std::uint32_t kSeed = 23;
 class Descent {
  public:
   Descent(const Culler& culler, const CullOptions& options, View::Memory& memory)
-      : culler_(culler), options_(options), memory_(memory), result_(memory.result) {}
+      : culler_(culler), options_(options), memory_(memory), result_(memory.frame.result) {}
 
   void run() {
-    memory_.take_planes();
-    memory_.shrink_shadows();
+    memory_.frame.take_planes();
+    memory_.frusta.shrink_shadows(result_);
     const auto numbers = [](std::size_t size) {
       std::vector<std::uint32_t> result(size);
       for (std::uint32_t i = 0; i < size; ++i) result[i] = i;
       return result;
     };
-    visit(0, {numbers(memory_.planes.size()), numbers(result_.occluders.size()), numbers(memory_.probes.size()), {}});
+    visit(0, {numbers(memory_.frame.planes.size()),
+              numbers(result_.occluders.size()),
+              numbers(memory_.frusta.probes.size()),
+              {}});
   }
 
  private:
@@ -68,7 +71,7 @@ class Descent {
     } else {
       append_range(result_.drawn, {node.first, node.count});
       result_.stats.drawn_polygons += node.count;
-      for (const std::uint32_t probe : here.holding) memory_.probes[probe].hidden += node.count;
+      for (const std::uint32_t probe : here.holding) memory_.frusta.probes[probe].hidden += node.count;
     }
   }
 
@@ -76,7 +79,7 @@ class Descent {
     for (const std::uint32_t plane : above.planes) {
       ++result_.stats.view_tests;
       const Relation relation = culler_.hierarchy().ask(
-          index, [&](const auto& box) { return kernel::relation(memory_.planes[plane], box, options_.arithmetic); });
+          index, [&](const auto& box) { return kernel::relation(memory_.frame.planes[plane], box, options_.arithmetic); });
       if (relation == Relation::outside) return cull({index, Culled::By::view, plane});
       if (relation == Relation::partial) here.planes.push_back(plane);
     }
@@ -84,7 +87,7 @@ class Descent {
       ++result_.stats.shadow_tests;
       const Occluder& by = result_.occluders[s];
       const Relation relation = culler_.hierarchy().ask(index, [&](const auto& box) {
-        return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, memory_.shrunk[s],
+        return decide_cull(by.frustum, box, {options_.arithmetic, options_.test}, memory_.frusta.shrunk[s],
                            [&] { return holds_part(index, by.index); })
             .relation;
       });
@@ -111,7 +114,8 @@ class Descent {
     for (const std::uint32_t p : above.probes) {
       ++result_.stats.probe_tests;
       const Relation relation = culler_.hierarchy().ask(index, [&](const auto& box) {
-        return decide_cull(memory_.probes[p].frustum, box, {.arithmetic = options_.arithmetic}, ShadowMargin()).relation;
+        return decide_cull(memory_.frusta.probes[p].frustum, box, {.arithmetic = options_.arithmetic}, ShadowMargin())
+            .relation;
       });
       if (relation == Relation::inside) here.holding.push_back(p);
       if (relation == Relation::partial) here.probes.push_back(p);
@@ -146,14 +150,15 @@ class Descent {
 /// A frame that is to be traversed: with the occluders of a culled one, of which every third is a probe instead. If the
 /// frame has pairs, each occluder is paired with the next: any two may be.
 void take_frame(const CullResult& frame, View::Memory& memory) {
-  memory.result.view = frame.view;
-  memory.result.margin = frame.margin;
+  memory.frame.result.view = frame.view;
+  memory.frame.result.margin = frame.margin;
   for (std::size_t i = 0; i < frame.occluders.size(); ++i) {
     const Occluder occluder{frame.occluders[i].index, frame.occluders[i].frustum, 0};
-    (i % 3 == 2 ? memory.probes : memory.result.occluders).push_back(occluder);
+    (i % 3 == 2 ? memory.frusta.probes : memory.frame.result.occluders).push_back(occluder);
   }
   if (frame.pairs.empty()) return;
-  for (std::uint32_t i = 0; i + 1 < memory.result.occluders.size(); ++i) memory.result.pairs.push_back({i, i + 1});
+  for (std::uint32_t i = 0; i + 1 < memory.frame.result.occluders.size(); ++i)
+    memory.frame.result.pairs.push_back({i, i + 1});
 }
 
 auto what_hid(const std::vector<Occluder>& occluders) {
@@ -163,7 +168,7 @@ auto what_hid(const std::vector<Occluder>& occluders) {
 }
 
 void expect_same(const View::Memory& expected, const View::Memory& found) {
-  const CullResult &e = expected.result, &f = found.result;
+  const CullResult &e = expected.frame.result, &f = found.frame.result;
   ASSERT_EQ(f.culled.size(), e.culled.size());
   for (std::size_t i = 0; i < e.culled.size(); ++i) {
     const auto told = [](const Culled& c) { return std::tuple(c.node, c.by, c.index, c.second); };
@@ -175,7 +180,7 @@ void expect_same(const View::Memory& expected, const View::Memory& found) {
     EXPECT_EQ(f.drawn[i].count, e.drawn[i].count);
   }
   EXPECT_EQ(what_hid(f.occluders), what_hid(e.occluders));
-  EXPECT_EQ(what_hid(found.probes), what_hid(expected.probes));
+  EXPECT_EQ(what_hid(found.frusta.probes), what_hid(expected.frusta.probes));
   EXPECT_EQ(f.stats.nodes_visited, e.stats.nodes_visited);
   EXPECT_EQ(f.stats.view_tests, e.stats.view_tests);
   EXPECT_EQ(f.stats.shadow_tests, e.stats.shadow_tests);
@@ -216,21 +221,22 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
     Descent(culler, GetParam().options, expected).run();
     for (std::size_t i = 0; i < executors.size(); ++i) {
       View::Memory& found = memories[i];
-      found.begin_frame(culler.hierarchy().nodes().size());
+      found.frusta.keep_spare(found.frame.result);
+      found.frame.begin(culler.hierarchy().nodes().size());
       take_frame(seen, found);
       CullOptions options = GetParam().options;
       options.executor = &executors[i];
-      traverse(blocks, culler.hierarchy(), &culler.occluders(), unwatched, options, found);
+      traverse(blocks, culler.hierarchy(), &culler.occluders(), unwatched, options, found.frame, found.frusta);
       expect_same(expected, found);
       ASSERT_FALSE(HasFailure()) << "frame " << frame << ", executor " << i << ", seed " << kSeed;
-      EXPECT_EQ(found.result.stats.exact_shadow_tests, memories[0].result.stats.exact_shadow_tests);
-      const std::size_t subtrees = found.parts.put_off.size;
-      EXPECT_TRUE(subtrees == 0 || (executors[i].threads() > 1 && expected.result.pairs.empty()));
+      EXPECT_EQ(found.frame.result.stats.exact_shadow_tests, memories[0].frame.result.stats.exact_shadow_tests);
+      const std::size_t subtrees = found.frusta.parts.put_off.size;
+      EXPECT_TRUE(subtrees == 0 || (executors[i].threads() > 1 && expected.frame.result.pairs.empty()));
       put_off[i] += subtrees;
     }
-    culled += expected.result.stats.shadow_culled_polygons;
-    unions += expected.result.stats.union_tests;
-    for (const Occluder& probe : expected.probes) hidden_by_probes += probe.hidden;
+    culled += expected.frame.result.stats.shadow_culled_polygons;
+    unions += expected.frame.result.stats.union_tests;
+    for (const Occluder& probe : expected.frusta.probes) hidden_by_probes += probe.hidden;
   }
   EXPECT_GT(culled, 10000U);
   EXPECT_GT(hidden_by_probes, 1000U);

@@ -56,7 +56,7 @@ class View {
   /// nearest (occlude/kernel/validity.h).
   [[nodiscard]] Visibility visibility(const Box& box) const;
 
-  /// For the cullers only: src/view_memory.h. Not protected by `const`.
+  /// For the cullers only: frame/view_memory.h. Not protected by `const`.
   struct Memory;
   [[nodiscard]] Memory& memory() const { return *memory_; }
   /// The same for the next frame with this culler; emptied unless the frame before was with the same one.

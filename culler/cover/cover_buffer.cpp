@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "cover/cover_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/rounded_float.h"
+#include "camera/single_precision.h"
+
+namespace occlude::culler {
+namespace {
+
+/// The border around the camera's picture, as a share of the shorter side of both. Boxes that reach beyond the camera's
+/// picture can be hidden only as far as the border reaches. In a picture of 576x360 this share draws as many polygons of
+/// Utrecht, the castle and Sponza as 16 pixels in one of 512x288, in the same time, and 7 % fewer of a town. Where boxes are
+/// large it hides more: half of a globe instead of a quarter.
+constexpr double kBorder = 1.0 / 6;
+
+constexpr float kOpen = -std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+void CoverBuffer::begin(const FrameView& view, int width, int height, double margin) {
+  const double border = kBorder * std::min(width, height);
+  picture_ = BeamPicture(view, {width, height, border}, margin > 0 ? kSinglePrecision * view.depth : 0);
+  piece_.begin(picture_);
+  tiles_across_ = width / kTile;
+  // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
+  const double up = margin >= 0 ? margin * (height - 2 * border) : std::numeric_limits<double>::infinity();
+  boxes_ = BoxPicture(picture_, {up * (picture_.scale().x / picture_.scale().y), up});
+  const double share = 1 / (height - 2 * border);
+  share_of_pixel_ = {share * (picture_.scale().y / picture_.scale().x), share};
+  work_ = 0;
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  nearness_.assign(pixels, kOpen);
+  farthest_.assign(pixels / kTilePixels + kTile, kOpen);
+  owners_.clear();
+}
+
+void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
+
+void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
+  piece_.see(mesh);
+  for (std::size_t sheet = 0; sheet < piece_.sheets() && !is_spent(); ++sheet) {
+    if (!piece_.find(sheet)) continue;
+    const PixelRectangle& r = piece_.tiles();
+    work_ += static_cast<std::size_t>(r.x1 - r.x0) * static_cast<std::size_t>(r.y1 - r.y0);
+    if (const auto tiles = tiles_nearer(r, [&](std::size_t) { return piece_.nearest(); })) add_sheet(*tiles, id);
+  }
+}
+
+void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
+  piece_.lay(tiles);
+  work_ += piece_.work();
+  const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return piece_.nearness() + tile; });
+  if (!left) return;
+  piece_.draw(*left);
+  const auto across = static_cast<std::size_t>(left->x1 - left->x0);
+  for (int y = left->y0; y < left->y1; ++y) {
+    const std::size_t first = tile_at(left->x0, y);
+    if (!owners_.empty()) own(first, across, id);
+    bring_nearer(&nearness_[first * kTilePixels], std::span(farthest_).subspan(first, across), piece_.closed() + first,
+                 piece_.nearness() + first);
+  }
+}
+
+/// The smallest rectangle that holds all tiles of `r` in which something may bring a pixel nearer; none if there are no such
+/// tiles. nearness_from(tile) is how near it is from this tile on, as nearer() takes it.
+template <class NearnessFrom>
+std::optional<PixelRectangle> CoverBuffer::tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const {
+  PixelRectangle left{r.x1, r.y1, r.x0, r.y0};
+  for (int y = r.y0; y < r.y1; ++y) {
+    const std::size_t first = tile_at(r.x0, y);
+    const auto row = std::span(farthest_).subspan(first, static_cast<std::size_t>(r.x1 - r.x0));
+    const TileRange range = nearer(row, nearness_from(first));
+    if (range.first >= range.end) continue;
+    left = {std::min(left.x0, r.x0 + range.first), std::min(left.y0, y), std::max(left.x1, r.x0 + range.end), y + 1};
+  }
+  if (left.x0 >= left.x1) return std::nullopt;
+  return left;
+}
+
+/// Notes which pixels of tiles that lie side by side the piece will bring nearer.
+void CoverBuffer::own(std::size_t first, std::size_t count, std::uint32_t id) {
+  for (std::size_t tile = first; tile < first + count; ++tile) {
+    const float nearness = piece_.nearness()[tile];
+    if (nearness == std::numeric_limits<float>::infinity()) continue;  // it is not there
+    for (std::size_t i = 0; i < kTilePixels; ++i) {
+      const std::size_t pixel = tile * kTilePixels + i;
+      if ((piece_.closed()[tile] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
+    }
+  }
+}
+
+SeenBoxes CoverBuffer::seen(const kernel::Aabb& box) const {
+  SeenBoxes boxes;
+  boxes.add(boxes_, box);
+  boxes.see(boxes_);
+  return boxes;
+}
+
+CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_t i) const {
+  const float most = boxes.most[i];
+  const PixelRectangle r{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]}, all{0, 0, picture_.width(), picture_.height()};
+  if (most == std::numeric_limits<float>::infinity()) return {all, most, false};
+  const bool is_in_picture = r.x0 >= 0 && r.y0 >= 0 && r.x1 <= all.x1 && r.y1 <= all.y1;
+  return {picture_.clipped(r), most, is_in_picture};
+}
+
+float CoverBuffer::seen_size(const SeenBoxes& boxes, std::size_t i) const {
+  if (boxes.most[i] == std::numeric_limits<float>::infinity()) return boxes.most[i];
+  const double right = double{boxes.high_x[i]} - double{boxes.low_x[i]},
+               up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
+  return rounded_up(std::max(right * share_of_pixel_.x, up * share_of_pixel_.y));
+}
+
+bool CoverBuffer::hides(const Footprint& box) const { return box.is_in_picture && open(box, 1) == 0; }
+
+CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
+  const Footprint footprint = this->footprint(box);
+  if (!footprint.is_in_picture) return Gap::beyond_picture;
+  if (hides(footprint)) return Gap::none;
+  return open_pixels(tile_picture(), footprint.pixels, std::numeric_limits<float>::lowest(), 1) > 0 ? Gap::open
+                                                                                                    : Gap::not_behind;
+}
+
+std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
+  const SeenBoxes boxes = seen(box);
+  const Place low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};
+  const PixelRectangle r = footprint(boxes, 0).pixels;
+  std::vector<Owner> runs;
+  for (int y = r.y0; y < r.y1; ++y) {
+    std::uint32_t last = kNone;
+    for (int x = r.x0; x < r.x1; ++x) {
+      const std::size_t tile = tile_at(x / kTile, y / kTile);
+      const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
+      const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
+                                 {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
+      const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches it
+      if (!is_of_box || id == kNone) {
+        last = kNone;
+      } else if (id == last) {
+        runs.back().places.high.x = pixel.high.x;
+      } else {
+        runs.push_back({id, pixel});
+        last = id;
+      }
+    }
+  }
+  std::ranges::stable_sort(runs, {}, &Owner::id);
+  std::vector<Owner> owners;
+  for (const auto& [id, pixel] : runs) {
+    if (owners.empty() || owners.back().id != id) owners.push_back({id, pixel});
+    PlaceRectangle& all = owners.back().places;
+    all = {{std::min(all.low.x, pixel.low.x), std::min(all.low.y, pixel.low.y)},
+           {std::max(all.high.x, pixel.high.x), std::max(all.high.y, pixel.high.y)}};
+  }
+  return owners;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Joined shadows in a coarse picture: for each pixel, how near something is that all its rays meet.
+//
+// A pixel is a convex cone of rays. Where all of them meet a mesh, everything farther than the mesh is hidden there. A box
+// is hidden when this holds in every pixel that it touches. The answer is never wrong: all rounding errors of positions and
+// depths are bounded and accounted for (beam_picture.h, cover_piece.h, seen_boxes.h).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cover/beam_picture.h"
+#include "cover/cover_mesh.h"
+#include "cover/cover_piece.h"
+#include "cover/seen_boxes.h"
+#include "occlude/kernel/types.h"
+
+namespace occlude::culler {
+
+class CoverBuffer {
+ public:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// Starts a picture of this size in which all pixels are open. It is the camera's picture and a border around it, a
+  /// sixth of the shorter side wide. `margin` is a share of the height of the camera's picture. With a margin above 0, a box
+  /// counts as hidden only if it stays hidden however it is moved by the margin in the picture, and however a renderer in
+  /// single precision moves it and what hides it. REQUIRES: width and height are multiples of kTile; margin >= 0.
+  void begin(const FrameView& view, int width, int height, double margin);
+
+  /// Reserves memory for meshes of this many triangles.
+  void reserve(std::size_t triangles) { piece_.reserve(triangles); }
+
+  /// Whether all the work that a picture may take is done. From then on add() closes nothing.
+  [[nodiscard]] bool is_spent() const { return work_ > kMostWork; }
+
+  /// From now on, keeps for each pixel the mesh that last brought it nearer.
+  void keep_owners();
+
+  /// Closes the pixels that the mesh closes as far as it is beyond the near plane. `id` identifies it in owners().
+  void add(const CoverMesh& mesh, std::uint32_t id = 0);
+
+  /// Where a box is in the picture.
+  struct Footprint {
+    PixelRectangle pixels;  ///< those that it touches, with the margin
+    float most;             ///< no point of it is nearer
+    bool is_in_picture;     ///< all of it is, and beyond the near plane
+
+    /// How many pixels it has.
+    [[nodiscard]] int size() const { return std::max(pixels.x1 - pixels.x0, 0) * std::max(pixels.y1 - pixels.y0, 0); }
+  };
+  [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const { return footprint(seen(box), 0); }
+  /// The footprint of box i of those that were seen in box_picture().
+  [[nodiscard]] Footprint footprint(const SeenBoxes& boxes, std::size_t i) const;
+  [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
+  /// No less than the width and the height of box i in the picture, as a share of the height of the camera's picture;
+  /// infinity if its position is unknown.
+  [[nodiscard]] float seen_size(const SeenBoxes& boxes, std::size_t i) const;
+
+  /// True only if each point of the box has a point of one of the meshes, beyond the near plane, strictly between it and the
+  /// viewpoint. False for a box that reaches beyond the picture or before the near plane. REQUIRES: the box is no farther
+  /// from the eye than the depth of the view.
+  [[nodiscard]] bool hides(const kernel::Aabb& box) const { return hides(footprint(box)); }
+  [[nodiscard]] bool hides(const Footprint& box) const;
+  /// Those of the asked boxes that are hidden.
+  [[nodiscard]] kernel::BoxBits hidden(const BoxPixels& boxes, kernel::BoxBits asked) const {
+    return culler::hidden(tile_picture(), boxes, asked);
+  }
+  /// Why the box is not hidden; `none` if it is.
+  enum class Gap { none, beyond_picture, open, not_behind };
+  [[nodiscard]] Gap gap(const kernel::Aabb& box) const;
+
+  /// How many of the pixels that the box touches do not hide it. Counting stops at `enough`. A box in the picture is hidden
+  /// if the result is 0.
+  [[nodiscard]] int open(const Footprint& box, int enough) const {
+    return open_pixels(tile_picture(), box.pixels, box.most, enough);
+  }
+
+  /// A mesh that closes pixels of a box, and the rectangle of positions that holds these pixels as far as the box may reach.
+  struct Owner {
+    std::uint32_t id;
+    PlaceRectangle places;
+  };
+  /// In ascending order of ids. REQUIRES: keep_owners() was called before what hides the box was added; hides(box).
+  [[nodiscard]] std::vector<Owner> owners(const kernel::Aabb& box) const;
+
+  [[nodiscard]] const BeamPicture& picture() const { return picture_; }
+  /// The mesh that was added last, as it was drawn.
+  [[nodiscard]] const CoverPiece& piece() const { return piece_; }
+
+ private:
+  /// The tiles of sheets and triangles that a picture may take. A tile takes some nanoseconds, so this is about a tenth of a
+  /// second. The models tried take a tenth of it.
+  static constexpr std::size_t kMostWork = std::size_t{1} << 24U;
+
+  [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
+  template <class NearnessFrom>
+  [[nodiscard]] std::optional<PixelRectangle> tiles_nearer(const PixelRectangle& r, const NearnessFrom& nearness_from) const;
+  void add_sheet(const PixelRectangle& tiles, std::uint32_t id);
+  void own(std::size_t first, std::size_t count, std::uint32_t id);
+  [[nodiscard]] TilePicture tile_picture() const {
+    return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
+  }
+
+  [[nodiscard]] SeenBoxes seen(const kernel::Aabb& box) const;
+
+  BeamPicture picture_;
+  Place share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
+  BoxPicture boxes_;      ///< with the margin
+  CoverPiece piece_;
+  int tiles_across_ = 0;
+  std::size_t work_ = 0;
+  std::vector<float> nearness_;        ///< of each pixel, tile after tile; -infinity while it is open
+  std::vector<float> farthest_;        ///< of each tile, the least nearness of its pixels
+  std::vector<std::uint32_t> owners_;  ///< ids in the order of nearness_; empty unless they are kept
+};
+
+}  // namespace occlude::culler

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "cover/cover_group.h"
+
+#include "base/bounds.h"
+#include "cover/placed.h"
+
+namespace occlude::culler {
+
+glm::dvec3 CoverStand::place(const glm::dvec3& vertex) const {
+  return placement == nullptr ? vertex : to_glm(placed(*placement, to_kernel(vertex)));
+}
+
+void CoverGroup::reserve(std::size_t triangles) {
+  vertex_index_.reserve(triangles);  // meshes have fewer vertices than triangles, and a small table is a fast one
+  triangle_index_.reserve(triangles);
+  vertices_.reserve(3 * triangles);
+  triangles_.reserve(triangles);
+  next_.reserve(3 * triangles);
+  ids_.reserve(triangles);
+}
+
+void CoverGroup::clear() {
+  vertex_index_.clear();
+  triangle_index_.clear();
+  vertices_.clear();
+  triangles_.clear();
+  ids_.clear();
+  own_ = 0;
+}
+
+void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand) {
+  for (std::uint32_t t = triangles.first(polygon); t < triangles.first(polygon + 1); ++t) {
+    add_triangle(triangles, t, stand);
+  }
+  own_ = ids_.size();
+}
+
+/// Adds a triangle if its corners are three points.
+void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id, const CoverStand& stand) {
+  const CoverMesh::Triangle& corners = triangles.corners(id);
+  if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
+  CoverMesh::Triangle own{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t known = vertex_index_.size();
+    own[i] = vertex_index_.number(corners[i]);
+    if (own[i] != known) continue;
+    vertices_.push_back(stand.place(triangles.vertex(corners[i])));
+  }
+  triangle_index_.number(id);
+  triangles_.push_back(own);
+  ids_.push_back(id);
+}
+
+CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& stand) {
+  next_.resize(3 * triangles_.size());
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      // Follows the ring to the next side of a triangle of the group. Without another one, that is the side itself.
+      RingStep step = triangles.next(3 * ids_[t] + i);
+      std::uint32_t owner = triangle_index_.find(step.side / 3);
+      while (owner == LocalIndex::kNone && step.is_of_two == 0) {
+        step = triangles.next(step.side);
+        owner = triangle_index_.find(step.side / 3);
+      }
+      next_[3 * t + i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
+    }
+  }
+  return {vertices_, triangles_, next_, own_, stand.front};
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "cover/cover_painter.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace occlude::culler {
+namespace {
+
+/// A side of the coarse picture, rounded up to whole tiles.
+int side(int pixels) { return (std::clamp(pixels, kLeastCoverSide, kMostCoverSide) + kTile - 1) / kTile * kTile; }
+
+/// Memory is reserved for groups of this many triangles. Nearly all groups of the models tried have fewer; a larger one
+/// allocates more.
+constexpr std::size_t kRoom = 1024;
+
+/// The polygons of a leaf that cover fewer pixels together are not worth drawing, in how many pixels ever the box of the
+/// leaf is seen. With this limit the models tried draw 15 to 45 % fewer triangles, and of what is hidden they cull 0.13 %
+/// less to 1.5 % more. With 6, they cull up to 7 % less.
+constexpr double kLeastArea = 4;
+
+}  // namespace
+
+CoverPainter::CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory,
+                           CullStats& stats)
+    : options_(options), memory_(memory), stats_(stats) {
+  memory.buffer.begin(view, side(options.width), side(options.height), margin);
+  memory.buffer.reserve(kRoom);
+  memory.group.reserve(kRoom);
+  memory.taken.clear();
+  memory.taken.reserve(kRoom);
+}
+
+void CoverPainter::use(const CoverSource& source) {
+  source_ = &source;
+  if (++memory_.stamp == 0) {
+    memory_.stamps = {};
+    memory_.stamp = 1;
+  }
+  memory_.stamps.grow(source.triangles.size());
+}
+
+bool CoverPainter::may_draw() const {
+  if (memory_.buffer.is_spent() || stats_.cover_triangles >= options_.triangles) return false;
+  if (options_.ms == std::numeric_limits<double>::infinity()) return true;
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start_;
+  return taken.count() < options_.ms;
+}
+
+void CoverPainter::take(const SeenNode& leaf) {
+  if (is_worth_drawing(source_->nodes[leaf.node])) memory_.taken.push_back({leaf.node, leaf.footprint.most});
+}
+
+bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
+  const BeamPicture& picture = memory_.buffer.picture();
+  const CoverTriangles& triangles = source_->triangles;
+  double area = 0;
+  for (std::uint32_t t = triangles.first(leaf.first); t < triangles.first(leaf.first + leaf.count); ++t) {
+    const auto [a, b, c] = triangles.corners(t);
+    const auto at = [&](std::uint32_t vertex) { return source_->stand.place(triangles.vertex(vertex)); };
+    area += picture.area(at(a), at(b), at(c));
+    if (area >= kLeastArea) return true;
+  }
+  return false;
+}
+
+bool CoverPainter::join() {
+  if (memory_.taken.empty()) return false;
+  if (!may_draw()) {
+    ++stats_.cover_groups_left;
+    memory_.taken.clear();
+    return false;
+  }
+  CoverGroup& group = memory_.group;
+  group.clear();
+  // Nearest first, so that a sheet behind another one of the group need not be drawn. Equal ones in the order of the tree.
+  std::ranges::sort(memory_.taken, [](const auto& a, const auto& b) {
+    return a.nearness != b.nearness ? a.nearness > b.nearness : a.leaf < b.leaf;
+  });
+  for (const auto& [leaf, nearness] : memory_.taken) {
+    const HierarchyNode& node = source_->nodes[leaf];
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->stand);
+  }
+  memory_.taken.clear();
+  group.add_neighbours(source_->triangles, source_->stand, [&](std::uint32_t triangle) { return take_drawn(triangle); });
+  for (const std::uint32_t triangle : group.ids()) memory_.stamps[triangle] = memory_.stamp;
+  ++stats_.cover_groups;
+  stats_.cover_triangles += group.ids().size();
+  memory_.buffer.add(group.mesh(source_->triangles, source_->stand), ++groups_);
+  return true;
+}
+
+/// Whether a triangle was drawn. The next call says that it was not, so that it is added only once.
+bool CoverPainter::take_drawn(std::uint32_t triangle) {
+  if (memory_.stamps.get(triangle) != memory_.stamp) return false;
+  memory_.stamps[triangle] = 0;
+  return true;
+}
+
+}  // namespace occlude::culler

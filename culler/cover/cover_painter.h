@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Draws what is seen into the coarse picture of a frame, a few leaves at a time.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/zeros.h"
+#include "cover/cover_buffer.h"
+#include "cover/cover_group.h"
+#include "cover/cover_triangles.h"
+#include "cover/seen_node.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/hierarchy.h"
+
+namespace occlude::culler {
+
+/// Polygons that hide in frames by cover, in the order of a tree. Without nodes nothing hides.
+struct CoverSource {
+  std::span<const HierarchyNode> nodes;
+  const CoverTriangles& triangles;
+  CoverStand stand = {};  ///< how they stand in the scene
+};
+
+/// What is kept from frame to frame, so that only the first allocates.
+struct CoverMemory {
+  CoverBuffer buffer;           ///< what the last frame closed
+  CoverGroup group;             ///< what is being drawn into it
+  Zeros<std::uint32_t> stamps;  ///< for each triangle, the last source that drew it
+  std::uint32_t stamp = 0;      ///< of the source
+  struct Taken {
+    std::uint32_t leaf;
+    float nearness;  ///< no point of it is nearer
+  };
+  std::vector<Taken> taken;  ///< leaves whose polygons are drawn next
+};
+
+class CoverPainter {
+ public:
+  /// Empties the picture. REQUIRES: `view` reaches as far as all that is tested or hides; what is given outlives this.
+  CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory, CullStats& stats);
+
+  /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is taken and not joined.
+  void use(const CoverSource& source);
+  /// Keeps the polygons of a leaf of the source for join(), unless they are too small in the picture to be worth drawing.
+  void take(const SeenNode& leaf);
+  /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
+  /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
+  /// group that was drawn has the number groups().
+  bool join();
+  [[nodiscard]] std::uint32_t groups() const { return groups_; }
+  /// Those of the source.
+  [[nodiscard]] const CoverTriangles& triangles() const { return source_->triangles; }
+  /// Whether more may be drawn.
+  [[nodiscard]] bool may_draw() const;
+
+ private:
+  [[nodiscard]] bool is_worth_drawing(const HierarchyNode& leaf) const;
+  bool take_drawn(std::uint32_t triangle);
+
+  const CoverSource* source_ = nullptr;
+  CoverOptions options_;
+  CoverMemory& memory_;
+  CullStats& stats_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::uint32_t groups_ = 0;
+};
+
+}  // namespace occlude::culler

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Compiled once for each instruction set. The best one is chosen at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cover/seen_boxes.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target.h must come first.
+#include <hwy/highway.h>
+
+#include "cover/seen_boxes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace occlude::culler {
+namespace {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// One box per lane. Nothing is fused, so the results do not depend on the number of lanes.
+using FloatTag = hn::CappedTag<float, SeenBoxes::kMost>;
+using IntegerTag = hn::RebindToSigned<FloatTag>;
+using Lanes = hn::Vec<FloatTag>;
+
+constexpr FloatTag kD;
+
+// With u = 2^-24. A coordinate relative to the eye rounds by u of it, a coordinate of an axis by u, their product by u, and
+// the sum of three products twice. With axes of length 1 that is 5 u of the sum of the coordinates. One more u is for
+// second-order terms.
+constexpr float kSeenError = 6 * 0x1p-24F;
+// A quotient rounds twice; the scale, its product and the sum round once each: 5 u of a position. Subtracting the bound and
+// the margin, and adding 1 to find the pixel, round by 3 u of the sum of position, bound and margin. The bound is below
+// kMostError, and kBoundRounded accounts for its share. That is 8 u; the constant is 16 u.
+constexpr float kPlaceError = 0x1p-20F;
+// It allows for 16 roundings. The bound of a distance, times this, rounds seven times: the coordinates once, their sum
+// twice, its product once, BoxPicture::moved once, the sum of these once, and the product with this factor once. The bound
+// of a position, times this again, rounds twelve times more: how far aside it is four times, the sum with the scale once,
+// the distance that divides once, the quotient, its product and the product with this factor once each, the sum of both
+// terms once, and the two sums in which it is used once each.
+constexpr float kBoundRounded = 1 + 0x1p-20F;
+// A box with a larger error, in pixels, is treated as one of unknown position.
+constexpr float kMostError = 0x1p20F;
+
+/// The least and the largest value over the corners of a box.
+struct Range {
+  Lanes low, high;
+
+  HWY_INLINE void hold(Lanes x) {
+    low = hn::Min(low, x);
+    high = hn::Max(high, x);
+  }
+};
+
+/// The coordinates of the eight corners along an axis of the picture.
+struct Corners {
+  HWY_INLINE Corners(const std::array<float, 3>& axis, const Lanes* low, const Lanes* high) {
+    const Lanes x = hn::Set(kD, axis[0]), y = hn::Set(kD, axis[1]), z = hn::Set(kD, axis[2]);
+    const Lanes x0 = hn::Mul(x, low[0]), x1 = hn::Mul(x, high[0]), y0 = hn::Mul(y, low[1]), y1 = hn::Mul(y, high[1]);
+    const Lanes z0 = hn::Mul(z, low[2]), z1 = hn::Mul(z, high[2]);
+    const Lanes xy[4] = {hn::Add(x0, y0), hn::Add(x1, y0), hn::Add(x0, y1), hn::Add(x1, y1)};
+    for (int i = 0; i < 4; ++i) {
+      at[i] = hn::Add(xy[i], z0);
+      at[i + 4] = hn::Add(xy[i], z1);
+    }
+  }
+  Lanes at[8];
+};
+
+HWY_INLINE Lanes larger_than(Lanes x, float share) { return hn::Add(x, hn::Mul(hn::Abs(x), hn::Set(kD, share))); }
+
+/// Does what pixel_at() does.
+HWY_INLINE hn::Vec<IntegerTag> pixel(Lanes x, float count) {
+  const Lanes one = hn::Set(kD, 1.0F);
+  const Lanes within = hn::Min(hn::Max(x, hn::Set(kD, -1.0F)), hn::Set(kD, count));
+  return hn::Sub(hn::ConvertTo(IntegerTag(), hn::Add(within, one)), hn::Set(IntegerTag(), 1));
+}
+
+template <bool is_perspective>
+HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) {
+  const Lanes zero = hn::Zero(kD), one = hn::Set(kD, 1.0F), infinity = hn::Inf(kD);
+  Lanes low[3], high[3];
+  Lanes sum = zero, squared = zero;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[axis] = hn::Load(kD, &boxes.low[axis][i]);
+    high[axis] = hn::Load(kD, &boxes.high[axis][i]);
+    sum = hn::Add(sum, hn::Max(hn::Abs(low[axis]), hn::Abs(high[axis])));
+    const Lanes outside = hn::Max(hn::Max(low[axis], hn::Neg(high[axis])), zero);
+    squared = hn::Add(squared, hn::Mul(outside, outside));
+  }
+  const Corners forward(p.forward, low, high), right(p.right, low, high), up(p.up, low, high);
+  Lanes nearest = forward.at[0];
+  for (int c = 1; c < 8; ++c) nearest = hn::Min(nearest, forward.at[c]);
+  Range x{infinity, hn::Neg(infinity)}, y = x;
+  for (int c = 0; c < 8; ++c) {
+    if constexpr (is_perspective) {
+      const Lanes shrink = hn::Div(one, forward.at[c]);
+      x.hold(hn::Mul(right.at[c], shrink));
+      y.hold(hn::Mul(up.at[c], shrink));
+    } else {
+      x.hold(right.at[c]);
+      y.hold(up.at[c]);
+    }
+  }
+  const Lanes scale_x = hn::Set(kD, p.scale_x), scale_y = hn::Set(kD, p.scale_y);
+  x = {hn::Mul(x.low, scale_x), hn::Mul(x.high, scale_x)};
+  y = {hn::Mul(y.low, scale_y), hn::Mul(y.high, scale_y)};
+
+  // As BeamPicture::place_error(): the error is larger for what is nearer and for what is farther aside.
+  const Lanes moved =
+      hn::Mul(hn::Add(hn::Mul(sum, hn::Set(kD, kSeenError)), hn::Set(kD, p.moved)), hn::Set(kD, kBoundRounded));
+  const Lanes least = hn::Sub(nearest, moved);
+  const Lanes aside = hn::Max(hn::Max(hn::Abs(x.low), hn::Abs(x.high)), hn::Max(hn::Abs(y.low), hn::Abs(y.high)));
+  const Lanes scale = hn::Max(scale_x, scale_y);
+  const Lanes shifted = is_perspective ? hn::Mul(hn::Add(scale, aside), hn::Div(moved, least)) : hn::Mul(scale, moved);
+  const Lanes error = hn::Add(hn::Mul(shifted, hn::Set(kD, kBoundRounded)),
+                              hn::Mul(hn::Add(aside, hn::Set(kD, p.width + p.height)), hn::Set(kD, kPlaceError)));
+  const Lanes middle_x = hn::Set(kD, p.middle_x), middle_y = hn::Set(kD, p.middle_y);
+  const Lanes low_x = hn::Sub(hn::Add(middle_x, x.low), error), high_x = hn::Add(hn::Add(middle_x, x.high), error);
+  const Lanes low_y = hn::Sub(hn::Add(middle_y, y.low), error), high_y = hn::Add(hn::Add(middle_y, y.high), error);
+  hn::StoreU(low_x, kD, &boxes.low_x[i]);
+  hn::StoreU(low_y, kD, &boxes.low_y[i]);
+  hn::StoreU(high_x, kD, &boxes.high_x[i]);
+  hn::StoreU(high_y, kD, &boxes.high_y[i]);
+
+  const IntegerTag di;
+  const Lanes wider_x = hn::Set(kD, p.wider_x), wider_y = hn::Set(kD, p.wider_y);
+  const auto next = hn::Set(di, 1);
+  hn::StoreU(pixel(hn::Sub(low_x, wider_x), p.width), di, &boxes.x0[i]);
+  hn::StoreU(pixel(hn::Sub(low_y, wider_y), p.height), di, &boxes.y0[i]);
+  hn::StoreU(hn::Add(pixel(hn::Add(high_x, wider_x), p.width), next), di, &boxes.x1[i]);
+  hn::StoreU(hn::Add(pixel(hn::Add(high_y, wider_y), p.height), next), di, &boxes.y1[i]);
+
+  // False if one of them is NaN.
+  const auto is_known = hn::And(hn::Gt(least, hn::Set(kD, p.near)), hn::Lt(error, hn::Set(kD, kMostError)));
+  const Lanes nearness = is_perspective ? hn::Div(one, least) : hn::Neg(least);
+  hn::StoreU(hn::IfThenElse(is_known, larger_than(nearness, 0x1p-21F), infinity), kD, &boxes.most[i]);
+  hn::StoreU(is_perspective ? squared : nearest, kD, &boxes.distance[i]);
+}
+
+HWY_INLINE void take(const BoxPicture& picture, const kernel::BoxBlock& block, SeenBoxes& boxes) {
+  const hn::CappedTag<double, SeenBoxes::kMost> d;
+  const hn::Rebind<float, decltype(d)> to;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto eye = hn::Set(d, picture.eye[static_cast<int>(axis)]);
+    for (std::size_t i = 0; i < SeenBoxes::kMost; i += hn::Lanes(d)) {
+      hn::StoreU(hn::DemoteTo(to, hn::Sub(hn::Load(d, &block.min[axis][i]), eye)), to, &boxes.low[axis][i]);
+      hn::StoreU(hn::DemoteTo(to, hn::Sub(hn::Load(d, &block.max[axis][i]), eye)), to, &boxes.high[axis][i]);
+    }
+  }
+}
+
+void see(const BoxPicture& picture, SeenBoxes& boxes) {
+  for (std::size_t i = 0; i < boxes.size; i += hn::Lanes(kD)) {
+    if (picture.is_perspective) {
+      see_lanes<true>(picture, boxes, i);
+    } else {
+      see_lanes<false>(picture, boxes, i);
+    }
+  }
+}
+
+void see_block(const BoxPicture& picture, const kernel::BoxBlock& block, SeenBoxes& boxes) {
+  take(picture, block, boxes);
+  HWY_NAMESPACE::see(picture, boxes);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace occlude::culler
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "base/rounded_float.h"
+
+namespace occlude::culler {
+namespace {
+HWY_EXPORT(see);
+HWY_EXPORT(see_block);
+
+/// Floats below 2^-126 round by 2^-150 whatever their size. Three coordinates, three products with an axis, the sum of the
+/// coordinates times its factor, and this bound itself do so: 8 of these. Twice that leaves room.
+constexpr double kUnderflow = 16 * 0x1p-150;
+
+std::array<float, 3> to_floats(const glm::dvec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+}  // namespace
+
+BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
+    : eye(picture.eye()),
+      is_perspective(picture.is_perspective()),
+      right(to_floats(picture.right())),
+      up(to_floats(picture.up())),
+      forward(to_floats(picture.forward())),
+      middle_x(static_cast<float>(picture.middle().x)),
+      middle_y(static_cast<float>(picture.middle().y)),
+      scale_x(static_cast<float>(picture.scale().x)),
+      scale_y(static_cast<float>(picture.scale().y)),
+      width(static_cast<float>(picture.width())),
+      height(static_cast<float>(picture.height())),
+      near(rounded_up(picture.near())),
+      moved(static_cast<float>(picture.error() + picture.rounding() + kUnderflow)),
+      wider_x(rounded_up(margin.x)),
+      wider_y(rounded_up(margin.y)) {}
+
+void SeenBoxes::see(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(see)(picture, *this); }
+
+SeenBoxes::SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block) {
+  size = kMost;
+  HWY_DYNAMIC_DISPATCH(see_block)(picture, block, *this);
+}
+
+}  // namespace occlude::culler
+#endif

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/culler.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "base/lazy.h"
+#include "cover/cull_by_cover.h"
+#include "frame/begin_frame.h"
+#include "frusta/cull_by_frusta.h"
+#include "frusta/node_tests.h"
+#include "model/legal_soup.h"
+#include "model/node_blocks.h"
+#include "occlude/culler/clearance.h"
+#include "occlude/kernel/clearance.h"
+
+namespace occlude::culler {
+namespace {
+
+const BuildConfig& checked(const BuildConfig& config) {
+  if (const std::string reason = OccluderLists::fault(config.lists); !reason.empty()) throw std::invalid_argument(reason);
+  return config;
+}
+
+PolygonSoup checked(PolygonSoup soup) {
+  require_legal(soup);
+  if (soup.empty()) throw std::invalid_argument("the soup has no polygon");
+  return soup;
+}
+
+}  // namespace
+
+Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& checkpoint)
+    : config_(checked(config)),
+      hierarchy_(Hierarchy::build(checked(std::move(soup)), config.hierarchy, checkpoint)),
+      occluders_(std::make_shared<Lazy<OccluderSet>>()),
+      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
+      triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
+
+Culler::Culler(const Culler& other, OccluderSet occluders)
+    : config_(other.config_),
+      hierarchy_(other.hierarchy_),
+      occluders_(std::make_shared<Lazy<OccluderSet>>()),
+      blocks_(other.blocks_),
+      triangles_(other.triangles_) {
+  static_cast<void>(occluders_->get([&] { return std::move(occluders); }));
+}
+
+Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occluders().with_hidden(std::move(hidden))}; }
+
+const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
+  return occluders_->get([&] {
+    require_rounding();
+    return OccluderSet::build(hierarchy_.shared_soup(), Space::of(hierarchy_), config_.occluders, config_.lists, checkpoint);
+  });
+}
+
+const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
+  return triangles_->get([&] {
+    require_rounding();
+    return CoverTriangles::find(hierarchy_.soup(), checkpoint);
+  });
+}
+
+const NodeBlocks& Culler::blocks(const Checkpoint& checkpoint) const {
+  return blocks_->get([&] {
+    require_rounding();
+    return NodeBlocks(hierarchy_, checkpoint);
+  });
+}
+
+void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
+  if (method == Method::cover) {
+    static_cast<void>(triangles(checkpoint));
+  } else {
+    // Occluders first: to make them takes most memory, and blocks would add to that.
+    static_cast<void>(occluders(checkpoint));
+    static_cast<void>(blocks(checkpoint));
+  }
+}
+
+template <class AnyCamera>
+CullResult Culler::cull_alone(const AnyCamera& camera, const CullOptions& options) const {
+  View view;
+  CullOptions alone = options;
+  alone.probes = 0;  // there is no next frame
+  cull(camera, alone, view);
+  return std::move(view.memory().frame.result);
+}
+
+template <class AnyCamera>
+const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const {
+  require_sound(camera, options.method);
+  View::Memory& memory = view.memory_for(identity_);
+  if (options.method == Method::cover) {
+    const CoverTriangles& triangles = this->triangles();
+    begin_frame(hierarchy_, camera, options, memory);
+    cull_by_cover(hierarchy_, triangles, options, memory.frame, memory.cover, memory.leaves);
+  } else {
+    // In the order of prepare().
+    const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
+    const NodeBlocks& blocks = this->blocks();
+    begin_frame(hierarchy_, camera, options, memory);
+    cull_by_frusta(hierarchy_, blocks, occluders, options, memory.frame, memory.frusta);
+  }
+  return memory.frame.result;
+}
+
+CullResult Culler::cull(const Camera& camera, const CullOptions& options) const { return cull_alone(camera, options); }
+CullResult Culler::cull(const MatrixCamera& camera, const CullOptions& options) const { return cull_alone(camera, options); }
+
+const CullResult& Culler::cull(const Camera& camera, const CullOptions& options, View& view) const {
+  return cull_next(camera, options, view);
+}
+const CullResult& Culler::cull(const MatrixCamera& camera, const CullOptions& options, View& view) const {
+  return cull_next(camera, options, view);
+}
+
+void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& options,
+                                const std::function<void(const Occluder& occluder, const Box& box)>& visit) const {
+  Frame again;
+  again.result.view = frame.view;
+  again.result.margin = frame.margin;
+  again.result.occluders = frame.occluders;
+  again.result.pairs = frame.pairs;
+  FrustaMemory memory;
+  const auto on_tests = [&](const NodeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) {
+    for (std::uint32_t i = 0; i < NodeBlock::kNodes; ++i) {
+      for (std::size_t k = 0; k < questions.count; ++k) {
+        if ((kernel::boxes_of(nodes, k) >> i & 1U) == 0) continue;
+        visit(again.result.occluders[questions.frustum[k]], hierarchy_.volume(block.node[i]));
+      }
+    }
+  };
+  const OccluderSet* const occluders = frame.occluders.empty() ? nullptr : &this->occluders();
+  CullOptions in_order = options;
+  in_order.executor = nullptr;
+  traverse(blocks(), hierarchy_, occluders, on_tests, in_order, again, memory);
+}
+
+void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {
+  for (const Culled& cull : frame.culled) {
+    double margin = 0;
+    if (cull.by == Culled::By::view) {
+      margin = hierarchy_.ask(cull.node, [&](const auto& box) { return distance_beyond(frame.view[cull.index], box); });
+    } else if (cull.by == Culled::By::shadow && cull.second == Culled::kNone) {
+      const kernel::ShadowFrustum& shadow = frame.occluders[cull.index].frustum;
+      margin = hierarchy_.ask(cull.node, [&](const auto& box) { return certain_distance(shadow, box); });
+    }
+    witnesses.push_back({cull, std::max(margin, 0.0)});
+  }
+}
+
+const Culled* Culler::cull_of(const CullResult& frame, std::uint32_t p) const {
+  const auto nodes = hierarchy_.nodes();
+  // Subtrees are culled in the order of the tree.
+  const auto after = std::upper_bound(frame.culled.begin(), frame.culled.end(), p,
+                                      [&](std::uint32_t q, const Culled& c) { return q < nodes[c.node].first; });
+  if (after == frame.culled.begin()) return nullptr;
+  const Culled& last = *std::prev(after);
+  return p - nodes[last.node].first < nodes[last.node].count ? &last : nullptr;
+}
+
+}  // namespace occlude::culler

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Which objects of a frame are drawn, once all is in the coarse picture that hides.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "cover/cover_buffer.h"
+#include "cover/cover_descent.h"
+#include "occlude/culler/scene_view.h"
+#include "scene/object_group.h"
+
+namespace occlude::culler {
+
+/// Lists objects of some groups. Several listings may be at work at once.
+class ObjectListing {
+ public:
+  /// Lists to `room`, which must be enough for all objects of the groups. What is given outlives this.
+  ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& buffer, std::span<DrawnObject> room)
+      : options_(options), view_(view), buffer_(buffer), room_(room) {}
+
+  /// The objects of a group that are neither hidden nor out of view. `across` has a bit for each plane of the view that may
+  /// cross the group.
+  void list(const ObjectGroup& group, std::uint32_t across);
+  /// Begins anew.
+  void clear() { stats_ = {}; }
+  /// Lists an object.
+  void draw(const DrawnObject& object) { room_[stats_.drawn++] = object; }
+  /// Counts objects that are culled.
+  void count(Culled::By by, std::size_t objects) {
+    (by == Culled::By::view ? stats_.out_of_view : stats_.hidden) += objects;
+  }
+
+  [[nodiscard]] bool is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const;
+  /// As DrawnObject::size.
+  [[nodiscard]] float size_of(const kernel::Aabb& box) const;
+
+  [[nodiscard]] std::span<const DrawnObject> drawn() const { return room_.first(stats_.drawn); }
+  [[nodiscard]] SceneStats& stats() { return stats_; }
+
+ private:
+  class Objects;
+
+  const SceneOptions& options_;
+  const ViewPlanes& view_;
+  const CoverBuffer& buffer_;
+  std::span<DrawnObject> room_;
+  SceneStats stats_;
+};
+
+}  // namespace occlude::culler

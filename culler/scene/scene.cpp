@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "occlude/culler/scene.h"
+
+#include <utility>
+
+#include "camera/sound_camera.h"
+#include "cover/asked_box.h"
+#include "scene/scene_frame.h"
+#include "scene/scene_objects.h"
+#include "scene/scene_occluders.h"
+
+namespace occlude::culler {
+namespace {
+
+template <class AnyCamera>
+FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera) {
+  require_sound(camera, Method::cover);
+  return FrameView(camera, reach(objects, occluders, eye_of(camera)));
+}
+
+template <class AnyCamera>
+const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
+                            const SceneOptions& options, SceneView& view) {
+  view.memory().view = view_of(objects, occluders, camera);
+  cull_scene(objects, occluders, options, view.memory());
+  return view.result();
+}
+
+template <class AnyCamera>
+std::vector<ObjectFate> why_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
+                                const SceneOptions& options, const SceneView& view, std::span<const ObjectId> ids) {
+  SceneOptions same = options;
+  same.cover = repeated(view.result().stats.work, options.cover);
+  return fates_of(objects, occluders, view_of(objects, occluders, camera), same, ids);
+}
+
+}  // namespace
+
+SceneView::SceneView() : memory_(std::make_unique<Memory>()) {}
+SceneView::~SceneView() = default;
+SceneView::SceneView(SceneView&&) noexcept = default;
+SceneView& SceneView::operator=(SceneView&&) noexcept = default;
+
+const SceneResult& SceneView::result() const { return memory_->result; }
+
+Visibility SceneView::visibility(const Box& box) const {
+  return visibility_of(box, memory_->view, memory_->result.view,
+                       [&](const auto& b) { return hides_any(memory_->cover.buffer, b); });
+}
+
+struct Scene::Parts {
+  SceneObjects objects;
+  SceneOccluders occluders;
+};
+
+Scene::Scene() : parts_(std::make_unique<Parts>()) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+ObjectId Scene::add(const Box& box, const ObjectOptions& options) { return parts_->objects.add(box, options); }
+void Scene::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
+  parts_->objects.add(boxes, options, ids);
+}
+void Scene::remove(ObjectId object) { parts_->objects.remove(object); }
+void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, box); }
+void Scene::set_enabled(ObjectId object, bool is_enabled) { parts_->objects.set_enabled(object, is_enabled); }
+void Scene::set_mask(ObjectId object, std::uint32_t mask) { parts_->objects.set_mask(object, mask); }
+bool Scene::contains(ObjectId object) const { return parts_->objects.contains(object); }
+
+OccluderId Scene::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement, const OccluderOptions& options) {
+  return parts_->occluders.add(std::move(mesh), placement, options);
+}
+void Scene::remove(OccluderId occluder) { parts_->occluders.remove(occluder); }
+void Scene::move(OccluderId occluder, const Placement& placement) { parts_->occluders.move(occluder, placement); }
+void Scene::replace(OccluderId occluder, std::shared_ptr<const OccluderMesh> mesh) {
+  parts_->occluders.replace(occluder, std::move(mesh));
+}
+void Scene::set_enabled(OccluderId occluder, bool is_enabled) { parts_->occluders.set_enabled(occluder, is_enabled); }
+void Scene::set_mask(OccluderId occluder, std::uint32_t mask) { parts_->occluders.set_mask(occluder, mask); }
+bool Scene::contains(OccluderId occluder) const { return parts_->occluders.contains(occluder); }
+
+void Scene::update(const Executor& executor) {
+  parts_->objects.update(executor);
+  parts_->occluders.update();
+}
+
+const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options, SceneView& view) const {
+  return cull_any(parts_->objects, parts_->occluders, camera, options, view);
+}
+const SceneResult& Scene::cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const {
+  return cull_any(parts_->objects, parts_->occluders, camera, options, view);
+}
+
+std::vector<ObjectFate> Scene::why(const Camera& camera, const SceneOptions& options, const SceneView& view,
+                                   std::span<const ObjectId> objects) const {
+  return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
+}
+std::vector<ObjectFate> Scene::why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
+                                   std::span<const ObjectId> objects) const {
+  return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
+}
+
+std::size_t Scene::objects() const { return parts_->objects.size(); }
+std::size_t Scene::occluders() const { return parts_->occluders.size(); }
+std::size_t Scene::object_bytes() const { return parts_->objects.bytes(); }
+
+}  // namespace occlude::culler

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene_frame.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "base/bounds.h"
+#include "cover/cover_descent.h"
+#include "cover/drawn_groups.h"
+#include "cover/placed.h"
+#include "cover/prepared_mesh.h"
+#include "descent/add_counts.h"
+#include "scene/object_listing.h"
+#include "scene/packed_descent.h"
+
+namespace occlude::culler {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// A tree of a mesh where the mesh stands. Its boxes need only be about right: what is not drawn into the coarse picture
+/// hides nothing.
+struct PlacedTree {
+  std::span<const HierarchyNode> nodes;
+  const Placement& placement;
+
+  [[nodiscard]] kernel::Aabb box(std::uint32_t node) const { return placed(placement, nodes[node].box); }
+  template <class Question>
+  decltype(auto) ask(std::uint32_t node, const Question& question) const {
+    return question(box(node));
+  }
+};
+
+/// Groups that are worth a thread of their own.
+constexpr std::size_t kGroupsOfPart = 4;
+
+class SceneFrame {
+  using Part = SceneView::Memory::Part;
+
+ public:
+  SceneFrame(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+             SceneView::Memory& memory)
+      : objects_(objects),
+        occluders_(occluders),
+        options_(options),
+        memory_(memory),
+        stats_(memory.result.stats),
+        buffer_(memory.cover.buffer),
+        painter_(memory.view, options.cover, options.margin, memory.cover, stats_.work),
+        asking_(options, planes_, buffer_, {}) {}
+
+  /// What is seen of the occluders closes pixels. joined(painter, occluder) is called after each group that is drawn.
+  template <class Joined>
+  void draw_occluders(const Joined& joined) {
+    for (const SceneOccluders::Forest& forest : occluders_.forests()) {
+      const auto see = [&](const SeenNode& leaf) {
+        draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.across, joined);
+      };
+      descend(StandingBoxes{forest.tree.nodes()}, planes_.all(), see, [] {});
+    }
+  }
+
+  /// Lists the objects that are neither hidden nor out of view: first finds the groups that are neither, then lists the
+  /// objects of these, perhaps on several threads. Each part lists to room of its own, and the parts are put together in
+  /// their order. So the result does not depend on the threads.
+  void list_objects() {
+    make_room();
+    draw_unplaced();
+    ObjectListing culled = listing(0, 0);
+    find_groups(culled);
+    add(culled);
+    try {
+      list_parts();
+    } catch (...) {
+      draw_all();
+      throw;
+    }
+    if (!options_.is_front_to_back) return;
+    std::ranges::sort(memory_.result.drawn, [](const DrawnObject& a, const DrawnObject& b) {
+      return a.distance != b.distance ? a.distance < b.distance : a.id.slot < b.id.slot;
+    });
+  }
+
+  /// What becomes of an object; not yet what hides it. REQUIRES: the occluders were drawn.
+  [[nodiscard]] ObjectFate fate(ObjectId id) {
+    using Reason = ObjectFate::Reason;
+    const auto object = objects_.seen(id);
+    if (!object) return {Reason::not_in_scene};
+    if ((object->mask & options_.mask) == 0) return {Reason::in_no_layer};
+    if (object->group == nullptr) return {Reason::always_drawn};
+    for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) {
+      if (asking_.is_beyond(plane, *object->group, object->index)) return {Reason::out_of_view, plane};
+    }
+    const kernel::Aabb& box = object->group->outer(object->index);
+    if (buffer_.hides(box)) return {Reason::hidden};
+    return {asking_.size_of(box) < options_.least_size ? Reason::too_small : Reason::drawn};
+  }
+
+ private:
+  /// Looks for what is worth drawing into the coarse picture.
+  template <class Tree, class See, class Join>
+  void descend(const Tree& tree, std::uint32_t across, const See& see, const Join& join) {
+    const auto ignore = [](const Culled&) {};
+    CoverDescent(tree, planes_, buffer_, Sought::worth_closing, stats_.work, see, ignore, join).run(across);
+  }
+
+  [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
+    if ((occluder.mask & options_.mask) == 0) return false;
+    if (occluder.object.is_none()) return true;
+    const auto object = objects_.seen(occluder.object);
+    if (!object || (object->mask & options_.mask) == 0) return false;
+    return object->group == nullptr || !(asking_.size_of(object->group->outer(object->index)) < options_.least_size);
+  }
+
+  template <class Joined>
+  void draw(const SceneOccluders::Standing& occluder, std::uint32_t across, const Joined& joined) {
+    if (!painter_.may_draw() || !takes_part(occluder)) return;
+    CoverStand stand;
+    if (!occluder.is_identity) stand.placement = &occluder.placement;
+    if (occluder.is_one_sided) {
+      stand.front = occluder.is_mirrored ? CoverMesh::Front::clockwise : CoverMesh::Front::counter_clockwise;
+    }
+    const CoverSource source = occluder.mesh->prepared().source(stand);
+    painter_.use(source);
+    const std::uint32_t before = painter_.groups();
+    const auto see = [&](const SeenNode& leaf) { painter_.take(leaf); };
+    const auto join = [&] {
+      if (painter_.join()) joined(painter_, occluder);
+    };
+    descend(PlacedTree{source.nodes, occluder.placement}, across, see, join);
+    if (painter_.groups() != before) ++stats_.occluders;
+  }
+
+  void make_room() {
+    const std::size_t most = objects_.seen_size();
+    memory_.result.drawn.reserve(std::bit_ceil(most));
+    if (memory_.room_size >= most) return;
+    memory_.room_size = std::bit_ceil(most);
+    memory_.room = std::make_unique_for_overwrite<DrawnObject[]>(memory_.room_size);
+  }
+
+  [[nodiscard]] ObjectListing listing(std::size_t first, std::size_t objects) {
+    return {options_, planes_, buffer_, std::span(memory_.room.get(), memory_.room_size).subspan(first, objects)};
+  }
+
+  /// The groups of a scene, for a descent of their tree.
+  class Groups {
+   public:
+    Groups(const SceneFrame& frame, ObjectListing& listing)
+        : objects_(frame.objects_), mask_(frame.options_.mask), seen_(frame.memory_.groups), listing_(listing) {}
+
+    [[nodiscard]] kernel::BoxBits asked(std::uint32_t first) const {
+      return objects_.groups().used({0, first / PackedTree::kWidth});
+    }
+    [[nodiscard]] static kernel::BoxBits beyond(std::uint32_t, std::uint32_t, kernel::BoxBits) { return 0; }
+    static void prefetch(std::uint32_t) {}
+    void cull(Culled::By by, const PackedTree::Items& groups) { listing_.count(by, objects_.count(groups, mask_)); }
+    void see(std::uint32_t group, const SeenBoxes&, std::uint32_t, std::uint32_t across) {
+      seen_.push_back({group, across});
+    }
+
+   private:
+    const SceneObjects& objects_;
+    std::uint32_t mask_;
+    std::vector<SceneView::Memory::SeenGroup>& seen_;
+    ObjectListing& listing_;
+  };
+
+  void find_groups(ObjectListing& listing) {
+    memory_.groups.clear();
+    memory_.groups.reserve(std::bit_ceil(objects_.groups().size()));
+    Groups groups(*this, listing);
+    PackedDescent(objects_.groups(), planes_, buffer_, listing.stats().work, groups).run(planes_.all());
+  }
+
+  static void prefetch(const ObjectGroup& group) {
+    if (!group.tree().empty()) group.tree().prefetch(group.tree().root());
+  }
+
+  /// Divides the groups into at most so many parts.
+  void divide(std::size_t most) {
+    const std::span<const SceneView::Memory::SeenGroup> groups = memory_.groups;
+    const std::size_t parts = std::clamp<std::size_t>(groups.size() / kGroupsOfPart, 1, most);
+    const std::size_t length = (groups.size() + parts - 1) / parts;
+    memory_.parts.clear();
+    memory_.parts.reserve(most);
+    memory_.runner.reserve(most);
+    std::size_t first_object = 0;
+    for (std::size_t first = 0; first < groups.size(); first += length) {
+      const auto of_part = groups.subspan(first, std::min(length, groups.size() - first));
+      std::size_t objects = 0;
+      for (const auto& [group, across] : of_part) objects += objects_.group(group).living();
+      memory_.parts.push_back({of_part, listing(first_object, objects)});
+      first_object += objects;
+    }
+  }
+
+  /// Lists them by the executor.
+  void list_parts() {
+    const Executor this_thread;
+    const Executor& executor = options_.executor == nullptr ? this_thread : *options_.executor;
+    divide(4 * executor.threads());
+    const auto work_of = [&](std::size_t i) { return memory_.parts[i].groups.size(); };
+    memory_.runner.run(executor, memory_.parts.size(), work_of, [&](std::size_t i) { list(memory_.parts[i]); });
+    for (Part& part : memory_.parts) add(part.listing);
+    memory_.parts.clear();  // they refer to this frame
+  }
+
+  void list(Part& part) const {
+    part.listing.clear();
+    for (std::size_t i = 0; i < part.groups.size(); ++i) {
+      if (i + 1 < part.groups.size()) prefetch(objects_.group(part.groups[i + 1].group));
+      part.listing.list(objects_.group(part.groups[i].group), part.groups[i].across);
+    }
+  }
+
+  /// Lists all objects that take part, whatever was found.
+  void draw_all() {
+    memory_.result.drawn.clear();
+    stats_.drawn = stats_.out_of_view = stats_.hidden = stats_.too_small = 0;
+    draw_unplaced();
+    for (std::uint32_t item = 0; item < objects_.groups().size(); ++item) {
+      const ObjectGroup& group = objects_.group(item);
+      for (std::uint32_t i = 0; i < group.size(); ++i) draw_always(group.id(i), group.mask(i));
+    }
+  }
+  void draw_unplaced() {
+    for (const auto unplaced : {objects_.standing_unplaced(), objects_.moving_unplaced()}) {
+      for (const auto& [id, mask] : unplaced) draw_always(id, mask);
+    }
+  }
+  void draw_always(ObjectId id, std::uint32_t mask) {
+    if ((mask & options_.mask) == 0) return;
+    memory_.result.drawn.push_back({id, kInfinity, -kInfinity});
+    ++stats_.drawn;
+  }
+
+  void add(ObjectListing& listing) {
+    memory_.result.drawn.insert(memory_.result.drawn.end(), listing.drawn().begin(), listing.drawn().end());
+    const SceneStats& part = listing.stats();
+    stats_.drawn += part.drawn;
+    stats_.out_of_view += part.out_of_view;
+    stats_.hidden += part.hidden;
+    stats_.too_small += part.too_small;
+    add_counts(stats_.work, part.work);
+  }
+
+  const SceneObjects& objects_;
+  const SceneOccluders& occluders_;
+  const SceneOptions& options_;
+  SceneView::Memory& memory_;
+  SceneStats& stats_;
+  const CoverBuffer& buffer_;
+  CoverPainter painter_;
+  ViewPlanes planes_{memory_.planes, kernel::Arithmetic::certified};
+  ObjectListing asking_;  ///< which lists nothing
+};
+
+/// Appends the polygons that hide the box, each once.
+void append_hiding(const DrawnGroups& drawn, std::span<const SceneOccluders::Standing* const> occluders,
+                   const CoverBuffer& buffer, const kernel::Aabb& box, std::vector<ObjectFate::Hiding>& by) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> polygons;
+  drawn.visit_before(buffer, box, [&](std::uint32_t source, std::uint32_t p) { polygons.emplace_back(source, p); });
+  std::ranges::sort(polygons);
+  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+  for (const auto& [source, p] : polygons) {
+    const SceneOccluders::Standing& occluder = *occluders[source];
+    const Hierarchy& tree = *occluder.mesh->prepared().tree;
+    ObjectFate::Hiding hiding{occluder.id, tree.original(p), {}};
+    for (const std::uint32_t v : tree.soup().loop(p)) {
+      hiding.corners.push_back(placed(occluder.placement, to_kernel(tree.soup().vertices[v])));
+    }
+    by.push_back(std::move(hiding));
+  }
+}
+
+/// Empties the result, and makes the planes of the view.
+void begin_frame(SceneView::Memory& memory) {
+  memory.result.drawn.clear();
+  memory.result.view.clear();
+  memory.view.append_half_spaces(memory.result.view);
+  memory.result.stats = {};
+  memory.planes.clear();
+  for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
+}
+
+}  // namespace
+
+double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye) {
+  kernel::Aabb all = occluders.box();
+  grow(all, objects.box());
+  const bool is_empty = all.min.x > all.max.x;
+  return is_empty ? 0 : depth(all, eye);
+}
+
+void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                SceneView::Memory& memory) {
+  begin_frame(memory);
+  SceneFrame frame(objects, occluders, options, memory);
+  frame.draw_occluders([](const CoverPainter&, const SceneOccluders::Standing&) {});
+  frame.list_objects();
+}
+
+std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
+                                 const SceneOptions& options, std::span<const ObjectId> ids) {
+  SceneView::Memory memory;
+  memory.view = view;
+  begin_frame(memory);
+  SceneFrame frame(objects, occluders, options, memory);
+  memory.cover.buffer.keep_owners();
+  DrawnGroups drawn;
+  std::vector<const SceneOccluders::Standing*> drawn_occluders;
+  frame.draw_occluders([&](const CoverPainter& painter, const SceneOccluders::Standing& occluder) {
+    drawn.keep(painter, memory.cover, static_cast<std::uint32_t>(drawn_occluders.size()));
+    drawn_occluders.push_back(&occluder);
+  });
+  std::vector<ObjectFate> fates;
+  for (const ObjectId id : ids) {
+    fates.push_back(frame.fate(id));
+    if (fates.back().reason != ObjectFate::Reason::hidden) continue;
+    const auto object = objects.seen(id);
+    append_hiding(drawn, drawn_occluders, memory.cover.buffer, object->group->outer(object->index), fates.back().by);
+  }
+  return fates;
+}
+
+}  // namespace occlude::culler

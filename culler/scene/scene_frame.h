@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A frame of a scene from the camera to the list of what to draw.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/run_parts.h"
+#include "camera/frame_view.h"
+#include "cover/cover_painter.h"
+#include "occlude/culler/scene_view.h"
+#include "occlude/kernel/half_space.h"
+#include "scene/object_listing.h"
+#include "scene/scene_objects.h"
+#include "scene/scene_occluders.h"
+
+namespace occlude::culler {
+
+/// What is kept of a view, and memory that its frames reuse.
+struct SceneView::Memory {
+  /// A group of objects that is neither hidden nor out of view.
+  struct SeenGroup {
+    std::uint32_t group;   ///< an item of SceneObjects::groups()
+    std::uint32_t across;  ///< a bit for each plane that may cross it
+  };
+
+  /// Some of the groups, and what one thread lists of them.
+  struct Part {
+    std::span<const SeenGroup> groups;
+    ObjectListing listing;
+  };
+
+  SceneResult result;
+  FrameView view;  ///< of the last frame
+  CoverMemory cover;
+  std::vector<kernel::HalfSpace> planes;
+  std::vector<SeenGroup> groups;
+  std::vector<Part> parts;
+  PartRunner runner;
+  std::unique_ptr<DrawnObject[]> room;  ///< where the parts list; memory that is never written to takes only addresses
+  std::size_t room_size = 0;
+};
+
+/// How far the scene reaches from the eye, in the sum of the axes.
+[[nodiscard]] double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye);
+
+/// Fills memory.result for memory.view. REQUIRES: the view reaches as far as the scene.
+void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, const SceneOptions& options,
+                SceneView::Memory& memory);
+
+/// What becomes of these objects in a frame. REQUIRES: as above; no budget of time.
+[[nodiscard]] std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders,
+                                               const FrameView& view, const SceneOptions& options,
+                                               std::span<const ObjectId> ids);
+
+}  // namespace occlude::culler

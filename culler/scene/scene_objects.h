@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The objects of a scene: what the caller changes, and what views see of it since the last update.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/bounds.h"
+#include "base/slots.h"
+#include "model/packed_tree.h"
+#include "occlude/culler/box.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/scene_id.h"
+#include "scene/object_group.h"
+
+namespace occlude::culler {
+
+struct ObjectOptions;
+
+/// Objects that stand still are in groups of those that were added together. Each group has a tree of its own, so what comes
+/// and goes changes a few groups and not one large tree. Objects that move are all in one group, which is built anew when
+/// one of them has moved. A tree over the groups changes with them.
+///
+/// Changes touch only what no view sees, so they may be made while others cull. update() makes them seen.
+class SceneObjects {
+ public:
+  SceneObjects();
+
+  ObjectId add(const Box& box, const ObjectOptions& options);
+  void add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids);
+  void remove(ObjectId id);
+  void move(ObjectId id, const Box& box);
+  void set_enabled(ObjectId id, bool is_enabled);
+  void set_mask(ObjectId id, std::uint32_t mask);
+  [[nodiscard]] bool contains(ObjectId id) const { return objects_.contains(id); }
+  [[nodiscard]] std::size_t size() const { return objects_.size(); }
+
+  void update(const Executor& executor);
+
+  /// What views see: a tree whose items are groups.
+  [[nodiscard]] const PackedTree& groups() const { return top_; }
+  [[nodiscard]] const ObjectGroup& group(std::uint32_t item) const { return groups_[top_groups_[item]]; }
+  /// How many of the objects of these items of groups() are in one of these layers.
+  [[nodiscard]] std::size_t count(const PackedTree::Items& groups, std::uint32_t mask) const;
+  /// Objects without a place, which are always drawn.
+  struct Unplaced {
+    ObjectId id;
+    std::uint32_t mask = 0;
+  };
+  [[nodiscard]] std::span<const Unplaced> standing_unplaced() const { return unplaced_; }
+  [[nodiscard]] std::span<const Unplaced> moving_unplaced() const { return moving_unplaced_; }
+  /// An object as views see it. None if they do not see it.
+  struct Seen {
+    std::uint32_t mask;
+    const ObjectGroup* group;  ///< nullptr if it has no place
+    std::uint32_t index;       ///< in the group
+  };
+  [[nodiscard]] std::optional<Seen> seen(ObjectId id) const;
+  /// The number of objects that views see, those in no layer included.
+  [[nodiscard]] std::size_t seen_size() const { return seen_; }
+  /// The box around all that have a place; empty_box() if there are none.
+  [[nodiscard]] const kernel::Aabb& box() const { return box_; }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// What the caller has made of an object.
+  struct Object {
+    std::uint32_t mask = 0;
+    std::uint32_t next = kNone;  ///< its index in moving_, or in arrivals_ if it has arrived there since the last update
+    bool is_enabled = true, moves = false, is_always_drawn = false;
+  };
+  /// An object that will stand somewhere, or was moved to there. The id is none if it was removed again.
+  struct Change {
+    SceneObject object;
+    bool is_unplaced = false;
+  };
+  /// Where views find an object: in a group, in unplaced_ (kUnplaced) or in moving_unplaced_ (kMovingUnplaced).
+  struct Place {
+    std::uint32_t generation = 0;
+    std::uint32_t group = kNone, index = 0;
+  };
+  static constexpr std::uint32_t kMoving = 0;  ///< the group of the objects that move
+  static constexpr std::uint32_t kUnplaced = kNone - 1, kMovingUnplaced = kNone - 2;
+
+  [[nodiscard]] static std::uint32_t seen_mask(const Object& object) { return object.is_enabled ? object.mask : 0; }
+  ObjectId insert(const std::optional<Box>& legal, const ObjectOptions& options);
+  void set_layers(ObjectId id, std::uint32_t mask, bool is_enabled);
+  void changed(const Object& object);
+
+  void remove_departed();
+  void remove_from_place(std::uint32_t slot);
+  void mask_again();
+  void place_moving();
+  void place_arrivals(const Executor& executor);
+  void place_large_batch(const Executor& executor);
+  void place_group(std::span<const SceneObject> objects);
+  void note_places(std::uint32_t group);
+  void join_small();
+  void tidy_loose();
+  void empty_group(std::uint32_t group);
+  [[nodiscard]] std::uint32_t free_group(std::size_t objects);
+  void build_top();
+  void count_groups();
+
+  // Of the caller.
+  Slots<ObjectId, Object> objects_{"object"};
+  std::vector<Change> moving_;           ///< all objects that move, as they will be
+  std::vector<Change> arrivals_;         ///< objects that stand still and were added or moved
+  std::vector<std::uint32_t> departed_;  ///< slots to be taken out of their places
+  std::vector<std::uint32_t> remasked_;  ///< slots whose layers have changed
+  std::atomic<bool> has_moved_ = false;  ///< whether the group of what moves is to be built
+  bool has_changed_ = false;
+
+  // Of the views.
+  std::vector<Place> places_;  ///< by slots
+  std::vector<ObjectGroup> groups_;
+  std::vector<Unplaced> unplaced_, moving_unplaced_;
+  PackedTree top_;
+  std::vector<std::uint32_t> top_groups_;  ///< the groups in the order of top_
+  std::vector<std::uint32_t> before_;   ///< for each group in the order of top_, and the end: objects before it, but those
+                                        ///< of layered groups
+  std::vector<std::uint32_t> layered_;  ///< in the order of top_, groups with an object that is not in all layers
+  std::size_t seen_ = 0;
+  kernel::Aabb box_ = empty_box();
+
+  // Of update().
+  std::vector<std::uint32_t> free_groups_, small_groups_, loose_groups_;
+  std::vector<SceneObject> batch_;
+  std::vector<std::uint32_t> used_groups_;
+  GroupBuilder builder_;
+  std::vector<kernel::Aabb> boxes_;
+};
+
+}  // namespace occlude::culler

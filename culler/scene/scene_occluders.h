@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The occluders of a scene: what the caller changes, and what views see of it since the last update.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/slots.h"
+#include "model/linear_tree.h"
+#include "occlude/culler/occluder_mesh.h"
+#include "occlude/culler/placement.h"
+#include "occlude/culler/scene.h"
+#include "occlude/culler/scene_id.h"
+
+namespace occlude::culler {
+
+/// Those that stand still and those that move have a tree each. A tree is built anew when one of its occluders has changed.
+/// As with SceneObjects, changes touch only what no view sees.
+class SceneOccluders {
+ public:
+  OccluderId add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement, const OccluderOptions& options);
+  void remove(OccluderId id);
+  void move(OccluderId id, const Placement& placement);
+  void replace(OccluderId id, std::shared_ptr<const OccluderMesh> mesh);
+  void set_enabled(OccluderId id, bool is_enabled);
+  void set_mask(OccluderId id, std::uint32_t mask);
+  [[nodiscard]] bool contains(OccluderId id) const { return slots_.contains(id); }
+  [[nodiscard]] std::size_t size() const { return slots_.size(); }
+
+  void update();
+
+  /// An occluder as views see it.
+  struct Standing {
+    OccluderId id;
+    const OccluderMesh* mesh = nullptr;
+    Placement placement;
+    std::uint32_t mask = 0;
+    ObjectId object;
+    bool is_one_sided = false, is_identity = true, is_mirrored = false;
+  };
+  /// A tree of occluders, whose leaves are occluders, one each.
+  struct Forest {
+    LinearTree tree;
+    std::vector<Standing> occluders;  ///< the tree orders them
+    std::vector<kernel::Aabb> boxes;
+  };
+  /// Those that stand still, then those that move.
+  [[nodiscard]] std::span<const Forest> forests() const { return forests_; }
+  /// The box around all; empty_box() if there are none.
+  [[nodiscard]] kernel::Aabb box() const;
+
+ private:
+  /// What the caller has made of an occluder.
+  struct Placed {
+    std::shared_ptr<const OccluderMesh> mesh;
+    Placement placement;
+    OccluderOptions options;
+    bool is_enabled = true;
+  };
+
+  void changed(const Placed& occluder) { has_changed_[occluder.options.moves ? 1 : 0] = true; }
+  void build(std::size_t forest);
+
+  Slots<OccluderId, Placed> slots_{"occluder"};
+  std::vector<std::shared_ptr<const OccluderMesh>> retired_;  ///< which views may still see
+  std::array<bool, 2> has_changed_{};
+
+  std::array<Forest, 2> forests_;
+};
+
+}  // namespace occlude::culler
