@@ -36,7 +36,7 @@ def classes(text):
 def main():
     root = pathlib.Path(sys.argv[1])
     files = collections.defaultdict(set)
-    for folder in "kernel", "culler", "oracle", "render", "fuzz", "python":
+    for folder in "kernel", "culler", "oracle", "render", "fuzz":
         for file in sorted((root / folder).rglob("*")):
             if file.suffix in (".h", ".cpp"):
                 for name in classes(file.read_text()):
