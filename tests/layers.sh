@@ -13,7 +13,7 @@ culler: kernel
 culler/c: kernel culler
 oracle:
 render: kernel culler
-culler/python: kernel culler culler/c oracle
+culler/python: kernel culler oracle
 oracle/cases: kernel oracle render
 oracle/proof: kernel culler oracle render oracle/cases
 fuzz: kernel oracle/cases

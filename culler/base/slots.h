@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "occlude/culler/scene_id.h"
+#include "scene/scene_number.h"
 
 namespace occlude::culler {
 
@@ -23,40 +27,50 @@ void make_room(std::vector<T>& v) {
 template <class Id, class Thing>
 class Slots {
  public:
-  /// `kind` is for messages: "object".
-  explicit Slots(const char* kind) : kind_(kind) {}
+  /// The ids are of this scene.
+  explicit Slots(SceneNumber& scene) : scene_(scene) {}
 
   Id add(Thing thing) {
-    if (free_.empty()) {
-      make_room(slots_);
-      free_.reserve(slots_.capacity());  // so that removing cannot fail
-      free_.push_back(static_cast<std::uint32_t>(slots_.size()));
-      slots_.emplace_back();
-    }
+    if (free_.empty()) add_slot();
     const std::uint32_t i = free_.back();
     free_.pop_back();
     slots_[i].thing = std::move(thing);
     slots_[i].is_used = true;
+    scene_.use(slots_[i].generation);
     ++count_;
-    return {i, slots_[i].generation};
+    return id(i);
   }
   void remove(Id id) {
     static_cast<void>((*this)[id]);
-    Slot& slot = slots_[id.slot];
+    Slot& slot = slots_[id.slot()];
     slot.thing = {};
     slot.is_used = false;
     --count_;
     // A slot whose generations have all been used is not used again.
-    if (++slot.generation != 0) free_.push_back(id.slot);
+    if (++slot.generation >> Id::kGenerationBits == 0) free_.push_back(id.slot());
   }
 
   [[nodiscard]] bool contains(Id id) const {
-    return id.slot < slots_.size() && slots_[id.slot].is_used && slots_[id.slot].generation == id.generation;
+    return id.slot() < slots_.size() && slots_[id.slot()].is_used && this->id(id.slot()) == id;
+  }
+  /// Why there is no such thing; empty if there is.
+  [[nodiscard]] std::string fault(Id id) const {
+    if (contains(id)) return {};
+    if (id.is_none()) return "the id is none";
+    if (id.kind() != Id::kKind) return "the id is that of an " + name(id.kind()) + ", not of an " + name(Id::kKind);
+    if (id.scene() != scene_.number()) return "the id is that of another scene";
+    return "the scene has no such " + name(Id::kKind);
   }
   /// Throws std::invalid_argument if there is no such thing.
   [[nodiscard]] Thing& operator[](Id id) {
-    if (!contains(id)) throw std::invalid_argument(std::string("the scene has no such ") + kind_);
-    return slots_[id.slot].thing;
+    if (!contains(id)) throw std::invalid_argument(fault(id));
+    return slots_[id.slot()].thing;
+  }
+  /// The same for several, with the place.
+  void require(std::span<const Id> ids) const {
+    const auto unknown = std::ranges::find_if_not(ids, [&](Id id) { return contains(id); });
+    if (unknown == ids.end()) return;
+    throw std::invalid_argument(name(Id::kKind) + " " + std::to_string(unknown - ids.begin()) + ": " + fault(*unknown));
   }
   /// The thing in a slot. REQUIRES: slot < slots(). It is empty if the slot is.
   [[nodiscard]] Thing& at(std::uint32_t slot) { return slots_[slot].thing; }
@@ -72,7 +86,7 @@ class Slots {
   template <class Visit>
   void for_each(const Visit& visit) const {
     for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-      if (slots_[i].is_used) visit(Id{i, slots_[i].generation}, slots_[i].thing);
+      if (slots_[i].is_used) visit(id(i), slots_[i].thing);
     }
   }
 
@@ -83,7 +97,20 @@ class Slots {
     bool is_used = false;
   };
 
-  const char* kind_;
+  static std::string name(SceneKind kind) { return kind == SceneKind::object ? "object" : "occluder"; }
+
+  [[nodiscard]] Id id(std::uint32_t slot) const { return {slot, slots_[slot].generation, scene_.number()}; }
+
+  void add_slot() {
+    const std::size_t slot = slots_.size();
+    if (slot >> Id::kSlotBits != 0) throw std::runtime_error("the scene has no room for another " + name(Id::kKind));
+    make_room(slots_);
+    free_.reserve(slots_.capacity());  // so that removing cannot fail
+    free_.push_back(static_cast<std::uint32_t>(slot));
+    slots_.push_back({.generation = scene_.first_generation()});
+  }
+
+  SceneNumber& scene_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_;
   std::size_t count_ = 0;

@@ -96,7 +96,7 @@ int main(void) {
     occlude_frame frame = OCCLUDE_FRAME_INIT;
     check(occlude_view_frame(view, &frame));
     int is_bus_drawn = 0;
-    for (size_t i = 0; i < frame.count; ++i) is_bus_drawn = is_bus_drawn || frame.objects[i] == bus;
+    for (size_t i = 0; i < frame.count; ++i) is_bus_drawn = is_bus_drawn || frame.objects[i].number == bus.number;
 
     const occlude_box place = {{60, 40, 0}, {61, 41, 2}};  // any box, whether or not it is an object
     const occlude_boxes spawn_place = {&place, 1, 0, OCCLUDE_DOUBLE, OCCLUDE_ALIGNED};

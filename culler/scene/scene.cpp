@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/scene.h"
 
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "camera/sound_camera.h"
 #include "cover/asked_box.h"
 #include "scene/scene_frame.h"
+#include "scene/scene_number.h"
 #include "scene/scene_objects.h"
 #include "scene/scene_occluders.h"
 
@@ -29,6 +32,7 @@ const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& o
 template <class AnyCamera>
 std::vector<ObjectFate> why_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
                                 const SceneOptions& options, const SceneView& view, std::span<const ObjectId> ids) {
+  objects.require(ids);
   SceneOptions same = options;
   same.cover = repeated(view.result().stats.work, options.cover);
   return fates_of(objects, occluders, view_of(objects, occluders, camera), same, ids);
@@ -49,8 +53,15 @@ Visibility SceneView::visibility(const Box& box) const {
 }
 
 struct Scene::Parts {
-  SceneObjects objects;
-  SceneOccluders occluders;
+  SceneNumber number;
+  SceneObjects objects{number};
+  SceneOccluders occluders{number};
+
+  /// Throws std::invalid_argument unless the object that draws an occluder, if any, is there.
+  void require_drawn(const OccluderOptions& options) const {
+    const std::string reason = options.object.is_none() ? "" : objects.fault(options.object);
+    if (!reason.empty()) throw std::invalid_argument("the object that draws the occluder: " + reason);
+  }
 };
 
 Scene::Scene() : parts_(std::make_unique<Parts>()) {}
@@ -63,22 +74,36 @@ void Scene::add(std::span<const Box> boxes, const ObjectOptions& options, std::s
   parts_->objects.add(boxes, options, ids);
 }
 void Scene::remove(ObjectId object) { parts_->objects.remove(object); }
+void Scene::remove(std::span<const ObjectId> objects) { parts_->objects.remove(objects); }
 void Scene::move(ObjectId object, const Box& box) { parts_->objects.move(object, box); }
+void Scene::move(std::span<const ObjectId> objects, std::span<const Box> boxes) { parts_->objects.move(objects, boxes); }
 void Scene::set_enabled(ObjectId object, bool is_enabled) { parts_->objects.set_enabled(object, is_enabled); }
 void Scene::set_mask(ObjectId object, std::uint32_t mask) { parts_->objects.set_mask(object, mask); }
 bool Scene::contains(ObjectId object) const { return parts_->objects.contains(object); }
+std::string Scene::fault(ObjectId object) const { return parts_->objects.fault(object); }
 
 OccluderId Scene::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement, const OccluderOptions& options) {
+  parts_->require_drawn(options);
   return parts_->occluders.add(std::move(mesh), placement, options);
 }
+void Scene::add(const std::shared_ptr<const OccluderMesh>& mesh, std::span<const Placement> placements,
+                const OccluderOptions& options, std::span<OccluderId> ids) {
+  parts_->require_drawn(options);
+  parts_->occluders.add(mesh, placements, options, ids);
+}
 void Scene::remove(OccluderId occluder) { parts_->occluders.remove(occluder); }
+void Scene::remove(std::span<const OccluderId> occluders) { parts_->occluders.remove(occluders); }
 void Scene::move(OccluderId occluder, const Placement& placement) { parts_->occluders.move(occluder, placement); }
+void Scene::move(std::span<const OccluderId> occluders, std::span<const Placement> placements) {
+  parts_->occluders.move(occluders, placements);
+}
 void Scene::replace(OccluderId occluder, std::shared_ptr<const OccluderMesh> mesh) {
   parts_->occluders.replace(occluder, std::move(mesh));
 }
 void Scene::set_enabled(OccluderId occluder, bool is_enabled) { parts_->occluders.set_enabled(occluder, is_enabled); }
 void Scene::set_mask(OccluderId occluder, std::uint32_t mask) { parts_->occluders.set_mask(occluder, mask); }
 bool Scene::contains(OccluderId occluder) const { return parts_->occluders.contains(occluder); }
+std::string Scene::fault(OccluderId occluder) const { return parts_->occluders.fault(occluder); }
 
 void Scene::update(const Executor& executor) {
   parts_->objects.update(executor);

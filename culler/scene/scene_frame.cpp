@@ -82,7 +82,7 @@ class SceneFrame {
     }
     if (!options_.is_front_to_back) return;
     std::ranges::sort(memory_.result.drawn, [](const DrawnObject& a, const DrawnObject& b) {
-      return a.distance != b.distance ? a.distance < b.distance : a.id.slot < b.id.slot;
+      return a.distance != b.distance ? a.distance < b.distance : a.id.slot() < b.id.slot();
     });
   }
 

@@ -33,6 +33,13 @@ std::size_t bytes_of(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
 }
 
+void require_legal(std::span<const Box> boxes) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::string_view reason = fault(boxes[i]);
+    if (!reason.empty()) throw std::invalid_argument("object " + std::to_string(i) + ": " + std::string(reason));
+  }
+}
+
 template <class T>
 void forget(std::vector<T>& v) {
   v.clear();
@@ -41,15 +48,12 @@ void forget(std::vector<T>& v) {
 
 }  // namespace
 
-SceneObjects::SceneObjects() : groups_(1) {}
+SceneObjects::SceneObjects(SceneNumber& scene) : objects_(scene), groups_(1) {}
 
 ObjectId SceneObjects::add(const Box& box, const ObjectOptions& options) { return insert(legal_box(box), options); }
 
 void SceneObjects::add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids) {
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const std::string_view reason = fault(boxes[i]);
-    if (!reason.empty()) throw std::invalid_argument("object " + std::to_string(i) + ": " + std::string(reason));
-  }
+  require_legal(boxes);
   for (std::size_t i = 0; i < boxes.size(); ++i) ids[i] = insert(legal_box(boxes[i]), options);
 }
 
@@ -76,17 +80,24 @@ void SceneObjects::changed(const Object& object) {
 
 void SceneObjects::remove(ObjectId id) {
   const Object& object = objects_[id];
-  departed_.push_back(id.slot);
+  departed_.push_back(id.slot());
   changed(object);
   if (object.moves) {
     // The last one takes its place.
     moving_[object.next] = moving_.back();
-    objects_.at(moving_[object.next].object.id.slot).next = object.next;
+    objects_.at(moving_[object.next].object.id.slot()).next = object.next;
     moving_.pop_back();
   } else if (object.next != kNone) {
     arrivals_[object.next].object.id = {};
   }
   objects_.remove(id);
+}
+
+void SceneObjects::remove(std::span<const ObjectId> ids) {
+  require(ids);
+  for (const ObjectId id : ids) {
+    if (contains(id)) remove(id);  // not so the second time
+  }
 }
 
 void SceneObjects::move(ObjectId id, const Box& box) {
@@ -102,12 +113,18 @@ void SceneObjects::move(ObjectId id, const Box& box) {
   changed(object);
 }
 
+void SceneObjects::move(std::span<const ObjectId> ids, std::span<const Box> boxes) {
+  require(ids);
+  require_legal(boxes);
+  for (std::size_t i = 0; i < ids.size(); ++i) move(ids[i], boxes[i]);
+}
+
 void SceneObjects::set_enabled(ObjectId id, bool is_enabled) { set_layers(id, objects_[id].mask, is_enabled); }
 
 void SceneObjects::set_mask(ObjectId id, std::uint32_t mask) { set_layers(id, mask, objects_[id].is_enabled); }
 
 void SceneObjects::set_layers(ObjectId id, std::uint32_t mask, bool is_enabled) {
-  remasked_.push_back(id.slot);
+  remasked_.push_back(id.slot());
   Object& object = objects_[id];
   object.mask = mask;
   object.is_enabled = is_enabled;
@@ -138,7 +155,7 @@ void SceneObjects::remove_from_place(std::uint32_t slot) {
   Place& place = places_[slot];
   if (place.group == kUnplaced) {
     unplaced_[place.index] = unplaced_.back();
-    places_[unplaced_[place.index].id.slot].index = place.index;
+    places_[unplaced_[place.index].id.slot()].index = place.index;
     unplaced_.pop_back();
   } else if (place.group < kMovingUnplaced && place.group != kMoving) {
     ObjectGroup& group = groups_[place.group];
@@ -168,7 +185,7 @@ void SceneObjects::place_moving() {
   for (const Change& change : moving_) {
     if (change.is_unplaced) {
       const auto index = static_cast<std::uint32_t>(moving_unplaced_.size());
-      places_[change.object.id.slot] = {change.object.id.generation, kMovingUnplaced, index};
+      places_[change.object.id.slot()] = {change.object.id.generation(), kMovingUnplaced, index};
       moving_unplaced_.push_back({change.object.id, change.object.mask});
     } else {
       batch_.push_back(change.object);
@@ -176,7 +193,7 @@ void SceneObjects::place_moving() {
   }
   ObjectGroup& group = groups_[kMoving];
   group.assign(batch_, false, builder_);
-  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot] = {group.id(i).generation, kMoving, i};
+  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot()] = {group.id(i).generation(), kMoving, i};
 }
 
 /// Puts what was added or moved into groups of objects that are near each other.
@@ -184,13 +201,13 @@ void SceneObjects::place_arrivals(const Executor& executor) {
   batch_.clear();
   for (const auto& [object, is_unplaced] : arrivals_) {
     if (object.id.is_none()) continue;
-    objects_.at(object.id.slot).next = kNone;
-    remove_from_place(object.id.slot);
+    objects_.at(object.id.slot()).next = kNone;
+    remove_from_place(object.id.slot());
     if (!is_unplaced) {
       batch_.push_back(object);
       continue;
     }
-    places_[object.id.slot] = {object.id.generation, kUnplaced, static_cast<std::uint32_t>(unplaced_.size())};
+    places_[object.id.slot()] = {object.id.generation(), kUnplaced, static_cast<std::uint32_t>(unplaced_.size())};
     unplaced_.push_back({object.id, object.mask});
   }
   forget(arrivals_);
@@ -239,7 +256,7 @@ void SceneObjects::place_group(std::span<const SceneObject> objects) {
 
 void SceneObjects::note_places(std::uint32_t number) {
   const ObjectGroup& group = groups_[number];
-  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot] = {group.id(i).generation, number, i};
+  for (std::uint32_t i = 0; i < group.size(); ++i) places_[group.id(i).slot()] = {group.id(i).generation(), number, i};
   if (group.size() < kSmall) small_groups_.push_back(number);
 }
 
@@ -338,9 +355,9 @@ std::size_t SceneObjects::count(const PackedTree::Items& groups, std::uint32_t m
 }
 
 std::optional<SceneObjects::Seen> SceneObjects::seen(ObjectId id) const {
-  if (id.slot >= places_.size()) return std::nullopt;
-  const Place& place = places_[id.slot];
-  if (place.group == kNone || place.generation != id.generation) return std::nullopt;
+  if (id.slot() >= places_.size()) return std::nullopt;
+  const Place& place = places_[id.slot()];
+  if (place.group == kNone || place.generation != id.generation()) return std::nullopt;
   if (place.group == kUnplaced) return Seen{unplaced_[place.index].mask, nullptr, 0};
   if (place.group == kMovingUnplaced) return Seen{moving_unplaced_[place.index].mask, nullptr, 0};
   const ObjectGroup& group = groups_[place.group];

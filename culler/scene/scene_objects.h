@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/bounds.h"
@@ -29,15 +30,19 @@ struct ObjectOptions;
 /// Changes touch only what no view sees, so they may be made while others cull. update() makes them seen.
 class SceneObjects {
  public:
-  SceneObjects();
+  explicit SceneObjects(SceneNumber& scene);
 
   ObjectId add(const Box& box, const ObjectOptions& options);
   void add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids);
   void remove(ObjectId id);
+  void remove(std::span<const ObjectId> ids);
   void move(ObjectId id, const Box& box);
+  void move(std::span<const ObjectId> ids, std::span<const Box> boxes);
   void set_enabled(ObjectId id, bool is_enabled);
   void set_mask(ObjectId id, std::uint32_t mask);
   [[nodiscard]] bool contains(ObjectId id) const { return objects_.contains(id); }
+  [[nodiscard]] std::string fault(ObjectId id) const { return objects_.fault(id); }
+  void require(std::span<const ObjectId> ids) const { objects_.require(ids); }
   [[nodiscard]] std::size_t size() const { return objects_.size(); }
 
   void update(const Executor& executor);
@@ -111,7 +116,7 @@ class SceneObjects {
   void count_groups();
 
   // Of the caller.
-  Slots<ObjectId, Object> objects_{"object"};
+  Slots<ObjectId, Object> objects_;
   std::vector<Change> moving_;           ///< all objects that move, as they will be
   std::vector<Change> arrivals_;         ///< objects that stand still and were added or moved
   std::vector<std::uint32_t> departed_;  ///< slots to be taken out of their places

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "base/bounds.h"
@@ -12,13 +13,28 @@
 namespace occlude::culler {
 namespace {
 
-void require_placeable(const std::shared_ptr<const OccluderMesh>& mesh, const Placement& placement) {
-  if (!mesh) throw std::invalid_argument("an occluder without a mesh");
+/// Why a mesh cannot stand there; empty if it can.
+std::string fault(const OccluderMesh* mesh, const Placement& placement) {
+  if (mesh == nullptr) return "an occluder without a mesh";
   const kernel::Aabb box = placed(placement, mesh->box());
   for (int axis = 0; axis < 3; ++axis) {
     // Not so if a number is NaN.
     if (box.min[axis] >= -kernel::kMaxMagnitude && box.max[axis] <= kernel::kMaxMagnitude) continue;
-    throw std::invalid_argument("an occluder's placement is not finite, or takes it beyond 2^100");
+    return "an occluder's placement is not finite, or takes it beyond 2^100";
+  }
+  return {};
+}
+
+void require_placeable(const OccluderMesh* mesh, const Placement& placement) {
+  if (const std::string reason = fault(mesh, placement); !reason.empty()) throw std::invalid_argument(reason);
+}
+
+/// The same for several, with the place. mesh_of(i) is the mesh of the i-th.
+template <class MeshOf>
+void require_placeable(const MeshOf& mesh_of, std::span<const Placement> placements) {
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    const std::string reason = fault(mesh_of(i), placements[i]);
+    if (!reason.empty()) throw std::invalid_argument("placement " + std::to_string(i) + ": " + reason);
   }
 }
 
@@ -26,10 +42,16 @@ void require_placeable(const std::shared_ptr<const OccluderMesh>& mesh, const Pl
 
 OccluderId SceneOccluders::add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement,
                                const OccluderOptions& options) {
-  require_placeable(mesh, placement);
+  require_placeable(mesh.get(), placement);
   const OccluderId id = slots_.add({std::move(mesh), placement, options});
   changed(slots_[id]);
   return id;
+}
+
+void SceneOccluders::add(const std::shared_ptr<const OccluderMesh>& mesh, std::span<const Placement> placements,
+                         const OccluderOptions& options, std::span<OccluderId> ids) {
+  require_placeable([&](std::size_t) { return mesh.get(); }, placements);
+  for (std::size_t i = 0; i < placements.size(); ++i) ids[i] = add(mesh, placements[i], options);
 }
 
 void SceneOccluders::remove(OccluderId id) {
@@ -39,16 +61,29 @@ void SceneOccluders::remove(OccluderId id) {
   slots_.remove(id);
 }
 
+void SceneOccluders::remove(std::span<const OccluderId> ids) {
+  slots_.require(ids);
+  for (const OccluderId id : ids) {
+    if (contains(id)) remove(id);  // not so the second time
+  }
+}
+
 void SceneOccluders::move(OccluderId id, const Placement& placement) {
   Placed& occluder = slots_[id];
-  require_placeable(occluder.mesh, placement);
+  require_placeable(occluder.mesh.get(), placement);
   occluder.placement = placement;
   changed(occluder);
 }
 
+void SceneOccluders::move(std::span<const OccluderId> ids, std::span<const Placement> placements) {
+  slots_.require(ids);
+  require_placeable([&](std::size_t i) { return slots_[ids[i]].mesh.get(); }, placements);
+  for (std::size_t i = 0; i < ids.size(); ++i) move(ids[i], placements[i]);
+}
+
 void SceneOccluders::replace(OccluderId id, std::shared_ptr<const OccluderMesh> mesh) {
   Placed& occluder = slots_[id];
-  require_placeable(mesh, occluder.placement);
+  require_placeable(mesh.get(), occluder.placement);
   retired_.push_back(std::move(occluder.mesh));
   occluder.mesh = std::move(mesh);
   changed(occluder);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/slots.h"
@@ -22,13 +23,20 @@ namespace occlude::culler {
 /// As with SceneObjects, changes touch only what no view sees.
 class SceneOccluders {
  public:
+  explicit SceneOccluders(SceneNumber& scene) : slots_(scene) {}
+
   OccluderId add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement, const OccluderOptions& options);
+  void add(const std::shared_ptr<const OccluderMesh>& mesh, std::span<const Placement> placements,
+           const OccluderOptions& options, std::span<OccluderId> ids);
   void remove(OccluderId id);
+  void remove(std::span<const OccluderId> ids);
   void move(OccluderId id, const Placement& placement);
+  void move(std::span<const OccluderId> ids, std::span<const Placement> placements);
   void replace(OccluderId id, std::shared_ptr<const OccluderMesh> mesh);
   void set_enabled(OccluderId id, bool is_enabled);
   void set_mask(OccluderId id, std::uint32_t mask);
   [[nodiscard]] bool contains(OccluderId id) const { return slots_.contains(id); }
+  [[nodiscard]] std::string fault(OccluderId id) const { return slots_.fault(id); }
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
 
   void update();
@@ -65,7 +73,7 @@ class SceneOccluders {
   void changed(const Placed& occluder) { has_changed_[occluder.options.moves ? 1 : 0] = true; }
   void build(std::size_t forest);
 
-  Slots<OccluderId, Placed> slots_{"occluder"};
+  Slots<OccluderId, Placed> slots_;
   std::vector<std::shared_ptr<const OccluderMesh>> retired_;  ///< which views may still see
   std::array<bool, 2> has_changed_{};
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -11,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -151,7 +153,7 @@ struct World {
   std::map<std::uint32_t, Standing> occluders;
 
   [[nodiscard]] const Object* find(ObjectId id) const {
-    const auto found = objects.find(id.slot);
+    const auto found = objects.find(id.slot());
     return found == objects.end() || found->second.id != id ? nullptr : &found->second;
   }
 };
@@ -224,7 +226,7 @@ class WorldJudge {
   void add_object() {
     World::Object object{{}, some_box(), {random_.chance(0.4), random_.chance(0.05), some_mask()}};
     object.id = scene_.add(object.box, object.options);
-    world_.objects[object.id.slot] = object;
+    world_.objects[object.id.slot()] = object;
   }
 
   void add_occluder() {
@@ -232,7 +234,7 @@ class WorldJudge {
     standing.options = {random_.chance(0.3), random_.chance(0.4), some_mask(), {}};
     if (random_.chance(0.3) && !world_.objects.empty()) standing.options.object = any(world_.objects).id;
     standing.id = scene_.add(standing.mesh->prepared, standing.placement, standing.options);
-    world_.occluders[standing.id.slot] = standing;
+    world_.occluders[standing.id.slot()] = standing;
   }
 
   void add_tile() {
@@ -241,7 +243,7 @@ class WorldJudge {
     const ObjectOptions options{random_.chance(0.2), false, some_mask()};
     std::vector<ObjectId> ids(boxes.size());
     scene_.add(boxes, options, ids);
-    for (std::size_t i = 0; i < ids.size(); ++i) world_.objects[ids[i].slot] = {ids[i], boxes[i], options};
+    for (std::size_t i = 0; i < ids.size(); ++i) world_.objects[ids[i].slot()] = {ids[i], boxes[i], options};
   }
 
   std::string step() {
@@ -276,7 +278,7 @@ class WorldJudge {
       case 0:
         scene_.remove(id);
         gone_.push_back(id);
-        world_.objects.erase(id.slot);
+        world_.objects.erase(id.slot());
         return;
       case 1:
         return scene_.set_enabled(id, object.is_enabled = !object.is_enabled);
@@ -295,7 +297,7 @@ class WorldJudge {
       case 0:
         scene_.remove(id);
         gone_occluders_.push_back(id);
-        world_.occluders.erase(id.slot);
+        world_.occluders.erase(id.slot());
         return;
       case 1:
         return scene_.set_enabled(id, standing.is_enabled = !standing.is_enabled);
@@ -322,8 +324,17 @@ class WorldJudge {
   std::string fault_of_stale_ids() {
     if (!gone_.empty()) {
       const ObjectId id = gone_[random_.index(gone_.size())];
-      if (scene_.contains(id) || !is_refused([&] { scene_.move(id, Aabb{}); }) || !is_refused([&] { scene_.remove(id); })) {
+      const std::array<std::function<void()>, 5> uses{
+          [&] { scene_.move(id, Aabb{}); }, [&] { scene_.remove(id); }, [&] { scene_.remove(std::span(&id, 1)); },
+          [&] { scene_.add(meshes_[0].prepared, {}, {.object = id}); },
+          [&] { static_cast<void>(scene_.why(Camera{}, {}, view_, std::span(&id, 1))); }};
+      if (scene_.contains(id) || !std::ranges::all_of(uses, [](const auto& use) { return is_refused(use); })) {
         return "the id of an object that was removed is taken for another";
+      }
+      Scene other;
+      const ObjectId first = other.add(Aabb{});
+      if (first == id || scene_.contains(first) || !is_refused([&] { scene_.move(first, Aabb{}); })) {
+        return "the id of an object of another scene is taken for one of this";
       }
     }
     if (!gone_occluders_.empty()) {
@@ -391,7 +402,7 @@ class WorldJudge {
       const World::Object* known = seen_.find(object.id);
       if (known == nullptr) return "an object is drawn that is not in the scene";
       if ((known->mask() & options.mask) == 0) return "an object is drawn that is in no layer of the frame";
-      drawn_.push_back(object.id.slot);
+      drawn_.push_back(object.id.slot());
     }
     std::ranges::sort(drawn_);
     if (std::ranges::adjacent_find(drawn_) != drawn_.end()) return "an object is drawn twice";
@@ -410,8 +421,8 @@ class WorldJudge {
 
   template <class AnyCamera>
   std::string fault_of_fates(const AnyCamera& camera, const SceneOptions& options) {
-    std::vector<ObjectId> ids = gone_;
-    for (const auto& [slot, object] : seen_.objects) ids.push_back(object.id);
+    std::vector<ObjectId> ids;
+    for (const auto& [slot, object] : world_.objects) ids.push_back(object.id);
     const std::vector<ObjectFate> fates = scene_.why(camera, options, view_, ids);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const World::Object* object = seen_.find(ids[i]);
@@ -425,7 +436,7 @@ class WorldJudge {
     if (object == nullptr) return "";
     const bool is_in_layer = (object->mask() & options.mask) != 0;
     if (is_in_layer == (fate.reason == Reason::in_no_layer)) return "why: the layers are others";
-    const bool is_drawn = std::ranges::binary_search(drawn_, object->id.slot);
+    const bool is_drawn = std::ranges::binary_search(drawn_, object->id.slot());
     if (is_drawn != (fate.reason == Reason::drawn || fate.reason == Reason::always_drawn)) return "why: not what was drawn";
     if (fate.reason == Reason::out_of_view) return fault_of_plane(legal(object->box), view_.result().view[fate.plane]);
     for (const Camera& eye : eyes_) {
@@ -445,7 +456,7 @@ class WorldJudge {
                               const ObjectFate& fate) {
     std::vector<oracle::Loop> polygons;
     for (const auto& [id, polygon, corners] : fate.by) {
-      const auto found = seen_.occluders.find(id.slot);
+      const auto found = seen_.occluders.find(id.slot());
       if (found == seen_.occluders.end() || found->second.id != id) return "hidden by what is not in the scene";
       const World::Standing& standing = found->second;
       if (!standing.is_enabled || (standing.options.mask & options.mask) == 0) return "hidden by what is in no layer";
@@ -513,24 +524,25 @@ class WorldJudge {
   std::string fault_beside_scene_anew(const AnyCamera& camera, const SceneOptions& options) {
     Scene anew;
     const ObjectId gone = anew.add(Aabb{});
-    anew.remove(gone);
     std::map<std::uint32_t, ObjectId> ids;
     std::map<std::uint32_t, std::uint32_t> slots;
     for (const auto& [slot, object] : seen_.objects) {
       ids[slot] = anew.add(object.box, object.options);
-      slots[ids[slot].slot] = slot;
+      slots[ids[slot].slot()] = slot;
       if (!object.is_enabled) anew.set_enabled(ids[slot], false);
     }
     for (const auto& [slot, standing] : seen_.occluders) {
       OccluderOptions its = standing.options;
-      if (!its.object.is_none()) its.object = seen_.find(its.object) == nullptr ? gone : ids[its.object.slot];
+      if (!its.object.is_none()) its.object = seen_.find(its.object) == nullptr ? gone : ids[its.object.slot()];
       const OccluderId id = anew.add(standing.mesh->prepared, standing.placement, its);
       if (!standing.is_enabled) anew.set_enabled(id, false);
     }
+    anew.remove(gone);
     anew.update();
     SceneView view;
     std::vector<std::uint32_t> drawn;
-    for (const culler::DrawnObject& object : anew.cull(camera, options, view).drawn) drawn.push_back(slots[object.id.slot]);
+    for (const culler::DrawnObject& object : anew.cull(camera, options, view).drawn)
+      drawn.push_back(slots[object.id.slot()]);
     std::ranges::sort(drawn);
     return drawn == drawn_ ? "" : "a scene made anew draws other objects";
   }

@@ -28,9 +28,10 @@ class Check {
     for (std::size_t v = 0; v < views.size(); ++v) {
       const culler::Camera camera = world_.camera(v);
       std::vector<std::uint32_t> drawn, drawn_anew, different;
-      for (const DrawnObject& object : views[v].result().drawn) drawn.push_back(object.id.slot);
+      for (const DrawnObject& object : views[v].result().drawn) drawn.push_back(object.id.slot());
       culler::SceneView view;
-      for (const DrawnObject& object : anew.cull(camera, how, view).drawn) drawn_anew.push_back(ids[object.id.slot].slot);
+      for (const DrawnObject& object : anew.cull(camera, how, view).drawn)
+        drawn_anew.push_back(ids[object.id.slot()].slot());
       std::ranges::sort(drawn);
       std::ranges::sort(drawn_anew);
       std::ranges::set_symmetric_difference(drawn, drawn_anew, std::back_inserter(different));
@@ -48,7 +49,7 @@ class Check {
     // Most objects are out of view. So many are enough to find those that are hidden.
     for (std::size_t i = 0; i < 50 * options_.proofs; ++i) {
       const ObjectId id = ids[random() % ids.size()];
-      if (!std::ranges::binary_search(drawn, id.slot)) chosen.push_back(id);
+      if (!std::ranges::binary_search(drawn, id.slot())) chosen.push_back(id);
     }
     const std::vector<ObjectFate> fates = world_.scene().why(camera, how, view, chosen);
     std::size_t left = options_.proofs;

@@ -57,13 +57,13 @@ double SceneWorld::uniform(double low, double high) {
 }
 
 void SceneWorld::note(ObjectId id, const Box& box, bool moves) {
-  if (things_.size() <= id.slot) things_.resize(id.slot + std::size_t{1});
-  things_[id.slot] = {id, box, moves, false, {}};
+  if (things_.size() <= id.slot()) things_.resize(id.slot() + std::size_t{1});
+  things_[id.slot()] = {id, box, moves, false, {}};
 }
 
 OccluderId SceneWorld::add_occluder(const Aabb& box, ObjectId object, bool moves) {
-  things_[object.slot].is_occluder = true;
-  things_[object.slot].placement = placement_of(box);
+  things_[object.slot()].is_occluder = true;
+  things_[object.slot()].placement = placement_of(box);
   return scene_.add(unit_, placement_of(box), {.moves = moves, .is_one_sided = true, .object = object});
 }
 
@@ -133,7 +133,7 @@ void SceneWorld::remove_tile(const Tile& tile) {
   for (const OccluderId id : tile.occluders) scene_.remove(id);
   for (const ObjectId id : tile.objects) {
     scene_.remove(id);
-    things_[id.slot].id = {};
+    things_[id.slot()].id = {};
   }
 }
 
@@ -159,11 +159,11 @@ void SceneWorld::prepare(Mover& mover) const {
 
 void SceneWorld::place(const Mover& mover) {
   scene_.move(mover.id, mover.box);
-  things_[mover.id.slot].box = mover.box;
+  things_[mover.id.slot()].box = mover.box;
   if (!mover.is_bus) return;
   const Placement placement = placement_of(walls_of(mover.box));
   scene_.move(mover.occluder, placement);
-  things_[mover.id.slot].placement = placement;
+  things_[mover.id.slot()].placement = placement;
 }
 
 void SceneWorld::prepare() {

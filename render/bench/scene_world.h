@@ -44,7 +44,7 @@ class SceneWorld {
   /// A scene with the same content, made at once. `ids` becomes the ids of the objects in this world, by slots of that one.
   [[nodiscard]] culler::Scene made_anew(std::vector<culler::ObjectId>& ids) const;
   /// The box of an object of the scene.
-  [[nodiscard]] culler::Box box(culler::ObjectId object) const { return things_[object.slot].box; }
+  [[nodiscard]] culler::Box box(culler::ObjectId object) const { return things_[object.slot()].box; }
   [[nodiscard]] std::size_t occluders() const { return scene_.occluders(); }
 
  private:

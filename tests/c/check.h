@@ -62,7 +62,7 @@ static inline int draws(const occlude_view* view, occlude_object object) {
   occlude_frame frame = OCCLUDE_FRAME_INIT;
   CHECK_OK(occlude_view_frame(view, &frame));
   for (size_t i = 0; i < frame.count; ++i) {
-    if (frame.objects[i] == object) return 1;
+    if (frame.objects[i].number == object.number) return 1;
   }
   return 0;
 }

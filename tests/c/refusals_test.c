@@ -2,6 +2,7 @@
 // What is refused, and how: nothing crashes, and nothing is changed.
 #include <fenv.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "check.h"
@@ -16,6 +17,7 @@ static void null_pointers(void) {
   const occlude_placement placement = OCCLUDE_PLACEMENT_INIT;
   occlude_mesh* made = NULL;
   occlude_object object = OCCLUDE_NONE;
+  occlude_occluder occluder = OCCLUDE_NONE;
   occlude_box box;
   occlude_frame frame = OCCLUDE_FRAME_INIT;
   occlude_statistics statistics = OCCLUDE_STATISTICS_INIT;
@@ -37,29 +39,29 @@ static void null_pointers(void) {
   CHECK_REFUSED(refused, "scene is null", occlude_scene_add_objects(NULL, &boxes, NULL, &object));
   CHECK_REFUSED(refused, "boxes is null", occlude_scene_add_objects(scene, NULL, NULL, &object));
   CHECK_REFUSED(refused, "objects is null", occlude_scene_add_objects(scene, &boxes, NULL, NULL));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_object(NULL, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_object(NULL, object));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_objects(NULL, &object, 1));
   CHECK_REFUSED(refused, "objects is null", occlude_scene_remove_objects(scene, NULL, 1));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_object(NULL, 1, &kBehind));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_object(NULL, object, &kBehind));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_move_objects(NULL, &object, &boxes));
   CHECK_REFUSED(refused, "boxes is null", occlude_scene_move_objects(scene, &object, NULL));
   CHECK_REFUSED(refused, "objects is null", occlude_scene_move_objects(scene, NULL, &boxes));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_object(NULL, 1, 1));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_object(NULL, 1, 1));
-  CHECK(!occlude_scene_has_object(NULL, 1) && !occlude_scene_has_occluder(NULL, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_object(NULL, object, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_object(NULL, object, 1));
+  CHECK(!occlude_scene_has_object(NULL, object) && !occlude_scene_has_occluder(NULL, occluder));
 
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluder(NULL, wall, NULL, NULL, &object));
-  CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluder(scene, NULL, NULL, NULL, &object));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluder(NULL, wall, NULL, NULL, &occluder));
+  CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluder(scene, NULL, NULL, NULL, &occluder));
   CHECK_REFUSED(refused, "occluder is null", occlude_scene_add_occluder(scene, wall, NULL, NULL, NULL));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluders(NULL, wall, &placement, 1, NULL, &object));
-  CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluders(scene, NULL, &placement, 1, NULL, &object));
-  CHECK_REFUSED(refused, "placements is null", occlude_scene_add_occluders(scene, wall, NULL, 1, NULL, &object));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_add_occluders(NULL, wall, &placement, 1, NULL, &occluder));
+  CHECK_REFUSED(refused, "mesh is null", occlude_scene_add_occluders(scene, NULL, &placement, 1, NULL, &occluder));
+  CHECK_REFUSED(refused, "placements is null", occlude_scene_add_occluders(scene, wall, NULL, 1, NULL, &occluder));
   CHECK_REFUSED(refused, "occluders is null", occlude_scene_add_occluders(scene, wall, &placement, 1, NULL, NULL));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_occluder(NULL, 1));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_occluder(NULL, 1, &placement));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_replace_occluder(NULL, 1, wall));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_occluder(NULL, 1, 1));
-  CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_occluder(NULL, 1, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_remove_occluder(NULL, occluder));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_move_occluder(NULL, occluder, &placement));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_replace_occluder(NULL, occluder, wall));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_enable_occluder(NULL, occluder, 1));
+  CHECK_REFUSED(refused, "scene is null", occlude_scene_mask_occluder(NULL, occluder, 1));
   CHECK_REFUSED(refused, "scene is null", occlude_scene_update(NULL));
   CHECK(occlude_scene_objects(NULL) == 0 && occlude_scene_occluders(NULL) == 0 && occlude_scene_object_bytes(NULL) == 0);
 
@@ -82,29 +84,89 @@ static void null_pointers(void) {
   CHECK_REFUSED(refused, "visibilities is null", occlude_view_visibility(view, &boxes, NULL));
 }
 
+/// All functions refuse an id of an object, or of an occluder, with this reason.
+static void refused_object(occlude_object id, const char* reason) {
+  const occlude_boxes boxes = boxes_of(&kBehind, 1);
+  occlude_occluder_options options = OCCLUDE_OCCLUDER_OPTIONS_INIT;
+  options.object = id;
+  const occlude_placement placement = OCCLUDE_PLACEMENT_INIT;
+  occlude_occluder occluder = OCCLUDE_NONE;
+  occlude_fate fate;
+  char text[200];
+  CHECK(!occlude_scene_has_object(scene, id));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_remove_object(scene, id));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_move_object(scene, id, &kBehind));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_enable_object(scene, id, 1));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_mask_object(scene, id, 1));
+  snprintf(text, sizeof text, "object 0: %s", reason);
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, text, occlude_scene_remove_objects(scene, &id, 1));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, text, occlude_scene_move_objects(scene, &id, &boxes));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, text, occlude_scene_why(scene, view, &id, 1, &fate));
+  if (id.number == 0) return;  // an occluder needs no object
+  snprintf(text, sizeof text, "object of the options: %s", reason);
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, text, occlude_scene_add_occluder(scene, wall, NULL, &options, &occluder));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, text, occlude_scene_add_occluders(scene, wall, &placement, 1, &options, &occluder));
+}
+
+static void refused_occluder(occlude_occluder id, const char* reason) {
+  CHECK(!occlude_scene_has_occluder(scene, id));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_remove_occluder(scene, id));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_move_occluder(scene, id, NULL));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_replace_occluder(scene, id, wall));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_enable_occluder(scene, id, 1));
+  CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, reason, occlude_scene_mask_occluder(scene, id, 1));
+}
+
+/// Ids of the other kind and of another scene, which have the same slots as those of this scene.
+static void ids_of_other_things(void) {
+  occlude_object object = OCCLUDE_NONE, there = OCCLUDE_NONE;
+  occlude_occluder occluder = OCCLUDE_NONE, standing = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &object));
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
+  occlude_scene* other = NULL;
+  CHECK_OK(occlude_scene_create(&other));
+  CHECK_OK(occlude_scene_add_object(other, &kBehind, NULL, &there));
+  CHECK_OK(occlude_scene_add_occluder(other, wall, NULL, NULL, &standing));
+  CHECK(OCCLUDE_SLOT(object) == 0 && OCCLUDE_SLOT(occluder) == 0 && OCCLUDE_SLOT(there) == 0 && OCCLUDE_SLOT(standing) == 0);
+
+  // The compiler refuses them, unless their numbers are exchanged.
+  const occlude_object an_occluder = {occluder.number};
+  const occlude_occluder an_object = {object.number};
+  refused_object(an_occluder, "the id is that of an occluder, not of an object");
+  refused_occluder(an_object, "the id is that of an object, not of an occluder");
+  refused_object(there, "the id is that of another scene");
+  refused_occluder(standing, "the id is that of another scene");
+  occlude_scene_destroy(other);
+  refused_object(there, "the id is that of another scene");
+
+  // Nor does a later scene take the ids of one that is gone.
+  occlude_scene* later = NULL;
+  CHECK_OK(occlude_scene_create(&later));
+  occlude_object first = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(later, &kBehind, NULL, &first));
+  CHECK(first.number != there.number && !occlude_scene_has_object(later, there));
+  occlude_scene_destroy(later);
+  cull(scene, view);
+  CHECK(occlude_scene_objects(scene) == 1 && occlude_scene_occluders(scene) == 1 && !draws(view, object));
+}
+
 static void ids_of_nothing(void) {
+  cull(scene, view);
   occlude_object gone = OCCLUDE_NONE;
   CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &gone));
   CHECK_OK(occlude_scene_remove_object(scene, gone));
-  const occlude_object strange[] = {OCCLUDE_NONE, UINT64_MAX, gone, 1000, UINT64_C(1) << 32};
-  const char* no_object = "the scene has no such object";
-  const char* no_occluder = "the scene has no such occluder";
-  for (int i = 0; i < 5; ++i) {
-    const occlude_object id = strange[i];
-    CHECK(!occlude_scene_has_object(scene, id) && !occlude_scene_has_occluder(scene, id));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_remove_object(scene, id));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_move_object(scene, id, &kBehind));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_enable_object(scene, id, 1));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_object, occlude_scene_mask_object(scene, id, 1));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_remove_occluder(scene, id));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_move_occluder(scene, id, NULL));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_replace_occluder(scene, id, wall));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_enable_occluder(scene, id, 1));
-    CHECK_REFUSED(OCCLUDE_UNKNOWN_ID, no_occluder, occlude_scene_mask_occluder(scene, id, 1));
-  }
+  const occlude_object none = OCCLUDE_NONE, strange = {UINT64_MAX}, beyond = {gone.number + 1000};
+  const occlude_occluder no_occluder = OCCLUDE_NONE;
+  refused_object(none, "the id is none");
+  refused_object(gone, "the scene has no such object");
+  refused_object(beyond, "the scene has no such object");
+  refused_object(strange, "the id is that of an occluder, not of an object");
+  refused_occluder(no_occluder, "the id is none");
   occlude_occluder occluder = OCCLUDE_NONE;
   CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
   CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "mesh is null", occlude_scene_replace_occluder(scene, occluder, NULL));
+  CHECK_OK(occlude_scene_remove_occluder(scene, occluder));
+  refused_occluder(occluder, "the scene has no such occluder");
 
   // In arrays: nothing is changed.
   occlude_object living = OCCLUDE_NONE;
@@ -121,7 +183,7 @@ static void ids_of_nothing(void) {
 static void numbers(void) {
   const occlude_status refused = OCCLUDE_INVALID_ARGUMENT;
   const size_t before = occlude_scene_objects(scene);
-  occlude_object ids[2] = {7, 7};
+  occlude_object ids[2] = {{7}, {7}};
   occlude_box boxes[] = {kBehind, kBehind};
   occlude_boxes array = boxes_of(boxes, 2);
   boxes[1].max[2] = NAN;
@@ -130,7 +192,7 @@ static void numbers(void) {
   boxes[1].max[2] = -2;
   CHECK_REFUSED(refused, "box 1: box has min > max", occlude_scene_add_objects(scene, &array, NULL, ids));
   CHECK_REFUSED(refused, "box has min > max", occlude_scene_add_object(scene, &boxes[1], NULL, ids));
-  CHECK(ids[0] == 7 && occlude_scene_objects(scene) == before);
+  CHECK(ids[0].number == 7 && occlude_scene_objects(scene) == before);
   const float oriented[] = {0, 0, 0, 1, 0, 0, 0, NAN, 0, 0, 0, 1};
   const occlude_boxes turned = {oriented, 1, 0, OCCLUDE_FLOAT, OCCLUDE_ORIENTED};
   CHECK_REFUSED(refused, "box 0: box has a number that is NaN", occlude_scene_add_objects(scene, &turned, NULL, ids));
@@ -251,6 +313,7 @@ int main(void) {
   CHECK(strcmp(occlude_last_error(), "") == 0);
   run_test(null_pointers);
   run_test(ids_of_nothing);
+  run_test(ids_of_other_things);
   run_test(numbers);
   run_test(meshes);
   run_test(rounding);

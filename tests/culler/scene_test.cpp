@@ -31,6 +31,7 @@
 #include "occlude/kernel/cover.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/scene_frame.h"
+#include "scene/scene_number.h"
 #include "scene/scene_objects.h"
 #include "scenes.h"
 
@@ -123,7 +124,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       scene_.add(boxes, options, ids);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      ASSERT_TRUE(world_.objects.emplace(ids[i].slot, std::pair{ids[i], World::Object{boxes[i], options}}).second);
+      ASSERT_TRUE(world_.objects.emplace(ids[i].slot(), std::pair{ids[i], World::Object{boxes[i], options}}).second);
     }
   }
 
@@ -134,7 +135,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     standing.options.is_one_sided = chance(3);
     if (chance(4) && !world_.objects.empty()) standing.options.object = any(world_.objects).first;
     const OccluderId id = scene_.add(standing.mesh, standing.placement, standing.options);
-    ASSERT_TRUE(world_.occluders.emplace(id.slot, std::pair{id, standing}).second);
+    ASSERT_TRUE(world_.occluders.emplace(id.slot(), std::pair{id, standing}).second);
   }
 
   void change_object() {
@@ -144,7 +145,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       case 0:
         scene_.remove(id);
         EXPECT_FALSE(scene_.contains(id));
-        world_.objects.erase(id.slot);
+        world_.objects.erase(id.slot());
         break;
       case 1:
         scene_.set_enabled(id, object.is_enabled = !object.is_enabled);
@@ -165,7 +166,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       case 0:
         scene_.remove(id);
         EXPECT_FALSE(scene_.contains(id));
-        world_.occluders.erase(id.slot);
+        world_.occluders.erase(id.slot());
         break;
       case 1:
         scene_.set_enabled(id, standing.is_enabled = !standing.is_enabled);
@@ -212,7 +213,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       const World::Standing& standing = entry.second;
       if (!standing.is_enabled || (standing.options.mask & mask) == 0) continue;
       if (const ObjectId object = standing.options.object; !object.is_none()) {
-        const auto found = world_.objects.find(object.slot);
+        const auto found = world_.objects.find(object.slot());
         if (found == world_.objects.end() || found->second.first != object) continue;
         if ((found->second.second.mask() & mask) == 0) continue;
       }
@@ -259,7 +260,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       }
       ++in_layers;
       if (is_drawn) {
-        ASSERT_TRUE(std::ranges::binary_search(drawn, id, [](ObjectId a, ObjectId b) { return a.slot < b.slot; }));
+        ASSERT_TRUE(std::ranges::binary_search(drawn, id, [](ObjectId a, ObjectId b) { return a.slot() < b.slot(); }));
         continue;
       }
       ASSERT_FALSE(object.options.is_always_drawn);
@@ -291,16 +292,16 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
       const World::Object& object = entry.second;
       const ObjectId id = scene.add(object.box, object.options);
       if (!object.is_enabled) scene.set_enabled(id, false);
-      slots[id.slot] = slot;
+      slots[id.slot()] = slot;
       anew[slot] = id;
     }
     for (const auto& [slot, entry] : world_.occluders) {
       const World::Standing& standing = entry.second;
       OccluderOptions its = standing.options;
       if (!its.object.is_none()) {
-        const auto found = world_.objects.find(its.object.slot);
+        const auto found = world_.objects.find(its.object.slot());
         if (found == world_.objects.end() || found->second.first != its.object) continue;
-        its.object = anew[its.object.slot];
+        its.object = anew[its.object.slot()];
       }
       const OccluderId id = scene.add(standing.mesh, standing.placement, its);
       if (!standing.is_enabled) scene.set_enabled(id, false);
@@ -308,7 +309,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     scene.update();
     SceneView view;
     std::vector<std::uint32_t> drawn;
-    for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(slots[object.id.slot]);
+    for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(slots[object.id.slot()]);
     std::ranges::sort(drawn);
     return drawn;
   }
@@ -342,7 +343,7 @@ TEST_P(Worlds, AreCulledAsIfMadeAnew) {
     const SceneResult& result = scene_.cull(camera, options, view);
     expect_right(camera, options, view, frame % 4 == 0 ? 20 : 0);
     std::vector<std::uint32_t> drawn;
-    for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot);
+    for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot());
     std::ranges::sort(drawn);
     ASSERT_EQ(drawn, drawn_anew(camera, options)) << "frame " << frame << ", seed " << GetParam();
   }
@@ -407,7 +408,7 @@ TEST(Scene, WhatWasAddedAndRemovedBetweenUpdatesWasNeverThere) {
     const ObjectId first = scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}, {.moves = moves});
     scene.remove(first);
     const ObjectId second = scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}, {.moves = !moves});
-    EXPECT_EQ(first.slot, second.slot) << "the place is used again";
+    EXPECT_EQ(first.slot(), second.slot()) << "the place is used again";
     EXPECT_NE(first, second);
     scene.move(second, Aabb{{-5, 0, 0}, {-4, 1, 1}});
     EXPECT_EQ(scene.drawn(), 1U) << "the object of the scene";
@@ -418,33 +419,173 @@ TEST(Scene, WhatWasAddedAndRemovedBetweenUpdatesWasNeverThere) {
   }
 }
 
+/// Everything that takes an id refuses this one, and says this.
+void expect_refused(Scene& scene, ObjectId id, const std::string& reason) {
+  EXPECT_FALSE(scene.contains(id));
+  EXPECT_EQ(scene.fault(id), reason);
+  EXPECT_EQ(refusal([&] { scene.remove(id); }), reason);
+  EXPECT_EQ(refusal([&] { scene.move(id, Aabb{}); }), reason);
+  EXPECT_EQ(refusal([&] { scene.set_enabled(id, true); }), reason);
+  EXPECT_EQ(refusal([&] { scene.set_mask(id, 1); }), reason);
+  const ObjectId good = scene.add(Aabb{});
+  const std::array ids{good, id};
+  EXPECT_EQ(refusal([&] { scene.remove(ids); }), "object 1: " + reason);
+  EXPECT_EQ(refusal([&] { scene.move(ids, std::array{Box{}, Box{}}); }), "object 1: " + reason);
+  EXPECT_EQ(refusal([&] { static_cast<void>(scene.why(Camera{}, {}, SceneView(), ids)); }), "object 1: " + reason);
+  if (!id.is_none()) {
+    const std::string said = "the object that draws the occluder: " + reason;
+    EXPECT_EQ(refusal([&] { scene.add(wall(), at(2, 0, 0), {.object = id}); }), said);
+    OccluderId none;
+    EXPECT_EQ(refusal([&] { scene.add(wall(), std::array{Placement{}}, {.object = id}, std::span(&none, 1)); }), said);
+    EXPECT_TRUE(none.is_none());
+  }
+  EXPECT_TRUE(scene.contains(good));
+  scene.remove(good);
+}
+
+void expect_refused(Scene& scene, OccluderId id, const std::string& reason) {
+  EXPECT_FALSE(scene.contains(id));
+  EXPECT_EQ(scene.fault(id), reason);
+  EXPECT_EQ(refusal([&] { scene.remove(id); }), reason);
+  EXPECT_EQ(refusal([&] { scene.move(id, Placement{}); }), reason);
+  EXPECT_EQ(refusal([&] { scene.replace(id, wall()); }), reason);
+  EXPECT_EQ(refusal([&] { scene.set_enabled(id, true); }), reason);
+  EXPECT_EQ(refusal([&] { scene.set_mask(id, 1); }), reason);
+  const OccluderId good = scene.add(wall());
+  const std::array ids{good, id};
+  EXPECT_EQ(refusal([&] { scene.remove(ids); }), "occluder 1: " + reason);
+  EXPECT_EQ(refusal([&] { scene.move(ids, std::array{Placement{}, Placement{}}); }), "occluder 1: " + reason);
+  EXPECT_TRUE(scene.contains(good));
+  scene.remove(good);
+}
+
 TEST(Scene, RefusesIdsOfWhatIsNotThere) {
   WallScene scene;
   const ObjectId stale = scene.object;
   const OccluderId old = scene.occluder;
   scene.remove(stale);
   scene.remove(old);
-  const std::string object = "the scene has no such object", occluder = "the scene has no such occluder";
   for (int i = 0; i < 2; ++i) {
-    for (const ObjectId id : {stale, ObjectId{}, ObjectId{99, 0}}) {
-      EXPECT_FALSE(scene.contains(id));
-      EXPECT_EQ(refusal([&] { scene.remove(id); }), object);
-      EXPECT_EQ(refusal([&] { scene.move(id, Aabb{}); }), object);
-      EXPECT_EQ(refusal([&] { scene.set_enabled(id, true); }), object);
-      EXPECT_EQ(refusal([&] { scene.set_mask(id, 1); }), object);
-    }
-    for (const OccluderId id : {old, OccluderId{}, OccluderId{99, 0}}) {
-      EXPECT_FALSE(scene.contains(id));
-      EXPECT_EQ(refusal([&] { scene.remove(id); }), occluder);
-      EXPECT_EQ(refusal([&] { scene.move(id, Placement{}); }), occluder);
-      EXPECT_EQ(refusal([&] { scene.replace(id, wall()); }), occluder);
-      EXPECT_EQ(refusal([&] { scene.set_enabled(id, true); }), occluder);
-      EXPECT_EQ(refusal([&] { scene.set_mask(id, 1); }), occluder);
-    }
+    expect_refused(scene, ObjectId(), "the id is none");
+    expect_refused(scene, stale, "the scene has no such object");
+    expect_refused(scene, ObjectId(99, 0, stale.scene()), "the scene has no such object");
+    expect_refused(scene, OccluderId(), "the id is none");
+    expect_refused(scene, old, "the scene has no such occluder");
+    expect_refused(scene, OccluderId(99, 0, old.scene()), "the scene has no such occluder");
     // Others take their places.
-    EXPECT_EQ(scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}).slot, i == 0 ? stale.slot : 1);
-    EXPECT_EQ(scene.add(wall()).slot, i == 0 ? old.slot : 1);
+    EXPECT_EQ(scene.add(Aabb{{4, 0, 0}, {5, 1, 1}}).slot(), i == 0 ? stale.slot() : 1);
+    EXPECT_EQ(scene.add(wall()).slot(), i == 0 ? old.slot() : 1);
   }
+}
+
+/// Two scenes in which all slots and generations are the same.
+TEST(Scene, RefusesIdsOfAnotherSceneAndOfTheOtherKind) {
+  WallScene scene, other;
+  ASSERT_EQ(scene.object.slot(), other.object.slot());
+  ASSERT_EQ(scene.object.slot(), scene.occluder.slot());
+  expect_refused(scene, other.object, "the id is that of another scene");
+  expect_refused(scene, other.occluder, "the id is that of another scene");
+  // Types keep kinds apart; numbers, in other languages, do not.
+  expect_refused(scene, ObjectId::from_number(scene.occluder.number()), "the id is that of an occluder, not of an object");
+  expect_refused(scene, OccluderId::from_number(scene.object.number()), "the id is that of an object, not of an occluder");
+  EXPECT_EQ(ObjectId::from_number(scene.object.number()), scene.object);
+  EXPECT_EQ(scene.objects() + scene.occluders(), 2U);
+  EXPECT_EQ(scene.drawn(), 0U);
+  const ObjectId id = other.object;
+  const Scene moved = std::move(other);
+  EXPECT_TRUE(moved.contains(id)) << "ids stay with what they name";
+}
+
+/// Not even of scenes that were there one after another, nor of things that came and went a million times.
+TEST(Scene, NeverGivesAnIdTwice) {
+  std::set<std::uint64_t> seen;
+  for (int i = 0; i < 1000; ++i) {
+    Scene scene;
+    for (int k = 0; k < 3; ++k) {
+      const ObjectId id = scene.add(Aabb{});
+      ASSERT_TRUE(seen.insert(id.number()).second);
+      ASSERT_TRUE(seen.insert(scene.add(wall()).number()).second);
+      if (i % 2 == 0) scene.remove(id);
+    }
+  }
+  Scene scene;
+  const ObjectId first = scene.add(Aabb{});
+  ObjectId last = first;
+  std::size_t used = 0;
+  for (; last.slot() == first.slot(); ++used) {
+    scene.remove(last);
+    last = scene.add(Aabb{});
+  }
+  EXPECT_EQ(first.generation() + used, std::size_t{1} << ObjectId::kGenerationBits) << "the slot has used all of them";
+  EXPECT_FALSE(scene.contains(first));
+  EXPECT_TRUE(scene.contains(last));
+  EXPECT_EQ(scene.objects(), 1U);
+}
+
+TEST(Scene, HasANumberOfItsOwnWhileItLives) {
+  constexpr std::size_t kMost = (1U << ObjectId::kSceneBits) - 1;
+  std::vector<Scene> scenes;
+  std::set<std::uint32_t> numbers;
+  const auto add = [&] { numbers.insert(scenes.emplace_back().add(Aabb{}).scene()); };
+  EXPECT_THROW(
+      {
+        while (scenes.size() <= kMost) add();
+      },
+      std::runtime_error);
+  EXPECT_EQ(numbers.size(), scenes.size());
+  EXPECT_GT(scenes.size(), kMost - 100) << "others of this program";
+  scenes.resize(scenes.size() / 2);
+  add();
+}
+
+TEST(Placement, IsWhatTheMatrixSays) {
+  const Placement expected{{1, 2, 3}, {5, 6, 7}, {9, 10, 11}, {13, 14, 15}};
+  std::array<double, 16> columns{1, 2, 3, 0, 5, 6, 7, 0, 9, 10, 11, 0, 13, 14, 15, 1};
+  const std::array<float, 16> rows{1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15, 0, 0, 0, 1};
+  EXPECT_EQ(Placement::from_columns(columns.data()), expected);
+  EXPECT_EQ(Placement::from_rows(rows.data()), expected);
+  const std::string said = "the matrix of a placement is not affine: its last row must be (0, 0, 0, 1)";
+  EXPECT_EQ(refusal([&] { static_cast<void>(Placement::from_columns(rows.data())); }), said);
+  for (const int i : {3, 7, 11, 15}) {
+    for (const double wrong : {0.5, std::numeric_limits<double>::quiet_NaN()}) {
+      const double right = std::exchange(columns[static_cast<std::size_t>(i)], wrong);
+      EXPECT_EQ(refusal([&] { static_cast<void>(Placement::from_columns(columns.data())); }), said);
+      columns[static_cast<std::size_t>(i)] = right;
+    }
+  }
+}
+
+TEST(Scene, MovesAndRemovesManyAtOnce) {
+  Scene scene;
+  const std::array<Box, 3> boxes{Aabb{{4, 0, 0}, {5, 1, 1}}, Aabb{{6, 0, 0}, {7, 1, 1}}, Aabb{{-5, 0, 0}, {-4, 1, 1}}};
+  std::array<ObjectId, 3> ids;
+  scene.add(boxes, {}, ids);
+  std::array<OccluderId, 2> walls;
+  scene.add(wall(), std::array{at(2, 0, 0), at(-2, 0, 0)}, {}, walls);
+  scene.update();
+  SceneView view;
+  EXPECT_EQ(scene.cull(Camera{}, {}, view).stats.hidden, 2U);
+  scene.move(walls, std::array{at(-2, 0, 0), at(-3, 0, 0)});
+  scene.move(ids, std::array{boxes[2], boxes[2], boxes[0]});
+  scene.update();
+  ASSERT_EQ(scene.cull(Camera{}, {}, view).drawn.size(), 1U);
+  EXPECT_EQ(view.result().drawn[0].id, ids[2]);
+  scene.remove(std::array{ids[0], ids[1], ids[0]});
+  scene.remove(std::array{walls[1], walls[1]});
+  EXPECT_EQ(scene.objects() + scene.occluders(), 2U);
+
+  // All or none.
+  const Placement nowhere = at(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  const std::string said = "placement 1: an occluder's placement is not finite, or takes it beyond 2^100";
+  EXPECT_EQ(refusal([&] { scene.add(wall(), std::array{at(2, 0, 0), nowhere}, {}, walls); }), said);
+  scene.add(wall(), std::array{at(-2, 0, 0), at(-2, 0, 0)}, {}, walls);
+  EXPECT_EQ(refusal([&] { scene.move(walls, std::array{at(2, 0, 0), nowhere}); }), said);
+  std::array<ObjectId, 2> both;
+  scene.add(std::array{boxes[2], boxes[2]}, {}, both);
+  const Box upside_down = Aabb{{0, 0, 1}, {1, 1, 0}};
+  EXPECT_EQ(refusal([&] { scene.move(both, std::array{boxes[0], upside_down}); }), "object 1: box has min > max");
+  scene.update();
+  EXPECT_EQ(scene.cull(Camera{}, {}, view).drawn.size(), 1U);
 }
 
 TEST(Scene, RefusesWhatCannotBeRightAndChangesNothing) {
@@ -547,7 +688,7 @@ TEST(Scene, WhatTouchesOrHoldsItsOccluderIsDrawn) {
     camera.height = 10;
     SceneView view;
     std::vector<std::uint32_t> drawn;
-    for (const DrawnObject& object : scene.cull(camera, {}, view).drawn) drawn.push_back(object.id.slot);
+    for (const DrawnObject& object : scene.cull(camera, {}, view).drawn) drawn.push_back(object.id.slot());
     std::ranges::sort(drawn);
     EXPECT_EQ(drawn, (std::vector<std::uint32_t>{0, 1, 2, 3}));
   }
@@ -589,7 +730,7 @@ TEST(Scene, AnOccluderHidesNothingWithoutItsObject) {
     scene.remove(house);
     EXPECT_EQ(scene.drawn(), 1U) << "what is behind it";
     const ObjectId other = scene.add(around, {.moves = moves});
-    EXPECT_EQ(other.slot, house.slot);
+    EXPECT_EQ(other.slot(), house.slot());
     EXPECT_EQ(scene.drawn(), 2U) << "it is not the same";
     scene.remove(occluder);
   }
@@ -663,11 +804,11 @@ TEST(Scene, VisibilityAgreesWithWhatIsDrawn) {
   for (int i = 0; i < 30; ++i) {
     SceneView view;
     std::vector<bool> is_drawn(boxes.size());
-    for (const DrawnObject& object : scene.cull(random_camera(random), {}, view).drawn) is_drawn[object.id.slot] = true;
+    for (const DrawnObject& object : scene.cull(random_camera(random), {}, view).drawn) is_drawn[object.id.slot()] = true;
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       const Visibility visibility = view.visibility(boxes[k]);
       ++counts[static_cast<std::size_t>(visibility)];
-      ASSERT_EQ(visibility == Visibility::visible, is_drawn[ids[k].slot]) << "seed " << kSeed;
+      ASSERT_EQ(visibility == Visibility::visible, is_drawn[ids[k].slot()]) << "seed " << kSeed;
     }
   }
   EXPECT_GT(*std::ranges::min_element(counts), 500U) << "all answers must occur";
@@ -697,7 +838,7 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
     SceneOptions options{.mask = 1, .least_size = 0.03F};
     if (i % 4 == 0) options.cover.triangles = 500;
     std::vector<std::uint32_t> drawn;
-    for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(object.id.slot);
+    for (const DrawnObject& object : scene.cull(camera, options, view).drawn) drawn.push_back(object.id.slot());
     const std::vector<ObjectFate> fates = scene.why(camera, options, view, ids);
     ASSERT_EQ(fates.size(), ids.size());
     const glm::dvec3 forward = camera.axes().forward;
@@ -705,7 +846,7 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const ObjectFate& fate = fates[k];
       ++counts[fate.reason];
-      const bool is_drawn = std::ranges::count(drawn, ids[k].slot) != 0;
+      const bool is_drawn = std::ranges::count(drawn, ids[k].slot()) != 0;
       ASSERT_EQ(is_drawn, fate.reason == Reason::drawn || fate.reason == Reason::always_drawn);
       ASSERT_EQ(fate.by.empty(), fate.reason != Reason::hidden);
       for (const ObjectFate::Hiding& hiding : fate.by) by_house += hiding.occluder == house;
@@ -776,7 +917,7 @@ TEST(Scene, IsCulledOnSeveralThreadsWhileItIsChanged) {
     SceneView alone;
     const auto slots = [](const SceneResult& result) {
       std::vector<std::uint32_t> drawn;
-      for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot);
+      for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot());
       return drawn;
     };
     const auto expected = slots(scene.cull(camera, {}, alone));
@@ -796,7 +937,7 @@ TEST(Scene, IsCulledOnSeveralThreadsWhileItIsChanged) {
     threads.emplace_back([&] {
       for (ObjectId& id : standing) {
         scene.remove(id);
-        id = scene.add(boxes[id.slot % boxes.size()]);
+        id = scene.add(boxes[id.slot() % boxes.size()]);
       }
       scene.move(wall_id, at(round, 0, 0));
       const OccluderId other = scene.add(wall(), at(-round, 0, 0));
@@ -861,8 +1002,8 @@ double share_hidden(const Panels& how) {
   const SceneResult& result = scene.cull(camera, {}, view);
   EXPECT_EQ(result.stats.out_of_view, 0U) << how.name;
   std::vector<std::uint32_t> drawn;
-  for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot);
-  for (const ObjectId id : behind_seams) EXPECT_EQ(std::ranges::count(drawn, id.slot), 1) << how.name;
+  for (const DrawnObject& object : result.drawn) drawn.push_back(object.id.slot());
+  for (const ObjectId id : behind_seams) EXPECT_EQ(std::ranges::count(drawn, id.slot()), 1) << how.name;
   return static_cast<double>(result.stats.hidden) / static_cast<double>(ids.size());
 }
 
@@ -904,7 +1045,7 @@ TEST(Scene, ResultsDoNotDependOnTheExecutor) {
     counts.emplace_back();
     for (int i = 0; i < 5; ++i) {
       const SceneResult& result = scene.cull(random_camera(random), {.executor = &executor}, view);
-      for (const DrawnObject& object : result.drawn) drawn.back().push_back(object.id.slot);
+      for (const DrawnObject& object : result.drawn) drawn.back().push_back(object.id.slot());
       const SceneStats& stats = result.stats;
       const std::array now{stats.drawn, stats.hidden, stats.out_of_view, stats.work.nodes_visited, stats.work.cover_tests};
       for (std::size_t k = 0; k < now.size(); ++k) counts.back()[k] += now[k];
@@ -962,7 +1103,7 @@ TEST(Scene, AFrameWhoseExecutorThrowsDrawsEverything) {
     SceneView view;
     EXPECT_THROW(town.scene.cull(Camera{}, {.mask = 1, .executor = &full}, view), std::runtime_error);
     std::set<std::uint32_t> drawn;
-    for (const DrawnObject& object : view.result().drawn) drawn.insert(object.id.slot);
+    for (const DrawnObject& object : view.result().drawn) drawn.insert(object.id.slot());
     EXPECT_EQ(drawn.size(), town.in_layer);
     EXPECT_EQ(view.result().drawn.size(), town.in_layer);
     EXPECT_EQ(view.result().stats.drawn, town.in_layer);
@@ -1005,7 +1146,7 @@ TEST(Scene, NoTwoGroupsTakeThePlaceOfOne) {
     while (boxes.size() < count) boxes.push_back(random_box(random));
     std::vector<ObjectId> ids(count);
     scene.add(boxes, {}, ids);
-    for (const ObjectId id : ids) there.insert(id.slot);
+    for (const ObjectId id : ids) there.insert(id.slot());
     scene.update();
     return ids;
   };
@@ -1014,7 +1155,7 @@ TEST(Scene, NoTwoGroupsTakeThePlaceOfOne) {
     const Camera from_above{
         .eye = {0, 0, 99}, .target = {0, 0, 0}, .up = {0, 1, 0}, .projection = Projection::orthographic, .height = 200};
     std::set<std::uint32_t> drawn;
-    for (const DrawnObject& object : scene.cull(from_above, {}, view).drawn) drawn.insert(object.id.slot);
+    for (const DrawnObject& object : scene.cull(from_above, {}, view).drawn) drawn.insert(object.id.slot());
     ASSERT_EQ(drawn, there);
   };
   std::vector<std::vector<ObjectId>> small;
@@ -1024,7 +1165,7 @@ TEST(Scene, NoTwoGroupsTakeThePlaceOfOne) {
   for (const std::vector<ObjectId>& tile : small) {
     for (std::size_t i = 0; i < 30; ++i) {
       scene.remove(tile[i]);
-      there.erase(tile[i].slot);
+      there.erase(tile[i].slot());
     }
   }
   scene.update();
@@ -1038,7 +1179,8 @@ TEST(Scene, NoTwoGroupsTakeThePlaceOfOne) {
 /// A large group may take the place of a small one that is still to be joined with others. It is not joined.
 TEST(SceneObjects, GroupsStaySmallEnoughToBeBuiltAnew) {
   std::mt19937 random(kSeed);
-  SceneObjects objects;
+  SceneNumber number;
+  SceneObjects objects(number);
   const auto add = [&](std::size_t count) {
     std::vector<Box> boxes;
     while (boxes.size() < count) boxes.push_back(random_box(random));

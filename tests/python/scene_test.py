@@ -85,7 +85,7 @@ class Scenes(unittest.TestCase):
         moving = world.add(100, moves=True)
         for i in range(25):
             world.add_wall(moves=i % 2 == 0)
-        for _ in range(18):
+        for _ in range(20):
             boxes = world.random_boxes(len(moving))
             world.scene.move_objects(moving, boxes)
             world.boxes.update(zip(moving.tolist(), boxes))
@@ -139,7 +139,8 @@ class Scenes(unittest.TestCase):
             scene.update(threads=threads)
             frames.append(scene.cull(camera, threads=threads))
             self.assertGreater(frames[-1].statistics["hidden"], 100)
-            self.assertEqual(frames[-1].drawn.tolist(), frames[0].drawn.tolist())
+            np.testing.assert_array_equal(occlude.slot(frames[-1].drawn["id"]), occlude.slot(frames[0].drawn["id"]))
+            np.testing.assert_array_equal(frames[-1].drawn[["size", "distance"]], frames[0].drawn[["size", "distance"]])
             self.assertEqual(frames[-1].statistics, frames[0].statistics)
 
     def test_occluders(self):
@@ -228,6 +229,81 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "the view has no frame of a scene"):
             world.scene.why([1], occlude.View())
 
+    def refuses(self, scene, text, ids, occluders):
+        """Everything that takes an id of an object refuses `ids`, and that of an occluder `occluders`: arrays of one."""
+        mesh = occlude.OccluderMesh(np.empty((0, 3)), [])
+        view, good = occlude.View(), scene.add_object([0, 0, 0, 1, 1, 1])
+        scene.cull(occlude.Camera([0, 0, 0], [1, 0, 0]), view)
+        self.assertFalse(scene.has_object(ids[0]))
+        self.assertFalse(scene.has_occluder(occluders[0]))
+        both, counts = np.append(ids, good), (scene.objects, scene.occluders)
+        for call in (
+            lambda: scene.remove_objects(both),
+            lambda: scene.move_objects(both, np.zeros((2, 6))),
+            lambda: scene.enable_objects(both, False),
+            lambda: scene.mask_objects(both, 0),
+            lambda: scene.add_occluder(mesh, object=ids[0]),
+            lambda: scene.add_occluders(mesh, [np.eye(4)], object=ids[0]),
+            lambda: scene.why(both, view),
+            lambda: scene.remove_occluders(occluders),
+            lambda: scene.move_occluder(occluders[0], None),
+            lambda: scene.move_occluders(occluders, [np.eye(4)]),
+            lambda: scene.replace_occluder(occluders[0], mesh),
+            lambda: scene.enable_occluders(occluders, False),
+            lambda: scene.mask_occluders(occluders, 0),
+        ):
+            with self.assertRaisesRegex(ValueError, text):
+                call()
+        self.assertEqual(counts, (scene.objects, scene.occluders))
+        scene.remove_objects([good])
+
+    def test_ids_are_refused_where_they_name_nothing(self):
+        scene, other = occlude.Scene(), occlude.Scene()
+        mesh = occlude.OccluderMesh(np.empty((0, 3)), [])
+        things, walls = scene.add_objects([[0, 0, 0, 1, 1, 1]] * 3), scene.add_occluders(mesh, [np.eye(4)] * 3)
+        there, standing = other.add_objects([[0, 0, 0, 1, 1, 1]]), other.add_occluders(mesh, [np.eye(4)])
+        self.assertEqual(occlude.slot(things).tolist(), occlude.slot(walls).tolist())
+        self.refuses(scene, "the id is that of an? (object|occluder), not of an? (object|occluder)", walls[:1], things[:1])
+        self.refuses(scene, "the id is that of another scene", there, standing)
+        self.refuses(scene, "the scene has no such (object|occluder)", things[:1] + np.uint64(99), walls[:1] + np.uint64(99))
+        scene.remove_objects(things[:1])
+        scene.remove_occluders(walls[:1])
+        self.refuses(scene, "the scene has no such (object|occluder)", things[:1], walls[:1])
+        anew, again = scene.add_object([0, 0, 0, 1, 1, 1]), scene.add_occluder(mesh)
+        self.assertEqual((occlude.slot(anew), occlude.slot(again)), (occlude.slot(things[0]), occlude.slot(walls[0])))
+        self.refuses(scene, "the scene has no such (object|occluder)", things[:1], walls[:1])
+        # Scalars are those of NumPy, so that they go into arrays with others.
+        self.assertTrue(isinstance(anew, np.uint64) and isinstance(again, np.uint64))
+        scene.remove_objects([anew, things[1], anew, things[1]])
+        scene.remove_occluders([again, again])
+        self.assertEqual((scene.objects, scene.occluders), (1, 2))
+        del other
+        self.refuses(scene, "the id is that of another scene", there, standing)
+
+    def test_many_occluders(self):
+        world = World(brute.random())
+        at = np.stack([world.random_placement() for _ in range(20)])
+        world.add(300)
+        walls = world.scene.add_occluders(world.mesh, at[:, :3], moves=True)
+        self.assertEqual((walls.dtype, len(walls), world.scene.occluders), (np.uint64, 20, 20))
+        world.walls.update(zip(walls, at))
+        world.scene.update()
+        view = occlude.View()
+        hidden = sum(self.check_frame(world, view) for _ in range(6))
+        at = at[::-1].copy()
+        at[:, :3, 3] *= 0.9
+        world.scene.move_occluders(walls, at)
+        world.walls.update(zip(walls, at))
+        world.scene.update()
+        hidden += sum(self.check_frame(world, view) for _ in range(6))
+        self.assertGreater(hidden, 20)
+        at[1, 0, 3] = np.nan
+        for call in (lambda: world.scene.add_occluders(world.mesh, at), lambda: world.scene.move_occluders(walls, at)):
+            with self.assertRaisesRegex(ValueError, "placement 1: an occluder's placement is not finite"):
+                call()
+        self.assertEqual(world.scene.occluders, 20)
+        self.assertEqual(world.scene.add_occluders(world.mesh, np.empty((0, 4, 4))).shape, (0,))
+
     def test_refusals(self):
         scene = occlude.Scene()
         ids = scene.add_objects([[0, 0, 0, 1, 1, 1], [5, 0, 0, 6, 1, 1]])
@@ -239,14 +315,14 @@ class Scenes(unittest.TestCase):
         for text, call in (
             ("box has a number that is NaN", lambda: scene.add_object([np.nan, 0, 0, 1, 1, 1])),
             ("object 1: box has min > max", lambda: scene.add_objects([[0, 0, 0, 1, 1, 1], [1, 0, 0, 0, 1, 1]])),
-            ("box 1 has a NaN or min > max", lambda: scene.move_objects(ids, [[0, 0, 0, 1, 1, 1], [1, 0, 0, 0, 1, 1]])),
+            ("object 1: box has min > max", lambda: scene.move_objects(ids, [[0, 0, 0, 1, 1, 1], [1, 0, 0, 0, 1, 1]])),
             ("as many ids as boxes", lambda: scene.move_objects(ids, [[0, 0, 0, 1, 1, 1]])),
-            ("id 1: the scene has nothing of that name", lambda: scene.remove_objects([int(ids[0]), 77])),
             ("ids are not whole numbers", lambda: scene.remove_objects([0.5])),
             ("ids has a number below 0", lambda: scene.remove_objects([-1])),
-            ("the scene has no such occluder", lambda: scene.move_occluder(77, None)),
-            ("placement must be affine", lambda: scene.move_occluder(wall, skew)),
-            (r"placement must have shape \(3, 4\)", lambda: scene.move_occluder(wall, np.eye(3))),
+            ("the matrix of a placement is not affine", lambda: scene.move_occluder(wall, skew)),
+            (r"placement has shape \(3, 3\), must be \(3, 4\) or \(4, 4\)", lambda: scene.move_occluder(wall, np.eye(3))),
+            (r"placements has shape \(4, 4\), must be \(n, 3, 4\)", lambda: scene.add_occluders(mesh, skew)),
+            ("as many ids as placements", lambda: scene.move_occluders([wall], np.empty((0, 4, 4)))),
             ("placement is not finite", lambda: scene.move_occluder(wall, np.full((3, 4), np.nan))),
             ("vertex 0: number is not finite", lambda: occlude.OccluderMesh([[np.inf, 0, 0]] * 3, [[0, 1, 2]])),
             ("corner 2 is vertex 3 of 3", lambda: occlude.OccluderMesh(np.eye(3), [[0, 1, 3]])),

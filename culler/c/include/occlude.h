@@ -56,7 +56,7 @@ typedef int32_t occlude_status;
 enum {
   OCCLUDE_OK = 0,
   OCCLUDE_INVALID_ARGUMENT = 1,  ///< a null pointer, a number that is not legal, an unknown enumerator
-  OCCLUDE_UNKNOWN_ID = 2,        ///< an id of nothing that is in the scene
+  OCCLUDE_UNKNOWN_ID = 2,        ///< an id of nothing that is in the scene, such as one of another scene
   OCCLUDE_OUT_OF_MEMORY = 3,
   OCCLUDE_ROUNDING_MODE = 4,  ///< the processor does not round to nearest: nothing is made, culled or answered then
   OCCLUDE_STOPPED = 5,        ///< the caller's `should_stop` said so
@@ -179,15 +179,23 @@ OCCLUDE_API occlude_status occlude_face_triangles(const occlude_points* vertices
 /// Objects with boxes, and occluders that need not be what is drawn. Changes show at the next occlude_scene_update().
 typedef struct occlude_scene occlude_scene;
 
-/// Name one object, or one occluder, of a scene until it is removed; what is added later never has the same id. 0 is none.
-/// The higher 32 bits are a generation, the lower 32 bits a slot plus 1.
-typedef uint64_t occlude_object;
-typedef uint64_t occlude_occluder;
-enum { OCCLUDE_NONE = 0 };
+/// Name one object, or one occluder, of one scene until it is removed. No two ids that a program ever gets have the same
+/// number, whatever scenes they are of. So functions refuse the ids of what was removed and those of another scene. What an
+/// id names, its generation and its scene are in its number; 0 is none.
+typedef struct occlude_object {
+  uint64_t number;
+} occlude_object;
+typedef struct occlude_occluder {
+  uint64_t number;
+} occlude_occluder;
+
+/// Initialises an id of either type that names nothing.
+#define OCCLUDE_NONE \
+  { 0 }
 
 /// A small number that what is in the scene has to itself: objects apart from occluders. What is added takes the slot of
 /// what was removed, so an array of the caller's own that is indexed by slots stays short. Means nothing for OCCLUDE_NONE.
-#define OCCLUDE_SLOT(id) ((uint32_t)((id)&0xffffffffu) - 1u)
+#define OCCLUDE_SLOT(id) ((uint32_t)((id).number & 0x0fffffffu))
 
 OCCLUDE_API occlude_status occlude_scene_create(occlude_scene** scene) OCCLUDE_NO_THROW;
 /// Null is nothing.
@@ -256,8 +264,8 @@ typedef struct occlude_occluder_options {
   /// Layers: see occlude_cull_options.mask.
   uint32_t mask;
   uint32_t reserved;  ///< 0
-  /// The object that draws it, if any. It hides nothing in frames without that object: while the object is removed,
-  /// disabled, in no layer of the frame or too small.
+  /// The object that draws it, if any, which is in the scene. It hides nothing in frames without that object: once the
+  /// object is removed, and while it is disabled, in no layer of the frame or too small.
   occlude_object object;
 } occlude_occluder_options;
 
@@ -496,9 +504,9 @@ typedef struct occlude_fate {
   const occlude_hiding* by;  ///< each polygon once; together they hide the box
 } occlude_fate;
 
-/// What became of these objects in the last frame of the view, which must be of this scene, not updated since. Takes the
-/// time of some frames. Writes as many fates as there are objects; their arrays belong to the view, until its next frame or
-/// the next call of this function. Refused before the first frame.
+/// What became of these objects, all of them in the scene, in the last frame of the view, which must be of this scene, not
+/// updated since. Takes the time of some frames. Writes as many fates as there are objects; their arrays belong to the view,
+/// until its next frame or the next call of this function. Refused before the first frame.
 OCCLUDE_API occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view, const occlude_object* objects,
                                              size_t count, occlude_fate* fates) OCCLUDE_NO_THROW;
 

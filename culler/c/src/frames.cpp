@@ -123,7 +123,7 @@ void copy_frame(occlude_view& view) {
   view.sizes.reserve(room);
   view.distances.reserve(room);
   for (const culler::DrawnObject& drawn : result.drawn) {
-    view.objects.push_back(packed(drawn.id));
+    view.objects.push_back(from_id(drawn.id));
     view.sizes.push_back(drawn.size);
     view.distances.push_back(drawn.distance);
   }
@@ -196,7 +196,7 @@ void copy_fates(const std::vector<culler::ObjectFate>& from, occlude_view& view,
   for (const culler::ObjectFate& fate : from) {
     *to++ = {to_reason(fate.reason), fate.plane, fate.by.size(), view.hiding.data() + view.hiding.size()};
     for (const auto& by : fate.by) {
-      view.hiding.push_back({packed(by.occluder), by.polygon, static_cast<std::uint32_t>(by.corners.size()),
+      view.hiding.push_back({from_id(by.occluder), by.polygon, static_cast<std::uint32_t>(by.corners.size()),
                              view.corners.data() + view.corners.size()});
       for (const kernel::Vec3& v : by.corners) view.corners.insert(view.corners.end(), {v.x, v.y, v.z});
     }
@@ -296,10 +296,9 @@ occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view,
     require(view, "view");
     if (count != 0) require(objects, "objects");
     if (count != 0) require(fates, "fates");
+    require_known(*scene, {objects, count});
     std::vector<occlude::culler::ObjectId> ids;
-    for (const occlude_object object : std::span(objects, count)) {
-      ids.push_back(unpacked<occlude::culler::ObjectId>(object));
-    }
+    for (const occlude_object object : std::span(objects, count)) ids.push_back(to_id(object));
     copy_fates(fates_of(*scene, *view, ids), *view, fates);
   });
 }

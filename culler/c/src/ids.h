@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: MIT
-// Ids as numbers: the generation in the higher 32 bits, the slot plus 1 in the lower ones, so that 0 is none.
+// Ids of the C interface, which are the numbers of those of C++.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <span>
+#include <string>
 
+#include "handles.h"
+#include "occlude.h"
 #include "occlude/culler/scene_id.h"
+#include "status.h"
 
 namespace occlude::c {
 
+[[nodiscard]] inline culler::ObjectId to_id(occlude_object object) { return culler::ObjectId::from_number(object.number); }
+[[nodiscard]] inline culler::OccluderId to_id(occlude_occluder occluder) {
+  return culler::OccluderId::from_number(occluder.number);
+}
+[[nodiscard]] inline occlude_object from_id(culler::ObjectId id) { return {id.number()}; }
+[[nodiscard]] inline occlude_occluder from_id(culler::OccluderId id) { return {id.number()}; }
+
+/// An id of something that is in the scene. `place` is for the message.
 template <class Id>
-[[nodiscard]] std::uint64_t packed(const Id& id) {
-  return std::uint64_t{id.generation} << 32U | static_cast<std::uint32_t>(id.slot + 1U);
+[[nodiscard]] auto known(const occlude_scene* scene, Id id, const char* place = "") {
+  require(scene, "scene");
+  if (const std::string reason = scene->scene.fault(to_id(id)); !reason.empty()) throw UnknownId(place + reason);
+  return to_id(id);
 }
 
-template <class Id>
-[[nodiscard]] Id unpacked(std::uint64_t number) {
-  return {static_cast<std::uint32_t>(number) - 1U, static_cast<std::uint32_t>(number >> 32U)};
+/// All of them are.
+inline void require_known(const occlude_scene& scene, std::span<const occlude_object> objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (scene.scene.contains(to_id(objects[i]))) continue;
+    static_cast<void>(known(&scene, objects[i], ("object " + std::to_string(i) + ": ").c_str()));
+  }
 }
 
 }  // namespace occlude::c

@@ -16,28 +16,11 @@
 namespace occlude::c {
 namespace {
 
-using culler::ObjectId;
-
 static_assert(sizeof(occlude_object_options) == sizeof(std::size_t) + 16, "no padding: structs.h");
 
 culler::ObjectOptions to_options(const occlude_object_options* given) {
   const auto options = read_options(given, occlude_object_options OCCLUDE_OBJECT_OPTIONS_INIT, "options");
   return {.moves = options.moves != 0, .is_always_drawn = options.is_always_drawn != 0, .mask = options.mask};
-}
-
-ObjectId known_object(const occlude_scene* scene, occlude_object object, const std::string& place = {}) {
-  require(scene, "scene");
-  const auto id = unpacked<ObjectId>(object);
-  if (!scene->scene.contains(id)) throw UnknownId(place + "the scene has no such object");
-  return id;
-}
-
-void require_known(const occlude_scene* scene, std::span<const occlude_object> objects) {
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (!scene->scene.contains(unpacked<ObjectId>(objects[i]))) {
-      static_cast<void>(known_object(scene, objects[i], "object " + std::to_string(i) + ": "));
-    }
-  }
 }
 
 /// What a scene would refuse, found before anything is changed.
@@ -67,7 +50,7 @@ occlude_status occlude_scene_add_object(occlude_scene* scene, const occlude_box*
   return guarded([&] {
     require(scene, "scene");
     require(object, "object");
-    *object = packed(scene->scene.add(to_box(box), to_options(options)));
+    *object = from_id(scene->scene.add(to_box(box), to_options(options)));
   });
 }
 
@@ -79,14 +62,14 @@ occlude_status occlude_scene_add_objects(occlude_scene* scene, const occlude_box
     if (all.size() != 0) require(objects, "objects");
     const occlude::culler::ObjectOptions each = to_options(options);
     require_legal(all);
-    std::fill_n(objects, all.size(), OCCLUDE_NONE);
-    for (std::size_t i = 0; i < all.size(); ++i) objects[i] = packed(scene->scene.add(all[i], each));
+    std::fill_n(objects, all.size(), occlude_object OCCLUDE_NONE);
+    for (std::size_t i = 0; i < all.size(); ++i) objects[i] = from_id(scene->scene.add(all[i], each));
   });
 }
 
 occlude_status occlude_scene_remove_object(occlude_scene* scene, occlude_object object) noexcept {
   return guarded([&] {
-    const ObjectId id = known_object(scene, object);
+    const auto id = known(scene, object);
     scene->scene.remove(id);
   });
 }
@@ -96,9 +79,9 @@ occlude_status occlude_scene_remove_objects(occlude_scene* scene, const occlude_
     require(scene, "scene");
     if (count != 0) require(objects, "objects");
     const std::span all(objects, count);
-    require_known(scene, all);
+    require_known(*scene, all);
     for (const occlude_object object : all) {
-      const auto id = unpacked<ObjectId>(object);
+      const auto id = to_id(object);
       if (scene->scene.contains(id)) scene->scene.remove(id);  // not so the second time
     }
   });
@@ -106,7 +89,7 @@ occlude_status occlude_scene_remove_objects(occlude_scene* scene, const occlude_
 
 occlude_status occlude_scene_move_object(occlude_scene* scene, occlude_object object, const occlude_box* box) noexcept {
   return guarded([&] {
-    const ObjectId id = known_object(scene, object);
+    const auto id = known(scene, object);
     scene->scene.move(id, to_box(box));
   });
 }
@@ -117,28 +100,28 @@ occlude_status occlude_scene_move_objects(occlude_scene* scene, const occlude_ob
     require(scene, "scene");
     const Boxes all(boxes);
     if (all.size() != 0) require(objects, "objects");
-    require_known(scene, {objects, all.size()});
+    require_known(*scene, {objects, all.size()});
     require_legal(all);
-    for (std::size_t i = 0; i < all.size(); ++i) scene->scene.move(unpacked<ObjectId>(objects[i]), all[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) scene->scene.move(to_id(objects[i]), all[i]);
   });
 }
 
 occlude_status occlude_scene_enable_object(occlude_scene* scene, occlude_object object, int32_t is_enabled) noexcept {
   return guarded([&] {
-    const ObjectId id = known_object(scene, object);
+    const auto id = known(scene, object);
     scene->scene.set_enabled(id, is_enabled != 0);
   });
 }
 
 occlude_status occlude_scene_mask_object(occlude_scene* scene, occlude_object object, uint32_t mask) noexcept {
   return guarded([&] {
-    const ObjectId id = known_object(scene, object);
+    const auto id = known(scene, object);
     scene->scene.set_mask(id, mask);
   });
 }
 
 int32_t occlude_scene_has_object(const occlude_scene* scene, occlude_object object) noexcept {
-  return scene != nullptr && scene->scene.contains(unpacked<ObjectId>(object)) ? 1 : 0;
+  return scene != nullptr && scene->scene.contains(to_id(object)) ? 1 : 0;
 }
 
 occlude_status occlude_scene_update(occlude_scene* scene) noexcept {

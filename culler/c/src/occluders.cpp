@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <new>
-#include <string>
+#include <span>
+#include <vector>
 
 #include "arrays.h"
 #include "handles.h"
@@ -16,28 +15,20 @@
 namespace occlude::c {
 namespace {
 
-using culler::OccluderId;
-
 static_assert(sizeof(occlude_occluder_options) == sizeof(std::size_t) + 24, "no padding: structs.h");
 
-culler::OccluderOptions to_options(const occlude_occluder_options* given) {
+culler::OccluderOptions to_options(const occlude_scene* scene, const occlude_occluder_options* given) {
   const auto options = read_options(given, occlude_occluder_options OCCLUDE_OCCLUDER_OPTIONS_INIT, "options");
-  return {.moves = options.moves != 0,
-          .is_one_sided = options.is_one_sided != 0,
-          .mask = options.mask,
-          .object = unpacked<culler::ObjectId>(options.object)};
+  return {
+      .moves = options.moves != 0,
+      .is_one_sided = options.is_one_sided != 0,
+      .mask = options.mask,
+      .object = options.object.number == 0 ? culler::ObjectId() : known(scene, options.object, "object of the options: ")};
 }
 
 culler::Placement to_placement(const occlude_placement* given) {
   if (given == nullptr) return {};
   return {vec3(given->x), vec3(given->y), vec3(given->z), vec3(given->origin)};
-}
-
-OccluderId known_occluder(const occlude_scene* scene, occlude_occluder occluder) {
-  require(scene, "scene");
-  const auto id = unpacked<OccluderId>(occluder);
-  if (!scene->scene.contains(id)) throw UnknownId("the scene has no such occluder");
-  return id;
 }
 
 }  // namespace
@@ -51,7 +42,7 @@ occlude_status occlude_scene_add_occluder(occlude_scene* scene, const occlude_me
     require(scene, "scene");
     require(mesh, "mesh");
     require(occluder, "occluder");
-    *occluder = packed(scene->scene.add(mesh->mesh, to_placement(placement), to_options(options)));
+    *occluder = from_id(scene->scene.add(mesh->mesh, to_placement(placement), to_options(scene, options)));
   });
 }
 
@@ -63,23 +54,25 @@ occlude_status occlude_scene_add_occluders(occlude_scene* scene, const occlude_m
     require(mesh, "mesh");
     if (count != 0) require(placements, "placements");
     if (count != 0) require(occluders, "occluders");
-    const occlude::culler::OccluderOptions each = to_options(options);
-    std::fill_n(occluders, count, OCCLUDE_NONE);
-    for (std::size_t i = 0; i < count; ++i) {
-      try {
-        occluders[i] = packed(scene->scene.add(mesh->mesh, to_placement(&placements[i]), each));
-      } catch (const std::invalid_argument& e) {
-        for (std::size_t added = 0; added < i; ++added) scene->scene.remove(unpacked<OccluderId>(occluders[added]));
-        std::fill_n(occluders, count, OCCLUDE_NONE);
-        throw std::invalid_argument("placement " + std::to_string(i) + ": " + e.what());
-      }
+    const occlude::culler::OccluderOptions each = to_options(scene, options);
+    std::fill_n(occluders, count, occlude_occluder OCCLUDE_NONE);
+    std::vector<occlude::culler::Placement> all;
+    for (const occlude_placement& placement : std::span(placements, count)) all.push_back(to_placement(&placement));
+    std::vector<occlude::culler::OccluderId> ids(count);
+    const auto write = [&] { std::ranges::transform(ids, occluders, [](const auto& id) { return from_id(id); }); };
+    try {
+      scene->scene.add(mesh->mesh, all, each, ids);
+    } catch (...) {
+      write();
+      throw;
     }
+    write();
   });
 }
 
 occlude_status occlude_scene_remove_occluder(occlude_scene* scene, occlude_occluder occluder) noexcept {
   return guarded([&] {
-    const OccluderId id = known_occluder(scene, occluder);
+    const auto id = known(scene, occluder);
     scene->scene.remove(id);
   });
 }
@@ -87,7 +80,7 @@ occlude_status occlude_scene_remove_occluder(occlude_scene* scene, occlude_occlu
 occlude_status occlude_scene_move_occluder(occlude_scene* scene, occlude_occluder occluder,
                                            const occlude_placement* placement) noexcept {
   return guarded([&] {
-    const OccluderId id = known_occluder(scene, occluder);
+    const auto id = known(scene, occluder);
     scene->scene.move(id, to_placement(placement));
   });
 }
@@ -95,7 +88,7 @@ occlude_status occlude_scene_move_occluder(occlude_scene* scene, occlude_occlude
 occlude_status occlude_scene_replace_occluder(occlude_scene* scene, occlude_occluder occluder,
                                               const occlude_mesh* mesh) noexcept {
   return guarded([&] {
-    const OccluderId id = known_occluder(scene, occluder);
+    const auto id = known(scene, occluder);
     require(mesh, "mesh");
     scene->scene.replace(id, mesh->mesh);
   });
@@ -103,20 +96,20 @@ occlude_status occlude_scene_replace_occluder(occlude_scene* scene, occlude_occl
 
 occlude_status occlude_scene_enable_occluder(occlude_scene* scene, occlude_occluder occluder, int32_t is_enabled) noexcept {
   return guarded([&] {
-    const OccluderId id = known_occluder(scene, occluder);
+    const auto id = known(scene, occluder);
     scene->scene.set_enabled(id, is_enabled != 0);
   });
 }
 
 occlude_status occlude_scene_mask_occluder(occlude_scene* scene, occlude_occluder occluder, uint32_t mask) noexcept {
   return guarded([&] {
-    const OccluderId id = known_occluder(scene, occluder);
+    const auto id = known(scene, occluder);
     scene->scene.set_mask(id, mask);
   });
 }
 
 int32_t occlude_scene_has_occluder(const occlude_scene* scene, occlude_occluder occluder) noexcept {
-  return scene != nullptr && scene->scene.contains(unpacked<OccluderId>(occluder)) ? 1 : 0;
+  return scene != nullptr && scene->scene.contains(to_id(occluder)) ? 1 : 0;
 }
 
 size_t occlude_scene_occluders(const occlude_scene* scene) noexcept {

@@ -67,14 +67,14 @@ ObjectId NodeScene::add(osg::Node& node) {
     mirrored.occluder = scene_.add(std::make_shared<culler::OccluderMesh>(std::move(geometry.opaque)),
                                    placement_of(mirrored), {.moves = moves, .object = object});
   }
-  if (mirrored_.size() <= object.slot) mirrored_.resize(object.slot + std::size_t{1});
-  mirrored_[object.slot] = std::move(mirrored);
+  if (mirrored_.size() <= object.slot()) mirrored_.resize(object.slot() + std::size_t{1});
+  mirrored_[object.slot()] = std::move(mirrored);
   if (moves) followed_.push_back(object);
   return object;
 }
 
 void NodeScene::remove(ObjectId object) {
-  Mirrored& mirrored = mirrored_[object.slot];
+  Mirrored& mirrored = mirrored_[object.slot()];
   scene_.remove(object);
   if (!mirrored.occluder.is_none()) scene_.remove(mirrored.occluder);
   mirrored = {};
@@ -102,7 +102,7 @@ culler::Placement NodeScene::placement_of(const Mirrored& mirrored) const {
 
 void NodeScene::follow() {
   for (const ObjectId object : followed_) {
-    Mirrored& mirrored = mirrored_[object.slot];
+    Mirrored& mirrored = mirrored_[object.slot()];
     const osg::Matrixd place = place_of(*mirrored.node);
     if (place == mirrored.place) continue;
     mirrored.place = place;
@@ -122,7 +122,7 @@ bool NodeScene::cull(osgUtil::CullVisitor& visitor) {
   Viewing& viewing = viewing_of(visitor);
   viewing.slots.clear();
   for (const culler::DrawnObject& drawn : scene_.cull(camera, options, viewing.view).drawn) {
-    viewing.slots.push_back(drawn.id.slot);
+    viewing.slots.push_back(drawn.id.slot());
   }
   std::ranges::sort(viewing.slots);
   for (const std::uint32_t slot : viewing.slots) mirrored_[slot].node->accept(visitor);

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The occlusion culler that is never wrong: scenes that change, models, and the kernel's questions in bulk."""
 import enum
+import typing
+
+import numpy as np
 
 from ._occlude import (
     Camera,
@@ -17,6 +20,10 @@ from ._occlude import (
     is_fan,
     triangulate,
 )
+
+
+ObjectId = typing.NewType("ObjectId", np.uint64)
+OccluderId = typing.NewType("OccluderId", np.uint64)
 
 
 class Visibility(enum.IntEnum):
@@ -65,4 +72,4 @@ class Stage(enum.IntEnum):
 def slot(ids):
     """Small numbers that objects, or occluders, have to themselves while they are in a scene: indices for arrays of one's
     own. Takes an id or an array of them."""
-    return (ids & 0xFFFFFFFF) - 1
+    return (np.asarray(ids, np.uint64) & np.uint64(0xFFFFFFF)).astype(np.intp)

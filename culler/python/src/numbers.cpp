@@ -16,10 +16,6 @@ std::string shape_of(const py::array& array) {
   return "has shape " + py::repr(py::tuple(array.attr("shape"))).cast<std::string>();
 }
 
-[[noreturn]] void refuse_shape(const char* name, const py::array& array, const char* wanted) {
-  throw std::invalid_argument(std::string(name) + " " + shape_of(array) + ", must be " + wanted);
-}
-
 /// The numbers of element i of the first axis, which has `Count` of them in one axis or two.
 template <std::size_t Count>
 std::array<double, Count> numbers_of(const Doubles& array, py::ssize_t i) {
@@ -75,6 +71,10 @@ void add_sizes(const py::object& polygons, const py::object& sizes, culler::Poly
 }
 
 }  // namespace
+
+void refuse_shape(const char* name, const py::array& array, const char* wanted) {
+  throw std::invalid_argument(std::string(name) + " " + shape_of(array) + ", must be " + wanted);
+}
 
 kernel::Vec3 to_vec3(const Doubles& numbers, const char* name) {
   if (numbers.ndim() != 1 || numbers.shape(0) != 3) refuse_shape(name, numbers, "(3,)");

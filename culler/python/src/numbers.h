@@ -24,7 +24,10 @@ namespace py = pybind11;
 /// Numbers of any type and with any strides, as doubles.
 using Doubles = py::array_t<double, py::array::forcecast>;
 
-// All of these throw std::invalid_argument, which is ValueError in Python, for arrays of another shape or type.
+/// Throws std::invalid_argument, which is ValueError in Python: "boxes has shape (6,), must be …".
+[[noreturn]] void refuse_shape(const char* name, const py::array& array, const char* wanted);
+
+// All of these throw it, too, for arrays of another shape or type.
 
 /// Shape (3).
 [[nodiscard]] kernel::Vec3 to_vec3(const Doubles& numbers, const char* name);

@@ -3,15 +3,16 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
-#include "ids.h"
 #include "view.h"
 
 namespace occlude::python {
@@ -73,13 +74,22 @@ constexpr std::uint64_t kMostId = std::numeric_limits<std::uint64_t>::max();
 template <class Id>
 std::vector<Id> to_ids(const py::object& numbers) {
   std::vector<Id> ids;
-  for (const std::uint64_t number : to_whole(numbers, "ids", kMostId)) ids.push_back(c::unpacked<Id>(number));
+  for (const std::uint64_t number : to_whole(numbers, "ids", kMostId)) ids.push_back(Id::from_number(number));
   return ids;
 }
 
+/// An id of Python, as a scalar of NumPy: a list of these, and of elements of arrays, becomes an array of ids.
 template <class Id>
-std::uint64_t added(const Id& id) {
-  return c::packed(id);
+py::object from_id(const Id& id) {
+  return py::module_::import("numpy").attr("uint64")(id.number());
+}
+
+template <class Id>
+py::array_t<std::uint64_t> from_ids(const std::vector<Id>& ids) {
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(ids.size());
+  for (const Id& id : ids) numbers.push_back(id.number());
+  return to_array(std::move(numbers));
 }
 
 /// Does `work` with each id, or with none if one of them names nothing.
@@ -88,8 +98,9 @@ void for_each_id(SharedScene& scene, const py::object& numbers, const Work& work
   const auto ids = to_ids<Id>(numbers);
   scene.change([&](culler::Scene& s) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (s.contains(ids[i])) continue;
-      throw std::invalid_argument("id " + std::to_string(i) + ": the scene has nothing of that name");
+      if (const std::string reason = s.fault(ids[i]); !reason.empty()) {
+        throw std::invalid_argument("id " + std::to_string(i) + ": " + reason);
+      }
     }
     for (const Id& id : ids) work(s, id);
   });
@@ -99,34 +110,63 @@ py::array_t<std::uint64_t> add_objects(SharedScene& scene, const Doubles& given,
   const std::vector<culler::Box> boxes = to_boxes(given);
   std::vector<ObjectId> ids(boxes.size());
   scene.change([&](culler::Scene& s) { s.add(boxes, options, ids); });
-  std::vector<std::uint64_t> numbers;
-  for (const ObjectId& id : ids) numbers.push_back(c::packed(id));
-  return to_array(std::move(numbers));
+  return from_ids(ids);
 }
 
 void move_objects(SharedScene& scene, const py::object& numbers, const Doubles& given) {
   const std::vector<culler::Box> boxes = to_boxes(given);
-  if (to_ids<ObjectId>(numbers).size() != boxes.size()) throw std::invalid_argument("as many ids as boxes are needed");
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!culler::fault(boxes[i]).empty())
-      throw std::invalid_argument("box " + std::to_string(i) + " has a NaN or min > max");
-  }
-  std::size_t next = 0;
-  for_each_id<ObjectId>(scene, numbers, [&](culler::Scene& s, const ObjectId& id) { s.move(id, boxes[next++]); });
+  const auto ids = to_ids<ObjectId>(numbers);
+  if (ids.size() != boxes.size()) throw std::invalid_argument("as many ids as boxes are needed");
+  scene.change([&](culler::Scene& s) { s.move(ids, boxes); });
 }
 
-/// From a matrix of 3 or 4 rows and 4 columns, which takes column vectors; None is the identity.
+template <class Id>
+void remove_all(SharedScene& scene, const py::object& numbers) {
+  const auto ids = to_ids<Id>(numbers);
+  scene.change([&](culler::Scene& s) { s.remove(ids); });
+}
+
+/// Whether the last two axes are matrices of 3 or 4 rows and 4 columns.
+bool are_placements(const Doubles& m, py::ssize_t axes) {
+  return m.ndim() == axes && (m.shape(axes - 2) == 3 || m.shape(axes - 2) == 4) && m.shape(axes - 1) == 4;
+}
+
+/// From matrices that take column vectors.
+std::vector<culler::Placement> to_placements(const Doubles& matrices) {
+  if (!are_placements(matrices, 3)) refuse_shape("placements", matrices, "(n, 3, 4) or (n, 4, 4)");
+  std::vector<culler::Placement> placements;
+  placements.reserve(static_cast<std::size_t>(matrices.shape(0)));
+  for (py::ssize_t i = 0; i < matrices.shape(0); ++i) {
+    std::array<double, 16> rows{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    for (py::ssize_t k = 0; k < 4 * matrices.shape(1); ++k) {
+      rows[static_cast<std::size_t>(k)] = matrices.at(i, k / 4, k % 4);
+    }
+    placements.push_back(culler::Placement::from_rows(rows.data()));
+  }
+  return placements;
+}
+
+/// The same of one; None is the identity.
 culler::Placement to_placement(const py::object& given) {
   if (given.is_none()) return {};
-  const auto m = given.cast<Doubles>();
-  if (m.ndim() != 2 || (m.shape(0) != 3 && m.shape(0) != 4) || m.shape(1) != 4) {
-    throw std::invalid_argument("placement must have shape (3, 4) or (4, 4)");
-  }
-  if (m.shape(0) == 4 && (m.at(3, 0) != 0 || m.at(3, 1) != 0 || m.at(3, 2) != 0 || m.at(3, 3) != 1)) {
-    throw std::invalid_argument("placement must be affine: its last row is (0, 0, 0, 1)");
-  }
-  const auto column = [&](py::ssize_t c) -> kernel::Vec3 { return {m.at(0, c), m.at(1, c), m.at(2, c)}; };
-  return {column(0), column(1), column(2), column(3)};
+  const auto matrix = given.cast<Doubles>();
+  if (!are_placements(matrix, 2)) refuse_shape("placement", matrix, "(3, 4) or (4, 4)");
+  return to_placements(Doubles(matrix.attr("__getitem__")(py::none())))[0];
+}
+
+py::array_t<std::uint64_t> add_occluders(SharedScene& scene, const std::shared_ptr<OccluderMesh>& mesh,
+                                         const Doubles& matrices, const culler::OccluderOptions& options) {
+  const std::vector<culler::Placement> placements = to_placements(matrices);
+  std::vector<OccluderId> ids(placements.size());
+  scene.change([&](culler::Scene& s) { s.add(mesh, placements, options, ids); });
+  return from_ids(ids);
+}
+
+void move_occluders(SharedScene& scene, const py::object& numbers, const Doubles& matrices) {
+  const std::vector<culler::Placement> placements = to_placements(matrices);
+  const auto ids = to_ids<OccluderId>(numbers);
+  if (ids.size() != placements.size()) throw std::invalid_argument("as many ids as placements are needed");
+  scene.change([&](culler::Scene& s) { s.move(ids, placements); });
 }
 
 py::dict to_dict(const culler::SceneStats& stats) {
@@ -162,7 +202,7 @@ SceneFrame cull_scene(const SharedScene& scene, const Camera& camera, AnyView* g
     options.executor = nullptr;  // it is of this frame alone
     view.options = options;
     rows.reserve(result.drawn.size());
-    for (const auto& [id, size, distance] : result.drawn) rows.push_back({c::packed(id), size, distance});
+    for (const auto& [id, size, distance] : result.drawn) rows.push_back({id.number(), size, distance});
     planes = result.view;
     stats = result.stats;
   });
@@ -185,6 +225,13 @@ void define_meshes(py::module_& module) {
 
 using Class = py::class_<SharedScene>;
 
+constexpr std::uint32_t kAllLayers = ~std::uint32_t{0};
+
+/// The object that draws an occluder, or none.
+ObjectId to_object(const std::optional<std::uint64_t>& number) {
+  return number ? ObjectId::from_number(*number) : ObjectId();
+}
+
 std::vector<culler::ObjectFate> fates(const SharedScene& scene, const py::object& numbers, AnyView& view) {
   const auto ids = to_ids<ObjectId>(numbers);
   return scene.look([&](const culler::Scene& s) {
@@ -204,7 +251,7 @@ py::list hiding(const culler::ObjectFate& fate) {
     std::vector<double> numbers;
     for (const kernel::Vec3& v : corners) numbers.insert(numbers.end(), {v.x, v.y, v.z});
     const auto rows = static_cast<py::ssize_t>(corners.size());
-    result.append(py::make_tuple(c::packed(occluder), polygon, to_array(std::move(numbers), {rows, 3})));
+    result.append(py::make_tuple(from_id(occluder), polygon, to_array(std::move(numbers), {rows, 3})));
   }
   return result;
 }
@@ -224,31 +271,24 @@ void define_why(py::module_& module, Class& scene) {
 
 void define_objects(Class& scene) {
   using py::literals::operator""_a;
-  constexpr std::uint32_t kAll = ~std::uint32_t{0};
   scene
       .def(
           "add_object",
           [](SharedScene& s, const Doubles& given, bool moves, bool is_always_drawn, std::uint32_t mask) {
             const culler::Box box = to_box(given);
-            return s.change([&](culler::Scene& in) { return added(in.add(box, {moves, is_always_drawn, mask})); });
+            return from_id(s.change([&](culler::Scene& in) { return in.add(box, {moves, is_always_drawn, mask}); }));
           },
-          "box"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAll, "Adds an object; its id.")
+          "box"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAllLayers,
+          "Adds an object; its id.")
       .def(
           "add_objects",
           [](SharedScene& s, const Doubles& boxes, bool moves, bool is_always_drawn, std::uint32_t mask) {
             return add_objects(s, boxes, {moves, is_always_drawn, mask});
           },
-          "boxes"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAll,
+          "boxes"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAllLayers,
           "Adds an object for each box; an array of their ids.")
       .def("move_objects", &move_objects, "ids"_a, "boxes"_a)
-      .def(
-          "remove_objects",
-          [](SharedScene& s, const py::object& ids) {
-            for_each_id<ObjectId>(s, ids, [](culler::Scene& in, const ObjectId& id) {
-              if (in.contains(id)) in.remove(id);  // not so the second time
-            });
-          },
-          "ids"_a)
+      .def("remove_objects", &remove_all<ObjectId>, "ids"_a)
       .def(
           "enable_objects",
           [](SharedScene& s, const py::object& ids, bool is_enabled) {
@@ -262,7 +302,7 @@ void define_objects(Class& scene) {
           },
           "ids"_a, "mask"_a)
       .def("has_object", [](const SharedScene& s, std::uint64_t id) {
-        return s.look([&](const culler::Scene& in) { return in.contains(c::unpacked<ObjectId>(id)); });
+        return s.look([&](const culler::Scene& in) { return in.contains(ObjectId::from_number(id)); });
       });
 }
 
@@ -273,34 +313,36 @@ void define_occluders(Class& scene) {
       .def(
           "add_occluder",
           [](SharedScene& s, const Mesh& mesh, const py::object& placement, bool moves, bool is_one_sided,
-             std::uint32_t mask, std::uint64_t object) {
+             std::uint32_t mask, std::optional<std::uint64_t> object) {
             const culler::Placement at = to_placement(placement);
-            const culler::OccluderOptions options{moves, is_one_sided, mask, c::unpacked<ObjectId>(object)};
-            return s.change([&](culler::Scene& in) { return added(in.add(mesh, at, options)); });
+            const culler::OccluderOptions options{moves, is_one_sided, mask, to_object(object)};
+            return from_id(s.change([&](culler::Scene& in) { return in.add(mesh, at, options); }));
           },
           "mesh"_a.none(false), "placement"_a = py::none(), py::kw_only(), "moves"_a = false, "is_one_sided"_a = false,
-          "mask"_a = ~std::uint32_t{0}, "object"_a = 0, "Adds an occluder; its id.")
+          "mask"_a = kAllLayers, "object"_a = py::none(), "Adds an occluder; its id.")
+      .def(
+          "add_occluders",
+          [](SharedScene& s, const Mesh& mesh, const Doubles& placements, bool moves, bool is_one_sided, std::uint32_t mask,
+             std::optional<std::uint64_t> object) {
+            return add_occluders(s, mesh, placements, {moves, is_one_sided, mask, to_object(object)});
+          },
+          "mesh"_a.none(false), "placements"_a, py::kw_only(), "moves"_a = false, "is_one_sided"_a = false,
+          "mask"_a = kAllLayers, "object"_a = py::none(), "Adds an occluder for each placement; an array of their ids.")
       .def(
           "move_occluder",
           [](SharedScene& s, std::uint64_t id, const py::object& placement) {
             const culler::Placement at = to_placement(placement);
-            s.change([&](culler::Scene& in) { in.move(c::unpacked<OccluderId>(id), at); });
+            s.change([&](culler::Scene& in) { in.move(OccluderId::from_number(id), at); });
           },
           "id"_a, "placement"_a)
       .def(
           "replace_occluder",
           [](SharedScene& s, std::uint64_t id, const Mesh& mesh) {
-            s.change([&](culler::Scene& in) { in.replace(c::unpacked<OccluderId>(id), mesh); });
+            s.change([&](culler::Scene& in) { in.replace(OccluderId::from_number(id), mesh); });
           },
           "id"_a, "mesh"_a.none(false))
-      .def(
-          "remove_occluders",
-          [](SharedScene& s, const py::object& ids) {
-            for_each_id<OccluderId>(s, ids, [](culler::Scene& in, const OccluderId& id) {
-              if (in.contains(id)) in.remove(id);
-            });
-          },
-          "ids"_a)
+      .def("move_occluders", &move_occluders, "ids"_a, "placements"_a)
+      .def("remove_occluders", &remove_all<OccluderId>, "ids"_a)
       .def(
           "enable_occluders",
           [](SharedScene& s, const py::object& ids, bool is_enabled) {
@@ -315,7 +357,7 @@ void define_occluders(Class& scene) {
           },
           "ids"_a, "mask"_a)
       .def("has_occluder", [](const SharedScene& s, std::uint64_t id) {
-        return s.look([&](const culler::Scene& in) { return in.contains(c::unpacked<OccluderId>(id)); });
+        return s.look([&](const culler::Scene& in) { return in.contains(OccluderId::from_number(id)); });
       });
 }
 
@@ -324,7 +366,7 @@ void define_cull(Class& scene) {
   using py::literals::operator""_a;
   scene.def("cull", &cull_scene<Camera>, "camera"_a, "view"_a = py::none(), py::kw_only(),
             "cover_size"_a = std::pair{culler::CoverOptions{}.width, culler::CoverOptions{}.height},
-            "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = ~std::uint32_t{0},
+            "cover_triangles"_a = py::none(), "cover_ms"_a = py::none(), "margin"_a = 0.0, "mask"_a = kAllLayers,
             "least_size"_a = 0.0F, "front_to_back"_a = false, "threads"_a = 1,
             "What to draw: a SceneFrame. It does not depend on the number of threads, which are started for this call.");
 }

@@ -41,7 +41,7 @@ int main(void) {
   TRY(occlude_scene_cull_look_at(scene, &camera, NULL, view));
   occlude_frame frame = OCCLUDE_FRAME_INIT;
   TRY(occlude_view_frame(view, &frame));
-  const int is_right = frame.count == 1 && frame.objects[0] == wall && occlude_version() == OCCLUDE_VERSION;
+  const int is_right = frame.count == 1 && frame.objects[0].number == wall.number && occlude_version() == OCCLUDE_VERSION;
 
   occlude_view_destroy(view);
   occlude_scene_destroy(scene);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "occlude/culler/box.h"
@@ -38,8 +39,8 @@ struct OccluderOptions {
   bool is_one_sided = false;
   /// Layers: see SceneOptions::mask.
   std::uint32_t mask = ~std::uint32_t{0};
-  /// The object that draws it, if any. It hides nothing in frames without that object: while the object is removed,
-  /// disabled, in no layer of the frame or too small.
+  /// The object that draws it, if any, which is in the scene. It hides nothing in frames without that object: once the
+  /// object is removed, and while it is disabled, in no layer of the frame or too small.
   ObjectId object = {};
 };
 
@@ -64,11 +65,12 @@ struct OccluderOptions {
 /// others cull, one change at a time; but move() of different objects that have ObjectOptions::moves may run on several
 /// threads at once. update() must run alone.
 ///
-/// **Errors.** std::invalid_argument, with the place and the reason, for an id of nothing that is in the scene, for a box
-/// with a NaN or with min > max, for a placement with a number that is not finite or one that takes its mesh beyond 2^100,
-/// and for a null mesh. What throws changes nothing. While the processor does not round to nearest, cull(), why(),
-/// SceneView::visibility() and making an OccluderMesh throw std::runtime_error. Changes and update() do not check it: a
-/// program that changes the mode must restore it before them.
+/// **Errors.** std::invalid_argument, with the place and the reason, for an id of nothing that is in the scene, such as one
+/// of another scene, for a box with a NaN or with min > max, for a placement with a number that is not finite or one that
+/// takes its mesh beyond 2^100, and for a null mesh. What throws changes nothing. While the processor does not round to
+/// nearest, cull(), why(), SceneView::visibility() and making an OccluderMesh throw std::runtime_error. Changes and update()
+/// do not check it: a program that changes the mode must restore it before them. std::runtime_error is also thrown where
+/// ids are used up: by 32,767 scenes at once, and by 2^28 objects or occluders in one.
 ///
 /// A scene that was moved from may only be destroyed or assigned to.
 class Scene {
@@ -83,20 +85,34 @@ class Scene {
   /// REQUIRES: as many ids as boxes.
   void add(std::span<const Box> boxes, const ObjectOptions& options, std::span<ObjectId> ids);
   void remove(ObjectId object);
+  /// One that is named twice counts once.
+  void remove(std::span<const ObjectId> objects);
   void move(ObjectId object, const Box& box);
+  /// REQUIRES: as many boxes as objects.
+  void move(std::span<const ObjectId> objects, std::span<const Box> boxes);
   void set_enabled(ObjectId object, bool is_enabled);
   void set_mask(ObjectId object, std::uint32_t mask);
   [[nodiscard]] bool contains(ObjectId object) const;
+  /// Why the scene refuses the id; empty if it has the object.
+  [[nodiscard]] std::string fault(ObjectId object) const;
 
   /// The mesh is shared, and kept for as long as an occluder has it.
   OccluderId add(std::shared_ptr<const OccluderMesh> mesh, const Placement& placement = {},
                  const OccluderOptions& options = {});
+  /// Adds an occluder for each placement, and writes their ids to `ids`. REQUIRES: as many ids as placements.
+  void add(const std::shared_ptr<const OccluderMesh>& mesh, std::span<const Placement> placements,
+           const OccluderOptions& options, std::span<OccluderId> ids);
   void remove(OccluderId occluder);
+  /// One that is named twice counts once.
+  void remove(std::span<const OccluderId> occluders);
   void move(OccluderId occluder, const Placement& placement);
+  /// REQUIRES: as many placements as occluders.
+  void move(std::span<const OccluderId> occluders, std::span<const Placement> placements);
   void replace(OccluderId occluder, std::shared_ptr<const OccluderMesh> mesh);
   void set_enabled(OccluderId occluder, bool is_enabled);
   void set_mask(OccluderId occluder, std::uint32_t mask);
   [[nodiscard]] bool contains(OccluderId occluder) const;
+  [[nodiscard]] std::string fault(OccluderId occluder) const;
 
   /// Makes all changes since the last update. Takes time in proportion to what changed, and to the number of objects with
   /// ObjectOptions::moves if one of them moved; likewise for occluders. Large tiles, of thousands of objects that stand
@@ -109,8 +125,8 @@ class Scene {
   const SceneResult& cull(const Camera& camera, const SceneOptions& options, SceneView& view) const;
   const SceneResult& cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const;
 
-  /// What became of these objects in the last frame of the view. `camera` and `options` are those of that frame, and the
-  /// scene was not updated since. Takes the time of some frames, and allocates. Throws as cull().
+  /// What became of these objects, all of them in the scene, in the last frame of the view. `camera` and `options` are those
+  /// of that frame, and the scene was not updated since. Takes the time of some frames, and allocates. Throws as cull().
   [[nodiscard]] std::vector<ObjectFate> why(const Camera& camera, const SceneOptions& options, const SceneView& view,
                                             std::span<const ObjectId> objects) const;
   [[nodiscard]] std::vector<ObjectFate> why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
