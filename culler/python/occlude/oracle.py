@@ -5,7 +5,7 @@ from . import _oracle
 
 
 def relations(frustum, boxes):
-    """The relation of each box to a ShadowFrustum: what frustum.relations(boxes)[0] must be."""
+    """The relation of each box to a ShadowFrustum: what frustum.relations(boxes) must be."""
     return _oracle.relations(
         frustum.viewpoint,
         frustum.is_direction,

@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "occlude/kernel/validity.h"
 
@@ -14,24 +15,6 @@ namespace {
 
 std::string shape_of(const py::array& array) {
   return "has shape " + py::repr(py::tuple(array.attr("shape"))).cast<std::string>();
-}
-
-/// The numbers of element i of the first axis, which has `Count` of them in one axis or two.
-template <std::size_t Count>
-std::array<double, Count> numbers_of(const Doubles& array, py::ssize_t i) {
-  std::array<double, Count> result;
-  for (std::size_t k = 0; k < Count; ++k) {
-    const auto at = static_cast<py::ssize_t>(k);
-    result[k] = array.ndim() == 2 ? array.at(i, at) : array.at(i, at / 3, at % 3);
-  }
-  return result;
-}
-
-kernel::Vec3 vec3(const double* v) { return {v[0], v[1], v[2]}; }
-
-culler::Box aligned(const std::array<double, 6>& v) { return kernel::Aabb{vec3(&v[0]), vec3(&v[3])}; }
-culler::Box oriented(const std::array<double, 12>& v) {
-  return kernel::Obb{vec3(&v[0]), {vec3(&v[3]), vec3(&v[6]), vec3(&v[9])}};
 }
 
 bool has_shape(const py::array& array, py::ssize_t flat, py::ssize_t rows) {
@@ -78,26 +61,36 @@ void refuse_shape(const char* name, const py::array& array, const char* wanted) 
 
 kernel::Vec3 to_vec3(const Doubles& numbers, const char* name) {
   if (numbers.ndim() != 1 || numbers.shape(0) != 3) refuse_shape(name, numbers, "(3,)");
-  return {numbers.at(0), numbers.at(1), numbers.at(2)};
+  return vec3_at(numbers.data());
 }
 
 std::vector<kernel::Vec3> to_points(const Doubles& points, const char* name) {
   if (points.ndim() != 2 || points.shape(1) != 3) refuse_shape(name, points, "(n, 3)");
   std::vector<kernel::Vec3> result;
   result.reserve(static_cast<std::size_t>(points.shape(0)));
-  for (py::ssize_t i = 0; i < points.shape(0); ++i) result.push_back({points.at(i, 0), points.at(i, 1), points.at(i, 2)});
+  for (py::ssize_t i = 0; i < points.shape(0); ++i) result.push_back(vec3_at(points.data() + 3 * i));
   return result;
 }
 
-std::vector<culler::Box> to_boxes(const Doubles& boxes) {
+bool are_aligned(const Doubles& boxes) {
   const bool is_aligned = has_shape(boxes, 6, 2);
   if (!is_aligned && !has_shape(boxes, 12, 4)) {
     refuse_shape("boxes", boxes, "(n, 6) or (n, 2, 3), or (n, 12) or (n, 4, 3) if they are oriented");
   }
+  return is_aligned;
+}
+
+std::vector<culler::Box> to_boxes(const Doubles& boxes) {
+  const bool is_aligned = are_aligned(boxes);
+  const double *at = boxes.data(), *const end = at + boxes.size();
   std::vector<culler::Box> result;
   result.reserve(static_cast<std::size_t>(boxes.shape(0)));
-  for (py::ssize_t i = 0; i < boxes.shape(0); ++i) {
-    result.push_back(is_aligned ? aligned(numbers_of<6>(boxes, i)) : oriented(numbers_of<12>(boxes, i)));
+  for (; at != end; at += is_aligned ? 6 : 12) {
+    if (is_aligned) {
+      result.emplace_back(aligned_at(at));
+    } else {
+      result.emplace_back(oriented_at(at));
+    }
   }
   return result;
 }
@@ -164,7 +157,11 @@ culler::PolygonSoup to_soup(const Doubles& vertices, const py::object& polygons,
     for (const std::vector<std::uint32_t>& loop : to_loops(polygons)) soup.add_polygon(loop);
   }
   if (!see_through.is_none()) {
-    const py::array_t<bool, py::array::c_style | py::array::forcecast> marks(see_through);
+    const py::array given = py::array::ensure(see_through);
+    if (!given) throw py::error_already_set();
+    if (std::string_view("biu").find(given.dtype().kind()) == std::string_view::npos)
+      throw std::invalid_argument("see_through are not truth values");
+    const py::array_t<bool, py::array::c_style | py::array::forcecast> marks(given);
     soup.see_through.assign(marks.data(), marks.data() + marks.size());
     if (soup.see_through.size() != soup.size()) throw std::invalid_argument("see_through has another length than polygons");
   }

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,14 @@ namespace occlude::python {
 
 namespace py = pybind11;
 
-/// Numbers of any type and with any strides, as doubles.
-using Doubles = py::array_t<double, py::array::forcecast>;
+/// Real numbers of any type and with any strides, as doubles one after another. A function that takes it refuses all else
+/// with TypeError.
+class Doubles : public py::array_t<double, py::array::c_style | py::array::forcecast> {
+  using Base = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+ public:
+  using Base::Base;
+};
 
 /// Throws std::invalid_argument, which is ValueError in Python: "boxes has shape (6,), must be …".
 [[noreturn]] void refuse_shape(const char* name, const py::array& array, const char* wanted);
@@ -35,6 +42,8 @@ using Doubles = py::array_t<double, py::array::forcecast>;
 [[nodiscard]] std::vector<kernel::Vec3> to_points(const Doubles& points, const char* name);
 /// Shape (n, 6) or (n, 2, 3): axis-aligned; (n, 12) or (n, 4, 3): oriented.
 [[nodiscard]] std::vector<culler::Box> to_boxes(const Doubles& boxes);
+/// Which of both.
+[[nodiscard]] bool are_aligned(const Doubles& boxes);
 /// The same without n.
 [[nodiscard]] culler::Box to_box(const Doubles& box);
 /// Whole numbers of any shape, one after another, each at most `most`.
@@ -46,6 +55,14 @@ using Doubles = py::array_t<double, py::array::forcecast>;
                                           const py::object& see_through);
 /// The corners of one face, and the loop of these alone. Numbers nearer to 0 than 2^-100 become 0.
 [[nodiscard]] std::vector<glm::dvec3> to_face(const Doubles& vertices, const std::vector<std::uint32_t>& loop);
+
+// Boxes of such an array, from their first number.
+
+[[nodiscard]] inline kernel::Vec3 vec3_at(const double* v) { return {v[0], v[1], v[2]}; }
+[[nodiscard]] inline kernel::Aabb aligned_at(const double* v) { return {vec3_at(v), vec3_at(v + 3)}; }
+[[nodiscard]] inline kernel::Obb oriented_at(const double* v) {
+  return {vec3_at(v), {vec3_at(v + 3), vec3_at(v + 6), vec3_at(v + 9)}};
+}
 
 /// The array has the vector's memory.
 template <class Value>
@@ -71,3 +88,26 @@ template <class Value>
 }
 
 }  // namespace occlude::python
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<occlude::python::Doubles> {
+  using Doubles = occlude::python::Doubles;
+  PYBIND11_TYPE_CASTER(Doubles, const_name("numpy.ndarray[numpy.float64]"));
+
+  bool load(handle given, bool) {
+    // Numbers, and objects that are numbers. NumPy would drop the imaginary part of complex ones, and read texts.
+    constexpr std::string_view kKinds = "biufO";
+    const auto numbers = array::ensure(given);
+    if (!numbers) throw type_error("an array of real numbers is needed");
+    const bool is_real = kKinds.find(numbers.dtype().kind()) != std::string_view::npos;
+    auto doubles = is_real ? array_t<double, array::c_style | array::forcecast>::ensure(numbers) : object();
+    if (!doubles) throw type_error("an array of real numbers is needed, not of " + str(numbers.dtype()).cast<std::string>());
+    value = Doubles(std::move(doubles));
+    return true;
+  }
+  static handle cast(const Doubles& array, return_value_policy, handle) { return array.inc_ref(); }
+};
+
+}  // namespace pybind11::detail

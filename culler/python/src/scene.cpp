@@ -147,11 +147,10 @@ std::vector<culler::Placement> to_placements(const Doubles& matrices) {
 }
 
 /// The same of one; None is the identity.
-culler::Placement to_placement(const py::object& given) {
-  if (given.is_none()) return {};
-  const auto matrix = given.cast<Doubles>();
-  if (!are_placements(matrix, 2)) refuse_shape("placement", matrix, "(3, 4) or (4, 4)");
-  return to_placements(Doubles(matrix.attr("__getitem__")(py::none())))[0];
+culler::Placement to_placement(const std::optional<Doubles>& matrix) {
+  if (!matrix) return {};
+  if (!are_placements(*matrix, 2)) refuse_shape("placement", *matrix, "(3, 4) or (4, 4)");
+  return to_placements(Doubles(matrix->attr("__getitem__")(py::none())))[0];
 }
 
 py::array_t<std::uint64_t> add_occluders(SharedScene& scene, const std::shared_ptr<OccluderMesh>& mesh,
@@ -312,7 +311,7 @@ void define_occluders(Class& scene) {
   scene
       .def(
           "add_occluder",
-          [](SharedScene& s, const Mesh& mesh, const py::object& placement, bool moves, bool is_one_sided,
+          [](SharedScene& s, const Mesh& mesh, const std::optional<Doubles>& placement, bool moves, bool is_one_sided,
              std::uint32_t mask, std::optional<std::uint64_t> object) {
             const culler::Placement at = to_placement(placement);
             const culler::OccluderOptions options{moves, is_one_sided, mask, to_object(object)};
@@ -330,7 +329,7 @@ void define_occluders(Class& scene) {
           "mask"_a = kAllLayers, "object"_a = py::none(), "Adds an occluder for each placement; an array of their ids.")
       .def(
           "move_occluder",
-          [](SharedScene& s, std::uint64_t id, const py::object& placement) {
+          [](SharedScene& s, std::uint64_t id, const std::optional<Doubles>& placement) {
             const culler::Placement at = to_placement(placement);
             s.change([&](culler::Scene& in) { in.move(OccluderId::from_number(id), at); });
           },
