@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The occlusion culler that is never wrong: scenes that change, models, and the kernel's questions in bulk."""
+from __future__ import annotations
+
 import enum
 import typing
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._occlude import (
     Camera,
@@ -21,7 +24,31 @@ from ._occlude import (
     triangulate,
 )
 
+__all__ = [
+    "Camera",
+    "CulledBy",
+    "Culler",
+    "Fate",
+    "MatrixCamera",
+    "ModelFrame",
+    "ObjectId",
+    "OccluderId",
+    "OccluderMesh",
+    "Reason",
+    "Relation",
+    "Scene",
+    "SceneFrame",
+    "ShadowFrustum",
+    "Stage",
+    "View",
+    "Visibility",
+    "__version__",
+    "is_fan",
+    "slot",
+    "triangulate",
+]
 
+# What an id names, its generation and its scene are in the number. Arrays of ids are of numpy.uint64.
 ObjectId = typing.NewType("ObjectId", np.uint64)
 OccluderId = typing.NewType("OccluderId", np.uint64)
 
@@ -69,7 +96,7 @@ class Stage(enum.IntEnum):
     EXACT = 1
 
 
-def slot(ids):
+def slot(ids: ArrayLike) -> NDArray[np.intp]:
     """Small numbers that objects, or occluders, have to themselves while they are in a scene: indices for arrays of one's
     own. Takes an id or an array of them."""
     return (np.asarray(ids, np.uint64) & np.uint64(0xFFFFFFF)).astype(np.intp)

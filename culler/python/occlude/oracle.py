@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The kernel's question, answered in exact arithmetic by code that shares nothing with the kernel. There only where the
 oracle was built. It uses parts of CGAL under the LGPL."""
-from . import _oracle
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import ShadowFrustum, _oracle
 
 
-def relations(frustum, boxes):
+def relations(frustum: ShadowFrustum, boxes: ArrayLike) -> NDArray[np.uint8]:
     """The relation of each box to a ShadowFrustum: what frustum.relations(boxes) must be."""
     return _oracle.relations(
         frustum.viewpoint,

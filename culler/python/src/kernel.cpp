@@ -160,6 +160,13 @@ py::object support_plane(const Shadow& shadow) {
   return py::make_tuple(vec3_array(plane->normal), vec3_array(plane->point));
 }
 
+std::string to_text(const Shadow& shadow) {
+  const kernel::Viewpoint& from = shadow.frustum.viewpoint();
+  const std::string where = py::str(py::make_tuple(from.value.x, from.value.y, from.value.z)).cast<std::string>();
+  const std::string corners = std::to_string(shadow.vertices.shape(0)) + " vertices";
+  return described("ShadowFrustum", corners + (from.is_eye() ? ", eye " : ", direction ") + where);
+}
+
 }  // namespace
 
 void define_kernel(py::module_& module) {
@@ -173,12 +180,16 @@ void define_kernel(py::module_& module) {
            "near_boundary"_a = "closed", "The relation of each box to the shadow: an array of Relation.")
       .def("stages", &stages, "boxes"_a, py::kw_only(), "test"_a = "overlap", "near_boundary"_a = "closed",
            "Which stage decides of each box: an array of Stage. It takes longer than relations().")
-      .def_readonly("vertices", &Shadow::vertices)
-      .def_readonly("faces", &Shadow::faces)
-      .def_readonly("near", &Shadow::near)
-      .def_property_readonly("viewpoint", [](const Shadow& s) { return vec3_array(s.frustum.viewpoint().value); })
-      .def_property_readonly("is_direction", [](const Shadow& s) { return !s.frustum.viewpoint().is_eye(); })
-      .def_property_readonly("support_plane", &support_plane);
+      .def_readonly("vertices", &Shadow::vertices, "As given.")
+      .def_readonly("faces", &Shadow::faces, "As given.")
+      .def_readonly("near", &Shadow::near, "As given.")
+      .def_property_readonly(
+          "viewpoint", [](const Shadow& s) { return vec3_array(s.frustum.viewpoint().value); }, "The eye or the direction.")
+      .def_property_readonly(
+          "is_direction", [](const Shadow& s) { return !s.frustum.viewpoint().is_eye(); }, "Which of both.")
+      .def_property_readonly("support_plane", &support_plane,
+                             "The near plane that was chosen where the polygon is not plane: (normal, point), or None.")
+      .def("__repr__", &to_text);
 }
 
 }  // namespace occlude::python

@@ -134,7 +134,10 @@ void define_models(py::module_& module) {
       .def_readonly("polygons", &ModelFrame::polygons, "The polygons to draw, as they were numbered when given.")
       .def_readonly("culled", &ModelFrame::culled, "Rows (first, count, by, index): what is not drawn, and why (CulledBy).")
       .def_readonly("planes", &ModelFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
-      .def_readonly("statistics", &ModelFrame::statistics);
+      .def_readonly("statistics", &ModelFrame::statistics, "What was counted, by names.")
+      .def("__repr__", [](const ModelFrame& frame) {
+        return described("ModelFrame", count_of(static_cast<std::size_t>(frame.polygons.size()), "polygon") + " drawn");
+      });
   py::class_<Culler> culler(module, "Culler", "A model that stands still. prepare() makes what frames by a method need.");
   culler
       .def(py::init(&make_culler), "vertices"_a, "polygons"_a, "sizes"_a = py::none(), py::kw_only(),
@@ -147,7 +150,9 @@ void define_models(py::module_& module) {
             c.prepare(chosen);
           },
           "method"_a = "frusta", "Makes what frames by this method need; else the first of them does.")
-      .def("__len__", [](const Culler& c) { return c.hierarchy().soup().size(); })
+      .def(
+          "__len__", [](const Culler& c) { return c.hierarchy().soup().size(); }, "The number of polygons.")
+      .def("__repr__", [](const Culler& c) { return described("Culler", count_of(c.hierarchy().soup().size(), "polygon")); })
       .def_property_readonly(
           "order",
           [](const Culler& c) {

@@ -219,7 +219,8 @@ void define_meshes(py::module_& module) {
              return std::make_shared<OccluderMesh>(std::move(soup));
            }),
            "vertices"_a, "polygons"_a, "sizes"_a = py::none(), "see_through"_a = py::none())
-      .def("__len__", &OccluderMesh::size);
+      .def("__len__", &OccluderMesh::size, "The number of polygons.")
+      .def("__repr__", [](const OccluderMesh& mesh) { return described("OccluderMesh", count_of(mesh.size(), "polygon")); });
 }
 
 using Class = py::class_<SharedScene>;
@@ -243,6 +244,40 @@ std::vector<culler::ObjectFate> fates(const SharedScene& scene, const py::object
   });
 }
 
+std::string to_text(const culler::ObjectFate& fate) {
+  using Reason = culler::ObjectFate::Reason;
+  switch (fate.reason) {
+    case Reason::drawn:
+      return described("Fate", "drawn");
+    case Reason::always_drawn:
+      return described("Fate", "always drawn");
+    case Reason::out_of_view:
+      return described("Fate", "out of view by plane " + std::to_string(fate.plane));
+    case Reason::hidden:
+      return described("Fate", "hidden by " + count_of(fate.by.size(), "polygon"));
+    case Reason::too_small:
+      return described("Fate", "too small");
+    case Reason::in_no_layer:
+      return described("Fate", "in no layer");
+    case Reason::not_in_scene:
+      break;
+  }
+  return described("Fate", "not in the scene");
+}
+
+std::string to_text(const SharedScene& scene) {
+  return scene.look([](const culler::Scene& s) {
+    return described("Scene", count_of(s.objects(), "object") + ", " + count_of(s.occluders(), "occluder"));
+  });
+}
+
+std::string to_text(const SceneFrame& frame) {
+  const auto number = [&](const char* name) { return frame.statistics[name].cast<std::size_t>(); };
+  return described("SceneFrame", count_of(number("drawn"), "object") + " drawn, " + std::to_string(number("hidden")) +
+                                     " hidden, " + std::to_string(number("out_of_view")) + " out of view, " +
+                                     std::to_string(number("too_small")) + " too small");
+}
+
 /// What hides, as tuples (occluder, polygon, corners).
 py::list hiding(const culler::ObjectFate& fate) {
   py::list result;
@@ -262,7 +297,8 @@ void define_why(py::module_& module, Class& scene) {
       .def_property_readonly(
           "reason", [](const ObjectFate& fate) { return static_cast<int>(fate.reason); }, "A Reason.")
       .def_readonly("plane", &ObjectFate::plane, "Of SceneFrame.planes, where the object is out of view.")
-      .def_property_readonly("by", &hiding, "The polygons that hide it: (occluder, polygon, corners).");
+      .def_property_readonly("by", &hiding, "The polygons that hide it: (occluder, polygon, corners).")
+      .def("__repr__", [](const ObjectFate& fate) { return to_text(fate); });
   scene.def("why", &fates, "ids"_a, "view"_a,
             "What became of these objects in the last frame of the view, after which the scene was not updated: a list of "
             "Fate.");
@@ -286,23 +322,26 @@ void define_objects(Class& scene) {
           },
           "boxes"_a, py::kw_only(), "moves"_a = false, "is_always_drawn"_a = false, "mask"_a = kAllLayers,
           "Adds an object for each box; an array of their ids.")
-      .def("move_objects", &move_objects, "ids"_a, "boxes"_a)
-      .def("remove_objects", &remove_all<ObjectId>, "ids"_a)
+      .def("move_objects", &move_objects, "ids"_a, "boxes"_a, "A box for each.")
+      .def("remove_objects", &remove_all<ObjectId>, "ids"_a, "All of them, or raises and removes none.")
       .def(
           "enable_objects",
           [](SharedScene& s, const py::object& ids, bool is_enabled) {
             for_each_id<ObjectId>(s, ids, [&](culler::Scene& in, const ObjectId& id) { in.set_enabled(id, is_enabled); });
           },
-          "ids"_a, "is_enabled"_a)
+          "ids"_a, "is_enabled"_a, "Those that are not are in no frame.")
       .def(
           "mask_objects",
           [](SharedScene& s, const py::object& ids, std::uint32_t mask) {
             for_each_id<ObjectId>(s, ids, [&](culler::Scene& in, const ObjectId& id) { in.set_mask(id, mask); });
           },
-          "ids"_a, "mask"_a)
-      .def("has_object", [](const SharedScene& s, std::uint64_t id) {
-        return s.look([&](const culler::Scene& in) { return in.contains(ObjectId::from_number(id)); });
-      });
+          "ids"_a, "mask"_a, "Gives them these layers: frames have those whose mask has a bit in common with theirs.")
+      .def(
+          "has_object",
+          [](const SharedScene& s, std::uint64_t id) {
+            return s.look([&](const culler::Scene& in) { return in.contains(ObjectId::from_number(id)); });
+          },
+          "id"_a, "Whether the id is that of an object of this scene.");
 }
 
 void define_occluders(Class& scene) {
@@ -333,31 +372,34 @@ void define_occluders(Class& scene) {
             const culler::Placement at = to_placement(placement);
             s.change([&](culler::Scene& in) { in.move(OccluderId::from_number(id), at); });
           },
-          "id"_a, "placement"_a)
+          "id"_a, "placement"_a, "By a matrix; None: where the vertices of its mesh are.")
       .def(
           "replace_occluder",
           [](SharedScene& s, std::uint64_t id, const Mesh& mesh) {
             s.change([&](culler::Scene& in) { in.replace(OccluderId::from_number(id), mesh); });
           },
-          "id"_a, "mesh"_a.none(false))
-      .def("move_occluders", &move_occluders, "ids"_a, "placements"_a)
-      .def("remove_occluders", &remove_all<OccluderId>, "ids"_a)
+          "id"_a, "mesh"_a.none(false), "Gives it another mesh.")
+      .def("move_occluders", &move_occluders, "ids"_a, "placements"_a, "A matrix for each.")
+      .def("remove_occluders", &remove_all<OccluderId>, "ids"_a, "As remove_objects().")
       .def(
           "enable_occluders",
           [](SharedScene& s, const py::object& ids, bool is_enabled) {
             for_each_id<OccluderId>(s, ids,
                                     [&](culler::Scene& in, const OccluderId& id) { in.set_enabled(id, is_enabled); });
           },
-          "ids"_a, "is_enabled"_a)
+          "ids"_a, "is_enabled"_a, "Those that are not hide nothing.")
       .def(
           "mask_occluders",
           [](SharedScene& s, const py::object& ids, std::uint32_t mask) {
             for_each_id<OccluderId>(s, ids, [&](culler::Scene& in, const OccluderId& id) { in.set_mask(id, mask); });
           },
-          "ids"_a, "mask"_a)
-      .def("has_occluder", [](const SharedScene& s, std::uint64_t id) {
-        return s.look([&](const culler::Scene& in) { return in.contains(OccluderId::from_number(id)); });
-      });
+          "ids"_a, "mask"_a, "As mask_objects().")
+      .def(
+          "has_occluder",
+          [](const SharedScene& s, std::uint64_t id) {
+            return s.look([&](const culler::Scene& in) { return in.contains(OccluderId::from_number(id)); });
+          },
+          "id"_a, "Whether the id is that of an occluder of this scene.");
 }
 
 template <class Camera>
@@ -379,9 +421,10 @@ void define_scenes(py::module_& module) {
   py::class_<SceneFrame>(module, "SceneFrame", "The objects to draw in one frame.")
       .def_readonly("drawn", &SceneFrame::drawn, "Rows (id, size, distance).")
       .def_readonly("planes", &SceneFrame::planes, "Rows (a, b, c, d); in view: a x + b y + c z + d >= 0.")
-      .def_readonly("statistics", &SceneFrame::statistics);
+      .def_readonly("statistics", &SceneFrame::statistics, "What was counted, by names.")
+      .def("__repr__", [](const SceneFrame& frame) { return to_text(frame); });
   Class scene(module, "Scene", "A world of objects and occluders that changes. Changes show at the next update().");
-  scene.def(py::init<>());
+  scene.def(py::init<>()).def("__repr__", [](const SharedScene& s) { return to_text(s); });
   define_objects(scene);
   define_occluders(scene);
   define_cull<culler::Camera>(scene);
@@ -391,10 +434,12 @@ void define_scenes(py::module_& module) {
       .def(
           "update", [](SharedScene& s, std::size_t threads) { s.update(on_threads(threads)); }, py::kw_only(),
           "threads"_a = 1, "Makes all changes since the last update; large tiles are built on so many threads.")
-      .def_property_readonly("objects",
-                             [](const SharedScene& s) { return s.look([](const auto& in) { return in.objects(); }); })
-      .def_property_readonly("occluders",
-                             [](const SharedScene& s) { return s.look([](const auto& in) { return in.occluders(); }); });
+      .def_property_readonly(
+          "objects", [](const SharedScene& s) { return s.look([](const auto& in) { return in.objects(); }); },
+          "How many are in the scene, disabled ones included.")
+      .def_property_readonly(
+          "occluders", [](const SharedScene& s) { return s.look([](const auto& in) { return in.occluders(); }); },
+          "As objects.");
 }
 
 }  // namespace occlude::python

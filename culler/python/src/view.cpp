@@ -35,6 +35,15 @@ Camera make_camera(const Doubles& eye, const Doubles& target, const Doubles& up,
   return camera;
 }
 
+/// As it is made.
+py::object to_text(const Camera& c) {
+  const auto list = [](const glm::dvec3& v) { return py::make_tuple(v.x, v.y, v.z); };
+  const char* projection = c.projection == culler::Projection::perspective ? "perspective" : "orthographic";
+  return py::
+      str("occlude.Camera(eye={}, target={}, up={}, projection={!r}, fov_y_deg={}, height={}, aspect={}, near={}, far={})")
+          .format(list(c.eye), list(c.target), list(c.up), projection, c.fov_y_deg, c.height, c.aspect, c.near, c.far);
+}
+
 culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string& depth, const py::object& nearer,
                                         double eye_radius) {
   if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) {
@@ -54,6 +63,27 @@ culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string
   camera.eye_radius = eye_radius;
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
   return camera;
+}
+
+py::object to_text(const culler::MatrixCamera& c) {
+  py::list rows;
+  for (int row = 0; row < 4; ++row)
+    rows.append(py::make_tuple(c.matrix[0][row], c.matrix[1][row], c.matrix[2][row], c.matrix[3][row]));
+  const char* depth = c.depth == culler::ClipDepth::minus_w_to_w ? "minus_w_to_w" : "zero_to_w";
+  py::object nearer = py::none();
+  if (c.nearer != culler::Nearer::unsaid) nearer = py::str(c.nearer == culler::Nearer::less ? "less" : "greater");
+  return py::str("occlude.MatrixCamera({}, depth={!r}, nearer={!r}, eye_radius={})")
+      .format(rows, depth, nearer, c.eye_radius);
+}
+
+std::string to_text(AnyView& view) {
+  const py::gil_scoped_release others_run;
+  const std::scoped_lock lock(view.mutex);
+  if (!view.is_of_scene) {
+    return described("View", "of a model, " + count_of(view.model.result().stats.drawn_polygons, "polygon") + " drawn");
+  }
+  if (std::holds_alternative<std::monostate>(view.camera)) return described("View", "no frame");
+  return described("View", "of a scene, " + count_of(view.scene.result().drawn.size(), "object") + " drawn");
 }
 
 std::vector<std::uint8_t> visibilities(AnyView& view, const std::vector<culler::Box>& boxes) {
@@ -92,7 +122,8 @@ void define_cameras(py::module_& module) {
   py::class_<Camera>(module, "Camera", "A right-handed camera that looks from `eye` to `target`.")
       .def(py::init(&make_camera), "eye"_a, "target"_a, "up"_a = std::vector<double>{0, 0, 1},
            "projection"_a = "perspective", "fov_y_deg"_a = Camera{}.fov_y_deg, "height"_a = Camera{}.height,
-           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near, "far"_a = Camera{}.far);
+           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near, "far"_a = Camera{}.far)
+      .def("__repr__", [](const Camera& camera) { return to_text(camera); });
 }
 
 void define_matrix_cameras(py::module_& module) {
@@ -102,16 +133,21 @@ void define_matrix_cameras(py::module_& module) {
       "Any projective matrix: matrix @ (x, y, z, 1) is a point in clip space. The depth is 'minus_w_to_w', as in OpenGL, "
       "or 'zero_to_w', as in Vulkan, Direct3D and Metal. With parallel rays, 'less' or 'greater' is nearer.")
       .def(py::init(&make_matrix_camera), "matrix"_a, "depth"_a, "nearer"_a = py::none(), "eye_radius"_a = 0.0)
-      .def_property_readonly("eye", [](const culler::MatrixCamera& camera) {
-        const glm::dvec3 eye = camera.eye();
-        return to_array(std::vector<double>{eye.x, eye.y, eye.z});
-      });
+      .def("__repr__", [](const culler::MatrixCamera& camera) { return to_text(camera); })
+      .def_property_readonly(
+          "eye",
+          [](const culler::MatrixCamera& camera) {
+            const glm::dvec3 eye = camera.eye();
+            return to_array(std::vector<double>{eye.x, eye.y, eye.z});
+          },
+          "Where one looks from, up to rounding; with parallel rays, a point of the near plane.");
 }
 
 void define_views(py::module_& module) {
   using py::literals::operator""_a;
   py::class_<AnyView>(module, "View", "One camera from frame to frame, of any scene or model.")
       .def(py::init<>())
+      .def("__repr__", [](AnyView& view) { return to_text(view); })
       .def(
           "visibility", [](AnyView& view, const Doubles& boxes) { return to_array(visibilities(view, to_boxes(boxes))); },
           "boxes"_a,

@@ -2,7 +2,9 @@
 // A view of a scene or of a model, which several Python threads may hold.
 #pragma once
 
+#include <cstddef>
 #include <mutex>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -32,6 +34,15 @@ struct AnyView {
 /// How the coarse picture is asked for.
 [[nodiscard]] culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles,
                                                     const py::object& ms);
+
+/// "3 objects".
+[[nodiscard]] inline std::string count_of(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+/// What repr() says of things that no expression makes: "<occlude.Scene: 3 objects, 1 occluder>".
+[[nodiscard]] inline std::string described(const std::string& type, const std::string& what) {
+  return "<occlude." + type + ": " + what + ">";
+}
 
 void define_cameras(py::module_& module);
 void define_matrix_cameras(py::module_& module);

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: MIT
+from typing import Any, Literal, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import ObjectId, OccluderId
+
+__version__: str
+
+AnyCamera = Union[Camera, MatrixCamera]
+AnyPolygons = Union[ArrayLike, Sequence[ArrayLike]]
+
+class Camera:
+    def __init__(
+        self,
+        eye: ArrayLike,
+        target: ArrayLike,
+        up: ArrayLike = [0.0, 0.0, 1.0],
+        projection: Literal["perspective", "orthographic"] = "perspective",
+        fov_y_deg: float = 60.0,
+        height: float = 100.0,
+        aspect: float = ...,
+        near: float = 0.1,
+        far: float = ...,
+    ) -> None: ...
+
+class MatrixCamera:
+    def __init__(
+        self,
+        matrix: ArrayLike,
+        depth: Literal["minus_w_to_w", "zero_to_w"],
+        nearer: Literal["less", "greater", None] = None,
+        eye_radius: float = 0.0,
+    ) -> None: ...
+    @property
+    def eye(self) -> NDArray[np.float64]: ...
+
+class View:
+    def __init__(self) -> None: ...
+    def visibility(self, boxes: ArrayLike) -> NDArray[np.uint8]: ...
+
+class OccluderMesh:
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        polygons: AnyPolygons,
+        sizes: Union[ArrayLike, None] = None,
+        see_through: Union[ArrayLike, None] = None,
+    ) -> None: ...
+    def __len__(self) -> int: ...
+
+class SceneFrame:
+    @property
+    def drawn(self) -> NDArray[np.void]: ...
+    @property
+    def planes(self) -> NDArray[np.float64]: ...
+    @property
+    def statistics(self) -> dict[str, int]: ...
+
+class Fate:
+    @property
+    def reason(self) -> int: ...
+    @property
+    def plane(self) -> int: ...
+    @property
+    def by(self) -> list[tuple[OccluderId, int, NDArray[np.float64]]]: ...
+
+class Scene:
+    def __init__(self) -> None: ...
+    def add_object(
+        self, box: ArrayLike, *, moves: bool = False, is_always_drawn: bool = False, mask: int = 0xFFFFFFFF
+    ) -> ObjectId: ...
+    def add_objects(
+        self, boxes: ArrayLike, *, moves: bool = False, is_always_drawn: bool = False, mask: int = 0xFFFFFFFF
+    ) -> NDArray[np.uint64]: ...
+    def move_objects(self, ids: ArrayLike, boxes: ArrayLike) -> None: ...
+    def remove_objects(self, ids: ArrayLike) -> None: ...
+    def enable_objects(self, ids: ArrayLike, is_enabled: bool) -> None: ...
+    def mask_objects(self, ids: ArrayLike, mask: int) -> None: ...
+    def has_object(self, id: ObjectId) -> bool: ...
+    def add_occluder(
+        self,
+        mesh: OccluderMesh,
+        placement: Union[ArrayLike, None] = None,
+        *,
+        moves: bool = False,
+        is_one_sided: bool = False,
+        mask: int = 0xFFFFFFFF,
+        object: Union[ObjectId, None] = None,
+    ) -> OccluderId: ...
+    def add_occluders(
+        self,
+        mesh: OccluderMesh,
+        placements: ArrayLike,
+        *,
+        moves: bool = False,
+        is_one_sided: bool = False,
+        mask: int = 0xFFFFFFFF,
+        object: Union[ObjectId, None] = None,
+    ) -> NDArray[np.uint64]: ...
+    def move_occluder(self, id: OccluderId, placement: Union[ArrayLike, None]) -> None: ...
+    def replace_occluder(self, id: OccluderId, mesh: OccluderMesh) -> None: ...
+    def move_occluders(self, ids: ArrayLike, placements: ArrayLike) -> None: ...
+    def remove_occluders(self, ids: ArrayLike) -> None: ...
+    def enable_occluders(self, ids: ArrayLike, is_enabled: bool) -> None: ...
+    def mask_occluders(self, ids: ArrayLike, mask: int) -> None: ...
+    def has_occluder(self, id: OccluderId) -> bool: ...
+    def update(self, *, threads: int = 1) -> None: ...
+    def cull(
+        self,
+        camera: AnyCamera,
+        view: Union[View, None] = None,
+        *,
+        cover_size: tuple[int, int] = (576, 360),
+        cover_triangles: Union[int, None] = None,
+        cover_ms: Union[float, None] = None,
+        margin: float = 0.0,
+        mask: int = 0xFFFFFFFF,
+        least_size: float = 0.0,
+        front_to_back: bool = False,
+        threads: int = 1,
+    ) -> SceneFrame: ...
+    def why(self, ids: ArrayLike, view: View) -> list[Fate]: ...
+    @property
+    def objects(self) -> int: ...
+    @property
+    def occluders(self) -> int: ...
+
+class ModelFrame:
+    @property
+    def drawn(self) -> NDArray[np.void]: ...
+    @property
+    def polygons(self) -> NDArray[np.uint32]: ...
+    @property
+    def culled(self) -> NDArray[np.void]: ...
+    @property
+    def planes(self) -> NDArray[np.float64]: ...
+    @property
+    def statistics(self) -> dict[str, int]: ...
+
+class Culler:
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        polygons: AnyPolygons,
+        sizes: Union[ArrayLike, None] = None,
+        *,
+        see_through: Union[ArrayLike, None] = None,
+        leaf_size: int = 16,
+        bounds: Literal["aabb", "obb"] = "aabb",
+    ) -> None: ...
+    def prepare(self, method: Literal["frusta", "cover"] = "frusta") -> None: ...
+    def cull(
+        self,
+        camera: AnyCamera,
+        view: Union[View, None] = None,
+        *,
+        method: Literal["frusta", "cover"] = "frusta",
+        occluders: int = 8,
+        probes: int = 8,
+        near: Literal["surface", "farthest"] = "surface",
+        arithmetic: Literal["certified", "plain"] = "certified",
+        test: Literal["conservative", "overlap"] = "conservative",
+        margin: float = 0.0,
+        unions: bool = False,
+        cover_size: tuple[int, int] = (576, 360),
+        cover_triangles: Union[int, None] = None,
+        cover_ms: Union[float, None] = None,
+    ) -> ModelFrame: ...
+    def __len__(self) -> int: ...
+    @property
+    def order(self) -> NDArray[np.uint32]: ...
+
+class ShadowFrustum:
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        faces: Union[AnyPolygons, None] = None,
+        *,
+        eye: Union[ArrayLike, None] = None,
+        direction: Union[ArrayLike, None] = None,
+        near: Literal["surface", "farthest"] = "surface",
+    ) -> None: ...
+    def relations(
+        self,
+        boxes: ArrayLike,
+        *,
+        arithmetic: Literal["certified", "plain"] = "certified",
+        test: Literal["overlap", "conservative"] = "overlap",
+        near_boundary: Literal["closed", "open"] = "closed",
+    ) -> NDArray[np.uint8]: ...
+    def stages(
+        self,
+        boxes: ArrayLike,
+        *,
+        test: Literal["overlap", "conservative"] = "overlap",
+        near_boundary: Literal["closed", "open"] = "closed",
+    ) -> NDArray[np.uint8]: ...
+    @property
+    def vertices(self) -> NDArray[np.float64]: ...
+    @property
+    def faces(self) -> Any: ...
+    @property
+    def near(self) -> str: ...
+    @property
+    def viewpoint(self) -> NDArray[np.float64]: ...
+    @property
+    def is_direction(self) -> bool: ...
+    @property
+    def support_plane(self) -> Union[tuple[NDArray[np.float64], NDArray[np.float64]], None]: ...
+
+def is_fan(vertices: ArrayLike, loop: ArrayLike) -> bool: ...
+def triangulate(vertices: ArrayLike, loop: ArrayLike) -> NDArray[np.uint32]: ...
