@@ -13,7 +13,7 @@ packages=(
   libopenmpi-dev openmpi-bin libsodium-dev    # several processes (mpirun), and parts that they keep
   libbenchmark-dev libhwy-dev                 # the kernel's benchmark
   libgtest-dev patch python3 valgrind gltfpack  # tests
-  python3-dev python3-numpy pybind11-dev      # python
+  python3-dev python3-numpy pybind11-dev python3-pip python3-setuptools python3-wheel  # python
   "$@"
 )
 
