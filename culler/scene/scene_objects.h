@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "base/bounds.h"
-#include "base/slots.h"
 #include "model/packed_tree.h"
 #include "occlude/culler/box.h"
 #include "occlude/culler/executor.h"
 #include "occlude/culler/scene_id.h"
 #include "scene/object_group.h"
+#include "scene/slots.h"
 
 namespace occlude::culler {
 

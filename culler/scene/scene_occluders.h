@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "base/slots.h"
 #include "model/linear_tree.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/placement.h"
 #include "occlude/culler/scene.h"
 #include "occlude/culler/scene_id.h"
+#include "scene/slots.h"
 
 namespace occlude::culler {
 
