@@ -9,6 +9,7 @@ cd "$(dirname "$0")/.."
 # FOLDER: the folders that it may include. All of them are named above it, so there is no cycle.
 layers='
 kernel:
+kernel/judge: kernel
 culler: kernel
 culler/c: kernel culler
 oracle:
@@ -17,12 +18,12 @@ culler/python: kernel culler oracle
 oracle/cases: kernel oracle render
 oracle/proof: kernel culler oracle render oracle/cases
 fuzz: kernel oracle/cases
-fuzz/bound_check: kernel culler oracle/cases fuzz
-fuzz/differential: kernel culler oracle oracle/cases oracle/proof fuzz
-fuzz/harness: kernel culler oracle render oracle/cases oracle/proof fuzz fuzz/differential
+fuzz/bound_check: kernel kernel/judge culler oracle/cases fuzz
+fuzz/differential: kernel kernel/judge culler oracle oracle/cases oracle/proof fuzz
+fuzz/harness: kernel kernel/judge culler oracle render oracle/cases oracle/proof fuzz fuzz/differential
 kernel/bench: kernel fuzz
 render/bench: kernel culler render kernel/bench
-cli: kernel culler oracle render oracle/cases oracle/proof fuzz fuzz/differential kernel/bench render/bench
+cli: kernel kernel/judge culler oracle render oracle/cases oracle/proof fuzz fuzz/differential kernel/bench render/bench
 '
 
 ninja -C "$build" -t deps | sed "s|^    $PWD/|    |; s|^    \(\.\./\)*|    |" | awk -v layers="$layers" '

@@ -6,6 +6,6 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 bash .ci/packages.sh clang clang-tidy
 cmake --preset clang -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
-find kernel/src culler/{base,camera,model,descent,frusta,cover,scene,inner,store,frame} -name "*.cpp" -print0 |
+find kernel/src kernel/judge/src culler/{base,camera,model,descent,frusta,cover,scene,inner,store,frame} -name "*.cpp" -print0 |
   xargs -0 --max-args 1 --max-procs "$(nproc)" clang-tidy -p build/clang --quiet
 echo "The kernel and the culler are tidy"

@@ -21,16 +21,16 @@ void run_unions(std::uint64_t seed, Report& report);
 /// frustum as doubles, and perhaps a far plane.
 void run_view_frusta(std::uint64_t seed, Report& report);
 
-/// Compares what a viewpoint sees of two convex objects by the general test (kernel/view_cone.h). The objects are occluders
-/// of any case, parts of them and faces of boxes. Silhouettes and farthest vertices are compared as well.
+/// Compares what a viewpoint sees of two convex objects by the general test (kernel/judge, view_cone.h). The objects are
+/// occluders of any case, parts of them and faces of boxes. Silhouettes and farthest vertices are compared as well.
 void run_cones(std::uint64_t seed, Report& report);
 
-/// The same for convex polytopes instead of boxes (kernel/polytope_overlap.h): boxes, tetrahedra of their corners, and
-/// occluders.
+/// The same for convex polytopes instead of boxes (kernel/judge, polytope_overlap.h): boxes, tetrahedra of their corners,
+/// and occluders.
 void run_occludees(std::uint64_t seed, Report& report);
 
-/// Compares boxes with the joined shadow of several polygons (kernel/cover.h): pieces of a polygon that fit exactly or
-/// nearly, and any polygons on a lattice.
+/// Compares boxes with the joined shadow of several polygons (kernel/judge, cover.h): pieces of a polygon that fit exactly
+/// or nearly, and any polygons on a lattice.
 void run_covers(std::uint64_t seed, Report& report);
 
 /// Compares frames of the culler with the promises of culling (cull_judge.h) and with a traversal that has no active sets.

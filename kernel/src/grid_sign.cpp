@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "binary_parts.h"
 #include "box_plane.h"
 
 namespace occlude::kernel {
@@ -48,9 +48,9 @@ class Grid {
  public:
   void hold(double x) {
     if (x == 0) return;
-    const Parts parts(x);
-    low_ = std::min(low_, parts.exponent + std::countr_zero(parts.mantissa));
-    high_ = std::max(high_, parts.exponent + kMantissaBits);
+    const BinaryParts parts(x);
+    low_ = std::min(low_, parts.lowest());
+    high_ = std::max(high_, parts.exponent + static_cast<int>(BinaryParts::kMantissaBits));
   }
   void hold(const Vec3& v) {
     for (int axis = 0; axis < 3; ++axis) hold(v[axis]);
@@ -67,27 +67,12 @@ class Grid {
   /// x divided by the power. REQUIRES: it holds x; bits() <= 126.
   [[nodiscard]] Int128 integer(double x) const {
     if (x == 0) return 0;
-    const Parts parts(x);
-    const int zeros = std::countr_zero(parts.mantissa);
-    const Int128 magnitude = static_cast<Int128>(parts.mantissa >> static_cast<unsigned>(zeros))
-                             << static_cast<unsigned>(parts.exponent + zeros - low_);
+    const BinaryParts parts(x);
+    const Int128 magnitude = static_cast<Int128>(parts.odd()) << static_cast<unsigned>(parts.lowest() - low_);
     return x < 0 ? -magnitude : magnitude;
   }
 
  private:
-  static constexpr int kMantissaBits = 53, kBias = 1075;
-  /// x = ±mantissa 2^exponent.
-  struct Parts {
-    explicit Parts(double x) {
-      const auto bits = std::bit_cast<std::uint64_t>(x);
-      constexpr std::uint64_t kLeading = std::uint64_t{1} << (kMantissaBits - 1U);
-      mantissa = (bits & (kLeading - 1)) | kLeading;
-      exponent = static_cast<int>(bits >> (kMantissaBits - 1U) & 0x7FFU) - kBias;
-    }
-    std::uint64_t mantissa;
-    int exponent;
-  };
-
   int low_ = 4096, high_ = -4096;  // beyond the exponents of doubles
 };
 

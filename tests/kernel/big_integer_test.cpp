@@ -12,7 +12,6 @@
 namespace big_integer_test {
 
 using occlude::kernel::BigInteger;
-using occlude::kernel::lowest_exponent;
 
 bool is_equal(const BigInteger& a, const BigInteger& b) { return (a - b).sign() == 0; }
 
@@ -20,13 +19,6 @@ BigInteger some_number(std::mt19937_64& random) {
   const double mantissa = std::uniform_real_distribution<double>(-1, 1)(random);
   return BigInteger::scaled(mantissa, 60 + static_cast<int>(random() % 300)) +
          BigInteger(static_cast<int>(random() % 3) - 1);
-}
-
-TEST(BigInteger, LowestBitOfADouble) {
-  EXPECT_EQ(lowest_exponent(1), 0);
-  EXPECT_EQ(lowest_exponent(-12), 2);
-  EXPECT_EQ(lowest_exponent(0x1.8p-100), -101);
-  EXPECT_EQ(lowest_exponent(0.1), -55);
 }
 
 TEST(BigInteger, SmallNumbersAndTheirSums) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "binary_parts.h"
 #include "occlude/kernel/half_space.h"
 #include "rays.h"
 
@@ -73,7 +74,7 @@ struct CoverArc {
 
 /// The number of bits behind the binary point, or less than 0 for an even integer. Shifted by as many bits, the number is an
 /// integer.
-[[nodiscard]] inline int shift_for(double x) { return x == 0 ? 0 : -lowest_exponent(x); }
+[[nodiscard]] inline int shift_for(double x) { return x == 0 ? 0 : -BinaryParts(x).lowest(); }
 [[nodiscard]] inline int shift_for(const Vec3& v) { return std::max({shift_for(v.x), shift_for(v.y), shift_for(v.z)}); }
 
 struct CoverParts {

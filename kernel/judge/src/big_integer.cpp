@@ -2,10 +2,11 @@
 #include "big_integer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+
+#include "binary_parts.h"
 
 namespace occlude::kernel {
 namespace {
@@ -15,7 +16,6 @@ using Wide = std::uint64_t;
 using Limbs = std::vector<Limb>;
 
 constexpr int kLimbBits = 32;
-constexpr int kMantissaBits = 53;
 
 /// The numbers may have leading zeros.
 bool is_less(const Limbs& a, const Limbs& b) {
@@ -51,17 +51,7 @@ Limbs difference(const Limbs& greater, const Limbs& lesser) {
   return result;
 }
 
-/// The mantissa of |x| as an odd integer, and its exponent.
-std::pair<Wide, int> odd_mantissa(double x) {
-  int exponent = 0;
-  const auto mantissa = static_cast<Wide>(std::ldexp(std::frexp(std::fabs(x), &exponent), kMantissaBits));
-  const int zeros = std::countr_zero(mantissa);
-  return {mantissa >> static_cast<unsigned>(zeros), exponent - kMantissaBits + zeros};
-}
-
 }  // namespace
-
-int lowest_exponent(double x) { return odd_mantissa(x).second; }
 
 BigInteger::BigInteger(bool is_negative, Limbs limbs) : is_negative_(is_negative), limbs_(std::move(limbs)) {
   while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
@@ -82,8 +72,9 @@ BigInteger::Limbs BigInteger::magnitude() const {
 
 BigInteger BigInteger::scaled(double x, int shift) {
   if (x == 0) return {};
-  const auto [mantissa, exponent] = odd_mantissa(x);
-  const auto bits = static_cast<std::size_t>(exponent + shift);
+  const BinaryParts parts(x);
+  const Wide mantissa = parts.odd();
+  const auto bits = static_cast<std::size_t>(parts.lowest() + shift);
   const std::size_t whole = bits / kLimbBits, rest = bits % kLimbBits;
   // The mantissa shifted by `rest` has at most 53 + 31 bits, which fit in three limbs.
   Limbs limbs(whole + 3);

@@ -13,7 +13,7 @@ class BigInteger {
  public:
   BigInteger() = default;
   BigInteger(std::int64_t small) : small_(small) {}  // NOLINT(google-explicit-constructor): numbers like any other
-  /// x 2^shift. REQUIRES: x is finite, and x 2^shift is an integer.
+  /// x 2^shift. REQUIRES: x is finite and not subnormal, and x 2^shift is an integer.
   static BigInteger scaled(double x, int shift);
 
   [[nodiscard]] int sign() const {
@@ -49,8 +49,5 @@ class BigInteger {
   bool is_negative_ = false;
   Limbs limbs_;
 };
-
-/// The exponent of the lowest bit of x: x 2^-exponent is an odd integer. REQUIRES: x is finite and not 0.
-[[nodiscard]] int lowest_exponent(double x);
 
 }  // namespace occlude::kernel
