@@ -21,7 +21,7 @@ fuzz: kernel oracle/cases
 fuzz/bound_check: kernel kernel/judge culler oracle/cases fuzz
 fuzz/differential: kernel kernel/judge culler oracle oracle/cases oracle/proof fuzz
 fuzz/harness: kernel kernel/judge culler oracle render oracle/cases oracle/proof fuzz fuzz/differential
-kernel/bench: kernel fuzz
+kernel/bench: kernel render fuzz
 render/bench: kernel culler render kernel/bench
 cli: kernel kernel/judge culler oracle render oracle/cases oracle/proof fuzz fuzz/differential kernel/bench render/bench
 '

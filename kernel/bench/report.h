@@ -6,21 +6,15 @@
 #include <vector>
 
 #include "bench.h"
-#include "table.h"
+#include "occlude/render/table.h"
 
 namespace occlude::bench {
 
-/// The machine on which the benchmark ran.
-struct Machine {
-  std::string processor, compiler, flags;
-  unsigned threads = 0;
-};
-
 /// Workloads, times, ratios, and Table 1.
-[[nodiscard]] std::vector<Table> tables_of(const Result& result, const Machine& machine);
-[[nodiscard]] std::string report_text(const Result& result, const Machine& machine);
+[[nodiscard]] std::vector<render::Table> tables_of(const Result& result);
+[[nodiscard]] std::string report_text(const Result& result);
 
 /// A single JSON object. What could not be measured on this machine is null.
-[[nodiscard]] std::string report_json(const Result& result, const Machine& machine);
+[[nodiscard]] std::string report_json(const Result& result);
 
 }  // namespace occlude::bench

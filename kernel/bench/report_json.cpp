@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
+#include "occlude/render/machine.h"
 #include "ratios.h"
 #include "report.h"
 
@@ -63,7 +64,9 @@ Json peers_json(const Result& result) {
 
 }  // namespace
 
-std::string report_json(const Result& result, const Machine& machine) {
+std::string report_json(const Result& result) {
+  Json machine = json_of(render::this_machine());
+  machine["flags"] = OCCLUDE_BENCH_FLAGS;
   const Json json{
       {"boxes", result.options.boxes},
       {"repetitions", result.options.repetitions},
@@ -74,11 +77,7 @@ std::string report_json(const Result& result, const Machine& machine) {
       {"ns", ns_json(result)},
       {"answers", answers_json(result)},
       {"peers", peers_json(result)},
-      {"machine",
-       {{"processor", machine.processor},
-        {"threads", machine.threads},
-        {"compiler", machine.compiler},
-        {"flags", machine.flags}}},
+      {"machine", machine},
   };
   return json.dump(2) + '\n';
 }

@@ -20,8 +20,7 @@ struct BenchArguments {
 void bench_kernel(BenchArguments& arguments) {
   arguments.options.seed = whole_number("--seed", arguments.seed);
   const bench::Result result = measure_kernel(arguments.options);
-  const bench::Machine machine = kernel_machine();
-  arguments.json ? render::print(report_json(result, machine)) : render::tell(report_text(result, machine));
+  arguments.json ? render::print(report_json(result)) : render::tell(report_text(result));
 }
 
 }  // namespace

@@ -5,10 +5,8 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <thread>
 
 #include "occlude/render/console.h"
-#include "occlude/render/machine.h"
 #include "occlude/render/printable.h"
 #include "occlude/render/progress.h"
 
@@ -36,13 +34,6 @@ bench::Result measure_kernel(bench::Options options) {
   if (!result.peers_fault.empty())
     render::say(render::printable(result.peers_fault) + ": other projects are not measured\n");
   return result;
-}
-
-bench::Machine kernel_machine() {
-  return {.processor = render::processor_name(),
-          .compiler = render::compiler_name(),
-          .flags = OCCLUDE_BENCH_FLAGS,
-          .threads = std::thread::hardware_concurrency()};
 }
 
 }  // namespace occlude::cli

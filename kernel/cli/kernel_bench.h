@@ -11,7 +11,4 @@ namespace occlude::cli {
 /// progress. Throws Interrupted on Ctrl-C.
 [[nodiscard]] bench::Result measure_kernel(bench::Options options);
 
-/// This machine and this build.
-[[nodiscard]] bench::Machine kernel_machine();
-
 }  // namespace occlude::cli

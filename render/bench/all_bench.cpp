@@ -10,7 +10,7 @@ namespace occlude::experiments {
 namespace {
 
 void add_boxes(const AllResult& all, std::vector<Beside>& rows) {
-  const bench::Result& kernel = all.kernel.result;
+  const bench::Result& kernel = all.kernel;
   for (const bench::Ratio& ratio : bench::peer_ratios(kernel)) {
     const bench::Measurement* const touching = bench::find(kernel, ratio.slow, "ulp_touching");
     if (!ratio.value || touching == nullptr) continue;
@@ -35,7 +35,7 @@ void add_culls(const AllResult& all, std::vector<Beside>& rows) {
 }  // namespace
 
 std::vector<bench::PeerSummary> projects(const AllResult& all) {
-  std::vector<bench::PeerSummary> projects = all.kernel.result.peers;
+  std::vector<bench::PeerSummary> projects = all.kernel.peers;
   for (const bench::PeerSummary& rival : all.visibility.result.rivals) {
     const auto known = std::ranges::find(projects, rival.name, &bench::PeerSummary::name);
     if (known == projects.end()) {

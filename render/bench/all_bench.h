@@ -21,7 +21,7 @@ struct Measured {
 };
 
 struct AllResult {
-  Measured<bench::Machine, bench::Result> kernel;
+  bench::Result kernel;
   Measured<Options, Result> culler;
   Measured<SceneBenchOptions, SceneBenchResult> scene;
   Measured<TownBenchOptions, TownBenchResult> town;

@@ -4,18 +4,19 @@
 #include <array>
 
 #include "experiments.h"
-#include "html_table.h"
 #include "occlude/render/chart.h"
 #include "occlude/render/page.h"
-#include "occlude/render/paper_html.h"
+#include "occlude/render/paper_report.h"
 #include "occlude/render/summary.h"
 #include "tables.h"
 
 namespace occlude::experiments {
 namespace {
 
+using render::html_of;
 using render::line_chart;
 using render::Scale;
+using render::section;
 using render::Series;
 
 /// Colours that the colour-blind can distinguish (Okabe and Ito 2008); they also differ in lightness.
@@ -25,8 +26,9 @@ constexpr const char *kMain = "#1565c0", *kOther = "#d9822b", *kThird = "#5f6b7a
 std::string figure(const std::string& chart) { return "<figure>" + chart + "</figure>"; }
 
 std::string table2_section(const Result& result, const Options& options) {
-  return section("Averages (the paper's table 2)", table2_html(*result.table2)) +
-         section(methods_table(result.table2->methods)) + render::figures_html(result.walked, options.walk.render);
+  return section("Averages (the paper's table 2)", html_of(table2_of(*result.table2))) +
+         section("By every method", html_of(table_of(result.table2->methods))) +
+         render::figures_html(result.walked, options.walk.render);
 }
 
 std::string figure4_section(const Figure4& figure4) {

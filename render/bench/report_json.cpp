@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "experiments.h"
 #include "occlude/render/summary.h"
+#include "tables.h"
 
 namespace occlude::experiments {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json if_known(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+using render::if_known;
 
 Json table2_json(const render::Summary& summary) {
   Json json = json_of(summary);
@@ -55,78 +54,16 @@ Json figure4_json(const Figure4& figure) {
           {"sampling_s", if_known(figure.sampling_s)}};
 }
 
-Json sweep_json(const std::vector<SweepPoint>& points) {
-  Json json = Json::array();
-  for (const SweepPoint& p : points) {
-    json.push_back({{"regions", p.lists.regions},
-                    {"threshold", p.lists.threshold},
-                    {"culled_share", p.culled_share},
-                    {"listed", p.listed},
-                    {"entries", p.entries},
-                    {"preprocess_s", p.preprocess_s},
-                    {"cull_ms", p.cull_ms},
-                    {"cull_ratio", p.cull_ratio}});
-  }
-  return json;
-}
-
 Json sort_json(const Sorting& sorting) {
-  Json points = Json::array();
-  for (const SortPoint& p : sorting.points) {
-    points.push_back({{"threshold", p.threshold},
-                      {"candidates", p.candidates},
-                      {"arrivals", p.arrivals},
-                      {"moves", p.moves},
-                      {"comparisons", p.comparisons},
-                      {"comparisons_anew", p.comparisons_anew}});
-  }
-  return {{"points", points},
+  return {{"points", json_of(sort_table(sorting))},
           {"exponents",
            {{"moves", if_known(sorting.moves_exponent)},
             {"comparisons", if_known(sorting.comparisons_exponent)},
             {"comparisons_anew", if_known(sorting.anew_exponent)}}}};
 }
 
-Json joined_json(const std::vector<JoinedPoint>& points) {
-  Json json = Json::array();
-  for (const JoinedPoint& p : points) {
-    const bool is_limited = p.triangles < std::numeric_limits<std::size_t>::max();
-    json.push_back({{"cover_size", {p.width, p.height}},
-                    {"leaf", p.leaf},
-                    {"cover_triangles", is_limited ? Json(p.triangles) : Json(nullptr)},
-                    {"culled_share", p.culled_share},
-                    {"drawn", p.drawn},
-                    {"cull_ms", p.cull_ms}});
-  }
-  return json;
-}
-
-Json threads_json(const std::vector<ThreadsPoint>& points) {
-  Json json = Json::array();
-  for (const ThreadsPoint& p : points) {
-    json.push_back({{"threads", p.threads},
-                    {"cull_ms", p.cull_ms},
-                    {"speedup", p.speedup},
-                    {"most_speedup", p.most_speedup},
-                    {"call_us", p.call_us}});
-  }
-  return json;
-}
-
 Json growth_json(const Growth& growth) {
-  Json points = Json::array();
-  for (const GrowthPoint& p : growth.points) {
-    points.push_back({{"polygons", p.polygons},
-                      {"in_view", p.in_view},
-                      {"drawn", p.drawn},
-                      {"build_s", p.build_s},
-                      {"cull_ms", p.cull_ms},
-                      {"near_in_view", p.near_in_view},
-                      {"near_cull_ms", p.near_cull_ms},
-                      {"peak_bytes_per_polygon", if_known(p.peak_bytes)},
-                      {"held_bytes_per_polygon", if_known(p.held_bytes)}});
-  }
-  return {{"points", points},
+  return {{"points", json_of(growth_table(growth))},
           {"exponents",
            {{"build", if_known(growth.build_exponent)},
             {"cull", if_known(growth.cull_exponent)},
@@ -145,23 +82,24 @@ std::string report_json(const Result& result, const Options& options) {
             {"frames", {{"first", result.first_frame}, {"last", result.last_frame}, {"count", result.frames}}},
             {"options", settings}};
   json["table2"] = result.table2 ? table2_json(*result.table2) : Json(nullptr);
-  json["methods"] = result.table2 ? json_of(result.table2->methods) : Json(nullptr);
+  json["methods"] = result.table2 ? json_of(table_of(result.table2->methods)) : Json(nullptr);
   json["figures_2_and_3"] = result.table2 ? frames_json(result.walked, rendered) : Json(nullptr);
   json["figure4"] = result.figure4 ? figure4_json(*result.figure4) : Json(nullptr);
   json["sweeps"] = nullptr;
   if (result.sweeps) {
-    json["sweeps"] = {{"regions", sweep_json(result.sweeps->regions)}, {"threshold", sweep_json(result.sweeps->threshold)}};
+    json["sweeps"] = {{"regions", json_of(regions_table(*result.sweeps))},
+                      {"threshold", json_of(threshold_table(*result.sweeps))}};
   }
   json["sort"] = result.sort ? sort_json(*result.sort) : Json(nullptr);
   json["joined"] = nullptr;
   if (result.joined) {
-    json["joined"] = {{"pictures", joined_json(result.joined->pictures)},
-                      {"leaves", joined_json(result.joined->leaves)},
-                      {"budgets", joined_json(result.joined->budgets)}};
+    json["joined"] = {{"pictures", json_of(pictures_table(*result.joined))},
+                      {"leaves", json_of(leaves_table(*result.joined))},
+                      {"budgets", json_of(budgets_table(*result.joined))}};
   }
-  json["threads"] = result.threads.empty() ? Json(nullptr) : threads_json(result.threads);
+  json["threads"] = result.threads.empty() ? Json(nullptr) : json_of(threads_table(result.threads));
   json["growth"] = result.growth ? growth_json(*result.growth) : Json(nullptr);
-  json["machine"] = json_of(result.table2 ? result.table2->machine : render::this_machine(""));
+  json["machine"] = json_of(result.table2 ? result.table2->machine : render::this_machine());
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

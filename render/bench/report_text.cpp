@@ -11,7 +11,6 @@ std::string report_text(const Result& result, const Options& options) {
                                  result.first_frame, result.last_frame);
   const auto add = [&](const std::string& part) { text += "\n" + part; };
   if (result.table2) add(text_of(*result.table2));
-  if (result.table2) add(text_of(methods_table(result.table2->methods)));
   if (result.figure4) add(text_of(figure4_table(*result.figure4)));
   if (result.sweeps) {
     add(text_of(regions_table(*result.sweeps)));

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "occlude/culler/scene.h"
+#include "occlude/render/table.h"
 #include "scene_world.h"
 #include "spread.h"
-#include "table.h"
 #include "view_spread.h"
 
 namespace occlude::experiments {
@@ -45,7 +45,7 @@ using Prove = std::function<bool(const culler::Camera&, const culler::ObjectFate
                                            const std::function<void(std::size_t, std::size_t)>& progress);
 
 /// As a table, and as JSON.
-[[nodiscard]] bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& options);
+[[nodiscard]] render::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& options);
 [[nodiscard]] std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& options);
 
 }  // namespace occlude::experiments

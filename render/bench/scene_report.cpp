@@ -12,11 +12,10 @@ namespace occlude::experiments {
 
 using Json = nlohmann::ordered_json;
 
-bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
-  bench::Table table{.title = "A scene that streams",
-                     .head = {fmt::format("{} frames", options.frames), "median", "99th percentile", "maximum"},
-                     .rows = {row_of("changes, ms", result.change_ms, 2), row_of("update, ms", result.update_ms, 2)},
-                     .notes = {}};
+render::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& options) {
+  render::Table table{.title = "A scene that streams",
+                      .columns = spread_columns(fmt::format("{} frames", options.frames)),
+                      .rows = {row_of("changes, ms", result.change_ms, 2), row_of("update, ms", result.update_ms, 2)}};
   for (std::size_t v = 0; v < result.views.size(); ++v) {
     std::ranges::move(rows_of(fmt::format("view {}: ", v + 1), result.views[v]), std::back_inserter(table.rows));
   }
@@ -29,7 +28,7 @@ bench::Table table_of(const SceneBenchResult& result, const SceneBenchOptions& o
                   result.build_ms),
       fmt::format("{} frames checked: {} of {} objects culled otherwise than in a scene made anew; {} culls proved, {} not.",
                   result.frames_checked, result.different, result.objects_compared, result.proved, result.unproved),
-      fmt::format("One thread of {}; {}.", render::processor_name(), render::compiler_name())};
+      "One thread of " + text_of(render::this_machine()) + "."};
   return table;
 }
 
@@ -56,7 +55,7 @@ std::string json_of(const SceneBenchResult& result, const SceneBenchOptions& opt
                     {"different", result.different},
                     {"proved", result.proved},
                     {"unproved", result.unproved}}},
-                  {"machine", {{"processor", render::processor_name()}, {"compiler", render::compiler_name()}}}};
+                  {"machine", json_of(render::this_machine())}};
   return json.dump(2) + "\n";
 }
 

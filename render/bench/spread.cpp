@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "spread.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 namespace occlude::experiments {
 
@@ -17,8 +14,12 @@ Spread spread_of(std::vector<double> values) {
   return {at(0.5), at(0.99), values.back()};
 }
 
-std::vector<std::string> row_of(const std::string& name, const Spread& spread, int digits) {
-  const auto number = [&](double x) { return fmt::format("{:.{}f}", x, digits); };
+std::vector<render::Column> spread_columns(const std::string& head) {
+  return {{head}, {"median"}, {"99th percentile"}, {"maximum"}};
+}
+
+std::vector<render::Cell> row_of(const std::string& name, const Spread& spread, int digits) {
+  const auto number = [&](double x) { return render::rounded(x, digits); };
   return {name, number(spread.median), number(spread.most_of_99), number(spread.most)};
 }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <chrono>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "occlude/render/table.h"
 
 namespace occlude::experiments {
 
@@ -17,8 +18,9 @@ struct Spread {
 /// All 0 if there are no values.
 [[nodiscard]] Spread spread_of(std::vector<double> values);
 
-/// A row of a table: the name, and the three numbers with so many digits after the point.
-[[nodiscard]] std::vector<std::string> row_of(const std::string& name, const Spread& spread, int digits);
+/// A table of spreads: what its heads are, and a row, the three numbers with so many digits after the point.
+[[nodiscard]] std::vector<render::Column> spread_columns(const std::string& head);
+[[nodiscard]] std::vector<render::Cell> row_of(const std::string& name, const Spread& spread, int digits);
 [[nodiscard]] nlohmann::ordered_json json_of(const Spread& spread);
 
 /// Milliseconds that work() takes.

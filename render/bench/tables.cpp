@@ -3,26 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <thread>
+#include <limits>
 
 #include "occlude/render/machine.h"
-#include "occlude/render/page.h"
 
 namespace occlude::experiments {
 namespace {
 
 using render::grouped;
+using render::if_known;
+using render::percent;
+using render::rounded;
+using render::short_of;
 
-std::string one(double value) { return fmt::format("{:.1f}", value); }
-/// With two decimals, and 0 without a sign.
-std::string two(double value) { return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0); }
-std::string percent(double share) { return one(100 * share); }
-
-template <class Format>
-std::string if_known(const std::optional<double>& value, Format&& format) {
-  return value ? format(*value) : "-";
-}
+std::string exponent(const std::optional<double>& value) { return value ? rounded(*value, 2) : "-"; }
 
 /// Adds a note on the gain of a mix over area-angle alone, the paper's choice, at the paper's number of occluders.
 void note_gain(const Figure4& figure, const char* mix, const char* about, Table& table) {
@@ -32,55 +26,55 @@ void note_gain(const Figure4& figure, const char* mix, const char* about, Table&
       fmt::format("With 8 occluders {}: {:+.1f} percentage points over area-angle alone.", about, 100 * (*mixed - *plain)));
 }
 
-Table sweep_table(const std::string& title, const std::string& varied, const std::vector<SweepPoint>& points,
-                  std::string (*name)(const SweepPoint&)) {
-  Table table{
-      title,
-      {varied, "culled, %", "listed per frame", "entries", "preprocess, s", "cull, ms", "cull, ratio to the default"},
-      {},
-      {}};
+/// For people the first two columns are what varies.
+Table sweep_table(const std::string& title, const char* regions, const char* threshold,
+                  const std::vector<SweepPoint>& points) {
+  Table table{title,
+              {{regions, "regions"},
+               {threshold, "threshold", short_of},
+               {"culled", "culled_share", percent},
+               {"listed per frame", "listed"},
+               {"entries", "entries"},
+               {"preprocess, s", "preprocess_s", rounded<2>},
+               {"cull, ms", "cull_ms", rounded<2>},
+               {"cull, ratio to the default", "cull_ratio", rounded<2>}},
+              {}};
   for (const SweepPoint& p : points) {
-    table.rows.push_back({name(p), percent(p.culled_share), grouped(p.listed), grouped(static_cast<double>(p.entries)),
-                          two(p.preprocess_s), two(p.cull_ms), two(p.cull_ratio)});
+    table.rows.push_back(
+        {p.lists.regions, p.lists.threshold, p.culled_share, p.listed, p.entries, p.preprocess_s, p.cull_ms, p.cull_ratio});
   }
   return table;
 }
 
-Table joined_table(const std::string& title, const std::string& varied, const std::vector<JoinedPoint>& points,
-                   std::string (*name)(const JoinedPoint&)) {
-  Table table{title, {varied, "culled, %", "drawn", "cull, ms"}, {}, {}};
+/// For people the first three columns are what varies.
+Table joined_table(const std::string& title, const char* size, const char* leaf, const char* triangles,
+                   const std::vector<JoinedPoint>& points) {
+  Table table{title,
+              {{size, "cover_size"},
+               {leaf, "leaf"},
+               {triangles, "cover_triangles"},
+               {"culled", "culled_share", percent},
+               {"drawn", "drawn"},
+               {"cull, ms", "cull_ms", rounded<2>}},
+              {}};
   for (const JoinedPoint& p : points) {
-    table.rows.push_back({name(p), percent(p.culled_share), grouped(p.drawn), two(p.cull_ms)});
+    const bool is_limited = p.triangles < std::numeric_limits<std::size_t>::max();
+    table.rows.push_back(
+        {{p.width, p.height}, p.leaf, is_limited ? render::Cell(p.triangles) : nullptr, p.culled_share, p.drawn, p.cull_ms});
   }
   return table;
 }
 
 }  // namespace
 
-Table methods_table(const render::Methods& methods) {
-  Table table{"Table 2 by every method, averages per frame",
-              {"method", "polygons drawn", "of the hidden culled, %", "cull, ms", "worst cull, ms", "frame, ms",
-               "frame, ratio to visible polygons only"},
-              {},
-              {}};
-  const std::optional<double> least = methods.back().frame_ms;
-  for (const render::MethodRow& m : methods) {
-    const bool is_culled = m.worst_cull_ms > 0;
-    table.rows.push_back({m.method, grouped(m.drawn), if_known(m.hidden_culled, percent), is_culled ? two(m.cull_ms) : "-",
-                          is_culled ? two(m.worst_cull_ms) : "-", if_known(m.frame_ms, one),
-                          m.frame_ms ? two(*m.frame_ms / *least) : "-"});
-  }
-  return table;
-}
-
 Table figure4_table(const Figure4& figure) {
-  Table table{"Figure 4, % of the polygons in view culled, against the number of occluders", {"chosen by"}, {}, {}};
-  for (const std::size_t n : kOccluders) table.head.push_back(std::to_string(n));
-  table.head.emplace_back("knee");
+  Table table{"Figure 4, of the polygons in view culled, against the number of occluders", {{"chosen by"}}, {}};
+  for (const std::size_t n : kOccluders) table.columns.push_back({std::to_string(n), "", percent});
+  table.columns.push_back({"knee"});
   for (const Curve& curve : figure.curves) {
     table.rows.push_back({curve.about});
-    for (const double share : curve.share) table.rows.back().push_back(percent(share));
-    table.rows.back().push_back(std::to_string(curve.knee));
+    for (const double share : curve.share) table.rows.back().push_back(share);
+    table.rows.back().push_back(curve.knee);
   }
   table.notes.emplace_back("Knee: the smallest number of occluders that culls 90 % of what 64 cull. The paper: about 8.");
   note_gain(figure, "area_angle_coherence", "area-angle and coherence (the default)", table);
@@ -92,59 +86,60 @@ Table figure4_table(const Figure4& figure) {
   return table;
 }
 
-Table regions_table(const Sweeps& sweeps) {
-  return sweep_table("Number of regions", "regions", sweeps.regions,
-                     [](const SweepPoint& p) { return grouped(p.lists.regions); });
-}
+Table regions_table(const Sweeps& sweeps) { return sweep_table("Number of regions", "regions", "", sweeps.regions); }
 
 Table threshold_table(const Sweeps& sweeps) {
-  return sweep_table("Threshold of the lists", "steradians", sweeps.threshold,
-                     [](const SweepPoint& p) { return fmt::format("{:g}", p.lists.threshold); });
+  return sweep_table("Threshold of the lists", "", "steradians", sweeps.threshold);
 }
 
 Table sort_table(const Sorting& sorting) {
-  Table table{
-      "Sort from the previous frame's order, per frame",
-      {"threshold", "candidates", "arrivals", "moves", "moves/candidate", "comparisons/candidate", "from scratch/candidate"},
-      {},
-      {}};
+  Table table{"Sort from the previous frame's order, per frame",
+              {{"threshold", "threshold", short_of},
+               {"candidates", "candidates", rounded<1>},
+               {"arrivals", "arrivals", rounded<1>},
+               {"moves", "moves", rounded<1>},
+               {"", "comparisons"},
+               {"", "comparisons_anew"},
+               {"moves/candidate", "", rounded<2>},
+               {"comparisons/candidate", "", rounded<2>},
+               {"from scratch/candidate", "", rounded<2>}},
+              {}};
   for (const SortPoint& p : sorting.points) {
-    const auto each = [&](double total) { return p.candidates == 0 ? "-" : two(total / p.candidates); };
-    table.rows.push_back({fmt::format("{:g}", p.threshold), one(p.candidates), one(p.arrivals), one(p.moves), each(p.moves),
+    const auto each = [&](double total) {
+      return p.candidates == 0 ? render::Cell(nullptr) : render::Cell(total / p.candidates);
+    };
+    table.rows.push_back({p.threshold, p.candidates, p.arrivals, p.moves, p.comparisons, p.comparisons_anew, each(p.moves),
                           each(p.comparisons), each(p.comparisons_anew)});
   }
-  table.notes.push_back(
-      fmt::format("Growth with the number of candidates, exponents: moves {}, comparisons {}, comparisons of sorting from "
-                  "scratch {}; 1 is linear.",
-                  if_known(sorting.moves_exponent, two), if_known(sorting.comparisons_exponent, two),
-                  if_known(sorting.anew_exponent, two)));
+  table.notes.push_back(fmt::format(
+      "Growth with the number of candidates, exponents: moves {}, comparisons {}, comparisons of sorting from "
+      "scratch {}; 1 is linear.",
+      exponent(sorting.moves_exponent), exponent(sorting.comparisons_exponent), exponent(sorting.anew_exponent)));
   return table;
 }
 
 Table pictures_table(const Joined& joined) {
-  return joined_table("Joined shadows, size of the coarse picture", "pixels", joined.pictures,
-                      [](const JoinedPoint& p) { return fmt::format("{}x{}", p.width, p.height); });
+  return joined_table("Joined shadows, size of the coarse picture", "pixels", "", "", joined.pictures);
 }
 
 Table leaves_table(const Joined& joined) {
-  return joined_table("Joined shadows, size of the leaves", "polygons", joined.leaves,
-                      [](const JoinedPoint& p) { return std::to_string(p.leaf); });
+  return joined_table("Joined shadows, size of the leaves", "", "polygons", "", joined.leaves);
 }
 
 Table budgets_table(const Joined& joined) {
-  return joined_table("Joined shadows, triangles drawn into the picture per frame, at most", "triangles", joined.budgets,
-                      [](const JoinedPoint& p) { return std::to_string(p.triangles); });
+  return joined_table("Joined shadows, triangles drawn into the picture per frame, at most", "", "", "triangles",
+                      joined.budgets);
 }
 
 Table threads_table(const std::vector<ThreadsPoint>& points) {
   Table table{"One cull by frusta on several threads",
-              {"threads", "cull, ms by the clock", "times as fast as one", "that many culls at once", "empty call, us"},
-              {},
+              {{"threads", "threads"},
+               {"cull, ms by the clock", "cull_ms", rounded<3>},
+               {"times as fast as one", "speedup", rounded<2>},
+               {"that many culls at once", "most_speedup", rounded<2>},
+               {"empty call, us", "call_us", rounded<2>}},
               {}};
-  for (const ThreadsPoint& p : points) {
-    table.rows.push_back(
-        {std::to_string(p.threads), fmt::format("{:.3f}", p.cull_ms), two(p.speedup), two(p.most_speedup), two(p.call_us)});
-  }
+  for (const ThreadsPoint& p : points) table.rows.push_back({p.threads, p.cull_ms, p.speedup, p.most_speedup, p.call_us});
   table.notes.emplace_back(
       "That many culls at once: each of a view of its own; how many times as fast as one after another. It is about the "
       "most that the processors allow. An empty call gives the threads nothing to do.");
@@ -153,18 +148,23 @@ Table threads_table(const std::vector<ThreadsPoint>& points) {
 
 Table growth_table(const Growth& growth) {
   Table table{"Growth with the number of polygons, a city repeated",
-              {"polygons", "in view", "drawn", "build, s", "cull, ms", "near view", "cull of it, ms", "peak bytes/polygon",
-               "held bytes/polygon"},
-              {},
+              {{"polygons", "polygons"},
+               {"in view", "in_view"},
+               {"drawn", "drawn"},
+               {"build, s", "build_s", rounded<2>},
+               {"cull, ms", "cull_ms", rounded<2>},
+               {"near view", "near_in_view"},
+               {"cull of it, ms", "near_cull_ms", rounded<2>},
+               {"peak bytes/polygon", "peak_bytes_per_polygon"},
+               {"held bytes/polygon", "held_bytes_per_polygon"}},
               {}};
   for (const GrowthPoint& p : growth.points) {
-    table.rows.push_back({grouped(static_cast<double>(p.polygons)), grouped(p.in_view), grouped(p.drawn), two(p.build_s),
-                          two(p.cull_ms), grouped(p.near_in_view), two(p.near_cull_ms), if_known(p.peak_bytes, grouped),
-                          if_known(p.held_bytes, grouped)});
+    table.rows.push_back({p.polygons, p.in_view, p.drawn, p.build_s, p.cull_ms, p.near_in_view, p.near_cull_ms,
+                          if_known(p.peak_bytes), if_known(p.held_bytes)});
   }
   table.notes.push_back(fmt::format("Exponents: build {}, cull {}, cull of the near view {}; 1 is linear.",
-                                    if_known(growth.build_exponent, two), if_known(growth.cull_exponent, two),
-                                    if_known(growth.near_cull_exponent, two)));
+                                    exponent(growth.build_exponent), exponent(growth.cull_exponent),
+                                    exponent(growth.near_cull_exponent)));
   table.notes.push_back(fmt::format("Near view: polygons in views that end {} from the eye.", kNearSight));
   table.notes.emplace_back(
       "Memory: resident, beyond the model itself; the peak of the build, and what the culler holds afterwards.");
@@ -175,8 +175,8 @@ std::string conditions(const Options& options) {
   return fmt::format(
       "Times are medians of {} rounds, each of which measured everything once: builds on all threads by the clock, culling "
       "in processor time. Those of table 2 are means over the frames by the clock, with both methods on every frame in "
-      "alternating order. {}, {} threads, {}.",
-      options.repetitions, render::processor_name(), std::thread::hardware_concurrency(), render::compiler_name());
+      "alternating order. {}.",
+      options.repetitions, text_of(render::this_machine()));
 }
 
 }  // namespace occlude::experiments

@@ -8,17 +8,15 @@
 #include "figure4.h"
 #include "growth.h"
 #include "joined.h"
-#include "occlude/render/methods.h"
+#include "occlude/render/table.h"
 #include "sorting.h"
 #include "sweeps.h"
-#include "table.h"
 #include "threads.h"
 
 namespace occlude::experiments {
 
-using bench::Table;
+using render::Table;
 
-[[nodiscard]] Table methods_table(const render::Methods& methods);
 [[nodiscard]] Table figure4_table(const Figure4& figure);
 [[nodiscard]] Table regions_table(const Sweeps& sweeps);
 [[nodiscard]] Table threshold_table(const Sweeps& sweeps);

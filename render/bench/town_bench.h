@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "occlude/culler/scene.h"
+#include "occlude/render/table.h"
 #include "spread.h"
-#include "table.h"
 #include "view_spread.h"
 
 namespace occlude::experiments {
@@ -35,7 +35,7 @@ struct TownBenchResult {
 [[nodiscard]] TownBenchResult bench_town(const TownBenchOptions& options);
 
 /// As a table, and as JSON.
-[[nodiscard]] bench::Table table_of(const TownBenchResult& result, const TownBenchOptions& options);
+[[nodiscard]] render::Table table_of(const TownBenchResult& result, const TownBenchOptions& options);
 [[nodiscard]] std::string json_of(const TownBenchResult& result, const TownBenchOptions& options);
 
 }  // namespace occlude::experiments

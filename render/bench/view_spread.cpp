@@ -16,7 +16,7 @@ ViewSpread ViewSamples::spread() const {
   return {spread_of(cull_ms_), spread_of(drawn_), spread_of(hidden_), spread_of(out_of_view_)};
 }
 
-std::vector<std::vector<std::string>> rows_of(const std::string& of, const ViewSpread& view) {
+std::vector<std::vector<render::Cell>> rows_of(const std::string& of, const ViewSpread& view) {
   return {row_of(of + "cull, ms", view.cull_ms, 2), row_of(of + "objects drawn", view.drawn, 0),
           row_of(of + "objects hidden", view.hidden, 0), row_of(of + "objects out of view", view.out_of_view, 0)};
 }

@@ -27,7 +27,7 @@ class ViewSamples {
 };
 
 /// Rows of a table, each named after `of` and what it shows.
-[[nodiscard]] std::vector<std::vector<std::string>> rows_of(const std::string& of, const ViewSpread& view);
+[[nodiscard]] std::vector<std::vector<render::Cell>> rows_of(const std::string& of, const ViewSpread& view);
 /// A member for each.
 [[nodiscard]] nlohmann::ordered_json json_of(const ViewSpread& view);
 

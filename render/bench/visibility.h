@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "occlude/render/table.h"
 #include "occlude/render/walk.h"
 #include "rivals.h"
 #include "setting.h"
-#include "table.h"
 
 namespace occlude::experiments {
 
@@ -47,7 +47,7 @@ struct VisibilityResult {
 [[nodiscard]] const WayResult& way_of(const VisibilityResult& result, const std::string& name);
 
 /// As a table, and as JSON.
-[[nodiscard]] bench::Table table_of(const VisibilityResult& result, const VisibilityOptions& options);
+[[nodiscard]] render::Table table_of(const VisibilityResult& result, const VisibilityOptions& options);
 [[nodiscard]] std::string json_of(const VisibilityResult& result, const VisibilityOptions& options);
 
 }  // namespace occlude::experiments

@@ -19,21 +19,24 @@ double cull_over_cover(const VisibilityResult& result, const WayResult& way) {
   return way.cull_ms / way_of(result, kByCover).cull_ms;
 }
 
-std::string number(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
-
 }  // namespace
 
-bench::Table table_of(const VisibilityResult& result, const VisibilityOptions& options) {
-  bench::Table table{.title = "What is visible, beside other projects",
-                     .head = {"way", "prepared, ms", "drawn", "of the hidden culled, %", "false culls", "wrong pixels",
-                              "cull, ms", "worst cull, ms", "cull, ratio to joined shadows"},
-                     .rows = {},
-                     .notes = {}};
+render::Table table_of(const VisibilityResult& result, const VisibilityOptions& options) {
+  render::Table table{"What is visible, beside other projects",
+                      {{"", "project"},
+                       {"way", "way"},
+                       {"prepared, ms", "prepared_ms"},
+                       {"drawn", "drawn"},
+                       {"of the hidden culled", "hidden_culled", render::percent},
+                       {"false culls", "false_culls"},
+                       {"wrong pixels", "wrong_pixels"},
+                       {"cull, ms", "cull_ms", render::rounded<2>},
+                       {"worst cull, ms", "worst_cull_ms", render::rounded<2>},
+                       {"cull, ratio to joined shadows", "cull_over_joined_shadows", render::rounded<2>}},
+                      {}};
   for (const WayResult& way : result.ways) {
-    table.rows.push_back({way.name, render::grouped(way.prepare_ms), render::grouped(way.drawn),
-                          number(100 * way.hidden_culled, 1), render::grouped(static_cast<double>(way.false_culls)),
-                          render::grouped(static_cast<double>(way.wrong_pixels)), number(way.cull_ms, 2),
-                          number(way.worst_cull_ms, 2), number(cull_over_cover(result, way), 2)});
+    table.rows.push_back({way.project, way.name, way.prepare_ms, way.drawn, way.hidden_culled, way.false_culls,
+                          way.wrong_pixels, way.cull_ms, way.worst_cull_ms, cull_over_cover(result, way)});
   }
   table.notes = {
       fmt::format("{}: {} polygons in {} leaves of at most {}; {} frames of {}x{}, in each {} polygons in view, {} of them "
@@ -54,24 +57,12 @@ bench::Table table_of(const VisibilityResult& result, const VisibilityOptions& o
   for (const bench::PeerSummary& rival : result.rivals) {
     table.notes.push_back(fmt::format("{}: {}", rival.name, rival.shown_version()));
   }
-  table.notes.push_back(fmt::format("{}; {}.", render::processor_name(), render::compiler_name()));
+  table.notes.push_back(text_of(render::this_machine()) + ".");
   return table;
 }
 
 std::string json_of(const VisibilityResult& result, const VisibilityOptions& options) {
-  Json ways = Json::array(), rivals = Json::array(), pictures = Json::array();
-  for (const WayResult& way : result.ways) {
-    ways.push_back({{"project", way.project},
-                    {"way", way.name},
-                    {"prepared_ms", way.prepare_ms},
-                    {"drawn", way.drawn},
-                    {"hidden_culled", way.hidden_culled},
-                    {"false_culls", way.false_culls},
-                    {"wrong_pixels", way.wrong_pixels},
-                    {"cull_ms", way.cull_ms},
-                    {"worst_cull_ms", way.worst_cull_ms},
-                    {"cull_over_joined_shadows", cull_over_cover(result, way)}});
-  }
+  Json rivals = Json::array(), pictures = Json::array();
   for (const bench::PeerSummary& rival : result.rivals) {
     rivals.push_back({{"name", rival.name}, {"version", rival.shown_version()}});
   }
@@ -85,9 +76,9 @@ std::string json_of(const VisibilityResult& result, const VisibilityOptions& opt
       {"rays", pictures},
       {"tree", {{"leaf", options.walk.build.hierarchy.leaf_size}, {"leaves", result.leaves}, {"built_ms", result.tree_ms}}},
       {"mean", {{"view_frustum_polygons", result.in_view}, {"hidden_polygons", result.hidden}}},
-      {"ways", ways},
+      {"ways", json_of(table_of(result, options))},
       {"rivals", rivals},
-      {"machine", json_of(render::this_machine(""))}};
+      {"machine", json_of(render::this_machine())}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

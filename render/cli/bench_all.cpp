@@ -76,7 +76,7 @@ experiments::Measured<experiments::Options, experiments::Result> measure_culler(
 }
 
 experiments::AllResult measure_all(const Sizes& sizes, const experiments::Subject& subject) {
-  return {.kernel = {kernel_machine(), measure_kernel(sizes.kernel)},
+  return {.kernel = measure_kernel(sizes.kernel),
           .culler = measure_culler(sizes),
           .scene = {sizes.scene, measure_scene(sizes.scene)},
           .town = {sizes.town, bench_town(sizes.town)},

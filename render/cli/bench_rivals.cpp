@@ -9,9 +9,9 @@
 
 #include "command_arguments.h"
 #include "commands.h"
-#include "html_table.h"
 #include "occlude/render/console.h"
 #include "occlude/render/page.h"
+#include "occlude/render/table.h"
 #include "report_files.h"
 #include "subject_arguments.h"
 #include "visibility.h"
@@ -41,10 +41,10 @@ void bench_rivals(BenchRivalsArguments& arguments) {
   std::optional<ReportFiles> files;
   if (!arguments.out.empty()) files.emplace(arguments.out, "rivals");
   const experiments::VisibilityResult result = measure_visibility(arguments.subject.subject(), options);
-  const bench::Table table = table_of(result, options);
+  const render::Table table = table_of(result, options);
   if (files) {
     files->commit(json_of(result, options),
-                  render::page("occlude: what is visible", "<h1>Beside other projects</h1>" + experiments::section(table)));
+                  render::page("occlude: what is visible", "<h1>Beside other projects</h1>" + section(table)));
   }
   arguments.json ? render::print(json_of(result, options)) : render::tell(text_of(table));
   if (files && !arguments.json) render::tell(fmt::format("report: {}\n", files->path()));

@@ -10,7 +10,7 @@
 #include "occlude/render/methods.h"
 #include "occlude/render/model_text.h"
 #include "occlude/render/offscreen_context.h"
-#include "occlude/render/paper_html.h"
+#include "occlude/render/paper_report.h"
 #include "occlude/render/scene_renderer.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_page.h"
@@ -306,7 +306,7 @@ TEST(Summary, HasTheSpreadOverTheFrames) {
   EXPECT_NE(text_of(summary).find("12.00 (frame 6)"), std::string::npos) << text_of(summary);
   EXPECT_NE(text_of(summary).find("-17 % (frame 6)"), std::string::npos) << text_of(summary);
   EXPECT_NE(page_of(summary, result).find("<td>9.00</td><td>10.00</td>"), std::string::npos) << "mean and median";
-  EXPECT_NE(page_of(summary, result).find("12.00 in frame <a href=\"#frame=6\">6</a>"), std::string::npos);
+  EXPECT_NE(page_of(summary, result).find("<a href=\"#frame=6\">12.00 (frame 6)</a>"), std::string::npos);
 }
 
 /// Frames whose limit by polygons is 2.5, with these speedups.
@@ -339,7 +339,7 @@ TEST(Summary, ASpeedupAboveItsLimitIsExplained) {
 TEST(Summary, ThePaperStandsForItsOwnModel) {
   const Summary summary = summarise(one_frame(some_frame()), {}, "sponza.ply");
   EXPECT_NE(text_of(summary).find("the paper, its own model"), std::string::npos) << text_of(summary);
-  EXPECT_NE(table2_html(summary).find("the paper, its own model"), std::string::npos) << table2_html(summary);
+  EXPECT_NE(html_of(table2_of(summary)).find("the paper, its own model"), std::string::npos) << html_of(table2_of(summary));
 }
 
 TEST(Summary, APageWithoutPicturesDoesNotSayThatFramesWereDrawn) {
@@ -362,7 +362,7 @@ TEST(Summary, WithoutPicturesWhatNeedsThemIsNull) {
   EXPECT_TRUE(json["speedup"].is_null());
   EXPECT_TRUE(json["spread"]["frame_ms"].is_null());
   EXPECT_TRUE(json["wrong_pixels"].is_null());
-  const std::string table = table2_html(summarise(one_frame({}), options, "model.ply"));
+  const std::string table = html_of(table2_of(summarise(one_frame({}), options, "model.ply")));
   EXPECT_NE(table.find("<td>With occlusion culling</td><td>0</td><td>&ndash;</td>"), std::string::npos) << table;
 }
 

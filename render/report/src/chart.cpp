@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "occlude/render/page.h"
+#include "occlude/render/formats.h"
 
 namespace occlude::render {
 namespace {

@@ -10,6 +10,7 @@
 #include "occlude/render/chart.h"
 #include "occlude/render/page.h"
 #include "occlude/render/summary.h"
+#include "occlude/render/table.h"
 
 namespace occlude::render {
 namespace {
@@ -21,13 +22,6 @@ const char* word_for(Verdict verdict) {
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
-std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
-
-std::string ratio(const std::optional<double>& value) { return value ? fmt::format("{:.3f}", *value) : "-"; }
-
-/// A mark stands at what changed, for better or worse.
-std::string mark(const ComparedFigure& figure) { return figure.verdict == Verdict::same ? "" : word_for(figure.verdict); }
-
 /// What the comparison rests on, and what got worse.
 std::string conclusion(const WalkComparison& comparison) {
   const std::vector<std::string> worse = comparison.worse();
@@ -37,21 +31,41 @@ std::string conclusion(const WalkComparison& comparison) {
   return fmt::format("{}; worse: {}", frames, worse.empty() ? "nothing" : fmt::format("{}", fmt::join(worse, ", ")));
 }
 
-/// A figure's cells, without its mark.
-std::array<std::string, 7> cells(const ComparedFigure& f) {
-  const auto of = [&](double Spread::*member) {
-    return ratio(f.per_frame ? std::optional((*f.per_frame).*member) : std::nullopt);
-  };
-  return {f.name,
-          number(f.a),
-          number(f.b),
-          ratio(f.ratio()),
-          of(&Spread::median),
-          of(&Spread::percentile_5),
-          of(&Spread::percentile_95)};
+std::optional<Colour> colour_of(const std::string& mark) {
+  if (mark == word_for(Verdict::worse)) return Colour::red;
+  return mark == word_for(Verdict::better) ? std::optional(Colour::green) : std::nullopt;
 }
 
-constexpr std::array<const char*, 7> kHead{"", "A", "B", "B/A", "median of frames", "5 %", "95 %"};
+Table table_of(const WalkComparison& comparison) {
+  Table table{"",
+              {{"figure", "name"},
+               {"A", "a", short_of},
+               {"B", "b", short_of},
+               {"B/A", "ratio", rounded<3>},
+               {"", "per_frame"},
+               {"median of frames", "", rounded<3>},
+               {"5 %", "", rounded<3>},
+               {"95 %", "", rounded<3>},
+               {"", "verdict"},
+               {"change", "", grouped, colour_of}},
+              {}};
+  for (const ComparedFigure& f : comparison.figures) {
+    const auto of = [&](double Spread::*member) { return f.per_frame ? Cell((*f.per_frame).*member) : Cell(nullptr); };
+    // A mark stands at what changed, for better or worse.
+    const char* const mark = f.verdict == Verdict::same ? "" : word_for(f.verdict);
+    table.rows.push_back({f.name, if_known(f.a), if_known(f.b), if_known(f.ratio()), json_of(f.per_frame),
+                          of(&Spread::median), of(&Spread::percentile_5), of(&Spread::percentile_95),
+                          f.verdict == Verdict::unjudged ? Cell(nullptr) : Cell(word_for(f.verdict)), mark});
+  }
+  return table;
+}
+
+/// For people: without the figures that neither has.
+Table known_figures(const WalkComparison& comparison) {
+  Table table = table_of(comparison);
+  std::erase_if(table.rows, [](const auto& row) { return row[1].is_null() && row[2].is_null(); });
+  return table;
+}
 
 std::string curves(const WalkComparison& comparison, const std::string& name, const std::string& title,
                    const std::string& unit) {
@@ -69,34 +83,16 @@ std::string text_of(const WalkComparison& comparison, const Paint& paint) {
   for (const Difference& d : comparison.differences) {
     text += paint(Colour::yellow, fmt::format("not the same: {}: {} and {}", d.name, d.a, d.b)) + '\n';
   }
-  constexpr const char* kRow = "{:<36}{:>12}{:>12}{:>8}{:>18}{:>8}{:>8}  ";
-  const auto row = [&](const auto& c) { return fmt::format(kRow, c[0], c[1], c[2], c[3], c[4], c[5], c[6]); };
-  text += '\n' + row(kHead) + '\n';
-  for (const ComparedFigure& figure : comparison.figures) {
-    if (!figure.a && !figure.b) continue;
-    const std::string marked = mark(figure);
-    text +=
-        row(cells(figure)) + (marked.empty() ? "" : paint(marked == "worse" ? Colour::red : Colour::green, marked)) + '\n';
-  }
-  return text + '\n' + conclusion(comparison) + '\n';
+  return text + '\n' + text_of(known_figures(comparison), paint) + '\n' + conclusion(comparison) + '\n';
 }
 
 Json json_of(const WalkComparison& comparison) {
-  const auto if_known = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
   Json json{{"a", comparison.a}, {"b", comparison.b}};
   json["common_frames"] = comparison.frames ? Json(comparison.frames->size()) : Json();
   json["differences"] = Json::array();
   for (const Difference& d : comparison.differences)
     json["differences"].push_back({{"name", d.name}, {"a", d.a}, {"b", d.b}});
-  json["figures"] = Json::array();
-  for (const ComparedFigure& f : comparison.figures) {
-    json["figures"].push_back({{"name", f.name},
-                               {"a", if_known(f.a)},
-                               {"b", if_known(f.b)},
-                               {"ratio", if_known(f.ratio())},
-                               {"per_frame", json_of(f.per_frame)},
-                               {"verdict", f.verdict == Verdict::unjudged ? Json() : Json(word_for(f.verdict))}});
-  }
+  json["figures"] = json_of(table_of(comparison));
   json["worse"] = comparison.worse();
   return json;
 }
@@ -112,16 +108,8 @@ std::string comparison_page(const WalkComparison& comparison) {
             curves(comparison, "mean.cull_ms", "Culling", "milliseconds") +
             curves(comparison, "mean.rendered_polygons", "Polygons drawn", "polygons");
   }
-  body += R"(<h2>Figures</h2><div class="wide"><table><thead><tr>)";
-  for (const char* head : kHead) body += fmt::format("<th>{}</th>", head);
-  body += "<th></th></tr></thead><tbody>\n";
-  for (const ComparedFigure& figure : comparison.figures) {
-    if (!figure.a && !figure.b) continue;
-    body += "<tr>";
-    for (const std::string& cell : cells(figure)) body += fmt::format("<td>{}</td>", cell);
-    body += fmt::format("<td>{}</td></tr>\n", mark(figure));
-  }
-  body += fmt::format("</tbody></table></div><p class=\"soft\">{}.</p>", conclusion(comparison));
+  body += section("Figures", html_of(known_figures(comparison)));
+  body += fmt::format("<p class=\"soft\">{}.</p>", conclusion(comparison));
   return page("occlude compare", body);
 }
 

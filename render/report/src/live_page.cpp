@@ -13,7 +13,7 @@
 
 #include "deflated.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/render/page.h"
+#include "occlude/render/formats.h"
 #include "packed_soup.h"
 #include "page_camera.h"
 #include "page_files.h"

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/methods.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "occlude/render/page.h"
 #include "occlude/render/summary.h"
 #include "occlude/render/walk_frames.h"
 
 namespace occlude::render {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A row of the given members of the frames.
 MethodRow row(const std::string& method, const WalkResult& walk, bool is_drawn, std::size_t FrameRecord::*drawn,
@@ -52,30 +46,8 @@ MethodRow row_of(const MethodWalk& of, bool is_drawn) {
   return result;
 }
 
-/// Null if it is not known.
-template <class Number>
-Json if_known(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json();
-}
-
-/// The cells of a row but the first; `none` stands for what is not known.
-std::vector<std::string> cells(const MethodRow& m, const char* none) {
-  const auto if_culled = [&](double ms) { return m.worst_cull_ms > 0 ? fmt::format("{:.2f}", ms) : none; };
-  const auto if_drawn = [&](const std::optional<double>& ms) { return ms ? fmt::format("{:.1f}", *ms) : none; };
-  const auto count = [&](const std::optional<std::size_t>& n) { return n ? grouped(static_cast<double>(*n)) : none; };
-  return {grouped(m.drawn),
-          percent(m.culled_share),
-          m.hidden_culled ? percent(*m.hidden_culled) : none,
-          if_culled(m.cull_ms),
-          if_drawn(m.frame_ms),
-          if_drawn(m.frame_ms_view_frustum_only),
-          m.speedup ? fmt::format("{:.2f}", *m.speedup) : none,
-          count(m.wrong_pixels),
-          count(m.false_culls)};
-}
-
-const std::vector<std::string> kHeads{"drawn",       "culled",  "of the hidden", "cull, ms",   "frame, ms",
-                                      "without, ms", "speedup", "wrong pixels",  "false culls"};
+/// Nothing was culled where it takes no time.
+std::string ms_of_culling(double ms) { return ms > 0 ? rounded(ms, 2) : "-"; }
 
 }  // namespace
 
@@ -107,43 +79,26 @@ WalkResult walk_beside(const culler::Culler& culler, const CameraPath& path, con
 
 const char* text_of(culler::Method method) { return method == culler::Method::cover ? "joined shadows" : "shadow frusta"; }
 
-std::string text_of(const Methods& methods) {
-  constexpr const char* kLine = "{:<22} {:>9} {:>8} {:>13} {:>9} {:>10} {:>12} {:>8} {:>13} {:>12}\n";
-  const auto line = [&](const std::string& name, const std::vector<std::string>& c) {
-    return fmt::format(kLine, name, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
-  };
-  std::string text = line("Averages per frame", kHeads);
-  for (const MethodRow& m : methods) text += line(m.method, cells(m, "-"));
-  return text;
-}
-
-std::string html_of(const Methods& methods) {
-  std::string head = "<th>Averages per frame</th>", rows;
-  for (const std::string& cell : kHeads) head += "<th>" + cell + "</th>";
+Table table_of(const Methods& methods) {
+  Table table{"",
+              {{"Averages per frame", "method"},
+               {"drawn", "drawn"},
+               {"culled", "culled_share", percent},
+               {"of the hidden", "hidden_culled", percent},
+               {"cull, ms", "cull_ms", ms_of_culling},
+               {"", "worst_cull_ms"},
+               {"frame, ms", "frame_ms", rounded<1>},
+               {"without, ms", "frame_ms_view_frustum_only", rounded<1>},
+               {"speedup", "speedup", rounded<2>},
+               {"wrong pixels", "wrong_pixels"},
+               {"false culls", "false_culls"}},
+              {}};
   for (const MethodRow& m : methods) {
-    rows += "<tr><td>" + m.method + "</td>";
-    for (const std::string& cell : cells(m, "&ndash;")) rows += "<td>" + cell + "</td>";
-    rows += "</tr>\n";
+    table.rows.push_back({m.method, m.drawn, m.culled_share, if_known(m.hidden_culled), m.cull_ms, m.worst_cull_ms,
+                          if_known(m.frame_ms), if_known(m.frame_ms_view_frustum_only), if_known(m.speedup),
+                          if_known(m.wrong_pixels), if_known(m.false_culls)});
   }
-  return "<div class=\"wide\"><table><thead><tr>" + head + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>";
-}
-
-Json json_of(const Methods& methods) {
-  Json json = Json::array();
-  for (const MethodRow& m : methods) {
-    json.push_back({{"method", m.method},
-                    {"drawn", m.drawn},
-                    {"culled_share", m.culled_share},
-                    {"hidden_culled", if_known(m.hidden_culled)},
-                    {"cull_ms", m.cull_ms},
-                    {"worst_cull_ms", m.worst_cull_ms},
-                    {"frame_ms", if_known(m.frame_ms)},
-                    {"frame_ms_view_frustum_only", if_known(m.frame_ms_view_frustum_only)},
-                    {"speedup", if_known(m.speedup)},
-                    {"wrong_pixels", if_known(m.wrong_pixels)},
-                    {"false_culls", if_known(m.false_culls)}});
-  }
-  return json;
+  return table;
 }
 
 }  // namespace occlude::render

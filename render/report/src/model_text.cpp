@@ -8,8 +8,8 @@
 #include <initializer_list>
 #include <span>
 
+#include "occlude/render/formats.h"
 #include "occlude/render/model.h"
-#include "occlude/render/page.h"
 
 namespace occlude::render {
 namespace {

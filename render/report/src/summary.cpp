@@ -8,12 +8,10 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <thread>
 #include <utility>
 #include <vector>
 
-#include "occlude/render/machine.h"
-#include "occlude/render/page.h"
+#include "occlude/render/paper_report.h"
 #include "occlude/render/printable.h"
 
 namespace occlude::render {
@@ -25,12 +23,6 @@ std::size_t total(const WalkResult& result, std::size_t FrameRecord::*member) {
   std::size_t sum = 0;
   for (const FrameRecord& record : result.frames) sum += record.*member;
   return sum;
-}
-
-/// Null if it is empty.
-template <class Number>
-Json if_known(const std::optional<Number>& number) {
-  return number ? Json(*number) : Json();
 }
 
 Json operations(const kernel::Operations& counted) {
@@ -83,40 +75,6 @@ Summary::AboveLimit above_limit(const WalkResult& result, const Summary& summary
   return median && median->low > 1 ? Summary::AboveLimit::beyond_noise : Summary::AboveLimit::within_noise;
 }
 
-/// The figures of single frames, whose means the table has.
-std::string spread_text(const Summary::Spreads& spread) {
-  std::string text;
-  const auto add = [&](const char* name, const std::optional<Spread>& s, const auto& number) {
-    if (!s) return;
-    text += fmt::format("{:<31} {:>10} {:>10} {:>13} {:>10} (frame {})\n", name, number(s->median), number(s->percentile_5),
-                        number(s->percentile_95), number(s->worst.value), s->worst.frame);
-  };
-  const auto ms = [](double value) { return fmt::format("{:.2f}", value); };
-  add("culling, ms", spread.cull_ms, ms);
-  add("frame, ms", spread.frame_ms, ms);
-  add("speedup", spread.speedup, [](double ratio) { return gain(ratio, "-"); });
-  if (text.empty()) return text;
-  return fmt::format("{:<31} {:>10} {:>10} {:>13} {:>10}\n", "Frame by frame", "median", "5 %", "95 %", "worst") + text;
-}
-
-/// Table 2 of the paper beside the figures of this run.
-std::string table2_text(const Summary& summary) {
-  const Summary::Mean& mean = summary.mean;
-  return fmt::format(
-      "{:<37} this run   the paper, its own model\n"
-      "                                  polygons      fps      polygons      fps\n"
-      "view-frustum culling            {:>10.0f} {:>8}        49,196      3.6\n"
-      "with occlusion culling          {:>10.0f} {:>8}        29,749      5.6\n"
-      "drawing only visible polygons   {:>10} {:>8}             -        -\n"
-      "polygons culled                 {:>9.1f} %                 39.5 %\n"
-      "speedup                         {:>19}                      +55 %\n"
-      "  limit by polygons drawn       {:>19}                      +65 %\n",
-      fmt::format("Table 2, by {}", text_of(summary.options.cull.method)), mean.view_frustum_polygons,
-      fps(mean.frame_ms_view_frustum_only, "-"), mean.rendered_polygons, fps(mean.frame_ms, "-"),
-      mean.visible_polygons ? fmt::format("{:.0f}", *mean.visible_polygons) : "-", fps(mean.frame_ms_visible_only, "-"),
-      100 * summary.culled_share, gain(summary.speedup, "-"), gain(summary.limit_by_polygons, "-"));
-}
-
 }  // namespace
 
 const char* name_of(kernel::Near near) { return near == kernel::Near::surface ? "surface" : "farthest"; }
@@ -126,10 +84,6 @@ const char* name_of(kernel::Arithmetic arithmetic) {
 }
 
 const char* name_of(kernel::Test test) { return test == kernel::Test::overlap ? "overlap" : "conservative"; }
-
-Machine this_machine(const std::string& renderer) {
-  return {processor_name(), compiler_name(), std::thread::hardware_concurrency(), renderer};
-}
 
 double mean_hidden(const WalkResult& result) {
   return mean(result, [](const FrameRecord& r) {
@@ -215,7 +169,8 @@ bool passed(const WalkResult& result) {
 }
 
 std::string text_of(const Summary& summary, const Paint& paint) {
-  std::string text = text_of(summary.methods) + "\n" + table2_text(summary) + spread_text(summary.spread);
+  std::string text =
+      text_of(table_of(summary.methods)) + "\n" + text_of(table2_of(summary)) + "\n" + text_of(spread_table(summary));
   if (const std::string note = limit_note(summary); !note.empty()) text += note + '\n';
   if (summary.options.render) {
     const bool is_right = *summary.false_culls == 0 && *summary.wrong_pixels == *summary.snapped_pixels;
@@ -273,13 +228,6 @@ Json json_of(const std::optional<Spread>& spread) {
           {"worst_frame", spread->worst.frame}};
 }
 
-Json json_of(const Machine& machine) {
-  return {{"processor", machine.processor},
-          {"threads", machine.threads},
-          {"renderer", machine.renderer.empty() ? Json(nullptr) : Json(machine.renderer)},
-          {"compiler", machine.compiler}};
-}
-
 Json json_of(const Summary& summary) {
   const Summary::Mean& mean = summary.mean;
   return {{"model", summary.model},
@@ -316,7 +264,7 @@ Json json_of(const Summary& summary) {
           {"wrong_pixels", if_known(summary.wrong_pixels)},
           {"wrong_pixels_explained_by_snapping", if_known(summary.snapped_pixels)},
           {"false_culls", if_known(summary.false_culls)},
-          {"methods", json_of(summary.methods)},
+          {"methods", json_of(table_of(summary.methods))},
           {"missed", summary.missed ? json_of(*summary.missed) : Json()},
           {"reference_frames", summary.reference_frames},
           {"witnesses", summary.witnesses},

@@ -12,9 +12,9 @@
 #include <string_view>
 
 #include "deflated.h"
+#include "occlude/render/formats.h"
 #include "occlude/render/missed_report.h"
-#include "occlude/render/page.h"
-#include "occlude/render/paper_html.h"
+#include "occlude/render/paper_report.h"
 #include "page_files.h"
 #include "template.h"
 
@@ -64,7 +64,7 @@ const char* method_of(const Summary& summary) { return is_cover(summary) ? "cove
 
 std::string methods(const Summary& summary) {
   const char* const shown = is_cover(summary) ? "joined shadows, of everything in front" : "the shadows of single occluders";
-  return html_of(summary.methods) +
+  return html_of(table_of(summary.methods)) +
          fmt::format(
              "<p class=\"soft\">Without: the same frames by the view frustum alone, in turns with "
              "the method. All below is by {}.</p>",
@@ -200,9 +200,9 @@ std::string walk_page(const Summary& summary, const WalkPageContent& content) {
       {"times", [&] { return summary.options.render ? "Frame time (the paper's figure 2)" : "Time to cull"; }},
       {"facts", [&] { return facts(summary); }},
       {"simplified", [&] { return simplified(summary, content.recording); }},
-      {"table1", [&] { return table1_html(summary); }},
-      {"spread", [&] { return spread_html(summary); }},
-      {"table2", [&] { return table2_html(summary) + note(limit_note(summary)); }},
+      {"table1", [&] { return summary.operations.tests == 0 ? "" : html_of(table1_of(summary.operations)); }},
+      {"spread", [&] { return html_of(spread_table(summary)); }},
+      {"table2", [&] { return html_of(table2_of(summary)) + note(limit_note(summary)); }},
       {"pictures", [&] { return pictures_html(content.pictures); }},
       {"conditions", [&] { return conditions(summary); }},
       {"command", [&] { return escaped(content.command); }},

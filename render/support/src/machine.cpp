@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/render/machine.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
 
 namespace occlude::render {
+namespace {
 
+/// The processor's own name for itself.
 std::string processor_name() {
   std::ifstream cpuinfo("/proc/cpuinfo");
   std::string line;
@@ -14,12 +20,31 @@ std::string processor_name() {
   return "unknown";
 }
 
+/// The compiler of this program.
 std::string compiler_name() {
 #ifdef __clang__
   return "clang " __clang_version__;
 #else
   return "g++ " __VERSION__;
 #endif
+}
+
+}  // namespace
+
+Machine this_machine(const std::string& renderer) {
+  return {processor_name(), compiler_name(), std::thread::hardware_concurrency(), renderer};
+}
+
+std::string text_of(const Machine& machine) {
+  return fmt::format("{}, {} threads, {}", machine.processor, machine.threads, machine.compiler);
+}
+
+nlohmann::ordered_json json_of(const Machine& machine) {
+  using Json = nlohmann::ordered_json;
+  return {{"processor", machine.processor},
+          {"threads", machine.threads},
+          {"renderer", machine.renderer.empty() ? Json(nullptr) : Json(machine.renderer)},
+          {"compiler", machine.compiler}};
 }
 
 }  // namespace occlude::render

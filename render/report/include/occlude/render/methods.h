@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "occlude/render/table.h"
 #include "occlude/render/walk.h"
 
 namespace occlude::render {
@@ -47,9 +47,6 @@ struct MethodWalk {
 /// In words: "shadow frusta" or "joined shadows".
 [[nodiscard]] const char* text_of(culler::Method method);
 
-/// A table for a terminal, and for a page.
-[[nodiscard]] std::string text_of(const Methods& methods);
-[[nodiscard]] std::string html_of(const Methods& methods);
-[[nodiscard]] nlohmann::ordered_json json_of(const Methods& methods);
+[[nodiscard]] Table table_of(const Methods& methods);
 
 }  // namespace occlude::render

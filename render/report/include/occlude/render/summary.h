@@ -9,6 +9,7 @@
 #include <string>
 
 #include "occlude/kernel/operations.h"
+#include "occlude/render/machine.h"
 #include "occlude/render/methods.h"
 #include "occlude/render/missed_report.h"
 #include "occlude/render/paint.h"
@@ -16,15 +17,6 @@
 #include "occlude/render/walk.h"
 
 namespace occlude::render {
-
-/// The machine and software of a measurement.
-struct Machine {
-  std::string processor, compiler;
-  unsigned threads = 0;
-  std::string renderer;  ///< the driver's own name for itself; empty if nothing was drawn
-};
-
-[[nodiscard]] Machine this_machine(const std::string& renderer);
 
 /// The optional numbers need pictures and are empty if the walk did not render.
 struct Summary {
@@ -93,10 +85,9 @@ template <class Member>
 /// The contents of summary.json.
 [[nodiscard]] nlohmann::ordered_json json_of(const Summary& summary);
 
-/// Members that other reports share: a spread (null if there is none), the options and the machine.
+/// Members that other reports share: a spread (null if there is none), and the options.
 [[nodiscard]] nlohmann::ordered_json json_of(const std::optional<Spread>& spread);
 [[nodiscard]] nlohmann::ordered_json json_of(const WalkOptions& options, const culler::BuildConfig& build);
-[[nodiscard]] nlohmann::ordered_json json_of(const Machine& machine);
 
 /// The names in options and reports.
 [[nodiscard]] const char* name_of(kernel::Near near);

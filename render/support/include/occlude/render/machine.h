@@ -2,14 +2,22 @@
 // The machine on which a figure was measured.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace occlude::render {
 
-/// The processor's own name for itself.
-[[nodiscard]] std::string processor_name();
+/// The machine and software of a measurement.
+struct Machine {
+  std::string processor, compiler;
+  unsigned threads = 0;
+  std::string renderer;  ///< the driver's own name for itself; empty if nothing was drawn
+};
 
-/// The compiler of this program.
-[[nodiscard]] std::string compiler_name();
+[[nodiscard]] Machine this_machine(const std::string& renderer = {});
+
+/// All but the renderer, in a line.
+[[nodiscard]] std::string text_of(const Machine& machine);
+[[nodiscard]] nlohmann::ordered_json json_of(const Machine& machine);
 
 }  // namespace occlude::render
