@@ -5,7 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash .ci/packages.sh clang clang-tidy
-cmake --preset clang -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+# Each file has a command of its own.
+cmake --preset clang -B build/tidy -DCMAKE_UNITY_BUILD=OFF -DOCCLUDE_TOOLS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 find kernel/src kernel/judge/src culler/{base,camera,model,descent,frusta,cover,scene,inner,store,frame} -name "*.cpp" -print0 |
-  xargs -0 --max-args 1 --max-procs "$(nproc)" clang-tidy -p build/clang --quiet
+  xargs -0 --max-args 1 --max-procs "$(nproc)" clang-tidy -p build/tidy --quiet
 echo "The kernel and the culler are tidy"

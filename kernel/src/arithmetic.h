@@ -9,32 +9,34 @@
 // The steps by which a sign is found. Read a column downwards: each step takes what the one above it leaves open. All steps
 // below the line are Stage::exact.
 //
-//   a plane at a point            a plane at an axis-aligned box      anything else
-//   sign_at()                     exact_extremal_sign() in the end    certified()
+//   a plane at a point             a plane at an axis-aligned box     anything else
+//   sign_at()                      box_planes_certified()             certified()
 //
-//   equal coordinates             doubles with an error bound         doubles with an error bound
-//   is_defined_by()               FilterPlane, after floats           FilterArithmetic
-//        |                        in a block of boxes                      |
-//        v                             |                                   |
-//   doubles with an error bound        |                                   |
-//   FilterArithmetic                   |                                   |
-//  ------|-----------------------------|-----------------------------------|------------------------------------------
-//        |                             v                                   |
-//        |                        equal coordinates                        |
-//        |                        is_defined_by(), sign_across_axis()      |
-//        |                             |                                   |
-//        |                             v                                   v
-//        |                        twice the precision, error bound    twice the precision, error bound
-//        |                        refined_sign()                      DoubleDoubleArithmetic
-//        v                             v                                   |
-//   integers of fixed width       integers of fixed width                  |
-//   grid_sign()                   grid_extremal_sign()                     |
-//        v                             |                                   |
-//   twice the precision,               |                                   |
-//   DoubleDoubleArithmetic             |                                   |
-//        v                             v                                   v
-//   expansions: always certain    expansions: always certain          expansions: always certain
-//   ExactArithmetic               ExactArithmetic                     ExactArithmetic
+//   equal coordinates              doubles, with an error bound       doubles, with an error bound
+//   is_defined_by()                FilterPlane (before it floats,     FilterArithmetic
+//         |                        for a block of boxes)                    |
+//         v                              |                                  |
+//   doubles, with an error bound         |                                  |
+//   FilterArithmetic                     |                                  |
+//  -------|------------------------------|----------------------------------|---------------------------------------
+//         |                              v                                  |
+//         |                        equal coordinates                        |
+//         |                        is_defined_by(), sign_across_axis()      |
+//         v                              |                                  |
+//   integers of fixed width              |                                  |
+//   grid_sign()                          |                                  |
+//         |                              |                                  |
+//         v                              v                                  v
+//   twice the precision, bounded   twice the precision, bounded       twice the precision, bounded
+//   DoubleDoubleArithmetic         refined_sign()                     DoubleDoubleArithmetic
+//         |                              |                                  |
+//         |                              v                                  |
+//         |                        integers of fixed width                  |
+//         |                        grid_extremal_sign()                     |
+//         |                              |                                  |
+//         v                              v                                  v
+//   expansions, always certain     expansions, always certain         expansions, always certain
+//   ExactArithmetic                ExactArithmetic                    ExactArithmetic
 #pragma once
 
 #include <cmath>
