@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Checks that no folder includes one above it: what every object of a build was made of is compared with the table below,
-# which is the picture in the README. Usage: bash tests/layers.sh BUILD_FOLDER
+# which docs/structure.md has. Usage: bash tests/layers.sh BUILD_FOLDER
 set -euo pipefail
 build=$(realpath "$1")
 cd "$(dirname "$0")/.."

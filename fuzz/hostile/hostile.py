@@ -25,7 +25,7 @@ import formats
 MIB = 1 << 20
 # Whatever the file: the libraries that the command is linked with, and what culling a few hundred polygons needs.
 FLOOR = 256 * MIB
-# What the READMEs state: memory for each byte of an input, and the import library's own limits. For the library zeros and
+# What docs/formats.md states: memory for each byte of an input, and the import library's own limits. For the library zeros and
 # blanks do not count, and what a model refers to does.
 JSON_FACTOR, MODEL_FACTOR = 60, 40
 IMPORT_MEMORY, IMPORT_FACTOR = 256 * MIB, 128

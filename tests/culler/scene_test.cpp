@@ -1007,7 +1007,7 @@ double share_hidden(const Panels& how) {
   return static_cast<double>(result.stats.hidden) / static_cast<double>(ids.size());
 }
 
-/// The table in ENGINES.md.
+/// The table in docs/measured.md.
 TEST(Scene, WallsOfPanelsHide) {
   for (const Panels& how :
        {Panels{"one mesh, shared edges", true, true, 0, 0, 0.99},

@@ -80,17 +80,17 @@ void expect_exactly(const Names& described, const Names& known) {
 }
 
 TEST(Documents, DescribeEveryFamilyOnce) {
-  expect_exactly(names_in_tables("fuzz/README.md", "| family | what |"), names_of_families());
+  expect_exactly(names_in_tables("docs/families.md", "| family | what |"), names_of_families());
 }
 
 TEST(Documents, DescribeEveryOtherRowOnce) {
-  const Names described = names_in_list("fuzz/README.md", "The last rows of the table are not about one family:");
+  const Names described = names_in_list("docs/families.md", "The last rows of the table are not about one family:");
   expect_exactly(described, without(names_of_experiments(), names_of_families()));
 }
 
 /// A campaign may be older than a family.
 TEST(Documents, MeasureNothingThatIsNot) {
-  const Names measured = names_in_tables("oracle/README.md", "| family | plain: culls |");
+  const Names measured = names_in_tables("docs/measured.md", "| family | plain: culls |");
   EXPECT_GT(measured.size(), 90U);
   EXPECT_EQ(without(measured, names_of_experiments()), Names{});
 }

@@ -7,6 +7,7 @@ import pathlib
 import re
 import sys
 
+from documents import documents
 
 KINDS = ("cpp", "c")  # names of blocks, and endings of files
 
@@ -21,9 +22,8 @@ def is_part(block, whole):
 
 def main(folder):
     examples = {kind: [lines_of(path.read_text()) for path in sorted(folder.glob(f"*/example/*.{kind}"))] for kind in KINDS}
-    documents = [folder / "README.md", *sorted(folder.glob("*/README.md")), *sorted(folder.glob("*/*/README.md"))]
     blocks = failures = 0
-    for document in documents:
+    for document in documents(folder):
         text = document.read_text()
         for match in re.finditer(r"^```(cpp|c)\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
             blocks += 1

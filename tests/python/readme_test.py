@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The examples of culler/python/README.md run, one after another, and what they assert holds."""
+"""The examples of docs/python.md run, one after another, and what they assert holds."""
 import pathlib
 import re
 import unittest
@@ -7,7 +7,7 @@ import unittest
 
 class Readme(unittest.TestCase):
     def test_examples(self):
-        path = pathlib.Path(__file__).resolve().parents[2] / "culler" / "python" / "README.md"
+        path = pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md"
         text = path.read_text()
         names = {}
         blocks = list(re.finditer(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The C interface of occlude: a world of objects and occluders that changes, culled from any number of cameras. It is the
-// interface for programs in C, for other languages, and for C++ without exceptions. README.md has an introduction; what
+// interface for programs in C, for other languages, and for C++ without exceptions. docs/c.md has an introduction; what
 // culling promises is written at `class Scene` in occlude/culler/scene.h.
 //
 // 1. **No exceptions.** No function throws, ends the program or prints. Each that can fail returns an occlude_status;

@@ -116,8 +116,8 @@ class Scene {
 
   /// Makes all changes since the last update. Takes time in proportion to what changed, and to the number of objects with
   /// ObjectOptions::moves if one of them moved; likewise for occluders. Large tiles, of thousands of objects that stand
-  /// still, are built by the executor. After the scene has had its largest size, nothing more is allocated: README.md,
-  /// Growth and budgets. If memory runs out, std::bad_alloc is thrown, and the scene may only be destroyed.
+  /// still, are built by the executor. After the scene has had its largest size, nothing more is allocated:
+  /// culler/README.md, Budgets. If memory runs out, std::bad_alloc is thrown, and the scene may only be destroyed.
   void update(const Executor& executor = {});
 
   /// What to draw for the next frame of this view. Returns view.result(). Throws std::invalid_argument for a camera with a

@@ -90,7 +90,7 @@ struct ObjectFate {
 /// One camera, and its last frame.
 /// 1. One thread at a time may cull with it. Different views may be culled at once.
 /// 2. It may be used with any scene at any time. A frame does not depend on those before it.
-/// 3. After its first frame nothing more is allocated. Exceptions: README.md, Growth and budgets.
+/// 3. After its first frame nothing more is allocated. Exceptions: culler/README.md, Budgets.
 /// 4. A view that was moved from may only be destroyed or assigned to.
 class SceneView {
  public:

@@ -33,7 +33,7 @@ class Identity {
 
 /// 1. A view belongs to one camera, and one thread at a time may cull with it. Different views may be culled at once.
 /// 2. If it is used with another culler than in the frame before, it starts anew, as if it had just been made.
-/// 3. After its first frame nothing more is allocated. Exceptions: README.md, Growth and budgets.
+/// 3. After its first frame nothing more is allocated. Exceptions: culler/README.md, Budgets.
 /// 4. A view that was moved from may only be destroyed or assigned to.
 class View {
  public:

@@ -10,7 +10,7 @@
 
 namespace occlude::fuzz {
 
-/// fuzz/README.md describes the families. The name says what kind a family is: with `obb` the box is oriented, with
+/// docs/families.md describes the families. The name says what kind a family is: with `obb` the box is oriented, with
 /// `polytope` the occluder is a polytope, with `orthographic` the viewpoint is a direction.
 enum class Family {
 #define FAMILY(name, ...) name,
@@ -21,7 +21,7 @@ enum class Family {
 
 [[nodiscard]] std::string_view name(Family family);
 
-/// Makes a case. The same arguments give the same case on every machine. A few in a hundred are not legal (README.md).
+/// Makes a case. The same arguments give the same case on every machine. A few in a hundred are not legal.
 [[nodiscard]] Case make_case(Family family, std::uint64_t seed);
 
 }  // namespace occlude::fuzz

@@ -84,7 +84,7 @@ inline constexpr double kMaxMagnitude = 0x1p+100;
 [[nodiscard]] inline double flushed(double x) { return std::fabs(x) < kMinMagnitude ? 0 : x; }
 
 /// Refusal::rounding_mode if the calling thread does not round to nearest, else Refusal::none. It tests real additions,
-/// since the mode may have been set without <cfenv>. Takes about a nanosecond.
+/// since the mode may have been set without `<cfenv>`. Takes about a nanosecond.
 [[nodiscard]] Refusal check_rounding();
 
 /// Whether the number is legal: not_finite, out_of_range or none. It compares bits, which order magnitudes as numbers do, so

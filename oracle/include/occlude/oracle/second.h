@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A second judge, which checks the first. It finds the same relation in another way and shares only the types of oracle.h.
 // It has no side planes and no silhouette, only triangles and weights of vertices. A program that links it
-// (occlude::second_oracle) is GPL-3.0-or-later as a whole (README.md, Licences).
+// (occlude::second_oracle) is GPL-3.0-or-later as a whole (docs/proof.md, Licences).
 #pragma once
 
 #include "occlude/oracle/oracle.h"
