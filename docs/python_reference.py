@@ -16,6 +16,8 @@ def text_of(thing):
     """The docstring, with the signatures that pybind11 writes into it as code."""
     text = inspect.cleandoc(thing.__doc__ or "").replace("occlude._occlude.", "")
     text = re.sub(r"^\w+\(\*args, \*\*kwargs\)\nOverloaded function\.\n", "", text)
+    text = re.sub(r"__init__\(self: (\w+)(, )?", r"\1(", text)
+    text = re.sub(r"\(self: \w+(, )?", "(", text)
     return SIGNATURE.sub(r"```text\n\1\n```", text)
 
 

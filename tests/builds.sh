@@ -44,7 +44,7 @@ on_platform() {
   fi
   local options=("-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$1.cmake" "-DCMAKE_PREFIX_PATH=$folder/prefix"
     -DCMAKE_BUILD_TYPE=Release)
-  local targets=(kernel_tests culler_tests model_example scene_example matrix_example c_tests) chosen='^(kernel|culler)$'
+  local targets=(kernel_tests culler_tests {contents,matrix,model,scene,tutorial}_example c_tests) chosen='^(kernel|culler)$'
   [ "$1" != wasm ] || { targets=(kernel_tests) chosen='^kernel$'; }
   build_and_test "$folder/build"
 }

@@ -31,7 +31,7 @@ class OccluderLists {
     double regions = 32768;
     /// The most entries of all lists together. If there would be more, the longest lists are cut to a common length; they
     /// keep the occluders that look largest from their regions. 2^25 entries take 128 MiB. No list of a grid is cut in the
-    /// models tried (README.md).
+    /// models tried (docs/measured.md).
     std::size_t entries = std::size_t{1} << 25U;
     /// A second limit, so that small models cost less: kEntriesOfEach entries for each occluder, but never less than
     /// kEntriesOfFew in all, so that a few occluders that look large from everywhere are not cut. The lists of real models
