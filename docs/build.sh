@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Builds the site of the documents, with the reference of C++, C and Python and all options of the command. Installs MkDocs and
 # Doxygen if they are missing, and builds the command and the Python module, which tell of themselves, if they are not there.
-# Usage: bash docs/build.sh [BUILD_FOLDER [SITE]], default build/release and build/docs; then open build/docs/index.html.
+# Usage: bash docs/build.sh [BUILD_FOLDER [SITE]], default build/release and build/docs; then open build/docs/index.html, or, to
+# search as well, serve the folder: python3 -m http.server --directory build/docs.
 set -euo pipefail
 build=$(realpath -m "${1:-$(dirname "$0")/../build/release}")
 site=$(realpath -m "${2:-$(dirname "$0")/../build/docs}")
 cd "$(dirname "$0")/.."
-{ command -v mkdocs && command -v doxygen; } >/dev/null || bash .ci/packages.sh mkdocs mkdocs-material doxygen
+. docs/need_mkdocs.sh || bash .ci/packages.sh mkdocs mkdocs-material doxygen
 if [ ! -x "$build/occlude" ] || [ ! -d "$build/python/occlude" ]; then
   bash .ci/packages.sh
   cmake --preset release >/dev/null
