@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The documents: all Markdown files of the project."""
+"""The documents: the Markdown files of the project that are for people who use or change it."""
 
 
 def documents(folder):
-    """In the root, in docs/ and in the modules, but for what a build makes."""
-    files = [file for file in sorted(folder.rglob("*.md")) if file.relative_to(folder).parts[0] not in ("build", ".git", "shared")]
+    """All but those in what a build makes, in folders beside the project and in folders with a dot, which the site leaves out, too."""
+    files = [file for file in sorted(folder.rglob("*.md"))
+             if not any(part in ("build", "shared") or part.startswith(".") for part in file.relative_to(folder).parts)]
     assert len(files) > 20, f"only {len(files)} documents were found"
     return files
