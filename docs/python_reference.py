@@ -45,7 +45,7 @@ def print_class(name, thing):
 def main():
     print("# Python\n\nThe module `occlude`. [The guide](python.md) shows it at work.\n")
     public = {name: getattr(occlude, name) for name in dir(occlude) if not name.startswith("_")}
-    public = {name: thing for name, thing in public.items() if not inspect.ismodule(thing)}
+    public = {name: thing for name, thing in public.items() if getattr(thing, "__module__", "").startswith("occlude")}
     for name, thing in sorted(public.items(), key=lambda item: (not inspect.isclass(item[1]), item[0])):
         if inspect.isclass(thing):
             print_class(name, thing)
