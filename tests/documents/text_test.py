@@ -38,6 +38,8 @@ def faults_of_links(folder, document, text):
             yield f"{target} is no file"
         elif not file.is_relative_to(folder):
             yield f"{target} leads out of the project"
+        elif any(part.startswith(".") for part in file.relative_to(folder).parts):
+            yield f"{target} is in a folder that the site leaves out"
         elif heading and heading not in headings(file.read_text()):
             yield f"{target} is no heading"
 
