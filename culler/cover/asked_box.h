@@ -40,7 +40,7 @@ template <class AnyBox>
 /// The error bounds of the cover hold within its depth. A cover without a picture, before the first frame, hides nothing.
 [[nodiscard]] inline bool hides_any(const CoverBuffer& cover, const Box& box) {
   const kernel::Aabb outer = outer_box(box);
-  const BeamPicture& picture = cover.picture();
+  const ConservativeViewport& picture = cover.picture();
   return picture.width() > 0 && depth(outer, picture.eye()) <= picture.depth() && cover.hides(outer);
 }
 

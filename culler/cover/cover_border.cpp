@@ -14,7 +14,7 @@
 #include "base/rounded_float.h"
 #include "cover/cover_border.h"
 #include "cover/cover_outline.h"
-#include "cover/seen_edge.h"
+#include "cover/projected_edge.h"
 
 #ifndef OCCLUDE_COVER_BORDER_ONCE
 #define OCCLUDE_COVER_BORDER_ONCE
@@ -135,8 +135,8 @@ void turn(const BorderTiles& tiles, const EdgeColumns& edge) {
     const auto in_tile = hn::ShiftLeft<kTileBits>(hn::And(rows, hn::Set(rows_of, kTile - 1)));
     const auto shifts = hn::And(hn::Add(in_tile, hn::Iota(rows_of, x % kTile)), hn::Set(rows_of, kTilePixels - 1));
     const auto bits = hn::Shl(hn::Set(bits_of, 1), hn::PromoteTo(bits_of, hn::BitCast(shifts_of, shifts)));
-    const auto turn_in = [&](int tile, std::uint64_t turned) {
-      if (tile < edge.row1 / kTile) tiles.at(x / kTile, tile).turned ^= turned;
+    const auto turn_in = [&](int tile, std::uint64_t parity_flips) {
+      if (tile < edge.row1 / kTile) tiles.at(x / kTile, tile).parity_flips ^= parity_flips;
     };
     const auto count = static_cast<std::size_t>(end - x);
     const auto tile_rows = hn::ShiftRight<kTileBits>(rows);
@@ -167,9 +167,9 @@ HWY_EXPORT(touch);
 HWY_EXPORT(turn);
 
 /// The pixels with an odd number of turns among them and those below them.
-std::uint64_t turned_below(std::uint64_t turned) {
-  for (int rows = 1; rows < kTile; rows *= 2) turned ^= turned << (rows * kTile);
-  return turned;
+std::uint64_t turned_below(std::uint64_t parity_flips) {
+  for (int rows = 1; rows < kTile; rows *= 2) parity_flips ^= parity_flips << (rows * kTile);
+  return parity_flips;
 }
 
 constexpr double kLeastRise = 0x1p-20;
@@ -177,7 +177,7 @@ constexpr double kLeastRise = 0x1p-20;
 constexpr double kMost = 0x1p1000;
 }  // namespace
 
-void CoverBorder::begin(const BeamPicture& picture, const PixelRectangle& tiles) {
+void CoverBorder::begin(const ConservativeViewport& picture, const PixelRectangle& tiles) {
   picture_ = picture;
   tiles_across_ = picture.width() / kTile;
   tiles_ = tiles;
@@ -190,7 +190,7 @@ void CoverBorder::begin(const BeamPicture& picture, const PixelRectangle& tiles)
   }
 }
 
-void CoverBorder::draw(const Corner& from, const Corner& to) {
+void CoverBorder::draw(const BoundedPosition& from, const BoundedPosition& to) {
   touch(from, to);
   if (from.place.x <= to.place.x) {
     turn(from.place, to.place);
@@ -200,16 +200,16 @@ void CoverBorder::draw(const Corner& from, const Corner& to) {
 }
 
 /// Each end is within its own error of where it was found, and the edge is between them.
-bool CoverBorder::may_touch(const Corner& from, const Corner& to) const {
+bool CoverBorder::may_touch(const BoundedPosition& from, const BoundedPosition& to) const {
   CoverOutline::Extent extent;
   extent.hold(from);
   extent.hold(to);
   return extent.may_meet(pixels_);
 }
 
-void CoverBorder::touch(const Corner& from, const Corner& to) {
+void CoverBorder::touch(const BoundedPosition& from, const BoundedPosition& to) {
   if (!may_touch(from, to)) return;
-  const SeenEdge edge(from, to, picture_.edge_error(from, to));
+  const ProjectedEdge edge(from, to, picture_.edge_error(from, to));
   const auto part = edge.within({{static_cast<double>(pixels_.x0), static_cast<double>(pixels_.y0)},
                                  {static_cast<double>(pixels_.x1), static_cast<double>(pixels_.y1)}});
   if (!part) return;
@@ -231,7 +231,7 @@ void CoverBorder::touch(const Corner& from, const Corner& to) {
 
 /// Turns the columns whose middle is beyond a.x and not beyond b.x. Their heights round ten times, by 2^-53 of what is below
 /// 4 times the height of the farther end. The errors of the ends include that.
-void CoverBorder::turn(const Place& a, const Place& b) {
+void CoverBorder::turn(const PixelPosition& a, const PixelPosition& b) {
   const double run = b.x - a.x;
   if (!(run > 0)) return;
   const auto first_from = [&](double x) { return std::clamp(first_middle(x, picture_.width()), pixels_.x0, pixels_.x1); };
@@ -252,7 +252,7 @@ void CoverBorder::find_closed(std::vector<std::uint64_t>& closed) {
       const BorderTile& tile = drawn_[at];
       std::uint8_t& below = enclosed_[static_cast<std::size_t>(x)];
       const bool is_drawn = tile.border == border_;
-      const std::uint64_t enclosed = (0x0101010101010101U * below) ^ (is_drawn ? turned_below(tile.turned) : 0);
+      const std::uint64_t enclosed = (0x0101010101010101U * below) ^ (is_drawn ? turned_below(tile.parity_flips) : 0);
       closed[at] = is_drawn ? enclosed & ~tile.touched : enclosed;
       below = static_cast<std::uint8_t>(enclosed >> (kTilePixels - kTile));
     }

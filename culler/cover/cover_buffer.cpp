@@ -22,8 +22,8 @@ constexpr float kOpen = -std::numeric_limits<float>::infinity();
 
 void CoverBuffer::begin(const FrameView& view, int width, int height, double margin) {
   const double border = kBorder * std::min(width, height);
-  picture_ = BeamPicture(view, {width, height, border}, margin > 0 ? kSinglePrecision * view.depth : 0);
-  piece_.begin(picture_);
+  picture_ = ConservativeViewport(view, {width, height, border}, margin > 0 ? kSinglePrecision * view.depth : 0);
+  rasteriser_.begin(picture_);
   tiles_across_ = width / kTile;
   // With a margin that is negative or not a number, nothing is hidden. Pixels need not be square.
   const double up = margin >= 0 ? margin * (height - 2 * border) : std::numeric_limits<double>::infinity();
@@ -40,27 +40,27 @@ void CoverBuffer::begin(const FrameView& view, int width, int height, double mar
 void CoverBuffer::keep_owners() { owners_.assign(nearness_.size(), kNone); }
 
 void CoverBuffer::add(const CoverMesh& mesh, std::uint32_t id) {
-  piece_.see(mesh);
-  for (std::size_t sheet = 0; sheet < piece_.sheets() && !is_spent(); ++sheet) {
-    if (!piece_.find(sheet)) continue;
-    const PixelRectangle& r = piece_.tiles();
+  rasteriser_.project(mesh);
+  for (std::size_t sheet = 0; sheet < rasteriser_.sheets() && !is_spent(); ++sheet) {
+    if (!rasteriser_.find(sheet)) continue;
+    const PixelRectangle& r = rasteriser_.tiles();
     work_ += static_cast<std::size_t>(r.x1 - r.x0) * static_cast<std::size_t>(r.y1 - r.y0);
-    if (const auto tiles = tiles_nearer(r, [&](std::size_t) { return piece_.nearest(); })) add_sheet(*tiles, id);
+    if (const auto tiles = tiles_nearer(r, [&](std::size_t) { return rasteriser_.nearest(); })) add_sheet(*tiles, id);
   }
 }
 
 void CoverBuffer::add_sheet(const PixelRectangle& tiles, std::uint32_t id) {
-  piece_.lay(tiles);
-  work_ += piece_.work();
-  const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return piece_.nearness() + tile; });
+  rasteriser_.rasterise_depth(tiles);
+  work_ += rasteriser_.work();
+  const auto left = tiles_nearer(tiles, [&](std::size_t tile) { return rasteriser_.nearness() + tile; });
   if (!left) return;
-  piece_.draw(*left);
+  rasteriser_.draw(*left);
   const auto across = static_cast<std::size_t>(left->x1 - left->x0);
   for (int y = left->y0; y < left->y1; ++y) {
     const std::size_t first = tile_at(left->x0, y);
     if (!owners_.empty()) own(first, across, id);
-    bring_nearer(&nearness_[first * kTilePixels], std::span(farthest_).subspan(first, across), piece_.closed() + first,
-                 piece_.nearness() + first);
+    bring_nearer(&nearness_[first * kTilePixels], std::span(farthest_).subspan(first, across), rasteriser_.closed() + first,
+                 rasteriser_.nearness() + first);
   }
 }
 
@@ -83,23 +83,23 @@ std::optional<PixelRectangle> CoverBuffer::tiles_nearer(const PixelRectangle& r,
 /// Notes which pixels of tiles that lie side by side the piece will bring nearer.
 void CoverBuffer::own(std::size_t first, std::size_t count, std::uint32_t id) {
   for (std::size_t tile = first; tile < first + count; ++tile) {
-    const float nearness = piece_.nearness()[tile];
+    const float nearness = rasteriser_.nearness()[tile];
     if (nearness == std::numeric_limits<float>::infinity()) continue;  // it is not there
     for (std::size_t i = 0; i < kTilePixels; ++i) {
       const std::size_t pixel = tile * kTilePixels + i;
-      if ((piece_.closed()[tile] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
+      if ((rasteriser_.closed()[tile] >> i & 1U) != 0 && nearness > nearness_[pixel]) owners_[pixel] = id;
     }
   }
 }
 
-SeenBoxes CoverBuffer::seen(const kernel::Aabb& box) const {
-  SeenBoxes boxes;
+ProjectedBoxes CoverBuffer::seen(const kernel::Aabb& box) const {
+  ProjectedBoxes boxes;
   boxes.add(boxes_, box);
-  boxes.see(boxes_);
+  boxes.project(boxes_);
   return boxes;
 }
 
-CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_t i) const {
+CoverBuffer::Footprint CoverBuffer::footprint(const ProjectedBoxes& boxes, std::size_t i) const {
   const float most = boxes.most[i];
   const PixelRectangle r{boxes.x0[i], boxes.y0[i], boxes.x1[i], boxes.y1[i]}, all{0, 0, picture_.width(), picture_.height()};
   if (most == std::numeric_limits<float>::infinity()) return {all, most, false};
@@ -107,7 +107,7 @@ CoverBuffer::Footprint CoverBuffer::footprint(const SeenBoxes& boxes, std::size_
   return {picture_.clipped(r), most, is_in_picture};
 }
 
-float CoverBuffer::seen_size(const SeenBoxes& boxes, std::size_t i) const {
+float CoverBuffer::seen_size(const ProjectedBoxes& boxes, std::size_t i) const {
   if (boxes.most[i] == std::numeric_limits<float>::infinity()) return boxes.most[i];
   const double right = double{boxes.high_x[i]} - double{boxes.low_x[i]},
                up = double{boxes.high_y[i]} - double{boxes.low_y[i]};
@@ -125,8 +125,8 @@ CoverBuffer::Gap CoverBuffer::gap(const kernel::Aabb& box) const {
 }
 
 std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) const {
-  const SeenBoxes boxes = seen(box);
-  const Place low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};
+  const ProjectedBoxes boxes = seen(box);
+  const PixelPosition low{boxes.low_x[0], boxes.low_y[0]}, high{boxes.high_x[0], boxes.high_y[0]};
   const PixelRectangle r = footprint(boxes, 0).pixels;
   std::vector<Owner> runs;
   for (int y = r.y0; y < r.y1; ++y) {
@@ -134,8 +134,8 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
     for (int x = r.x0; x < r.x1; ++x) {
       const std::size_t tile = tile_at(x / kTile, y / kTile);
       const std::uint32_t id = owners_[tile * kTilePixels + static_cast<std::size_t>(y % kTile * kTile + x % kTile)];
-      const PlaceRectangle pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
-                                 {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
+      const PixelBounds pixel{{std::max<double>(x, low.x), std::max<double>(y, low.y)},
+                              {std::min<double>(x + 1, high.x), std::min<double>(y + 1, high.y)}};
       const bool is_of_box = pixel.low.x <= pixel.high.x && pixel.low.y <= pixel.high.y;  // else only the margin reaches it
       if (!is_of_box || id == kNone) {
         last = kNone;
@@ -151,7 +151,7 @@ std::vector<CoverBuffer::Owner> CoverBuffer::owners(const kernel::Aabb& box) con
   std::vector<Owner> owners;
   for (const auto& [id, pixel] : runs) {
     if (owners.empty() || owners.back().id != id) owners.push_back({id, pixel});
-    PlaceRectangle& all = owners.back().places;
+    PixelBounds& all = owners.back().places;
     all = {{std::min(all.low.x, pixel.low.x), std::min(all.low.y, pixel.low.y)},
            {std::max(all.high.x, pixel.high.x), std::max(all.high.y, pixel.high.y)}};
   }

@@ -3,7 +3,7 @@
 //
 // A pixel is a convex cone of rays. Where all of them meet a mesh, everything farther than the mesh is hidden there. A box
 // is hidden when this holds in every pixel that it touches. The answer is never wrong: all rounding errors of positions and
-// depths are bounded and accounted for (beam_picture.h, cover_piece.h, seen_boxes.h).
+// depths are bounded and accounted for (conservative_viewport.h, sheet_rasteriser.h, projected_boxes.h).
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 #include <span>
 #include <vector>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "cover/cover_mesh.h"
-#include "cover/cover_piece.h"
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
+#include "cover/sheet_rasteriser.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -34,7 +34,7 @@ class CoverBuffer {
   void begin(const FrameView& view, int width, int height, double margin);
 
   /// Reserves memory for meshes of this many triangles.
-  void reserve(std::size_t triangles) { piece_.reserve(triangles); }
+  void reserve(std::size_t triangles) { rasteriser_.reserve(triangles); }
 
   /// Whether all the work that a picture may take is done. From then on add() closes nothing.
   [[nodiscard]] bool is_spent() const { return work_ > kMostWork; }
@@ -56,11 +56,11 @@ class CoverBuffer {
   };
   [[nodiscard]] Footprint footprint(const kernel::Aabb& box) const { return footprint(seen(box), 0); }
   /// The footprint of box i of those that were seen in box_picture().
-  [[nodiscard]] Footprint footprint(const SeenBoxes& boxes, std::size_t i) const;
+  [[nodiscard]] Footprint footprint(const ProjectedBoxes& boxes, std::size_t i) const;
   [[nodiscard]] const BoxPicture& box_picture() const { return boxes_; }
   /// No less than the width and the height of box i in the picture, as a share of the height of the camera's picture;
   /// infinity if its position is unknown.
-  [[nodiscard]] float seen_size(const SeenBoxes& boxes, std::size_t i) const;
+  [[nodiscard]] float seen_size(const ProjectedBoxes& boxes, std::size_t i) const;
 
   /// True only if each point of the box has a point of one of the meshes, beyond the near plane, strictly between it and the
   /// viewpoint. False for a box that reaches beyond the picture or before the near plane. REQUIRES: the box is no farther
@@ -84,14 +84,14 @@ class CoverBuffer {
   /// A mesh that closes pixels of a box, and the rectangle of positions that holds these pixels as far as the box may reach.
   struct Owner {
     std::uint32_t id;
-    PlaceRectangle places;
+    PixelBounds places;
   };
   /// In ascending order of ids. REQUIRES: keep_owners() was called before what hides the box was added; hides(box).
   [[nodiscard]] std::vector<Owner> owners(const kernel::Aabb& box) const;
 
-  [[nodiscard]] const BeamPicture& picture() const { return picture_; }
+  [[nodiscard]] const ConservativeViewport& picture() const { return picture_; }
   /// The mesh that was added last, as it was drawn.
-  [[nodiscard]] const CoverPiece& piece() const { return piece_; }
+  [[nodiscard]] const SheetRasteriser& piece() const { return rasteriser_; }
 
  private:
   /// The tiles of sheets and triangles that a picture may take. A tile takes some nanoseconds, so this is about a tenth of a
@@ -107,12 +107,12 @@ class CoverBuffer {
     return {nearness_.data(), farthest_.data(), tiles_across_, picture_.height() / kTile};
   }
 
-  [[nodiscard]] SeenBoxes seen(const kernel::Aabb& box) const;
+  [[nodiscard]] ProjectedBoxes seen(const kernel::Aabb& box) const;
 
-  BeamPicture picture_;
-  Place share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
-  BoxPicture boxes_;      ///< with the margin
-  CoverPiece piece_;
+  ConservativeViewport picture_;
+  PixelPosition share_of_pixel_;  ///< the width and the height of a pixel, as shares of the height of the camera's picture
+  BoxPicture boxes_;              ///< with the margin
+  SheetRasteriser rasteriser_;
   int tiles_across_ = 0;
   std::size_t work_ = 0;
   std::vector<float> nearness_;        ///< of each pixel, tile after tile; -infinity while it is open

@@ -16,7 +16,7 @@
 
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
 #include "cover/seen_node.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
@@ -66,10 +66,10 @@ class CoverDescent {
                const See& see, const Cull& cull, const Join& join)
       : tree_(tree), view_(view), buffer_(buffer), sought_(sought), stats_(stats), see_(see), cull_(cull), join_(join) {}
 
-  /// Descends from the root. `across` has a bit for each plane that may cross it.
-  void run(std::uint32_t across) {
+  /// Descends from the root. `straddled_planes` has a bit for each plane that may cross it.
+  void run(std::uint32_t straddled_planes) {
     if (tree_.nodes.empty()) return;
-    Visit root{0, across};
+    Visit root{0, straddled_planes};
     if (!is_in_view(root)) return;
     if (!is_few(root.node)) return visit_below(root);
     visit_part(root);
@@ -79,12 +79,12 @@ class CoverDescent {
  private:
   struct Visit {
     std::uint32_t node;
-    std::uint32_t across;  ///< a bit for each plane that may cross the node
+    std::uint32_t straddled_planes;  ///< a bit for each plane that may cross the node
   };
   /// Nodes that are tested together.
   struct Batch {
-    std::array<Visit, SeenBoxes::kMost> visits;
-    SeenBoxes boxes;
+    std::array<Visit, ProjectedBoxes::kMost> visits;
+    ProjectedBoxes boxes;
     std::size_t groups = 0;  ///< how many had been drawn when it was tested
   };
   /// A subtree of few items: the nodes that the descent enters there, and the next ones to be tested.
@@ -104,7 +104,7 @@ class CoverDescent {
     Batch batch;
     gather(visit, kLevels, batch, nullptr);
     const kernel::BoxBits hidden = test(batch);
-    std::array<std::uint8_t, SeenBoxes::kMost> order{};
+    std::array<std::uint8_t, ProjectedBoxes::kMost> order{};
     for (std::uint8_t i = 0; i < batch.boxes.size; ++i) {
       std::size_t k = i;
       for (; k > 0 && batch.boxes.distance[order[k - 1]] > batch.boxes.distance[i]; --k) order[k] = order[k - 1];
@@ -145,19 +145,19 @@ class CoverDescent {
     if (node.is_leaf() || levels == 0) {
       batch.visits[batch.boxes.size] = visit;
       batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
-      if (part != nullptr && batch.boxes.size == SeenBoxes::kMost) settle(*part);
+      if (part != nullptr && batch.boxes.size == ProjectedBoxes::kMost) settle(*part);
       return;
     }
     hwy::Prefetch(&tree_.nodes[node.right]);  // which is far from here
     for (const std::uint32_t below : {visit.node + 1, node.right}) {
-      Visit next{below, visit.across};
+      Visit next{below, visit.straddled_planes};
       if (is_in_view(next)) gather(next, part == nullptr && is_few(below) ? 0 : levels - 1, batch, part);
     }
   }
 
   /// Those nodes of the batch that are hidden.
   [[nodiscard]] kernel::BoxBits test(Batch& batch) const {
-    batch.boxes.see(buffer_.box_picture());
+    batch.boxes.project(buffer_.box_picture());
     batch.groups = stats_.cover_groups;
     return buffer_.hidden(batch.boxes, batch.boxes.all());
   }
@@ -165,7 +165,7 @@ class CoverDescent {
   /// Whether the node is in view. Culls it if not.
   bool is_in_view(Visit& visit) {
     ++stats_.nodes_visited;
-    for (std::uint32_t left = visit.across; left != 0; left &= left - 1) {
+    for (std::uint32_t left = visit.straddled_planes; left != 0; left &= left - 1) {
       const auto plane = static_cast<std::uint32_t>(std::countr_zero(left));
       ++stats_.view_tests;
       const kernel::Relation relation = tree_.ask(
@@ -174,7 +174,7 @@ class CoverDescent {
         cull_({visit.node, Culled::By::view, plane});
         return false;
       }
-      if (relation == kernel::Relation::inside) visit.across &= ~(std::uint32_t{1} << plane);
+      if (relation == kernel::Relation::inside) visit.straddled_planes &= ~(std::uint32_t{1} << plane);
     }
     return true;
   }
@@ -195,7 +195,7 @@ class CoverDescent {
     const int open = is_too_small ? 1 : buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
     if (open == 0 && footprint.is_in_picture) return cull(visit);
     if (is_closing && open < worth) return false;
-    if (is_leaf) see_(SeenNode{visit.node, visit.across, footprint, open >= worth});
+    if (is_leaf) see_(SeenNode{visit.node, visit.straddled_planes, footprint, open >= worth});
     return !is_leaf;
   }
 
@@ -212,7 +212,7 @@ class CoverDescent {
   }
 
   static constexpr int kLevels = 3;
-  static_assert(1U << kLevels == SeenBoxes::kMost);
+  static_assert(1U << kLevels == ProjectedBoxes::kMost);
 
   const Tree& tree_;
   const ViewPlanes& view_;

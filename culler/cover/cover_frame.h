@@ -12,7 +12,7 @@
 
 #include "base/radix_sort.h"
 #include "cover/cover_buffer.h"
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
 #include "cover/seen_node.h"
 #include "descent/frame.h"
 #include "occlude/culler/append_range.h"

@@ -6,7 +6,7 @@
 
 namespace occlude::culler {
 
-glm::dvec3 CoverStand::place(const glm::dvec3& vertex) const {
+glm::dvec3 OccluderInstance::place(const glm::dvec3& vertex) const {
   return placement == nullptr ? vertex : to_glm(placed(*placement, to_kernel(vertex)));
 }
 
@@ -28,15 +28,15 @@ void CoverGroup::clear() {
   own_ = 0;
 }
 
-void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand) {
+void CoverGroup::add(const CoverTriangles& triangles, std::uint32_t polygon, const OccluderInstance& instance) {
   for (std::uint32_t t = triangles.first(polygon); t < triangles.first(polygon + 1); ++t) {
-    add_triangle(triangles, t, stand);
+    add_triangle(triangles, t, instance);
   }
   own_ = ids_.size();
 }
 
 /// Adds a triangle if its corners are three points.
-void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id, const CoverStand& stand) {
+void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id, const OccluderInstance& instance) {
   const CoverMesh::Triangle& corners = triangles.corners(id);
   if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
   CoverMesh::Triangle own{};
@@ -44,14 +44,14 @@ void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id,
     const std::uint32_t known = vertex_index_.size();
     own[i] = vertex_index_.number(corners[i]);
     if (own[i] != known) continue;
-    vertices_.push_back(stand.place(triangles.vertex(corners[i])));
+    vertices_.push_back(instance.place(triangles.vertex(corners[i])));
   }
   triangle_index_.number(id);
   triangles_.push_back(own);
   ids_.push_back(id);
 }
 
-CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& stand) {
+CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const OccluderInstance& instance) {
   next_.resize(3 * triangles_.size());
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -65,7 +65,7 @@ CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const CoverStand& st
       next_[3 * t + i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
     }
   }
-  return {vertices_, triangles_, next_, own_, stand.front};
+  return {vertices_, triangles_, next_, own_, instance.front};
 }
 
 }  // namespace occlude::culler

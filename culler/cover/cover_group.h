@@ -15,8 +15,8 @@ namespace occlude::culler {
 
 struct Placement;
 
-/// How polygons stand in a scene: where, and which of their sides hide.
-struct CoverStand {
+/// How polygons instance in a scene: where, and which of their sides hide.
+struct OccluderInstance {
   const Placement* placement = nullptr;  ///< nullptr: where their vertices are
   CoverMesh::Front front = CoverMesh::Front::both;
 
@@ -34,13 +34,13 @@ class CoverGroup {
   void reserve(std::size_t triangles);
   /// Forgets all triangles.
   void clear();
-  /// REQUIRES: the polygon was not added since clear(); `triangles` and `stand` are the same in all calls since then.
-  void add(const CoverTriangles& triangles, std::uint32_t polygon, const CoverStand& stand = {});
+  /// REQUIRES: the polygon was not added since clear(); `triangles` and `instance` are the same in all calls since then.
+  void add(const CoverTriangles& triangles, std::uint32_t polygon, const OccluderInstance& instance = {});
   /// Adds triangles that have a corner in common with the polygons, are connected with them by edges at such corners, and
   /// for which take(triangle) is true, which it must not be of any in the group. Adds at most kMostAround for each of the
   /// polygons' own. REQUIRES: as add(), whose calls are done.
   template <class Take>
-  void add_neighbours(const CoverTriangles& triangles, const CoverStand& stand, const Take& take) {
+  void add_neighbours(const CoverTriangles& triangles, const OccluderInstance& instance, const Take& take) {
     const std::uint32_t own_vertices = vertex_index_.size();
     const std::size_t most = (1 + kMostAround) * own_;
     for (std::size_t t = 0; t < ids_.size(); ++t) {
@@ -49,7 +49,7 @@ class CoverGroup {
         const std::uint32_t side = 3 * ids_[t] + i;
         for (RingStep step = triangles.next(side); step.side != side; step = triangles.next(step.side)) {
           if (ids_.size() == most) return;
-          if (take(step.side / 3)) add_triangle(triangles, step.side / 3, stand);
+          if (take(step.side / 3)) add_triangle(triangles, step.side / 3, instance);
         }
       }
     }
@@ -57,12 +57,12 @@ class CoverGroup {
   [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
 
   /// The mesh of all that was added. It is valid until the next call of clear() or add().
-  [[nodiscard]] CoverMesh mesh(const CoverTriangles& triangles, const CoverStand& stand = {});
+  [[nodiscard]] CoverMesh mesh(const CoverTriangles& triangles, const OccluderInstance& instance = {});
   /// For each triangle of the mesh, its number among all triangles.
   [[nodiscard]] std::span<const std::uint32_t> ids() const { return ids_; }
 
  private:
-  void add_triangle(const CoverTriangles& triangles, std::uint32_t id, const CoverStand& stand);
+  void add_triangle(const CoverTriangles& triangles, std::uint32_t id, const OccluderInstance& instance);
 
   LocalIndex vertex_index_, triangle_index_;
   std::vector<glm::dvec3> vertices_;

@@ -29,7 +29,7 @@ struct CoverMesh {
   std::span<const std::uint32_t> next;
   /// So many of the triangles, the first ones, are new in the picture. The others were drawn before and touch them; a sheet
   /// that has no new triangle is left out.
-  std::size_t fresh = 0;
+  std::size_t new_triangles = 0;
   Front front = Front::both;
 
   [[nodiscard]] std::uint32_t next_of(std::uint32_t side) const { return next[side]; }

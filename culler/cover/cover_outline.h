@@ -8,13 +8,13 @@
 #include <cstddef>
 #include <limits>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 
 namespace occlude::culler {
 
 /// A vertex in the picture.
 struct CoverVertex {
-  Corner corner;
+  BoundedPosition corner;
   float nearness;  ///< a lower bound
 };
 
@@ -30,9 +30,9 @@ struct CoverLoop {
 struct CoverOutline {
   /// The smallest upright rectangle around positions and their errors.
   struct Extent {
-    Place low{kNone, kNone}, high{-kNone, -kNone};
+    PixelPosition low{kNone, kNone}, high{-kNone, -kNone};
 
-    void hold(const Corner& corner) {
+    void hold(const BoundedPosition& corner) {
       low = {std::min(low.x, corner.place.x - corner.error), std::min(low.y, corner.place.y - corner.error)};
       high = {std::max(high.x, corner.place.x + corner.error), std::max(high.y, corner.place.y + corner.error)};
     }
@@ -64,7 +64,7 @@ struct CoverOutline {
 
  private:
   static double area_of(const CoverVertex& first, const CoverVertex& second, const CoverVertex& third) {
-    const Place &a = first.corner.place, &b = second.corner.place, &c = third.corner.place;
+    const PixelPosition &a = first.corner.place, &b = second.corner.place, &c = third.corner.place;
     return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
   }
 };

@@ -47,24 +47,24 @@ bool CoverPainter::may_draw() const {
   return taken.count() < options_.ms;
 }
 
-void CoverPainter::take(const SeenNode& leaf) {
+void CoverPainter::enqueue(const SeenNode& leaf) {
   if (is_worth_drawing(source_->nodes[leaf.node])) memory_.taken.push_back({leaf.node, leaf.footprint.most});
 }
 
 bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
-  const BeamPicture& picture = memory_.buffer.picture();
+  const ConservativeViewport& picture = memory_.buffer.picture();
   const CoverTriangles& triangles = source_->triangles;
   double area = 0;
   for (std::uint32_t t = triangles.first(leaf.first); t < triangles.first(leaf.first + leaf.count); ++t) {
     const auto [a, b, c] = triangles.corners(t);
-    const auto at = [&](std::uint32_t vertex) { return source_->stand.place(triangles.vertex(vertex)); };
+    const auto at = [&](std::uint32_t vertex) { return source_->instance.place(triangles.vertex(vertex)); };
     area += picture.area(at(a), at(b), at(c));
     if (area >= kLeastArea) return true;
   }
   return false;
 }
 
-bool CoverPainter::join() {
+bool CoverPainter::flush_group() {
   if (memory_.taken.empty()) return false;
   if (!may_draw()) {
     ++stats_.cover_groups_left;
@@ -79,14 +79,14 @@ bool CoverPainter::join() {
   });
   for (const auto& [leaf, nearness] : memory_.taken) {
     const HierarchyNode& node = source_->nodes[leaf];
-    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->stand);
+    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->instance);
   }
   memory_.taken.clear();
-  group.add_neighbours(source_->triangles, source_->stand, [&](std::uint32_t triangle) { return take_drawn(triangle); });
+  group.add_neighbours(source_->triangles, source_->instance, [&](std::uint32_t triangle) { return take_drawn(triangle); });
   for (const std::uint32_t triangle : group.ids()) memory_.stamps[triangle] = memory_.stamp;
   ++stats_.cover_groups;
   stats_.cover_triangles += group.ids().size();
-  memory_.buffer.add(group.mesh(source_->triangles, source_->stand), ++groups_);
+  memory_.buffer.add(group.mesh(source_->triangles, source_->instance), ++groups_);
   return true;
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
 #include "cover/cover_buffer.h"
 #include "cover/cover_group.h"
 #include "cover/cover_triangles.h"
@@ -22,15 +22,15 @@ namespace occlude::culler {
 struct CoverSource {
   std::span<const HierarchyNode> nodes;
   const CoverTriangles& triangles;
-  CoverStand stand = {};  ///< how they stand in the scene
+  OccluderInstance instance = {};  ///< how they instance in the scene
 };
 
 /// What is kept from frame to frame, so that only the first allocates.
 struct CoverMemory {
-  CoverBuffer buffer;           ///< what the last frame closed
-  CoverGroup group;             ///< what is being drawn into it
-  Zeros<std::uint32_t> stamps;  ///< for each triangle, the last source that drew it
-  std::uint32_t stamp = 0;      ///< of the source
+  CoverBuffer buffer;                     ///< what the last frame closed
+  CoverGroup group;                       ///< what is being drawn into it
+  SparseZeroArray<std::uint32_t> stamps;  ///< for each triangle, the last source that drew it
+  std::uint32_t stamp = 0;                ///< of the source
   struct Taken {
     std::uint32_t leaf;
     float nearness;  ///< no point of it is nearer
@@ -45,12 +45,13 @@ class CoverPainter {
 
   /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is taken and not joined.
   void use(const CoverSource& source);
-  /// Keeps the polygons of a leaf of the source for join(), unless they are too small in the picture to be worth drawing.
-  void take(const SeenNode& leaf);
+  /// Keeps the polygons of a leaf of the source for flush_group(), unless they are too small in the picture to be worth
+  /// drawing.
+  void enqueue(const SeenNode& leaf);
   /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
   /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
   /// group that was drawn has the number groups().
-  bool join();
+  bool flush_group();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
   /// Those of the source.
   [[nodiscard]] const CoverTriangles& triangles() const { return source_->triangles; }

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "cover/beam_picture.h"
-#include "cover/seen_boxes.h"
+#include "cover/conservative_viewport.h"
+#include "cover/projected_boxes.h"
 #include "occlude/kernel/box_block.h"
 
 namespace occlude::culler {

@@ -47,14 +47,14 @@ void cull_by_cover(const Hierarchy& hierarchy, const CoverTriangles& triangles, 
   CoverFrame found(source.nodes, memory.buffer, frame, leaves);
   const auto see = [&](const SeenNode& leaf) {
     found.see(leaf);
-    if (leaf.is_worth_closing) painter.take(leaf);
+    if (leaf.is_worth_closing) painter.enqueue(leaf);
   };
   const auto cull = [&](const Culled& culled) {
     watch.culled(culled);
     found.cull(culled);
   };
   const auto join = [&] {
-    if (painter.join()) watch.joined(painter);
+    if (painter.flush_group()) watch.joined(painter);
   };
   frame.take_planes();
   const ViewPlanes planes{frame.planes, options.arithmetic};

@@ -40,14 +40,14 @@ class DrawnGroups {
  private:
   struct Triangle {
     std::uint32_t polygon;
-    PlaceRectangle places;
+    PixelBounds places;
   };
   struct Group {
     std::uint32_t source = 0;
     std::vector<Triangle> triangles;
   };
 
-  static bool meet(const PlaceRectangle& a, const PlaceRectangle& b) {
+  static bool meet(const PixelBounds& a, const PixelBounds& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
   }
 

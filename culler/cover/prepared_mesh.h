@@ -16,7 +16,7 @@ struct OccluderMesh::Prepared {
   std::optional<Hierarchy> tree;  ///< none of a mesh without polygons
   CoverTriangles triangles;
 
-  [[nodiscard]] CoverSource source(const CoverStand& stand) const {
+  [[nodiscard]] CoverSource source(const OccluderInstance& stand) const {
     return {tree ? tree->nodes() : std::span<const HierarchyNode>{}, triangles, stand};
   }
 };

@@ -11,7 +11,7 @@ namespace occlude::culler {
 /// A leaf that is not culled.
 struct SeenNode {
   std::uint32_t node;
-  std::uint32_t across;  ///< a bit for each plane that may cross it
+  std::uint32_t straddled_planes;  ///< a bit for each plane that may cross it
   CoverBuffer::Footprint footprint;
   bool is_worth_closing;  ///< whether it is seen through more than a slit
 };

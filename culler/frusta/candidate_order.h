@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
 
 namespace occlude::culler {
 
@@ -64,9 +64,9 @@ class CandidateOrder {
   std::vector<Candidate> good_, others_;  ///< others_ is sorted once it is asked for, and then empty
   std::vector<Candidate> sorted_, arrivals_, merged_;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double least_ = -kInfinity;   ///< the score of a good candidate is at least this
-  std::size_t asked_ = 0;       ///< for how many candidates the frame has asked
-  Zeros<std::uint32_t> place_;  ///< for each occluder, its index among the candidates plus 1, or 0
+  double least_ = -kInfinity;             ///< the score of a good candidate is at least this
+  std::size_t asked_ = 0;                 ///< for how many candidates the frame has asked
+  SparseZeroArray<std::uint32_t> place_;  ///< for each occluder, its index among the candidates plus 1, or 0
   std::size_t kept_ = 0, moves_ = 0, comparisons_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
 #include "occlude/kernel/polytope_silhouette.h"
 
 namespace occlude::culler {
@@ -60,7 +60,7 @@ class FollowedSilhouettes {
   }
 
   std::vector<Followed> followed_;
-  Zeros<std::uint32_t> place_;  ///< for each shell, its index in followed_ plus 1, or 0
+  SparseZeroArray<std::uint32_t> place_;  ///< for each shell, its index in followed_ plus 1, or 0
   std::size_t hand_ = 0;
 };
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "base/run_parts.h"
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
+#include "base/work_runner.h"
 #include "descent/frame.h"
-#include "descent/traverse_parts.h"
+#include "descent/parallel_traversal.h"
 #include "frusta/candidate_order.h"
 #include "frusta/followed_silhouettes.h"
 #include "frusta/occluder_history.h"
@@ -40,7 +40,7 @@ struct ShadowCaster {
 };
 
 /// A part of the start of a choice: the groups of a list from `first` to before `end`, and what is found to be in view.
-struct ChoicePart {
+struct ChoiceSlice {
   std::size_t first = 0, end = 0;
   std::vector<Candidate> candidates;
 };
@@ -63,20 +63,20 @@ struct FrustaMemory {
   FollowedSilhouettes silhouettes;
 
   std::vector<Candidate> candidates;
-  std::vector<ChoicePart> choice_parts;
+  std::vector<ChoiceSlice> choice_slices;
   std::vector<kernel::ShadowFrustum> spare;  ///< frusta of earlier frames
   std::vector<kernel::Vec3> loop;
   std::vector<OccluderDirection> directions;
   std::vector<std::uint32_t> tried;                  ///< occluders that the frame has tried to take
-  Zeros<Trial> trials;                               ///< for each occluder, what came of it
+  SparseZeroArray<Trial> trials;                     ///< for each occluder, what came of it
   std::vector<Occluder> probes;                      ///< of the frame, which hide nothing
   std::vector<UnmadeProbe> unmade;                   ///< may be longer than those that are
   std::vector<ShrunkShadow> shrunk;                  ///< for each occluder of the frame, its shadow less the margin
   std::vector<const kernel::ShadowFrustum*> frusta;  ///< of the occluders, then of the probes
   std::vector<ShadowCaster> casters;                 ///< those that cast `frusta`
   TraversalMemory traversal;
-  PartsMemory parts;
-  PartRunner runner;
+  ParallelMemory parts;
+  WorkRunner runner;
 
   /// Fills `frusta` and `casters`. `occluders` may be null if the frame has none.
   void take_casters(const CullResult& frame, const OccluderSet* occluders, kernel::Near near);

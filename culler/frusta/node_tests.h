@@ -10,7 +10,7 @@
 #include "base/bounds.h"
 #include "base/each_bit.h"
 #include "camera/shadow_rule.h"
-#include "descent/traverse_parts.h"
+#include "descent/parallel_traversal.h"
 #include "frusta/frusta_memory.h"
 #include "model/node_blocks.h"
 #include "occlude/culler/cull_result.h"
@@ -154,7 +154,7 @@ void traverse(const NodeBlocks& blocks, const Hierarchy& hierarchy, const Occlud
   const ViewPlanes planes{frame.planes, options.arithmetic};
   const auto size = [](const std::vector<Occluder>& shadows) { return static_cast<std::uint32_t>(shadows.size()); };
   const ShadowCounts shadows{size(frame.result.occluders), size(memory.probes)};
-  TraversalInParts(blocks, tests, shadows, frame.result, memory.traversal, memory.parts, memory.runner)
+  ParallelTraversal(blocks, tests, shadows, frame.result, memory.traversal, memory.parts, memory.runner)
       .run(planes.all(), options.executor);
   const std::uint32_t* hidden = memory.traversal.hidden.data();
   for (Occluder& occluder : frame.result.occluders) occluder.hidden = *hidden++;

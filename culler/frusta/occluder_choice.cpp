@@ -88,8 +88,8 @@ OccluderChoice::OccluderChoice(const OccluderSet& occluders, const CullOptions& 
   if (!is_alone()) {
     const std::size_t longest = occluders.lists().longest(), parts = parts_of(longest);
     memory.runner.reserve(std::max(parts + 1, kPool));
-    if (memory.choice_parts.size() < parts) memory.choice_parts.resize(parts);
-    for (ChoicePart& part : memory.choice_parts) {
+    if (memory.choice_slices.size() < parts) memory.choice_slices.resize(parts);
+    for (ChoiceSlice& part : memory.choice_slices) {
       part.candidates.reserve(std::max(2 * kLeastOfPart, longest / parts + 1) + 2 * SeenOccluders::kMost);
     }
   }
@@ -141,7 +141,7 @@ void OccluderChoice::begin(const OccluderLists::List& listed) {
 /// sorts them, too.
 void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
   const std::size_t groups = memory_.listed.groups.size(), parts = parts_of(listed.occluders.size());
-  const std::span<ChoicePart> of_list = std::span(memory_.choice_parts).first(parts);
+  const std::span<ChoiceSlice> of_list = std::span(memory_.choice_slices).first(parts);
   for (std::size_t i = 0; i < parts; ++i) {
     of_list[i].first = groups * i / parts;
     of_list[i].end = groups * (i + 1) / parts;
@@ -151,14 +151,14 @@ void OccluderChoice::begin_on_threads(const OccluderLists::List& listed) {
   };
   memory_.runner.run(*options_.executor, parts + 1, work_of, [&](std::size_t i) {
     if (i == 0) return take_proven();
-    ChoicePart& part = of_list[i - 1];
+    ChoiceSlice& part = of_list[i - 1];
     part.candidates.clear();
     find_candidates(listed, part.first, part.end, part.candidates);
     if (parts == 1) sort(part.candidates);
   });
   if (parts == 1) return;
   memory_.candidates.clear();
-  for (const ChoicePart& part : of_list) {
+  for (const ChoiceSlice& part : of_list) {
     memory_.candidates.insert(memory_.candidates.end(), part.candidates.begin(), part.candidates.end());
   }
   sort(memory_.candidates);

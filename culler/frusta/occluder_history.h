@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
 
 namespace occlude::culler {
 
@@ -45,7 +45,7 @@ class OccluderHistory {
 
   std::uint32_t frames_ = 0;
   std::vector<Entry> recent_;
-  Zeros<std::uint32_t> place_;  ///< for each occluder, its index in recent_ plus 1, or 0
+  SparseZeroArray<std::uint32_t> place_;  ///< for each occluder, its index in recent_ plus 1, or 0
 };
 
 }  // namespace occlude::culler

@@ -29,12 +29,12 @@ Bits bit(std::uint32_t i) { return static_cast<Bits>(1U << i); }
 /// How a tree is divided into blocks, so that a descent visits few. The children of each node are in the block of the node
 /// or in one of their own below it. A block of its own is visited where the planes of views and shadows cross the node above
 /// it, which is taken to be as often as random planes do. Of all divisions this one has the least sum.
-class Division {
+class BlockPartition {
  public:
   /// The nodes of a block whose children are in it too.
   static constexpr std::size_t kParents = NodeBlock::kMostParents;
 
-  explicit Division(std::span<const HierarchyNode> nodes) : nodes_(nodes), visits_(nodes.size()) {
+  explicit BlockPartition(std::span<const HierarchyNode> nodes) : nodes_(nodes), visits_(nodes.size()) {
     const double all = total_width(nodes[0].box), scale = all > 0 ? 1 / all : 0;
     for (auto node = static_cast<std::uint32_t>(nodes.size()); node-- > 0;) {  // children before their parents
       if (nodes[node].is_leaf()) continue;
@@ -76,17 +76,18 @@ class Division {
 };
 
 /// The nodes of a block, in ascending order, which is depth-first.
-class Filling {
+class BlockNodes {
  public:
-  Filling(std::span<const HierarchyNode> nodes, const Division& division, std::uint32_t above) : nodes_(nodes) {
+  BlockNodes(std::span<const HierarchyNode> nodes, const BlockPartition& partition, std::uint32_t above) : nodes_(nodes) {
     if (above == NodeBlock::kNone) {
-      take(division, 0, Division::kParents);
+      take(partition, 0, BlockPartition::kParents);
     } else {
-      take_children(division, above, Division::kParents);
+      take_children(partition, above, BlockPartition::kParents);
     }
   }
   /// Those of a block that is full. REQUIRES: they ascend.
-  Filling(std::span<const HierarchyNode> nodes, std::span<const std::uint32_t> taken) : nodes_(nodes), size_(taken.size()) {
+  BlockNodes(std::span<const HierarchyNode> nodes, std::span<const std::uint32_t> taken)
+      : nodes_(nodes), size_(taken.size()) {
     std::ranges::copy(taken, node_.begin());
   }
 
@@ -94,14 +95,14 @@ class Filling {
   [[nodiscard]] bool has(std::uint32_t node) const { return std::ranges::binary_search(taken(), node); }
 
  private:
-  void take(const Division& division, std::uint32_t node, std::size_t parents) {
+  void take(const BlockPartition& partition, std::uint32_t node, std::size_t parents) {
     node_[size_++] = node;
-    if (division.is_parent(node, parents)) take_children(division, node, parents - 1);
+    if (partition.is_parent(node, parents)) take_children(partition, node, parents - 1);
   }
-  void take_children(const Division& division, std::uint32_t node, std::size_t parents) {
-    const Division::Share share = division.shared(node, parents);
-    take(division, node + 1, share.left);
-    take(division, nodes_[node].right, share.right);
+  void take_children(const BlockPartition& partition, std::uint32_t node, std::size_t parents) {
+    const BlockPartition::Share share = partition.shared(node, parents);
+    take(partition, node + 1, share.left);
+    take(partition, nodes_[node].right, share.right);
   }
 
   std::span<const HierarchyNode> nodes_;
@@ -109,9 +110,9 @@ class Filling {
   std::size_t size_ = 0;
 };
 
-NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
+NodeBlock made(const Hierarchy& hierarchy, const BlockNodes& chosen) {
   const auto nodes = hierarchy.nodes();
-  const auto taken = filling.taken();
+  const auto taken = chosen.taken();
   NodeBlock block;
   block.below.fill(NodeBlock::kNone);
   std::size_t parents = 0;
@@ -128,7 +129,7 @@ NodeBlock made(const Hierarchy& hierarchy, const Filling& filling) {
         taken[i], [](const auto& box) { return std::is_same_v<std::remove_cvref_t<decltype(box)>, kernel::Obb>; });
     if (is_oriented) block.oriented = static_cast<Bits>(block.oriented | bit(i));
     if (node.is_leaf()) continue;
-    if (!filling.has(taken[i] + 1)) {
+    if (!chosen.has(taken[i] + 1)) {
       block.exits = static_cast<Bits>(block.exits | bit(i));
       continue;
     }
@@ -152,12 +153,12 @@ bool is_made(const NodeBlock& block, const Hierarchy& hierarchy) {
   const auto size = static_cast<std::size_t>(std::popcount(block.used));
   const auto taken = std::span(block.node).first(size);
   if (size == 0 || block.used != (1U << size) - 1 || !are_ascending_below(taken, nodes.size())) return false;
-  const Filling filling(nodes, taken);
+  const BlockNodes chosen(nodes, taken);
   const auto is_divided = [&](std::uint32_t i) {
-    return !nodes[i].is_leaf() && filling.has(i + 1) != filling.has(nodes[i].right);
+    return !nodes[i].is_leaf() && chosen.has(i + 1) != chosen.has(nodes[i].right);
   };
   if (std::ranges::any_of(taken, is_divided)) return false;
-  NodeBlock expected = made(hierarchy, filling);
+  NodeBlock expected = made(hierarchy, chosen);
   expected.below = block.below;
   return std::memcmp(&expected, &block, sizeof block) == 0;  // NOLINT: doubles must have the same bits
 }
@@ -187,7 +188,7 @@ bool are_linked(const NodeBlock& block, std::span<const NodeBlock> blocks, std::
 
 NodeBlocks::NodeBlocks(const Hierarchy& hierarchy, const Checkpoint& checkpoint) {
   const auto nodes = hierarchy.nodes();
-  const Division division(nodes);
+  const BlockPartition partition(nodes);
   std::vector<NodeBlock> blocks;
   // Depth-first, as the traversal reads them. A block that is still to be made is below node i of a block.
   struct Pending {
@@ -198,11 +199,11 @@ NodeBlocks::NodeBlocks(const Hierarchy& hierarchy, const Checkpoint& checkpoint)
     checkpoint.at(blocks.size());
     const Pending at = pending.back();
     pending.pop_back();
-    const Filling filling(nodes, division, at.above);
+    const BlockNodes chosen(nodes, partition, at.above);
     const auto index = static_cast<std::uint32_t>(blocks.size());
     if (at.above != NodeBlock::kNone) blocks[at.block].below[at.i] = index;
-    blocks.push_back(made(hierarchy, filling));
-    const auto taken = filling.taken();
+    blocks.push_back(made(hierarchy, chosen));
+    const auto taken = chosen.taken();
     for (auto i = static_cast<std::uint32_t>(taken.size()); i-- > 0;) {
       if ((blocks[index].exits >> i & 1U) != 0) pending.push_back({taken[i], index, i});
     }

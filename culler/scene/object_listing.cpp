@@ -2,7 +2,7 @@
 #include "scene/object_listing.h"
 
 #include "base/each_bit.h"
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/packed_descent.h"
 
@@ -32,7 +32,7 @@ class ObjectListing::Objects {
     listing_.count(by, group_.count(objects, listing_.options_.mask));
   }
 
-  void see(std::uint32_t object, const SeenBoxes& boxes, std::uint32_t i, std::uint32_t /*across*/) {
+  void see(std::uint32_t object, const ProjectedBoxes& boxes, std::uint32_t i, std::uint32_t /*straddled_planes*/) {
     const float size = listing_.buffer_.seen_size(boxes, i);
     if (size < listing_.options_.least_size) {
       ++listing_.stats_.too_small;
@@ -47,9 +47,9 @@ class ObjectListing::Objects {
   kernel::BoxBits oriented_ = 0;  ///< of those asked last
 };
 
-void ObjectListing::list(const ObjectGroup& group, std::uint32_t across) {
+void ObjectListing::list(const ObjectGroup& group, std::uint32_t straddled_planes) {
   Objects objects(*this, group);
-  PackedDescent(group.tree(), view_, buffer_, stats_.work, objects).run(across);
+  PackedDescent(group.tree(), view_, buffer_, stats_.work, objects).run(straddled_planes);
 }
 
 bool ObjectListing::is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {
@@ -59,9 +59,9 @@ bool ObjectListing::is_beyond(std::uint32_t plane, const ObjectGroup& group, std
 }
 
 float ObjectListing::size_of(const kernel::Aabb& box) const {
-  SeenBoxes boxes;
+  ProjectedBoxes boxes;
   boxes.add(buffer_.box_picture(), box);
-  boxes.see(buffer_.box_picture());
+  boxes.project(buffer_.box_picture());
   return buffer_.seen_size(boxes, 0);
 }
 

@@ -20,9 +20,9 @@ class ObjectListing {
   ObjectListing(const SceneOptions& options, const ViewPlanes& view, const CoverBuffer& buffer, std::span<DrawnObject> room)
       : options_(options), view_(view), buffer_(buffer), room_(room) {}
 
-  /// The objects of a group that are neither hidden nor out of view. `across` has a bit for each plane of the view that may
-  /// cross the group.
-  void list(const ObjectGroup& group, std::uint32_t across);
+  /// The objects of a group that are neither hidden nor out of view. `straddled_planes` has a bit for each plane of the view
+  /// that may cross the group.
+  void list(const ObjectGroup& group, std::uint32_t straddled_planes);
   /// Begins anew.
   void clear() { stats_ = {}; }
   /// Lists an object.

@@ -59,7 +59,7 @@ class SceneFrame {
   void draw_occluders(const Joined& joined) {
     for (const SceneOccluders::Forest& forest : occluders_.forests()) {
       const auto see = [&](const SeenNode& leaf) {
-        draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.across, joined);
+        draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.straddled_planes, joined);
       };
       descend(StandingBoxes{forest.tree.nodes()}, planes_.all(), see, [] {});
     }
@@ -104,9 +104,9 @@ class SceneFrame {
  private:
   /// Looks for what is worth drawing into the coarse picture.
   template <class Tree, class See, class Join>
-  void descend(const Tree& tree, std::uint32_t across, const See& see, const Join& join) {
+  void descend(const Tree& tree, std::uint32_t straddled_planes, const See& see, const Join& join) {
     const auto ignore = [](const Culled&) {};
-    CoverDescent(tree, planes_, buffer_, Sought::worth_closing, stats_.work, see, ignore, join).run(across);
+    CoverDescent(tree, planes_, buffer_, Sought::worth_closing, stats_.work, see, ignore, join).run(straddled_planes);
   }
 
   [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
@@ -118,9 +118,9 @@ class SceneFrame {
   }
 
   template <class Joined>
-  void draw(const SceneOccluders::Standing& occluder, std::uint32_t across, const Joined& joined) {
+  void draw(const SceneOccluders::Standing& occluder, std::uint32_t straddled_planes, const Joined& joined) {
     if (!painter_.may_draw() || !takes_part(occluder)) return;
-    CoverStand stand;
+    OccluderInstance stand;
     if (!occluder.is_identity) stand.placement = &occluder.placement;
     if (occluder.is_one_sided) {
       stand.front = occluder.is_mirrored ? CoverMesh::Front::clockwise : CoverMesh::Front::counter_clockwise;
@@ -128,11 +128,11 @@ class SceneFrame {
     const CoverSource source = occluder.mesh->prepared().source(stand);
     painter_.use(source);
     const std::uint32_t before = painter_.groups();
-    const auto see = [&](const SeenNode& leaf) { painter_.take(leaf); };
+    const auto see = [&](const SeenNode& leaf) { painter_.enqueue(leaf); };
     const auto join = [&] {
-      if (painter_.join()) joined(painter_, occluder);
+      if (painter_.flush_group()) joined(painter_, occluder);
     };
-    descend(PlacedTree{source.nodes, occluder.placement}, across, see, join);
+    descend(PlacedTree{source.nodes, occluder.placement}, straddled_planes, see, join);
     if (painter_.groups() != before) ++stats_.occluders;
   }
 
@@ -160,8 +160,8 @@ class SceneFrame {
     [[nodiscard]] static kernel::BoxBits beyond(std::uint32_t, std::uint32_t, kernel::BoxBits) { return 0; }
     static void prefetch(std::uint32_t) {}
     void cull(Culled::By by, const PackedTree::Items& groups) { listing_.count(by, objects_.count(groups, mask_)); }
-    void see(std::uint32_t group, const SeenBoxes&, std::uint32_t, std::uint32_t across) {
-      seen_.push_back({group, across});
+    void see(std::uint32_t group, const ProjectedBoxes&, std::uint32_t, std::uint32_t straddled_planes) {
+      seen_.push_back({group, straddled_planes});
     }
 
    private:
@@ -194,7 +194,7 @@ class SceneFrame {
     for (std::size_t first = 0; first < groups.size(); first += length) {
       const auto of_part = groups.subspan(first, std::min(length, groups.size() - first));
       std::size_t objects = 0;
-      for (const auto& [group, across] : of_part) objects += objects_.group(group).living();
+      for (const auto& [group, straddled_planes] : of_part) objects += objects_.group(group).living();
       memory_.parts.push_back({of_part, listing(first_object, objects)});
       first_object += objects;
     }
@@ -215,7 +215,7 @@ class SceneFrame {
     part.listing.clear();
     for (std::size_t i = 0; i < part.groups.size(); ++i) {
       if (i + 1 < part.groups.size()) prefetch(objects_.group(part.groups[i + 1].group));
-      part.listing.list(objects_.group(part.groups[i].group), part.groups[i].across);
+      part.listing.list(objects_.group(part.groups[i].group), part.groups[i].straddled_planes);
     }
   }
 

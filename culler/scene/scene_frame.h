@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "base/run_parts.h"
+#include "base/work_runner.h"
 #include "camera/frame_view.h"
 #include "cover/cover_painter.h"
 #include "occlude/culler/scene_view.h"
@@ -24,8 +24,8 @@ namespace occlude::culler {
 struct SceneView::Memory {
   /// A group of objects that is neither hidden nor out of view.
   struct SeenGroup {
-    std::uint32_t group;   ///< an item of SceneObjects::groups()
-    std::uint32_t across;  ///< a bit for each plane that may cross it
+    std::uint32_t group;             ///< an item of SceneObjects::groups()
+    std::uint32_t straddled_planes;  ///< a bit for each plane that may cross it
   };
 
   /// Some of the groups, and what one thread lists of them.
@@ -40,7 +40,7 @@ struct SceneView::Memory {
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;
   std::vector<Part> parts;
-  PartRunner runner;
+  WorkRunner runner;
   std::unique_ptr<DrawnObject[]> room;  ///< where the parts list; memory that is never written to takes only addresses
   std::size_t room_size = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What SeenBoxes computes in floats holds a box and its error. How much is left of the error tells how much was needed.
+// What ProjectedBoxes computes in floats holds a box and its error. How much is left of the error tells how much was needed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,27 +7,27 @@
 #include <vector>
 
 #include "base/bounds.h"
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
 #include "measure_culler.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {
 namespace {
 
-using culler::BeamPicture;
+using culler::ConservativeViewport;
 using Share = std::optional<double>;
 
 /// A box in a picture, as it was computed and as it is, relative to the eye along the axes of the picture.
 struct SeenBox {
-  BeamPicture picture;
+  ConservativeViewport picture;
   culler::BoxPicture floats;
   double margin;
-  culler::SeenBoxes computed;
+  culler::ProjectedBoxes computed;
   std::array<Vector, 8> corners;
 };
 
 std::optional<SeenBox> any_box(Choices& choices, bool is_moved) {
-  const BeamPicture picture = any_picture(choices, is_moved);
+  const ConservativeViewport picture = any_picture(choices, is_moved);
   const auto corner = any_point(choices, picture);
   if (!corner) return std::nullopt;
   const glm::dvec3 size = picture.depth() * choices.scale(-40, 0) * choices.point();
@@ -38,7 +38,7 @@ std::optional<SeenBox> any_box(Choices& choices, bool is_moved) {
   const double margin = choices.chance(0.5) ? choices.scale(-10, 3) : 0;
   SeenBox seen{picture, {picture, {margin, margin}}, margin, {}, {}};
   seen.computed.add(seen.floats, box);
-  seen.computed.see(seen.floats);
+  seen.computed.project(seen.floats);
   if (seen.computed.most[0] == std::numeric_limits<float>::infinity()) return std::nullopt;
   const TruePicture truth(picture);
   for (unsigned i = 0; i < 8; ++i) seen.corners[i] = truth.see(bound_check::vector_of(culler::corner(box, i)));
@@ -56,7 +56,7 @@ Exact most_of(const std::array<Vector, 8>& corners, const Function& function) {
   return -least_of(corners, [&](const Vector& corner) { return Exact(-function(corner)); });
 }
 
-/// The bounds of seen_boxes.cpp, from the exact values of what is bounded.
+/// The bounds of projected_boxes.cpp, from the exact values of what is bounded.
 struct Bounds {
   double moved, nearest, place;
 };
@@ -79,7 +79,7 @@ Bounds bounds_of(const SeenBox& box, const TruePicture& truth) {
 }
 
 /// The farthest that corners may be moved in any way that a choice makes, in the coordinates of see().
-Vector any_move_seen(Choices& choices, const BeamPicture& picture, bool is_across) {
+Vector any_move_seen(Choices& choices, const ConservativeViewport& picture, bool is_across) {
   const double turn = choices.real(-4, 4);
   const Vector direction = is_across ? Vector(Exact(std::cos(turn)), 0, Exact(std::sin(turn)))
                                      : Vector(0, Exact(std::cos(turn)), Exact(std::sin(turn)));
@@ -95,7 +95,7 @@ Share positions_of_boxes(Choices& choices, bool is_moved) {
   const Vector move = any_move_seen(choices, box->picture, is_across);
   for (Vector& corner : box->corners) corner = corner + move;
   const auto place = [&](const Vector& corner) { return is_across ? truth.x(corner) : truth.y(corner); };
-  const culler::SeenBoxes& computed = box->computed;
+  const culler::ProjectedBoxes& computed = box->computed;
   const Exact low = least_of(box->corners, place), high = most_of(box->corners, place);
   // The pixels hold the box and its margin, up to a pixel beside the picture.
   const int first = (is_across ? computed.x0 : computed.y0)[0], end = (is_across ? computed.x1 : computed.y1)[0];

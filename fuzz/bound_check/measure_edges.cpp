@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "camera/frame_view.h"
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "cover/cover_border.h"
-#include "cover/seen_edge.h"
+#include "cover/projected_edge.h"
 #include "exact.h"
 #include "measure_culler.h"
 
 namespace occlude::bound_check {
 namespace {
 
-using culler::Corner;
-using culler::Place;
+using culler::BoundedPosition;
+using culler::PixelPosition;
 using Share = std::optional<double>;
 
 Exact largest(const Exact& a, const Exact& b) { return a < b ? b : a; }
@@ -34,7 +34,7 @@ struct TrueEdge {
   }
 };
 
-Place any_place(Choices& choices) {
+PixelPosition any_place(Choices& choices) {
   const double size = choices.chance(0.3) ? choices.scale(0, 40) : 64;
   const double x = choices.real(-1, 2), y = choices.real(-1, 2);
   return {size * x, size * y};
@@ -42,20 +42,20 @@ Place any_place(Choices& choices) {
 
 /// The part of the error of an end that is left for the roundings where it is used (kPlaceError), in a picture of 64 by 64
 /// pixels.
-double left_for_roundings(const Place& p, const Place& q) {
+double left_for_roundings(const PixelPosition& p, const PixelPosition& q) {
   return culler::kPlaceError * (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(q.x), std::fabs(q.y)}) + 64 + 64);
 }
 
 /// The columns of an edge between two heights. Its ends are anywhere within their errors.
 Share positions_on_edges(Choices& choices, bool is_moved) {
-  const Place p = any_place(choices), q = any_place(choices);
+  const PixelPosition p = any_place(choices), q = any_place(choices);
   const double move = is_moved ? choices.scale(-30, 3) : 0, error = move + left_for_roundings(p, q);
   const double low = choices.real(0, 64), high = low + choices.scale(-10, 3);
   const auto moved = [&](double x) { return Exact(Exact(x) + Exact(choices.sign() * move)); };
   const TrueEdge given{p.x, p.y, q.x, q.y}, truth{moved(p.x), moved(p.y), moved(q.x), moved(q.y)};
   const auto unmoved = given.least_between(low, high), least_x = truth.least_between(low, high);
   if (!unmoved || !least_x) return std::nullopt;
-  const auto range = culler::SeenEdge({p, error}, {q, error}).between(low, high);
+  const auto range = culler::ProjectedEdge({p, error}, {q, error}).between(low, high);
   const auto widened = given.least_between(Exact(low) - Exact(error), Exact(high) + Exact(error));
   const Exact wide = Exact(error) + Exact(0x1p-49) * (CGAL::abs(Exact(p.x)) + CGAL::abs(Exact(q.x)));
   return share_used(*unmoved - *widened + wide, *least_x - Exact(range.low));
@@ -64,11 +64,12 @@ Share positions_on_edges(Choices& choices, bool is_moved) {
 /// A border of one edge in a picture of 64 by 64 pixels, and whether it touches a pixel.
 class OneEdge {
  public:
-  [[nodiscard]] bool touches(const Corner& p, const Corner& q, int x, int y) {
+  [[nodiscard]] bool touches(const BoundedPosition& p, const BoundedPosition& q, int x, int y) {
     border_.begin(picture_, {0, 0, kTiles, kTiles});
     // Everything is enclosed once. The edge is drawn back and forth, so that it encloses nothing.
     constexpr double kBeyond = 1000;
-    const std::array<Place, 4> around{{{-kBeyond, -kBeyond}, {kBeyond, -kBeyond}, {kBeyond, kBeyond}, {-kBeyond, kBeyond}}};
+    const std::array<PixelPosition, 4> around{
+        {{-kBeyond, -kBeyond}, {kBeyond, -kBeyond}, {kBeyond, kBeyond}, {-kBeyond, kBeyond}}};
     for (std::size_t i = 0; i < 4; ++i) border_.draw({around[i], 0}, {around[(i + 1) % 4], 0});
     border_.draw(p, q);
     border_.draw(q, p);
@@ -81,7 +82,7 @@ class OneEdge {
   static constexpr int kTiles = 8;
 
   culler::CoverBorder border_;
-  culler::BeamPicture picture_{{}, {kTiles * culler::kTile, kTiles* culler::kTile, 16}, 0};
+  culler::ConservativeViewport picture_{{}, {kTiles * culler::kTile, kTiles* culler::kTile, 16}, 0};
   std::vector<std::uint64_t> closed_ = std::vector<std::uint64_t>(kTiles * kTiles);
 };
 
@@ -89,7 +90,7 @@ class OneEdge {
 /// touches the pixel. How far that is tells what the roundings leave of the bounds in CoverBorder::touch().
 Share touched_pixels(Choices& choices) {
   const int x = static_cast<int>(choices.index(60)) + 2, y = static_cast<int>(choices.index(60)) + 2;
-  const Place p = any_place(choices), q = any_place(choices);
+  const PixelPosition p = any_place(choices), q = any_place(choices);
   if (std::fabs(p.y - q.y) < 0x1p-10 || std::max(p.y, q.y) < y || std::min(p.y, q.y) > y + 1) return std::nullopt;
   // The largest x of the edge in the row of the pixel. It is mirrored because TrueEdge tells the least.
   const auto right_end = [&](double shift) {
@@ -98,13 +99,13 @@ Share touched_pixels(Choices& choices) {
   };
   OneEdge edge;
   const auto touches = [&](double shift) {
-    const Place a{p.x - shift, p.y}, b{q.x - shift, q.y};
+    const PixelPosition a{p.x - shift, p.y}, b{q.x - shift, q.y};
     const double error = left_for_roundings(a, b);
     return edge.touches({a, error}, {b, error}, x, y);
   };
   const double start = CGAL::to_double(Exact(right_end(0) - x));
-  const Place low{p.x - start, p.y}, high{q.x - start, q.y};
-  const culler::SeenEdge seen({low, left_for_roundings(low, high)}, {high, left_for_roundings(low, high)});
+  const PixelPosition low{p.x - start, p.y}, high{q.x - start, q.y};
+  const culler::ProjectedEdge seen({low, left_for_roundings(low, high)}, {high, left_for_roundings(low, high)});
   const auto part = seen.within({{0, 0}, {64, 64}});
   if (!part) return std::nullopt;
   // As CoverBorder::touch() has them. Where an end of the edge is in the row, the edge does not go on above or below it.

@@ -7,17 +7,17 @@
 
 #include "base/rounded_float.h"
 #include "cover/cover_tile.h"
-#include "cover/seen_plane.h"
+#include "cover/projected_plane.h"
 #include "measure_culler.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {
 namespace {
 
-using culler::BeamPicture;
-using culler::Corner;
-using culler::Place;
-using culler::Seen;
+using culler::BoundedPosition;
+using culler::ConservativeViewport;
+using culler::EyePoint;
+using culler::PixelPosition;
 using Share = std::optional<double>;
 
 Exact off(double value, const Exact& truth) { return CGAL::abs(Exact(value) - truth); }
@@ -32,14 +32,14 @@ double share_lowered(const Exact& computed, const Exact& truth, const Exact& bou
 /// The roundings of a bound that are left to rounded_down().
 Exact left_to_rounding_down(const Exact& bound) { return Exact(0x1p-50) * CGAL::abs(bound); }
 
-Vector exactly(const Seen& seen) { return {Exact(seen.right), Exact(seen.up), Exact(seen.forward)}; }
-Exact distance(const Seen& seen, const Vector& truth) {
+Vector exactly(const EyePoint& seen) { return {Exact(seen.right), Exact(seen.up), Exact(seen.forward)}; }
+Exact distance(const EyePoint& seen, const Vector& truth) {
   const Vector d = exactly(seen) - truth;
   return largest(largest(CGAL::abs(d.x()), CGAL::abs(d.y())), CGAL::abs(d.z()));
 }
 
 /// As far as a point may be moved, in a direction between those of the axes.
-Vector any_move(Choices& choices, const BeamPicture& picture) {
+Vector any_move(Choices& choices, const ConservativeViewport& picture) {
   const TruePicture truth(picture);
   const double turn = choices.real(-4, 4), tilt = choices.sign();
   const Vector across = choices.chance(0.5) ? truth.right() : truth.up();
@@ -48,34 +48,35 @@ Vector any_move(Choices& choices, const BeamPicture& picture) {
 }
 
 Share coordinates_of_points(Choices& choices) {
-  const BeamPicture picture = any_picture(choices, false);
+  const ConservativeViewport picture = any_picture(choices, false);
   const auto point = any_point(choices, picture);
   if (!point) return std::nullopt;
-  return share(distance(picture.see(*point), TruePicture(picture).see(vector_of(*point))), picture.error());
+  return share(distance(picture.eye_point(*point), TruePicture(picture).see(vector_of(*point))), picture.error());
 }
 
 /// A point before the near plane.
-std::optional<glm::dvec3> point_before(Choices& choices, const BeamPicture& picture) {
+std::optional<glm::dvec3> point_before(Choices& choices, const ConservativeViewport& picture) {
   glm::dvec3 v = picture.depth() * choices.scale(-20, -2) * choices.point();
   const double along = glm::dot(v, picture.forward());
   v += (picture.near() * choices.real(-2, 1) - along) * picture.forward();
   const glm::dvec3 point = picture.eye() + v;
-  if (picture.see(point).forward >= picture.near() || std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z) > picture.depth() / 2)
+  if (picture.eye_point(point).forward >= picture.near() ||
+      std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z) > picture.depth() / 2)
     return std::nullopt;
   return point;
 }
 
 /// The cut of an edge, and where the edge exactly is at the share of it that was computed.
 struct Cut {
-  BeamPicture picture;
-  Seen seen;
+  ConservativeViewport picture;
+  EyePoint seen;
   Vector truth;
 };
 std::optional<Cut> any_cut(Choices& choices) {
-  const BeamPicture picture = any_picture(choices, false);
+  const ConservativeViewport picture = any_picture(choices, false);
   const auto before = point_before(choices, picture), beyond = any_point(choices, picture);
   if (!before || !beyond) return std::nullopt;
-  const Seen a = picture.see(*before), b = picture.see(*beyond);
+  const EyePoint a = picture.eye_point(*before), b = picture.eye_point(*beyond);
   if (b.forward < picture.near()) return std::nullopt;
   const Exact along((picture.near() - a.forward) / (b.forward - a.forward));
   const TruePicture truth(picture);
@@ -89,9 +90,9 @@ Share coordinates_of_cuts(Choices& choices) {
   return share(distance(cut->seen, cut->truth), cut->picture.error());
 }
 
-Share place_share(const BeamPicture& picture, const Seen& seen, const Vector& truth) {
+Share place_share(const ConservativeViewport& picture, const EyePoint& seen, const Vector& truth) {
   const TruePicture exact(picture);
-  const Corner corner = picture.corner(seen);
+  const BoundedPosition corner = picture.corner(seen);
   return share(largest(off(corner.place.x, exact.x(truth)), off(corner.place.y, exact.y(truth))), corner.error);
 }
 
@@ -103,15 +104,16 @@ Share positions_of_cuts(Choices& choices) {
 
 /// A point as the picture sees it, and where it exactly is once it is moved.
 struct SeenPoint {
-  BeamPicture picture;
-  Seen seen;
+  ConservativeViewport picture;
+  EyePoint seen;
   Vector truth;
 };
 std::optional<SeenPoint> any_seen_point(Choices& choices, bool is_moved) {
-  const BeamPicture picture = any_picture(choices, is_moved);
+  const ConservativeViewport picture = any_picture(choices, is_moved);
   const auto point = any_point(choices, picture);
   if (!point) return std::nullopt;
-  return SeenPoint{picture, picture.see(*point), TruePicture(picture).see(vector_of(*point) + any_move(choices, picture))};
+  return SeenPoint{picture, picture.eye_point(*point),
+                   TruePicture(picture).see(vector_of(*point) + any_move(choices, picture))};
 }
 
 Share positions(Choices& choices, bool is_moved) {
@@ -121,15 +123,15 @@ Share positions(Choices& choices, bool is_moved) {
 }
 
 /// A point in the picture, on an edge that goes on from there.
-std::optional<std::array<glm::dvec3, 2>> any_edge_in(Choices& choices, const BeamPicture& picture) {
+std::optional<std::array<glm::dvec3, 2>> any_edge_in(Choices& choices, const ConservativeViewport& picture) {
   const auto from = any_point(choices, picture), beside = any_point(choices, picture);
   if (!from || !beside || !picture.is_perspective()) return std::nullopt;
-  const Place slope = picture.slope(choices.real(0, 1) * picture.width(), choices.real(0, 1) * picture.height());
-  const double forward = picture.see(*beside).forward;
+  const PixelPosition slope = picture.slope(choices.real(0, 1) * picture.width(), choices.real(0, 1) * picture.height());
+  const double forward = picture.eye_point(*beside).forward;
   const glm::dvec3 met = picture.eye() + forward * (picture.forward() + slope.x * picture.right() + slope.y * picture.up());
   const glm::dvec3 to = met + choices.scale(-10, 3) * (met - *from), y = to - picture.eye();
   const bool is_near = std::fabs(y.x) + std::fabs(y.y) + std::fabs(y.z) <= picture.depth() * (1 - 0x1p-50);
-  if (!is_near || picture.see(to).forward < picture.near()) return std::nullopt;
+  if (!is_near || picture.eye_point(to).forward < picture.near()) return std::nullopt;
   return std::array{*from, to};
 }
 
@@ -148,14 +150,14 @@ Exact distance_in_ratio(const std::array<Exact, 2>& at, const std::array<Vector,
 /// A point of an edge that is in the picture once its ends are moved. It is no farther from the edge as that was found than
 /// from those of its points that divide it in the same ratio, in space and in the picture.
 Share positions_on_edges_in_the_picture(Choices& choices) {
-  const BeamPicture picture = any_picture(choices, true);
+  const ConservativeViewport picture = any_picture(choices, true);
   const auto edge = any_edge_in(choices, picture);
   if (!edge) return std::nullopt;
   const TruePicture exact(picture);
-  std::array<Seen, 2> seen;
+  std::array<EyePoint, 2> seen;
   std::array<Vector, 2> truth, found;
   for (std::size_t i = 0; i < 2; ++i) {
-    seen[i] = picture.see((*edge)[i]);
+    seen[i] = picture.eye_point((*edge)[i]);
     found[i] = exactly(seen[i]);
     truth[i] = exact.see(vector_of((*edge)[i]) + any_move(choices, picture));
     if (truth[i].z() <= 0) return std::nullopt;
@@ -180,21 +182,21 @@ Share nearness_of_points(Choices& choices, bool is_moved) {
 
 /// A triangle, its plane as the picture bounds it, and its corners where they exactly are once they are moved.
 struct Triangle {
-  BeamPicture picture;
+  ConservativeViewport picture;
   double reach;
-  std::array<Seen, 3> seen;
+  std::array<EyePoint, 3> seen;
   std::array<Vector, 3> truth;
 
-  [[nodiscard]] culler::SeenPlane plane() const { return {picture, reach, seen[0], seen[1], seen[2]}; }
+  [[nodiscard]] culler::ProjectedPlane plane() const { return {picture, reach, seen[0], seen[1], seen[2]}; }
 };
 
-double reach_of(const BeamPicture& picture) {
-  const Place low = picture.slope(0, 0), high = picture.slope(picture.width(), picture.height());
+double reach_of(const ConservativeViewport& picture) {
+  const PixelPosition low = picture.slope(0, 0), high = picture.slope(picture.width(), picture.height());
   return std::max(std::fabs(low.x), std::fabs(high.x)) + std::max(std::fabs(low.y), std::fabs(high.y));
 }
 
 std::optional<Triangle> any_triangle(Choices& choices, bool is_moved) {
-  const BeamPicture picture = any_picture(choices, is_moved);
+  const ConservativeViewport picture = any_picture(choices, is_moved);
   Triangle triangle{picture, reach_of(picture), {}, {}};
   const auto first = any_point(choices, picture);
   if (!first) return std::nullopt;
@@ -208,13 +210,13 @@ std::optional<Triangle> any_triangle(Choices& choices, bool is_moved) {
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 y = corners[i] - picture.eye();
     if (std::fabs(y.x) + std::fabs(y.y) + std::fabs(y.z) > picture.depth() * (1 - 0x1p-50)) return std::nullopt;
-    triangle.seen[i] = picture.see(corners[i]);
+    triangle.seen[i] = picture.eye_point(corners[i]);
     triangle.truth[i] = truth.see(vector_of(corners[i]) + Exact(choices.sign()) * away);
   }
   return triangle;
 }
 
-/// The nearness of the plane along a ray without a margin, as SeenPlane computes its numbers.
+/// The nearness of the plane along a ray without a margin, as ProjectedPlane computes its numbers.
 Exact computed_nearness(const Triangle& triangle, const Exact& x, const Exact& y) {
   const auto& [a, b, c] = triangle.seen;
   const glm::dvec3 p{b.right - a.right, b.up - a.up, b.forward - a.forward};
@@ -262,7 +264,7 @@ Share planes_along_rays(Choices& choices, Moves moves) {
       triangle->truth[i] = exactly(triangle->seen[i]) + Vector(either(), either(), either());
     }
   }
-  const culler::SeenPlane plane = triangle->plane();
+  const culler::ProjectedPlane plane = triangle->plane();
   const auto met = any_met(choices, *triangle);
   if (!plane.is_known() || !met) return std::nullopt;
   const Exact computed = computed_nearness(*triangle, met->x, met->y);
@@ -273,11 +275,11 @@ Share planes_along_rays(Choices& choices, Moves moves) {
 Share planes_over_tiles(Choices& choices) {
   const auto triangle = any_triangle(choices, false);
   if (!triangle) return std::nullopt;
-  const culler::SeenPlane plane = triangle->plane();
+  const culler::ProjectedPlane plane = triangle->plane();
   const auto met = any_met(choices, *triangle);
   if (!plane.is_known() || !met) return std::nullopt;
   constexpr int kTile = culler::kTile;
-  const BeamPicture& picture = triangle->picture;
+  const ConservativeViewport& picture = triangle->picture;
   const TruePicture exact(picture);
   const auto tile_of = [](const Exact& ray, const auto& ray_at, int size) {
     int tile = 0;

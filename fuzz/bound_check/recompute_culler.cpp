@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "camera/single_precision.h"
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "recompute.h"
 #include "traced_number.h"
 #include "vector3.h"
@@ -52,11 +52,11 @@ Number<kBits> coordinate(const Number<kBits>& difference, const Number<kBits>& a
   return difference * axis + Number<kBits>(0) + Number<kBits>(0);
 }
 
-/// BeamPicture::see().
+/// ConservativeViewport::see().
 Exact needed_by_points() { return off(coordinate<53>(TracedNumber(1) - TracedNumber(0), 1), TracedNumber(1)); }
 
-/// BeamPicture::cut(), of an edge whose ends have the error of points. The cut is on the edge, at the share that was
-/// computed.
+/// ConservativeViewport::cut(), of an edge whose ends have the error of points. The cut is on the edge, at the share that
+/// was computed.
 Exact needed_by_cuts() {
   constexpr double kOfPoints = 4;
   Exact most = 0;
@@ -74,7 +74,7 @@ Exact needed_by_cuts() {
   return most;
 }
 
-/// BeamPicture::place(): a position to the side, and the middle of a picture that is 1 wide and 1 high.
+/// ConservativeViewport::place(): a position to the side, and the middle of a picture that is 1 wide and 1 high.
 Exact needed_by_places() {
   Exact most = 0;
   for (const auto& [middle, aside] : {std::pair{0.0, 1.0}, {0.5, 0.0}, {0.5, 1.0}}) {
@@ -99,7 +99,7 @@ Exact needed_by_turns() {
   return most;
 }
 
-/// SeenEdge::between(), and positions in CoverBorder's floats: a column of an edge from `a` to `b`, of the sum of both.
+/// ProjectedEdge::between(), and positions in CoverBorder's floats: a column of an edge from `a` to `b`, of the sum of both.
 template <int kBits>
 Exact needed_by_columns() {
   using N = Number<kBits>;
@@ -120,7 +120,7 @@ Exact needed_by_rows() {
   return off(row + TracedFloat(0) + TracedFloat(0), TracedFloat(1));
 }
 
-/// SeenPlane: the height of a plane at a vertex, of a normal and a vertex that are known. Its size is 1.
+/// ProjectedPlane: the height of a plane at a vertex, of a normal and a vertex that are known. Its size is 1.
 Exact needed_by_heights_of_planes() {
   const TracedVector normal{1, 0, 0}, vertex{1, 0, 0};
   const TracedNumber height = kernel::dot(normal, vertex), size = TracedNumber(1) + TracedNumber(0) + TracedNumber(0);
@@ -143,7 +143,7 @@ Exact needed_by_functions_of_planes() {
   return most;
 }
 
-/// seen_boxes.cpp: a position, with the roundings of what is then subtracted and added.
+/// projected_boxes.cpp: a position, with the roundings of what is then subtracted and added.
 Exact needed_by_places_of_boxes() {
   const TracedFloat shrink = TracedFloat(1) / TracedFloat(1), scale = TracedFloat(1).rounded();
   const TracedFloat x = TracedFloat(1) * shrink * scale, middle = TracedFloat(0).rounded();
@@ -223,19 +223,19 @@ std::vector<Constant> recomputed_culler_constants() {
       {"error() / depth", "cuts at the near plane", needed_by_cuts(), units(16)},
       {"kPlaceError", "positions of corners", of_places, place_error},
       {"kPlaceError", "the same, and heights of edges over columns", of_places + needed_by_turns(), place_error},
-      {"2^-49 in SeenEdge", "columns of edges", needed_by_columns<53>(), units(16)},
+      {"2^-49 in ProjectedEdge", "columns of edges", needed_by_columns<53>(), units(16)},
       {"error() / depth", "vertices, and heights of planes at them", needed_by_points() + needed_by_heights_of_planes(),
        units(16)},
-      {"kRounded of SeenPlane", "functions of planes along rays", needed_by_functions_of_planes(), units(16)},
+      {"kRounded of ProjectedPlane", "functions of planes along rays", needed_by_functions_of_planes(), units(16)},
       {"2^-23 in rounded_down()", "doubles rounded to floats", needed_by_rounding_down(), units(2, 24), 1, 24},
       {"2^-20 in CoverBorder", "columns of edges in floats", needed_by_columns<24>(), units(16, 24), 1, 24},
       {"2^-21 in CoverBorder", "rows from the ends of edges in floats", needed_by_rows(), units(8, 24), 1, 24},
-      {"kSeenError of SeenBoxes", "corners of boxes in floats", needed_by_corners_of_boxes(), units(6, 24), 1, 24},
-      {"kPlaceError of SeenBoxes", "positions of boxes aside", needed_by_places_of_boxes(), units(16, 24), 1, 24},
-      {"kPlaceError of SeenBoxes", "the middle of the picture", needed_by_middles_of_boxes(), units(16, 24), 1, 24},
-      {"kBoundRounded - 1 of SeenBoxes", "bounds of coordinates", lost_by_moves_of_boxes(), units(16, 24), 1, 24},
-      {"kBoundRounded - 1 of SeenBoxes", "bounds of positions", lost_by_shifts_of_boxes(), units(16, 24), 1, 24},
-      {"2^-21 of SeenBoxes", "nearness of boxes", lost_by_nearness_of_boxes(), units(8, 24), 1, 24},
+      {"kSeenError of ProjectedBoxes", "corners of boxes in floats", needed_by_corners_of_boxes(), units(6, 24), 1, 24},
+      {"kPlaceError of ProjectedBoxes", "positions of boxes aside", needed_by_places_of_boxes(), units(16, 24), 1, 24},
+      {"kPlaceError of ProjectedBoxes", "the middle of the picture", needed_by_middles_of_boxes(), units(16, 24), 1, 24},
+      {"kBoundRounded - 1 of ProjectedBoxes", "bounds of coordinates", lost_by_moves_of_boxes(), units(16, 24), 1, 24},
+      {"kBoundRounded - 1 of ProjectedBoxes", "bounds of positions", lost_by_shifts_of_boxes(), units(16, 24), 1, 24},
+      {"2^-21 of ProjectedBoxes", "nearness of boxes", lost_by_nearness_of_boxes(), units(8, 24), 1, 24},
       {"2^-50 in error_at()", "rows of a matrix at points", needed_by_rows_of_matrices(), units(8)},
       {"2^-48 in MatrixEye::plane()", "normals of unit length", needed_by_normals(), units(32)},
       {"2^-48 in half_space()", "offsets of planes of a camera", needed_by_offsets(), units(32)},

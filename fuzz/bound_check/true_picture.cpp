@@ -16,7 +16,7 @@ Vector vector_of(const glm::dvec3& v) { return {Exact(v.x), Exact(v.y), Exact(v.
 
 Vector unit(const Vector& v) { return v / (root(v * v) * (1 + Exact(0x1p-101))); }
 
-TruePicture::TruePicture(const culler::BeamPicture& picture)
+TruePicture::TruePicture(const culler::ConservativeViewport& picture)
     : is_perspective_(picture.is_perspective()),
       eye_(vector_of(picture.eye())),
       right_(vector_of(picture.right())),
@@ -42,7 +42,7 @@ Exact TruePicture::nearness(const Vector& a, const Vector& b, const Vector& c, c
   return is_perspective_ ? Exact((n * Vector(x, y, 1)) / h) : Exact((n.x() * x + n.y() * y - h) / n.z());
 }
 
-culler::BeamPicture any_picture(Choices& choices, bool is_moved) {
+culler::ConservativeViewport any_picture(Choices& choices, bool is_moved) {
   culler::Camera camera;
   camera.eye = choices.chance(0.5) ? choices.scale(-10, 20) * choices.point() : glm::dvec3(0, 0, 0);
   const double depth = choices.scale(-10, 10);
@@ -58,7 +58,7 @@ culler::BeamPicture any_picture(Choices& choices, bool is_moved) {
   return {culler::FrameView(camera, depth), {width, height, 16}, is_moved ? culler::kSinglePrecision * depth : 0};
 }
 
-std::optional<glm::dvec3> any_point(Choices& choices, const culler::BeamPicture& picture) {
+std::optional<glm::dvec3> any_point(Choices& choices, const culler::ConservativeViewport& picture) {
   const double depth = picture.depth();
   glm::dvec3 v = depth * choices.point();
   if (choices.chance(0.5)) {  // beyond the near plane by little or much
@@ -71,7 +71,7 @@ std::optional<glm::dvec3> any_point(Choices& choices, const culler::BeamPicture&
   const glm::dvec3 point = picture.eye() + v;
   const Vector y = vector_of(point) - vector_of(picture.eye());
   if (CGAL::abs(y.x()) + CGAL::abs(y.y()) + CGAL::abs(y.z()) > Exact(depth)) return std::nullopt;
-  if (picture.is_perspective() && picture.see(point).forward < picture.near()) return std::nullopt;
+  if (picture.is_perspective() && picture.eye_point(point).forward < picture.near()) return std::nullopt;
   return point;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where points are in a coarse picture, in exact numbers. The doubles that a BeamPicture keeps define it.
+// Where points are in a coarse picture, in exact numbers. The doubles that a ConservativeViewport keeps define it.
 #pragma once
 
 #include <glm/vec3.hpp>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "search.h"
 #include "true_plane.h"
 
@@ -16,7 +16,7 @@ namespace occlude::bound_check {
 
 class TruePicture {
  public:
-  explicit TruePicture(const culler::BeamPicture& picture);
+  explicit TruePicture(const culler::ConservativeViewport& picture);
 
   /// Relative to the eye: to the right, up and along the line of sight. With parallel rays, `right` and `up` do not change
   /// along them.
@@ -46,9 +46,9 @@ class TruePicture {
 };
 
 /// A picture of any camera. Points are moved by up to as much as a renderer in single precision may, or not at all.
-[[nodiscard]] culler::BeamPicture any_picture(Choices& choices, bool is_moved);
+[[nodiscard]] culler::ConservativeViewport any_picture(Choices& choices, bool is_moved);
 
 /// A point for which the bounds of the picture hold. Some are just beyond its near plane, or far aside.
-[[nodiscard]] std::optional<glm::dvec3> any_point(Choices& choices, const culler::BeamPicture& picture);
+[[nodiscard]] std::optional<glm::dvec3> any_point(Choices& choices, const culler::ConservativeViewport& picture);
 
 }  // namespace occlude::bound_check

@@ -20,7 +20,7 @@ using namespace occlude::culler;
 
 constexpr int kWidth = 48, kHeight = 32;
 
-BeamPicture picture(int height = kHeight) {
+ConservativeViewport picture(int height = kHeight) {
   Camera camera;
   camera.aspect = 1.5;
   return {FrameView(camera, 100), {kWidth, height, 16}, 0};
@@ -39,7 +39,7 @@ bool has(const std::vector<std::uint64_t>& tiles, int x, int y) {
 }
 
 /// The Chebyshev distance of the segment from the pixel: 0 where they meet.
-double distance(const Place& a, const Place& b, int x, int y) {
+double distance(const PixelPosition& a, const PixelPosition& b, int x, int y) {
   // The distance is convex along the segment, so ternary search finds the least one.
   const auto at = [&](double t) {
     const double px = a.x + t * (b.x - a.x), py = a.y + t * (b.y - a.y);
@@ -56,9 +56,9 @@ double distance(const Place& a, const Place& b, int x, int y) {
 class Edges {
  public:
   /// A position in the picture, at a corner of a pixel, in line with the last one along an axis, or far away.
-  Place place() {
+  PixelPosition place() {
     const double size = std::vector<double>{1, 1, 1, 4, 1e3, 1e7}[random_() % 6];
-    Place place{uniform(-0.2, 1.2) * kWidth, uniform(-0.2, 1.2) * kHeight};
+    PixelPosition place{uniform(-0.2, 1.2) * kWidth, uniform(-0.2, 1.2) * kHeight};
     if (random_() % 4 == 0) place = {std::round(place.x), std::round(place.y)};
     place = {(place.x - 24) * size + 24, (place.y - 16) * size + 16};
     if (random_() % 4 == 0) place.x = last_.x;
@@ -69,7 +69,7 @@ class Edges {
 
  private:
   std::mt19937 random_{7};
-  Place last_{};
+  PixelPosition last_{};
 };
 
 /// All pixels are closed except those that an edge touches which is drawn twice and so turns nothing. So the pixels that
@@ -77,11 +77,11 @@ class Edges {
 TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
   Edges edges;
   CoverBorder border;
-  const BeamPicture picture = cover_border_test::picture();
+  const ConservativeViewport picture = cover_border_test::picture();
   const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
   std::size_t near = 0;
   for (int i = 0; i < 400; ++i) {
-    const Corner a{edges.place(), i % 3 == 0 ? 0.25 : 1e-9}, b{edges.place(), 1e-9};
+    const BoundedPosition a{edges.place(), i % 3 == 0 ? 0.25 : 1e-9}, b{edges.place(), 1e-9};
     border.begin(picture, all);
     // Everything is above an edge below the picture.
     border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9});
@@ -109,11 +109,11 @@ TEST(CoverBorder, TouchesWhatComesNearAndLittleMore) {
 TEST(CoverBorder, ClosesWhatItEnclosesAnOddNumberOfTimes) {
   Edges edges;
   CoverBorder border;
-  const BeamPicture picture = cover_border_test::picture();
+  const ConservativeViewport picture = cover_border_test::picture();
   std::size_t closed_pixels = 0;
   for (int i = 0; i < 300; ++i) {
-    std::vector<Corner> loop(3 + static_cast<std::size_t>(i % 5));
-    for (Corner& corner : loop) corner = {edges.place(), 1e-9};
+    std::vector<BoundedPosition> loop(3 + static_cast<std::size_t>(i % 5));
+    for (BoundedPosition& corner : loop) corner = {edges.place(), 1e-9};
     const PixelRectangle tiles = i % 2 == 0 ? PixelRectangle{0, 0, 6, 4} : PixelRectangle{1, 1, 5, 3};
     border.begin(picture, tiles);
     for (std::size_t k = 0; k < loop.size(); ++k) border.draw(loop[k], loop[(k + 1) % loop.size()]);
@@ -123,7 +123,7 @@ TEST(CoverBorder, ClosesWhatItEnclosesAnOddNumberOfTimes) {
         bool is_enclosed = false;
         bool is_touched = false;
         for (std::size_t k = 0; k < loop.size(); ++k) {
-          const Place &a = loop[k].place, &b = loop[(k + 1) % loop.size()].place;
+          const PixelPosition &a = loop[k].place, &b = loop[(k + 1) % loop.size()].place;
           is_touched = is_touched || distance(a, b, x, y) < 1e-2;
           const double side = (b.x - a.x) * (y + 0.5 - a.y) - (b.y - a.y) * (x + 0.5 - a.x);
           const bool is_above =
@@ -145,14 +145,14 @@ TEST(CoverBorder, SteepEdgesTurnWhereTheyEnd) {
   std::mt19937 random(11);
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   CoverBorder border;
-  const BeamPicture picture = cover_border_test::picture();
+  const ConservativeViewport picture = cover_border_test::picture();
   const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
   std::size_t closed_pixels = 0;
   for (int i = 0; i < 2000; ++i) {
     const double rise = std::exp2(uniform(10, 45)), beyond = uniform(1, 4) / rise;
     const int column = static_cast<int>(random() % 40);
     const double error = 1e-9 + 0x1p-47 * rise;  // no corner that far away has less
-    const Corner a{{column - uniform(0, 8), -rise}, error}, b{{column + 0.5 + beyond, uniform(2, 20)}, error},
+    const BoundedPosition a{{column - uniform(0, 8), -rise}, error}, b{{column + 0.5 + beyond, uniform(2, 20)}, error},
         c{{b.place.x - uniform(-20, 20), b.place.y + uniform(0, 1e-3)}, error};
     border.begin(picture, all);
     border.draw(a, b);
@@ -172,13 +172,13 @@ TEST(CoverBorder, TouchesTheRowThatALongEdgeReachesWithItsError) {
   std::mt19937 random(13);
   const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   CoverBorder border;
-  const BeamPicture picture = cover_border_test::picture(kMostCoverSide);
+  const ConservativeViewport picture = cover_border_test::picture(kMostCoverSide);
   constexpr int kTilesUp = kMostCoverSide / kTile;
   std::vector<std::uint64_t> closed(std::size_t{kWidth / kTile} * kTilesUp);
   for (int i = 0; i < 2000; ++i) {
     const int column = static_cast<int>(random() % kWidth), row = 2000 + static_cast<int>(random() % 2000);
     const double error = std::exp2(uniform(-22, -12));
-    const Corner low{{uniform(0, kWidth), uniform(0, 1000)}, error},
+    const BoundedPosition low{{uniform(0, kWidth), uniform(0, 1000)}, error},
         high{{column + 0.5, row - uniform(0, 0.99) * error}, error};
     border.begin(picture, {0, 0, kWidth / kTile, kTilesUp});
     border.draw({{-1e3, -9}, 1e-9}, {{1e3, -9}, 1e-9});
@@ -193,7 +193,7 @@ TEST(CoverBorder, TouchesTheRowThatALongEdgeReachesWithItsError) {
 /// What was drawn before is gone.
 TEST(CoverBorder, BeginsEmpty) {
   CoverBorder border;
-  const BeamPicture picture = cover_border_test::picture();
+  const ConservativeViewport picture = cover_border_test::picture();
   const PixelRectangle all{0, 0, kWidth / kTile, kHeight / kTile};
   border.begin(picture, all);
   border.draw({{-1e3, -9}, 1e-9}, {{1e3, 60}, 1e-9});

@@ -92,8 +92,8 @@ kernel::Aabb cube(const glm::dvec3& middle, double half) {
   return {to_kernel(middle - glm::dvec3(half)), to_kernel(middle + glm::dvec3(half))};
 }
 
-/// A square at x, perpendicular to the line of sight, of four triangles around its middle. Seen from the origin it covers
-/// the slopes |y|, |z| <= half / x.
+/// A square at x, perpendicular to the line of sight, of four triangles around its middle. EyePoint from the origin it
+/// covers the slopes |y|, |z| <= half / x.
 Mesh square(double x, double half, std::size_t triangles = 4) {
   Mesh mesh;
   std::array<std::uint32_t, 4> corner{};

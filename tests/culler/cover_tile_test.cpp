@@ -82,9 +82,9 @@ TEST_P(CoverTile, CountsAsOneByOne) {
 TEST_P(CoverTile, HidesBoxesInThePictureOnly) {
   std::size_t hidden_boxes = 0;
   for (int i = 0; i < 5000; ++i) {
-    SeenBoxes boxes;
+    ProjectedBoxes boxes;
     unsigned expected = 0;
-    for (std::size_t k = 0; k < SeenBoxes::kMost; ++k) {
+    for (std::size_t k = 0; k < ProjectedBoxes::kMost; ++k) {
       const PixelRectangle r = rectangle();
       const int beyond = pick(0, 9);
       boxes.x0[k] = beyond == 0 ? -1 : r.x0;
@@ -94,7 +94,7 @@ TEST_P(CoverTile, HidesBoxesInThePictureOnly) {
       boxes.most[k] = beyond == 4 ? std::numeric_limits<float>::infinity() : static_cast<float>(pick(0, 9));
       if (beyond > 4 && count(r, boxes.most[k]) == 0) expected |= 1U << k;
     }
-    boxes.size = SeenBoxes::kMost;
+    boxes.size = ProjectedBoxes::kMost;
     const auto asked = static_cast<kernel::BoxBits>(pick(0, 255));
     EXPECT_EQ(hidden(picture(), boxes, asked), expected & asked) << "seed " << kSeed;
     hidden_boxes += (expected & asked) != 0 ? 1 : 0;

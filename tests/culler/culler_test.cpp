@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/bounds.h"
-#include "descent/traverse.h"
+#include "descent/traversal.h"
 #include "executors.h"
 #include "frame/view_memory.h"
 #include "frames.h"
@@ -352,8 +352,8 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
 /// A walk through a town, and what was found of each of its frames.
 struct Walk {
   std::vector<std::size_t> found;
-  std::size_t put_off = 0;  ///< subtrees
-  std::size_t divided = 0;  ///< parts of lists
+  std::size_t deferred = 0;  ///< subtrees
+  std::size_t divided = 0;   ///< parts of lists
 };
 Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options) {
   options.executor = &executor;
@@ -373,9 +373,9 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
                                          stats.view_culled_polygons, stats.shadow_culled_polygons});
     walk.found.insert(walk.found.end(), {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept,
                                          stats.sort_moves, stats.sort_comparisons});
-    walk.put_off += view.memory().frusta.parts.put_off.size;
-    const auto has_groups = [](const ChoicePart& part) { return part.first < part.end; };
-    walk.divided += static_cast<std::size_t>(std::ranges::count_if(view.memory().frusta.choice_parts, has_groups));
+    walk.deferred += view.memory().frusta.parts.deferred.size;
+    const auto has_groups = [](const ChoiceSlice& part) { return part.first < part.end; };
+    walk.divided += static_cast<std::size_t>(std::ranges::count_if(view.memory().frusta.choice_slices, has_groups));
   }
   return walk;
 }
@@ -386,11 +386,11 @@ TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
   for (const CullOptions& options : {CullOptions{}, CullOptions{.occluders = 0}, CullOptions{.occluders = 3, .probes = 0},
                                      CullOptions{.near = kernel::Near::farthest}, CullOptions{.unions = true}}) {
     const Walk expected = walk_on(culler, Executor(), options);
-    EXPECT_EQ(expected.put_off, 0U);
+    EXPECT_EQ(expected.deferred, 0U);
     for (const Executor& executor : some_executors()) {
       const Walk walk = walk_on(culler, executor, options);
       EXPECT_EQ(walk.found, expected.found) << executor.threads() << " threads";
-      EXPECT_EQ(walk.put_off > 60, executor.threads() > 1) << executor.threads() << " threads";
+      EXPECT_EQ(walk.deferred > 60, executor.threads() > 1) << executor.threads() << " threads";
     }
   }
 }
@@ -441,9 +441,9 @@ TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   for (int frame = 0; frame < 3; ++frame) {
     const CullResult& found = culler.cull(camera, options, view);
     EXPECT_EQ(found.drawn, culler.cull(camera, {}, alone).drawn);
-    const PutOffSubtrees& put_off = view.memory().frusta.parts.put_off;
+    const DeferredSubtrees& deferred = view.memory().frusta.parts.deferred;
     std::size_t most = 0;
-    for (const PutOffSubtree& subtree : std::span(put_off.subtrees).first(put_off.size)) {
+    for (const DeferredSubtree& subtree : std::span(deferred.subtrees).first(deferred.size)) {
       most = std::max(most, subtree.found.stats.nodes_visited);
     }
     EXPECT_EQ(most <= found.stats.nodes_visited / (kSharesOfThread * executor.threads()), frame > 0) << most;
@@ -457,7 +457,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   std::size_t calls = 0, done = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
-    for (const PartRunner::Turn& turn : view.memory().frusta.runner.turns()) done += turn.is_done ? 1 : 0;
+    for (const WorkRunner::WorkItem& turn : view.memory().frusta.runner.items()) done += turn.is_done ? 1 : 0;
     ++calls;
   });
   CullOptions options;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 
 namespace occlude::culler {
 
@@ -17,7 +17,7 @@ struct ExactSeen {
   Real right, up, forward;
 };
 
-inline ExactSeen exact(const BeamPicture& picture, const glm::dvec3& point) {
+inline ExactSeen exact(const ConservativeViewport& picture, const glm::dvec3& point) {
   const auto along = [&](const glm::dvec3& axis) {
     Real sum = 0;
     for (int i = 0; i < 3; ++i) sum += Real{axis[i]} * (Real{point[i]} - Real{picture.eye()[i]});
@@ -27,7 +27,7 @@ inline ExactSeen exact(const BeamPicture& picture, const glm::dvec3& point) {
 }
 
 /// Where the picture's rounding() may move a point at most.
-inline std::array<ExactSeen, 8> moved(const BeamPicture& picture, const ExactSeen& seen) {
+inline std::array<ExactSeen, 8> moved(const ConservativeViewport& picture, const ExactSeen& seen) {
   const Real most = picture.rounding();
   std::array<ExactSeen, 8> all{};
   for (unsigned i = 0; i < 8; ++i) {
@@ -42,7 +42,7 @@ struct ExactPlace {
   Real x, y, nearness;
 };
 
-inline ExactPlace exact_place(const BeamPicture& picture, const ExactSeen& seen) {
+inline ExactPlace exact_place(const ConservativeViewport& picture, const ExactSeen& seen) {
   const Real shrink = picture.is_perspective() ? 1 / seen.forward : 1;
   return {picture.middle().x + picture.scale().x * seen.right * shrink,
           picture.middle().y + picture.scale().y * seen.up * shrink, picture.is_perspective() ? shrink : -seen.forward};

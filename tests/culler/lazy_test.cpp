@@ -15,12 +15,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
 
 namespace lazy_test {
 
 using occlude::culler::Lazy;
-using occlude::culler::Zeros;
+using occlude::culler::SparseZeroArray;
 
 /// With MinGW std::call_once() keeps a lock for each address, which a throw leaves taken: what comes to lie there waits.
 TEST(Lazy, TriesAgainAfterAThrow) {
@@ -48,8 +48,8 @@ TEST(Lazy, IsMadeOnceForAllThreads) {
   }
 }
 
-TEST(Zeros, StayAsTheyAreWhenThereAreMore) {
-  Zeros<std::uint32_t> zeros;
+TEST(SparseZeroArray, StayAsTheyAreWhenThereAreMore) {
+  SparseZeroArray<std::uint32_t> zeros;
   EXPECT_EQ(zeros.size(), 0U);
   zeros.grow(3);
   zeros[2] = 7;
@@ -61,14 +61,14 @@ TEST(Zeros, StayAsTheyAreWhenThereAreMore) {
   for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros.get(i), 0U) << i;
   for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros[i]++, 0U) << i;
   for (std::size_t i = 3; i < zeros.size(); ++i) ASSERT_EQ(zeros.get(i), 1U) << i;
-  Zeros<std::uint32_t> moved = std::move(zeros);
+  SparseZeroArray<std::uint32_t> moved = std::move(zeros);
   EXPECT_EQ(moved.get(2), 7U);
   moved = {};
   EXPECT_EQ(moved.size(), 0U);
 }
 
-TEST(Zeros, KeepEachPageThatWasWritten) {
-  Zeros<std::uint32_t> zeros;
+TEST(SparseZeroArray, KeepEachPageThatWasWritten) {
+  SparseZeroArray<std::uint32_t> zeros;
   zeros.grow(5000);
   const std::size_t last = zeros.size() - 1;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1023}, std::size_t{1024}, last})
@@ -81,13 +81,13 @@ TEST(Zeros, KeepEachPageThatWasWritten) {
 }
 
 #ifdef __linux__
-TEST(Zeros, AreNotTouchedToBeRead) {
+TEST(SparseZeroArray, AreNotTouchedToBeRead) {
   const auto faults = [] {
     rusage usage{};
     getrusage(RUSAGE_THREAD, &usage);
     return usage.ru_minflt;
   };
-  Zeros<std::uint32_t> zeros;
+  SparseZeroArray<std::uint32_t> zeros;
   zeros.grow(std::size_t{1} << 24U);  // 64 MiB
   std::uint32_t sum = zeros.get(0);
   const long before = faults();

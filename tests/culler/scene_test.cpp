@@ -355,14 +355,14 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Worlds, testing::Values(1U, 2U, 3U, 4U));
 
 Placement at(double x, double y, double z) { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {x, y, z}}; }
 
-/// The rectangle from (-1, -1) to (1, 1) across the x axis, which looks clockwise from smaller x.
+/// The rectangle from (-1, -1) to (1, 1) straddled_planes the x axis, which looks clockwise from smaller x.
 std::shared_ptr<const OccluderMesh> wall() {
   PolygonSoup soup;
   add_wall(soup, 0, -1, 1, -1, 1);
   return std::make_shared<OccluderMesh>(soup);
 }
 
-/// A scene with one wall across the line of sight of Camera{}, and an object behind it.
+/// A scene with one wall straddled_planes the line of sight of Camera{}, and an object behind it.
 struct WallScene : Scene {
   explicit WallScene(const OccluderOptions& options = {}) : occluder(add(wall(), at(2, 0, 0), options)) { update(); }
 
@@ -986,8 +986,8 @@ double share_hidden(const Panels& how) {
   std::vector<ObjectId> ids;
   while (ids.size() < 2000) {
     // Seen through the wall, well inside of its border.
-    const double across = uniform(random, -8, 8), up = uniform(random, -2, 2), farther = uniform(random, 1.3, 4);
-    const glm::dvec3 at = farther * glm::dvec3{12 - s * across, c * across, up};
+    const double straddled_planes = uniform(random, -8, 8), up = uniform(random, -2, 2), farther = uniform(random, 1.3, 4);
+    const glm::dvec3 at = farther * glm::dvec3{12 - s * straddled_planes, c * straddled_planes, up};
     ids.push_back(scene.add(Aabb{{at.x - 0.2, at.y - 0.2, at.z - 0.2}, {at.x + 0.2, at.y + 0.2, at.z + 0.2}}));
   }
   std::vector<ObjectId> behind_seams;
@@ -1082,7 +1082,7 @@ TEST(Scene, AThreadThatRoundsOtherwiseDecidesNothing) {
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
     asked += count;
-    for (const PartRunner::Turn& turn : view.memory().runner.turns()) listed += turn.is_done ? 1 : 0;
+    for (const WorkRunner::WorkItem& turn : view.memory().runner.items()) listed += turn.is_done ? 1 : 0;
   });
   const Camera camera;
   const SceneStats found = town.scene.cull(camera, {.executor = &upwards}, view).stats;

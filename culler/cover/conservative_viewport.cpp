@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ constexpr double kSeenError = 0x1p-49;
 /// The part of an edge that is no more than `reach` from the middle of the picture, across and up: the nearness of its
 /// nearest point. None if there is no such part. Finding where the edge enters and leaves rounds by a few 2^-53 of its
 /// length, and so the nearness by as much of that of the ends.
-std::optional<double> nearness_within(const Place& a, const Place& b, double nearness_a, double nearness_b,
-                                      const Place& reach) {
+std::optional<double> nearness_within(const PixelPosition& a, const PixelPosition& b, double nearness_a, double nearness_b,
+                                      const PixelPosition& reach) {
   double enters = 0, leaves = 1;
   const auto clip = [&](double from, double to, double most) {
     for (const double side : {-1.0, 1.0}) {
@@ -41,7 +41,7 @@ std::optional<double> nearness_within(const Place& a, const Place& b, double nea
 
 }  // namespace
 
-BeamPicture::BeamPicture(const FrameView& view, const Size& size, double rounding)
+ConservativeViewport::ConservativeViewport(const FrameView& view, const Size& size, double rounding)
     : eye_(view.eye),
       is_perspective_(view.is_perspective),
       width_(size.width),
@@ -66,7 +66,7 @@ BeamPicture::BeamPicture(const FrameView& view, const Size& size, double roundin
   scale_ = {(middle_.x - size.border) / view.half_width, (middle_.y - size.border) / view.half_height};
 }
 
-Seen BeamPicture::cut(const Seen& a, const Seen& b) const {
+EyePoint ConservativeViewport::cut(const EyePoint& a, const EyePoint& b) const {
   const double share = (near_ - a.forward) / (b.forward - a.forward);
   return {a.right + share * (b.right - a.right), a.up + share * (b.up - a.up), near_};
 }
@@ -82,17 +82,19 @@ Seen BeamPicture::cut(const Seen& a, const Seen& b) const {
 ///    aside is not in the picture.
 ///  - What was found to be farther from the picture than a bound of this kind is not in it either.
 /// Each bound leaves a shorter part of the edge, and so gives a smaller one. Three leave a few pixels.
-double BeamPicture::error_in_picture(const Corner& a, const Corner& b) const {
+double ConservativeViewport::error_in_picture(const BoundedPosition& a, const BoundedPosition& b) const {
   const double most = std::max(a.error, b.error), nearest = std::min(a.forward, b.forward);
   const auto share_at = [&](double forward) { return kBoundRounded * (moved_ / (forward - moved_)); };
   if (!is_perspective_ || !(nearest > moved_) || !(share_at(nearest) < 1)) return most;
-  const auto from_middle = [&](const Corner& c) { return Place{c.place.x - middle_.x, c.place.y - middle_.y}; };
-  const Place from = from_middle(a), to = from_middle(b);
+  const auto from_middle = [&](const BoundedPosition& c) {
+    return PixelPosition{c.place.x - middle_.x, c.place.y - middle_.y};
+  };
+  const PixelPosition from = from_middle(a), to = from_middle(b);
   const double aside = std::max({std::fabs(from.x), std::fabs(from.y), std::fabs(to.x), std::fabs(to.y)});
   const double scale = std::max(scale_.x, scale_.y), rounding = kPlaceError * (aside + width_ + height_);
   const double half = std::max(middle_.x, middle_.y), share = share_at(nearest);
   const double beside = kBoundRounded * (half + scale * share + rounding) / (1 - share);
-  Place reach{beside, beside};
+  PixelPosition reach{beside, beside};
   double error = std::numeric_limits<double>::infinity();
   for (int bound = 0; bound < 3; ++bound) {
     const auto nearness = nearness_within(from, to, 1 / a.forward, 1 / b.forward, reach);
@@ -105,7 +107,7 @@ double BeamPicture::error_in_picture(const Corner& a, const Corner& b) const {
   return std::min(most, error);
 }
 
-double BeamPicture::area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+double ConservativeViewport::area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
   const glm::dvec3 from_eye = a - eye_, normal = glm::cross(b - a, c - a);
   const auto forward = [&](const glm::dvec3& point) { return glm::dot(point - eye_, forward_); };
   const double p = forward(a), q = forward(b), r = forward(c);

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "cover/cover_border.h"
 #include "cover/cover_mesh.h"
 #include "cover/cover_outline.h"
@@ -27,15 +27,15 @@
 
 namespace occlude::culler {
 
-class CoverPiece {
+class SheetRasteriser {
  public:
   /// Reserves memory for meshes of this many triangles.
   void reserve(std::size_t triangles);
   /// The calls that follow draw into this picture. REQUIRES: its width and height are multiples of kTile.
-  void begin(const BeamPicture& picture);
+  void begin(const ConservativeViewport& picture);
   /// Projects a mesh and divides it into sheets. REQUIRES: begin() was called; the mesh stays as it is while its sheets are
   /// drawn.
-  void see(const CoverMesh& mesh);
+  void project(const CoverMesh& mesh);
   [[nodiscard]] std::size_t sheets() const { return sheets_.size(); }
 
   /// Finds where a sheet is in the picture. Returns false if it closes nothing, or so little that it is not worth drawing.
@@ -46,48 +46,49 @@ class CoverPiece {
   [[nodiscard]] float nearest() const { return nearest_; }
 
   /// Finds how near the sheet that was found is in these tiles. REQUIRES: at least one tile, all of them in the picture.
-  void lay(const PixelRectangle& tiles);
-  /// For each tile of the picture, row by row: in those of the last lay(), the sheet is nowhere less near than this;
-  /// infinity if it is not there. Other tiles have what an earlier sheet left.
+  void rasterise_depth(const PixelRectangle& tiles);
+  /// For each tile of the picture, row by row: in those of the last rasterise_depth(), the sheet is nowhere less near than
+  /// this; infinity if it is not there. Other tiles have what an earlier sheet left.
   [[nodiscard]] const float* nearness() const { return nearness_.data(); }
-  /// The work of the last lay(): the tiles of the triangles.
+  /// The work of the last rasterise_depth(): the tiles of the triangles.
   [[nodiscard]] std::size_t work() const { return work_; }
-  /// Draws the border of the sheet into these tiles. REQUIRES: at least one tile, all of them among those of lay().
+  /// Draws the border of the sheet into these tiles. REQUIRES: at least one tile, all of them among those of
+  /// rasterise_depth().
   void draw(const PixelRectangle& tiles);
   /// For each tile of the picture, row by row: in those of the last draw(), a bit for each pixel that the sheet closes.
   /// Other tiles have what an earlier sheet left.
   [[nodiscard]] const std::uint64_t* closed() const { return closed_.data(); }
   /// A rectangle that holds a triangle of the mesh with its error; none if the triangle is in no sheet.
-  [[nodiscard]] std::optional<PlaceRectangle> places(std::size_t triangle) const;
+  [[nodiscard]] std::optional<PixelBounds> places(std::size_t triangle) const;
 
  private:
   [[nodiscard]] std::size_t tile_at(int x, int y) const { return static_cast<std::size_t>(y * tiles_across_ + x); }
-  [[nodiscard]] CoverVertex vertex(const Seen& seen) const;
+  [[nodiscard]] CoverVertex vertex(const EyePoint& seen) const;
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] CoverVertex cut(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] CoverLoop loop(const CoverMesh::Triangle& triangle) const;
   [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const { return CoverOutline(loop(triangle)); }
   void clear(const PixelRectangle& tiles);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
-  void lay(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
+  void rasterise_depth(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
   void lower(const PixelRectangle& tiles, float nearness);
   void draw_sides(std::uint32_t triangle);
-  [[nodiscard]] bool is_in_sheet(std::uint32_t triangle) const { return sheet_of_[triangle] == laid_sheets_; }
+  [[nodiscard]] bool is_in_sheet(std::uint32_t triangle) const { return sheet_of_[triangle] == sheet_number_; }
   [[nodiscard]] bool is_border(std::uint32_t side) const;
   void draw_edge(std::uint32_t from, std::uint32_t to);
   void draw_cut(const CoverMesh::Triangle& triangle);
 
-  BeamPicture picture_;
+  ConservativeViewport picture_;
   std::vector<double> slopes_x_, slopes_y_;  ///< of the rays along the borders of tiles
-  double reach_ = 0;                         ///< as SeenPlane takes it
+  double reach_ = 0;                         ///< as ProjectedPlane takes it
   CoverMesh mesh_;
-  std::vector<Seen> seen_;             ///< the vertices
+  std::vector<EyePoint> seen_;         ///< the vertices
   std::vector<CoverVertex> vertices_;  ///< not set for those before the near plane
   std::vector<std::int8_t> signs_;     ///< of each triangle: 1, 0 if it hides nothing, or -1 if it is turned over
   CoverSheets sheets_;
   std::span<const std::uint32_t> sheet_;  ///< the triangles of the sheet that was found
   std::vector<CoverOutline> outlines_;    ///< of these
-  std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of laid_sheets_ that it was laid for
+  std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of sheet_number_ that it was laid for
   bool is_cut_ = false;
   PixelRectangle found_{};  ///< tiles
   PixelRectangle laid_{};   ///< pixels
@@ -95,7 +96,7 @@ class CoverPiece {
   std::size_t work_ = 0;
 
   int tiles_across_ = 0;
-  std::uint32_t laid_sheets_ = 0;  ///< counts those of the mesh
+  std::uint32_t sheet_number_ = 0;  ///< counts those of the mesh
   CoverBorder border_;
   std::vector<std::uint64_t> closed_;  ///< of each tile
   std::vector<float> nearness_;

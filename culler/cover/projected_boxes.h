@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
 
@@ -18,12 +18,12 @@ class BoxPicture {
  public:
   BoxPicture() = default;
   /// `margin` is the number of pixels across and up around each box that belong to it; infinity if nothing may be hidden.
-  BoxPicture(const BeamPicture& picture, const Place& margin);
+  BoxPicture(const ConservativeViewport& picture, const PixelPosition& margin);
 
   glm::dvec3 eye{};
   bool is_perspective = true;
   std::array<float, 3> right{}, up{}, forward{};
-  float middle_x = 0, middle_y = 0, scale_x = 0, scale_y = 0;  ///< as in BeamPicture
+  float middle_x = 0, middle_y = 0, scale_x = 0, scale_y = 0;  ///< as in ConservativeViewport
   float width = 0, height = 0;
   float near = 0;                  ///< not less than the picture's
   float moved = 0;                 ///< the picture's error() and rounding() together, and what floats may lose
@@ -37,7 +37,7 @@ struct BoxPixels {
   using Integers = std::array<std::int32_t, kMost>;
 
   std::size_t size = 0;
-  Integers x0, y0, x1, y1;  ///< the pixels that it touches, with the margin, as BeamPicture::pixels()
+  Integers x0, y0, x1, y1;  ///< the pixels that it touches, with the margin, as ConservativeViewport::pixels()
   /// No point of the box is nearer. Infinity if that or the position of the box is unknown, for example of one that
   /// reaches before the near plane.
   Floats most;
@@ -54,10 +54,10 @@ struct BoxPixels {
 };
 
 /// At most eight boxes, and what is known of them in a picture.
-struct SeenBoxes : BoxPixels {
-  SeenBoxes() : low{}, high{} {}
+struct ProjectedBoxes : BoxPixels {
+  ProjectedBoxes() : low{}, high{} {}
   /// All boxes of a block, of which everything is known.
-  SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block);
+  ProjectedBoxes(const BoxPicture& picture, const kernel::BoxBlock& block);
 
   void add(const BoxPicture& picture, const kernel::Aabb& box) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,7 @@ struct SeenBoxes : BoxPixels {
     ++size;
   }
   /// Computes all members but `size`, `low` and `high`.
-  void see(const BoxPicture& picture);
+  void project(const BoxPicture& picture);
 
   alignas(32) std::array<Floats, 3> low, high;  ///< relative to the eye, rounded to nearest
 

@@ -5,7 +5,7 @@
 // together. A half-space that holds a node, and a shadow that does not meet it, are dropped below the node. Any number of
 // shadows can be active. What is active is asked about all nodes of a block at once. The answers are those of a descent from
 // node to node, because what a node is culled by culls all that is below it. Subtrees may be put off, for other threads
-// (traverse_parts.h).
+// (parallel_traversal.h).
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/each_bit.h"
-#include "base/zeros.h"
+#include "base/sparse_zero_array.h"
 #include "camera/view_planes.h"
 #include "model/node_blocks.h"
 #include "occlude/culler/cull_result.h"
@@ -54,7 +54,7 @@ struct TraversalMemory {
 };
 
 /// A subtree that a traversal puts off, and what a traversal of its own finds there.
-struct alignas(64) PutOffSubtree {
+struct alignas(64) DeferredSubtree {
   std::uint32_t block = 0;            ///< the block below its root
   PolygonRange items;                 ///< below it
   ActiveTests active;                 ///< there, in `memory`
@@ -73,13 +73,13 @@ struct DividedSubtree {
 
 /// The subtrees that a traversal puts off: at most `limit`, of `least` to `most` items each. Where it is known to have more
 /// than `most_work`, what is below a subtree is put off instead. Their memory is reused.
-struct PutOffSubtrees {
+struct DeferredSubtrees {
   std::uint32_t least = 0, most = 0;
   std::size_t limit = 0, size = 0;
-  std::vector<PutOffSubtree> subtrees;  ///< may be longer than `size`
+  std::vector<DeferredSubtree> subtrees;  ///< may be longer than `size`
   std::size_t most_work = 0;
   /// For each block, the nodes visited in the subtree there when it was last put off or divided; 0 if it never was.
-  Zeros<std::uint32_t> work;
+  SparseZeroArray<std::uint32_t> work;
   std::vector<DividedSubtree> divided;  ///< at most `limit`
 };
 
@@ -108,8 +108,8 @@ class Traversal {
   }
 
   /// Traverses the tree. `planes` has a bit for each half-space of the view. Puts off what it may.
-  void run(std::uint32_t planes, PutOffSubtrees& put_off) {
-    if (put_off.limit > 0) put_off_ = &put_off;
+  void run(std::uint32_t planes, DeferredSubtrees& deferred) {
+    if (deferred.limit > 0) deferred_ = &deferred;
     holding_.clear();
     pair_work_left_ = std::min(kMostPairWork, kPairWorkOfEach * occluders_);
     Bytes all_planes = 0;
@@ -120,7 +120,7 @@ class Traversal {
     traverse(0, active, {0, blocks_[0].count[0]});
   }
   /// Traverses a subtree that was put off. REQUIRES: the memory is that of the subtree, and there are no pairs.
-  void run(const PutOffSubtree& subtree) {
+  void run(const DeferredSubtree& subtree) {
     holding_.resize(subtree.holding);
     traverse(subtree.block, subtree.active, subtree.items);
   }
@@ -369,13 +369,13 @@ class Traversal {
   /// Visits the block below a node with what straddles the node, or puts the node off, whole or in parts.
   void enter(const Visit& here, std::uint32_t i) {
     if (!may_put_off(here.block.count[i])) return enter_below(here, i);
-    std::vector<DividedSubtree>& divided = put_off_->divided;
-    const bool is_too_much = put_off_->work.get(here.block.below[i]) > put_off_->most_work;
-    if (!is_too_much || divided.size() == put_off_->limit) return put_off(here, i);
+    std::vector<DividedSubtree>& divided = deferred_->divided;
+    const bool is_too_much = deferred_->work.get(here.block.below[i]) > deferred_->most_work;
+    if (!is_too_much || divided.size() == deferred_->limit) return deferred(here, i);
     const std::size_t at = divided.size(), before = result_.stats.nodes_visited;
-    divided.push_back({here.block.below[i], put_off_->size, 0, 0});
+    divided.push_back({here.block.below[i], deferred_->size, 0, 0});
     enter_below(here, i);
-    divided[at].end = put_off_->size;
+    divided[at].end = deferred_->size;
     divided[at].work = result_.stats.nodes_visited - before;
   }
   void enter_below(const Visit& here, std::uint32_t i) {
@@ -396,11 +396,12 @@ class Traversal {
   }
 
   bool may_put_off(std::uint32_t count) const {
-    return put_off_ != nullptr && count <= put_off_->most && count >= put_off_->least && put_off_->size < put_off_->limit;
+    return deferred_ != nullptr && count <= deferred_->most && count >= deferred_->least &&
+           deferred_->size < deferred_->limit;
   }
-  void put_off(const Visit& here, std::uint32_t i) {
-    if (put_off_->size == put_off_->subtrees.size()) put_off_->subtrees.emplace_back();
-    PutOffSubtree& subtree = put_off_->subtrees[put_off_->size++];
+  void deferred(const Visit& here, std::uint32_t i) {
+    if (deferred_->size == deferred_->subtrees.size()) deferred_->subtrees.emplace_back();
+    DeferredSubtree& subtree = deferred_->subtrees[deferred_->size++];
     subtree.block = here.block.below[i];
     subtree.items = {here.block.first[i], here.block.count[i]};
     subtree.active = active_below(here, i, subtree.memory.active, 0);
@@ -488,7 +489,7 @@ class Traversal {
   CullResult& result_;
   std::vector<ActiveShadows>& active_;
   std::vector<std::uint32_t>&holding_, &hidden_;
-  PutOffSubtrees* put_off_ = nullptr;
+  DeferredSubtrees* deferred_ = nullptr;
   std::uint32_t drawn_from_ = 0;  ///< the first item that is neither drawn, culled nor put off
   std::size_t pair_work_left_ = 0;
 };

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 #include "cover/cover_tile.h"
 
 namespace occlude::culler {
@@ -20,11 +20,12 @@ namespace occlude::culler {
 ///  - A parallel ray meets it at p = (x, y, f). So n_z f <= h - n . (x, y, 0), and if n_z is positive, the nearness -f is at
 ///    least (n . (x, y, 0) - h) / n_z.
 /// The normal of the plane makes these the nearness of the plane. It need not be exact, nor the triangle have an area.
-class SeenPlane {
+class ProjectedPlane {
  public:
   /// Takes the corners as the picture sees them. `reach` bounds |x| + |y| of the rays (x, y, 1) of the picture. With
   /// parallel rays, it bounds how far from the eye they start, in the sum of the axes.
-  SeenPlane(const BeamPicture& picture, double reach, const Seen& a, const Seen& b, const Seen& c) {
+  ProjectedPlane(const ConservativeViewport& picture, double reach, const EyePoint& a, const EyePoint& b,
+                 const EyePoint& c) {
     const std::array<glm::dvec3, 3> vertices{vector(a), vector(b), vector(c)};
     glm::dvec3 n = glm::cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
     if ((picture.is_perspective() ? glm::dot(n, vertices[0]) : n.z) < 0) n = -n;
@@ -52,7 +53,7 @@ class SeenPlane {
   /// 2^-53 of its terms; the constant is 16.
   static constexpr double kRounded = 0x1p-49;
 
-  static glm::dvec3 vector(const Seen& seen) { return {seen.right, seen.up, seen.forward}; }
+  static glm::dvec3 vector(const EyePoint& seen) { return {seen.right, seen.up, seen.forward}; }
 
   PlaneBound bound_{};
   bool is_known_ = false;

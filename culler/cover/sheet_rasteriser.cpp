@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cover/cover_piece.h"
+#include "cover/sheet_rasteriser.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/rounded_float.h"
-#include "cover/seen_edge.h"
-#include "cover/seen_plane.h"
+#include "cover/projected_edge.h"
+#include "cover/projected_plane.h"
 
 namespace occlude::culler {
 namespace {
@@ -37,7 +37,7 @@ double pixels_inside(double area, const CoverOutline::Extent& extent) {
 
 }  // namespace
 
-void CoverPiece::begin(const BeamPicture& picture) {
+void SheetRasteriser::begin(const ConservativeViewport& picture) {
   picture_ = picture;
   slopes_x_.clear();
   slopes_y_.clear();
@@ -48,7 +48,7 @@ void CoverPiece::begin(const BeamPicture& picture) {
   slopes_x_.resize(slopes_x_.size() + kTile);  // which lower() may read
 }
 
-void CoverPiece::reserve(std::size_t triangles) {
+void SheetRasteriser::reserve(std::size_t triangles) {
   seen_.reserve(3 * triangles);
   vertices_.reserve(3 * triangles);
   signs_.reserve(triangles);
@@ -57,14 +57,14 @@ void CoverPiece::reserve(std::size_t triangles) {
   sheets_.reserve(triangles);
 }
 
-void CoverPiece::see(const CoverMesh& mesh) {
+void SheetRasteriser::project(const CoverMesh& mesh) {
   mesh_ = mesh;
   const std::size_t count = mesh_.vertices.size();
   seen_.resize(count);
   vertices_.resize(count);
   is_cut_ = false;
   for (std::size_t i = 0; i < count; ++i) {
-    seen_[i] = picture_.see(mesh_.vertices[i]);
+    seen_[i] = picture_.eye_point(mesh_.vertices[i]);
     is_cut_ = is_cut_ || seen_[i].forward < picture_.near();
   }
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -77,12 +77,12 @@ void CoverPiece::see(const CoverMesh& mesh) {
   }
   sheets_.part(mesh_, signs_);
   sheet_of_.assign(signs_.size(), 0);
-  laid_sheets_ = 0;
+  sheet_number_ = 0;
 }
 
-bool CoverPiece::find(std::size_t sheet) {
+bool SheetRasteriser::find(std::size_t sheet) {
   sheet_ = sheets_[sheet];
-  if (sheet_.front() >= mesh_.fresh) return false;
+  if (sheet_.front() >= mesh_.new_triangles) return false;
   outlines_.clear();
   CoverOutline::Extent all;
   double area = 0, nearest = kNoBound;
@@ -100,33 +100,33 @@ bool CoverPiece::find(std::size_t sheet) {
   return true;
 }
 
-void CoverPiece::lay(const PixelRectangle& tiles) {
+void SheetRasteriser::rasterise_depth(const PixelRectangle& tiles) {
   laid_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
   work_ = 0;
   clear(tiles);
-  ++laid_sheets_;
+  ++sheet_number_;
   for (std::size_t i = 0; i < sheet_.size(); ++i) {
-    sheet_of_[sheet_[i]] = laid_sheets_;
-    if (outlines_[i].extent.may_meet(laid_)) lay(mesh_.triangles[sheet_[i]], outlines_[i]);
+    sheet_of_[sheet_[i]] = sheet_number_;
+    if (outlines_[i].extent.may_meet(laid_)) rasterise_depth(mesh_.triangles[sheet_[i]], outlines_[i]);
   }
 }
 
-void CoverPiece::draw(const PixelRectangle& tiles) {
+void SheetRasteriser::draw(const PixelRectangle& tiles) {
   border_.begin(picture_, tiles);
   for (const std::uint32_t t : sheet_) draw_sides(t);
   border_.find_closed(closed_);
 }
 
-CoverVertex CoverPiece::vertex(const Seen& seen) const {
+CoverVertex SheetRasteriser::vertex(const EyePoint& seen) const {
   return {picture_.corner(seen), rounded_down(picture_.least_nearness(seen.forward))};
 }
 
-CoverVertex CoverPiece::cut(std::uint32_t a, std::uint32_t b) const {
+CoverVertex SheetRasteriser::cut(std::uint32_t a, std::uint32_t b) const {
   const auto [from, to] = std::minmax(a, b);
   return vertex(picture_.cut(seen_[from], seen_[to]));
 }
 
-CoverLoop CoverPiece::loop(const CoverMesh::Triangle& triangle) const {
+CoverLoop SheetRasteriser::loop(const CoverMesh::Triangle& triangle) const {
   CoverLoop loop;
   if (!is_cut_) {
     for (const std::uint32_t i : triangle) loop.add(vertices_[i]);
@@ -140,13 +140,13 @@ CoverLoop CoverPiece::loop(const CoverMesh::Triangle& triangle) const {
   return loop;
 }
 
-std::optional<PlaceRectangle> CoverPiece::places(std::size_t triangle) const {
+std::optional<PixelBounds> SheetRasteriser::places(std::size_t triangle) const {
   if (signs_[triangle] == 0) return std::nullopt;
   const CoverOutline outline = this->outline(mesh_.triangles[triangle]);
-  return PlaceRectangle{outline.extent.low, outline.extent.high};
+  return PixelBounds{outline.extent.low, outline.extent.high};
 }
 
-void CoverPiece::clear(const PixelRectangle& tiles) {
+void SheetRasteriser::clear(const PixelRectangle& tiles) {
   tiles_across_ = picture_.width() / kTile;
   const std::size_t count = static_cast<std::size_t>(tiles_across_) * static_cast<std::size_t>(picture_.height() / kTile);
   closed_.resize(count);
@@ -159,10 +159,10 @@ void CoverPiece::clear(const PixelRectangle& tiles) {
 
 /// 1 if the triangle looks counter-clockwise, -1 if clockwise, 0 if it is seen edge-on; up to rounding. Also 0 if it must
 /// not hide.
-int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
+int SheetRasteriser::sign(const CoverMesh::Triangle& triangle) const {
   if (picture_.is_oblique() && std::ranges::any_of(triangle, [&](auto v) { return picture_.may_clip(mesh_.vertices[v]); }))
     return 0;
-  const Seen &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
+  const EyePoint &a = seen_[triangle[0]], &b = seen_[triangle[1]], &c = seen_[triangle[2]];
   const double side = picture_.is_perspective()
                           ? a.forward * (b.right * c.up - b.up * c.right) + b.forward * (c.right * a.up - c.up * a.right) +
                                 c.forward * (a.right * b.up - a.up * b.right)
@@ -172,7 +172,7 @@ int CoverPiece::sign(const CoverMesh::Triangle& triangle) const {
 
 /// Lowers the nearness of the tiles that the triangle touches. The triangle is nowhere farther than its farthest corner,
 /// nor, within a tile, than its plane.
-void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& outline) {
+void SheetRasteriser::rasterise_depth(const CoverMesh::Triangle& triangle, const CoverOutline& outline) {
   const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
   const PixelRectangle r{std::max(touched.x0, laid_.x0), std::max(touched.y0, laid_.y0), std::min(touched.x1, laid_.x1),
                          std::min(touched.y1, laid_.y1)};
@@ -184,7 +184,7 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
     return lower(tiles, outline.nearness);
   }
   const auto& [a, b, c] = triangle;
-  const SeenPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
+  const ProjectedPlane plane(picture_, reach_, seen_[a], seen_[b], seen_[c]);
   const auto lower_to_plane = [&](const PixelRectangle& part) {
     work_ += static_cast<std::size_t>(part.x1 - part.x0) * static_cast<std::size_t>(part.y1 - part.y0);
     if (!plane.is_known()) return lower(part, outline.nearness);
@@ -192,13 +192,13 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
                   outline.nearness);
   };
   if (across <= kOfWholeRows || up <= kOfWholeRows) return lower_to_plane(tiles);
-  std::array<SeenEdge, 4> edges;
+  std::array<ProjectedEdge, 4> edges;
   const CoverLoop loop = this->loop(triangle);
   for (std::size_t i = 0; i < loop.count; ++i) {
     edges[i] = {loop.vertices[i].corner, loop.vertices[i + 1 < loop.count ? i + 1 : 0].corner};
   }
   for (int y = tiles.y0; y < tiles.y1; ++y) {
-    SeenEdge::Range range;
+    ProjectedEdge::Range range;
     for (std::size_t i = 0; i < loop.count; ++i) range.hold(edges[i].between(y * kTile, (y + 1) * kTile));
     const int x0 = std::max(pixel_at(range.low, picture_.width()) / kTile, tiles.x0);
     const int x1 = std::min(pixel_at(range.high, picture_.width()) / kTile + 1, tiles.x1);
@@ -207,7 +207,7 @@ void CoverPiece::lay(const CoverMesh::Triangle& triangle, const CoverOutline& ou
 }
 
 /// Lowers the nearness of these tiles.
-void CoverPiece::lower(const PixelRectangle& tiles, float nearness) {
+void SheetRasteriser::lower(const PixelRectangle& tiles, float nearness) {
   for (int y = tiles.y0; y < tiles.y1; ++y) {
     for (int x = tiles.x0; x < tiles.x1; ++x) {
       float& tile = nearness_[tile_at(x, y)];
@@ -217,7 +217,7 @@ void CoverPiece::lower(const PixelRectangle& tiles, float nearness) {
 }
 
 /// Draws the sides of a triangle that are border, and the cut at the near plane.
-void CoverPiece::draw_sides(std::uint32_t triangle) {
+void SheetRasteriser::draw_sides(std::uint32_t triangle) {
   const CoverMesh::Triangle& corners = mesh_.triangles[triangle];
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t side = 3 * triangle + i;
@@ -227,7 +227,7 @@ void CoverPiece::draw_sides(std::uint32_t triangle) {
 }
 
 /// Whether an odd number of triangles of the sheet share the edge of a side, and the side is the first of theirs.
-bool CoverPiece::is_border(std::uint32_t side) const {
+bool SheetRasteriser::is_border(std::uint32_t side) const {
   bool is_odd = true;
   for (std::uint32_t other = mesh_.next_of(side); other != side; other = mesh_.next_of(other)) {
     if (!is_in_sheet(other / 3)) continue;
@@ -237,7 +237,7 @@ bool CoverPiece::is_border(std::uint32_t side) const {
   return is_odd;
 }
 
-void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to) {
+void SheetRasteriser::draw_edge(std::uint32_t from, std::uint32_t to) {
   if (!is_cut_) return border_.draw(vertices_[from].corner, vertices_[to].corner);
   if (is_before(from) && is_before(to)) return;
   const auto end = [&](std::uint32_t vertex) { return (is_before(vertex) ? cut(from, to) : vertices_[vertex]).corner; };
@@ -245,8 +245,8 @@ void CoverPiece::draw_edge(std::uint32_t from, std::uint32_t to) {
 }
 
 /// The cut of a triangle is border: it leads from where the loop leaves the drawn part back to where the loop returns.
-void CoverPiece::draw_cut(const CoverMesh::Triangle& triangle) {
-  Corner leaves{}, returns{};
+void SheetRasteriser::draw_cut(const CoverMesh::Triangle& triangle) {
+  BoundedPosition leaves{}, returns{};
   bool is_cut = false;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];

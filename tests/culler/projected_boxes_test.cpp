@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boxes in the coarse picture: no corner lies outside the bounds found for its box.
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +18,13 @@
 #include "exact_picture.h"
 #include "scenes.h"
 
-namespace seen_boxes_test {
+namespace projected_boxes_test {
 
 using namespace occlude;
 using namespace occlude::culler;
 
 /// Where the corners of a box may be moved to.
-std::vector<ExactSeen> corners(const BeamPicture& picture, const kernel::Aabb& box) {
+std::vector<ExactSeen> corners(const ConservativeViewport& picture, const kernel::Aabb& box) {
   std::vector<ExactSeen> all;
   for (unsigned c = 0; c < 8; ++c) {
     const glm::dvec3 corner{(c & 1U) != 0 ? box.max[0] : box.min[0], (c & 2U) != 0 ? box.max[1] : box.min[1],
@@ -36,7 +36,8 @@ std::vector<ExactSeen> corners(const BeamPicture& picture, const kernel::Aabb& b
 
 /// None of these points of box k lies beyond what is known of it. Returns how far the bounds lie beyond them to the left and
 /// right at most.
-Real expect_held(const BeamPicture& picture, const SeenBoxes& boxes, std::size_t k, std::span<const ExactSeen> points) {
+Real expect_held(const ConservativeViewport& picture, const ProjectedBoxes& boxes, std::size_t k,
+                 std::span<const ExactSeen> points) {
   Real low_x = 1e30L, high_x = -1e30L;
   for (const ExactSeen& point : points) {
     const auto [x, y, nearness] = exact_place(picture, point);
@@ -84,25 +85,25 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
     camera.aspect = uniform(0.5, 2);
     if (!fault(camera).empty()) continue;
     const double depth = 3 * away + 300;
-    const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : kSinglePrecision * depth);
+    const ConservativeViewport picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : kSinglePrecision * depth);
     const BoxPicture boxes(picture, {0, 0});
-    SeenBoxes batch;
+    ProjectedBoxes batch;
     std::vector<kernel::Aabb> asked;
-    for (std::size_t k = 0; k < SeenBoxes::kMost; ++k) {
+    for (std::size_t k = 0; k < ProjectedBoxes::kMost; ++k) {
       const glm::dvec3 middle = camera.eye + 20.0 * camera.axes().forward + point(25),
                        half = glm::abs(point(k % 2 == 0 ? 4 : 1e-3));
       asked.push_back({{middle.x - half.x, middle.y - half.y, middle.z - half.z},
                        {middle.x + half.x, middle.y + half.y, middle.z + half.z}});
       batch.add(boxes, asked.back());
     }
-    batch.see(boxes);
+    batch.project(boxes);
     kernel::BoxBlock block;
     for (std::size_t k = 0; k < asked.size(); ++k) block.set(k, asked[k]);
-    const SeenBoxes of_block(boxes, block);
+    const ProjectedBoxes of_block(boxes, block);
     for (std::size_t k = 0; k < batch.size; ++k) {
-      SeenBoxes alone;
+      ProjectedBoxes alone;
       alone.add(boxes, asked[k]);
-      alone.see(boxes);
+      alone.project(boxes);
       EXPECT_EQ(alone.most[0], batch.most[k]) << "its lane decides";
       EXPECT_EQ(of_block.most[k], batch.most[k]) << "how it came there decides";
       EXPECT_EQ(of_block.low_x[k], batch.low_x[k]);
@@ -131,17 +132,17 @@ TEST_P(SeenBoxesTest, HoldPointsInPicturesOfAnyWidth) {
     camera.fov_y_deg = glm::degrees(2 * std::atan(tangent));
     camera.height = 2 * tangent;
     if (!fault(camera).empty()) continue;
-    const BeamPicture picture(FrameView(camera, 2000), {512, 288, 16}, 0);
+    const ConservativeViewport picture(FrameView(camera, 2000), {512, 288, 16}, 0);
     const BoxPicture boxes(picture, {0, 0});
     const auto [right, up, forward] = camera.axes();
-    SeenBoxes batch;
-    std::array<glm::dvec3, SeenBoxes::kMost> asked;
+    ProjectedBoxes batch;
+    std::array<glm::dvec3, ProjectedBoxes::kMost> asked;
     for (glm::dvec3& at : asked) {
       const double aside = std::min(tangent * std::exp2(uniform(-10, 4)), 500.0);
       at = camera.eye + forward + uniform(-aside, aside) * right + uniform(-aside, aside) * up;
       batch.add(boxes, {to_kernel(at), to_kernel(at)});
     }
-    batch.see(boxes);
+    batch.project(boxes);
     for (std::size_t k = 0; k < batch.size; ++k) {
       if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
       ++known;
@@ -152,7 +153,7 @@ TEST_P(SeenBoxesTest, HoldPointsInPicturesOfAnyWidth) {
 }
 
 /// Legal numbers may differ by 2^-152. Of such differences floats keep nothing.
-TEST(SeenBoxes, HoldPointsThatUnderflow) {
+TEST(ProjectedBoxes, HoldPointsThatUnderflow) {
   std::mt19937 random(11);
   const auto point = [&](double size) {
     return glm::dvec3{uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
@@ -167,15 +168,15 @@ TEST(SeenBoxes, HoldPointsThatUnderflow) {
     FrameView view(camera, 0);
     view.depth = std::exp2(uniform(random, -120, -100));
     view.near = -1;  // as with an oblique near plane
-    const BeamPicture picture(view, {512, 288, 16}, 0);
+    const ConservativeViewport picture(view, {512, 288, 16}, 0);
     const BoxPicture boxes(picture, {0, 0});
-    SeenBoxes batch;
-    std::array<glm::dvec3, SeenBoxes::kMost> asked;
+    ProjectedBoxes batch;
+    std::array<glm::dvec3, ProjectedBoxes::kMost> asked;
     for (glm::dvec3& at : asked) {
       at = camera.eye + 0x1p-148 * point(1);
       batch.add(boxes, {to_kernel(at), to_kernel(at)});
     }
-    batch.see(boxes);
+    batch.project(boxes);
     for (std::size_t k = 0; k < batch.size; ++k) {
       if (batch.most[k] == std::numeric_limits<float>::infinity()) continue;
       ++known;
@@ -185,16 +186,16 @@ TEST(SeenBoxes, HoldPointsThatUnderflow) {
   EXPECT_GT(known, 5000U);
 }
 
-TEST(SeenBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
+TEST(ProjectedBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
   Camera camera;  // along +x
-  const BeamPicture picture(FrameView(camera, 100), {128, 96, 16}, 0);
+  const ConservativeViewport picture(FrameView(camera, 100), {128, 96, 16}, 0);
   const BoxPicture boxes(picture, {0, 0});
-  SeenBoxes batch;
+  ProjectedBoxes batch;
   batch.add(boxes, {{0.05, -1, -1}, {2, 1, 1}});
   batch.add(boxes, {{-2, -1, -1}, {2, 1, 1}});
   batch.add(boxes, {{0x1p100, -0x1p100, 0}, {0x1p100, 0x1p100, 0}});
   batch.add(boxes, {{2, -1, -1}, {3, 1, 1}});
-  batch.see(boxes);
+  batch.project(boxes);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   EXPECT_EQ(batch.most[0], kInfinity);
   EXPECT_EQ(batch.most[1], kInfinity);
@@ -202,4 +203,4 @@ TEST(SeenBoxes, NothingIsKnownOfWhatReachesBeforeTheNearPlane) {
   EXPECT_GE(batch.most[3], 0.5F);
 }
 
-}  // namespace seen_boxes_test
+}  // namespace projected_boxes_test

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "base/run_parts.h"
+#include "base/work_runner.h"
 #include "descent/add_counts.h"
-#include "descent/traverse.h"
+#include "descent/traversal.h"
 #include "model/node_blocks.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
@@ -22,22 +22,22 @@ namespace occlude::culler {
 /// Of a model that is entered everywhere, each thread is given about so many subtrees, large ones and small, so that all
 /// finish at about the same time. Frames enter a part of it: on two threads Utrecht gives 20, the castle 11. With twice as
 /// many, what is traversed before the first of them starts takes twice as long.
-inline constexpr std::size_t kPutOffOfThread = 8;
+inline constexpr std::size_t kDeferredOfThread = 8;
 /// A subtree of 32 items takes 1 us, to put it off and to join it a fifth of that. Blocks lie several levels apart, so the
 /// largest may have eight times as many, however many threads there are.
-inline constexpr std::uint32_t kLeastPutOff = 32, kLeastLargest = 8 * kLeastPutOff;
+inline constexpr std::uint32_t kLeastDeferred = 32, kLeastLargest = 8 * kLeastDeferred;
 /// A tree may be so unbalanced that it has many small subtrees. With this limit the memory that is reserved for them is
 /// below 80 bytes for each item of a large tree, whatever it is: 20 bytes for each item of the largest, for each subtree.
 /// In a small tree it is at most 160 KiB for each thread.
-inline constexpr std::size_t kMostPutOffOfThread = 4 * kPutOffOfThread;
+inline constexpr std::size_t kMostDeferredOfThread = 4 * kDeferredOfThread;
 
 /// The work of the last frame in so many shares for each thread: a subtree that had more than one share is divided. In the
 /// city of ten million the eye is in one of the subtrees by size, and that one had 73 % of the work.
 inline constexpr std::size_t kSharesOfThread = 2;
 
 /// What the subtrees are joined from.
-struct PartsMemory {
-  PutOffSubtrees put_off;
+struct ParallelMemory {
+  DeferredSubtrees deferred;
   std::vector<PolygonRange> drawn;  ///< by the traversal from the root
   std::vector<Culled> culled;
 };
@@ -48,11 +48,11 @@ struct ShadowCounts {
 };
 
 template <class Tests>
-class TraversalInParts {
+class ParallelTraversal {
  public:
   /// `tests` as Traversal; its calls may come from several threads at once.
-  TraversalInParts(const NodeBlocks& blocks, Tests& tests, const ShadowCounts& shadows, CullResult& result,
-                   TraversalMemory& memory, PartsMemory& parts, PartRunner& runner)
+  ParallelTraversal(const NodeBlocks& blocks, Tests& tests, const ShadowCounts& shadows, CullResult& result,
+                    TraversalMemory& memory, ParallelMemory& parts, WorkRunner& runner)
       : blocks_(blocks),
         tests_(tests),
         shadows_(shadows),
@@ -66,11 +66,11 @@ class TraversalInParts {
   void run(std::uint32_t planes, const Executor* executor) {
     const bool is_alone = executor == nullptr || executor->threads() <= 1 || !result_.pairs.empty();
     set_limits(is_alone ? 0 : executor->threads());
-    Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, result_, memory_).run(planes, parts_.put_off);
+    Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, result_, memory_).run(planes, parts_.deferred);
     if (is_alone) return;
-    if (parts_.put_off.size > 0) {
-      for (PutOffSubtree& subtree : subtrees()) prepare(subtree);
-      const auto work_of = [&](std::size_t i) { return parts_.put_off.work.get(subtrees()[i].block); };
+    if (parts_.deferred.size > 0) {
+      for (DeferredSubtree& subtree : subtrees()) prepare(subtree);
+      const auto work_of = [&](std::size_t i) { return parts_.deferred.work.get(subtrees()[i].block); };
       runner_.run(*executor, subtrees().size(), work_of, [&](std::size_t i) { traverse(subtrees()[i]); });
       join();
     }
@@ -78,28 +78,28 @@ class TraversalInParts {
   }
 
  private:
-  std::span<PutOffSubtree> subtrees() { return std::span(parts_.put_off.subtrees).first(parts_.put_off.size); }
+  std::span<DeferredSubtree> subtrees() { return std::span(parts_.deferred.subtrees).first(parts_.deferred.size); }
 
   void set_limits(std::size_t threads) {
-    PutOffSubtrees& put_off = parts_.put_off;
-    put_off.size = 0;
-    put_off.least = kLeastPutOff;
-    put_off.limit = kMostPutOffOfThread * threads;
-    put_off.divided.clear();
-    put_off.divided.reserve(put_off.limit);
-    runner_.reserve(put_off.limit);
-    if (threads > 0) put_off.work.grow(blocks_.size());
-    put_off.most = kLeastLargest;
+    DeferredSubtrees& deferred = parts_.deferred;
+    deferred.size = 0;
+    deferred.least = kLeastDeferred;
+    deferred.limit = kMostDeferredOfThread * threads;
+    deferred.divided.clear();
+    deferred.divided.reserve(deferred.limit);
+    runner_.reserve(deferred.limit);
+    if (threads > 0) deferred.work.grow(blocks_.size());
+    deferred.most = kLeastLargest;
     if (threads > 0)
-      put_off.most = std::max(put_off.most, static_cast<std::uint32_t>(items() / (kPutOffOfThread * threads)));
+      deferred.most = std::max(deferred.most, static_cast<std::uint32_t>(items() / (kDeferredOfThread * threads)));
   }
   [[nodiscard]] std::uint32_t items() const { return blocks_[0].count[0]; }
 
   /// Reserves memory for all that may be found in the largest: in a later frame it may be another subtree. Memory that is
   /// never written to takes only addresses.
-  void prepare(PutOffSubtree& subtree) {
-    subtree.found.drawn.reserve((parts_.put_off.most + 1) / 2);
-    subtree.found.culled.reserve(parts_.put_off.most);
+  void prepare(DeferredSubtree& subtree) {
+    subtree.found.drawn.reserve((parts_.deferred.most + 1) / 2);
+    subtree.found.culled.reserve(parts_.deferred.most);
     subtree.memory.active.reserve(memory_.active.capacity());
     subtree.memory.holding.reserve(memory_.holding.capacity());
     subtree.memory.hidden.reserve(memory_.hidden.capacity());
@@ -107,19 +107,19 @@ class TraversalInParts {
 
   /// Notes for the next frame how much work there was in each subtree.
   void note_work(std::size_t threads) {
-    PutOffSubtrees& put_off = parts_.put_off;
-    const auto work_of = [](const PutOffSubtree& subtree) { return subtree.found.stats.nodes_visited; };
-    for (const PutOffSubtree& subtree : subtrees())
-      put_off.work[subtree.block] = static_cast<std::uint32_t>(work_of(subtree));
-    for (const auto& [block, first, end, own] : put_off.divided) {
+    DeferredSubtrees& deferred = parts_.deferred;
+    const auto work_of = [](const DeferredSubtree& subtree) { return subtree.found.stats.nodes_visited; };
+    for (const DeferredSubtree& subtree : subtrees())
+      deferred.work[subtree.block] = static_cast<std::uint32_t>(work_of(subtree));
+    for (const auto& [block, first, end, own] : deferred.divided) {
       std::size_t work = own;
-      for (std::size_t i = first; i < end; ++i) work += work_of(put_off.subtrees[i]);
-      put_off.work[block] = static_cast<std::uint32_t>(work);
+      for (std::size_t i = first; i < end; ++i) work += work_of(deferred.subtrees[i]);
+      deferred.work[block] = static_cast<std::uint32_t>(work);
     }
-    put_off.most_work = result_.stats.nodes_visited / (kSharesOfThread * threads);
+    deferred.most_work = result_.stats.nodes_visited / (kSharesOfThread * threads);
   }
 
-  void traverse(PutOffSubtree& subtree) const {
+  void traverse(DeferredSubtree& subtree) const {
     subtree.found.drawn.clear();
     subtree.found.culled.clear();
     subtree.found.stats = {};
@@ -134,7 +134,7 @@ class TraversalInParts {
     result_.drawn.clear();
     result_.culled.clear();
     std::size_t drawn = 0, culled = 0;
-    for (const PutOffSubtree& subtree : subtrees()) {
+    for (const DeferredSubtree& subtree : subtrees()) {
       append(std::span(parts_.drawn).subspan(drawn, subtree.drawn - drawn),
              std::span(parts_.culled).subspan(culled, subtree.culled - culled));
       drawn = subtree.drawn;
@@ -155,8 +155,8 @@ class TraversalInParts {
   ShadowCounts shadows_;
   CullResult& result_;
   TraversalMemory& memory_;
-  PartsMemory& parts_;
-  PartRunner& runner_;
+  ParallelMemory& parts_;
+  WorkRunner& runner_;
 };
 
 }  // namespace occlude::culler

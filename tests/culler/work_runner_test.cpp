@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/run_parts.h"
+#include "base/work_runner.h"
 
 #include <gtest/gtest.h>
 
@@ -12,22 +12,22 @@
 
 #include "executors.h"
 
-namespace run_parts_test {
+namespace work_runner_test {
 
 using namespace occlude::culler;
 
 std::size_t alike(std::size_t) { return 1; }
 
-TEST(PartRunner, RunsEachPartOnce) {
-  PartRunner runner;
+TEST(WorkRunner, RunsEachPartOnce) {
+  WorkRunner runner;
   for (const Executor& executor : some_executors()) {
     for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 100U}) {
       std::deque<std::atomic<int>> runs(count);
       runner.run(
           executor, count, [](std::size_t i) { return i % 5 * 1000; }, [&](std::size_t i) { ++runs[i]; });
       for (const std::atomic<int>& of_part : runs) EXPECT_EQ(of_part, 1) << count;
-      ASSERT_EQ(runner.turns().size(), count);
-      for (const PartRunner::Turn& turn : runner.turns()) EXPECT_TRUE(turn.is_done);
+      ASSERT_EQ(runner.items().size(), count);
+      for (const WorkRunner::WorkItem& turn : runner.items()) EXPECT_TRUE(turn.is_done);
     }
   }
 }
@@ -36,12 +36,12 @@ TEST(PartRunner, RunsEachPartOnce) {
 std::vector<std::size_t> order_of(std::size_t threads, std::size_t working, const std::vector<std::size_t>& work) {
   const Executor one(threads, [&](std::size_t, const Executor::Part& part) { part(working); });
   std::vector<std::size_t> order;
-  PartRunner().run(
+  WorkRunner().run(
       one, work.size(), [&](std::size_t i) { return work[i]; }, [&](std::size_t i) { order.push_back(i); });
   return order;
 }
 
-TEST(PartRunner, AThreadBeginsWithTheMostWorkOfItsShareAndGoesOnWithOthers) {
+TEST(WorkRunner, AThreadBeginsWithTheMostWorkOfItsShareAndGoesOnWithOthers) {
   using Parts = std::vector<std::size_t>;
   const std::vector<std::size_t> spread{100, 110, 120, 100, 130, 110};
   EXPECT_EQ(order_of(2, 0, spread), (Parts{2, 1, 0, 4, 5, 3}));
@@ -55,11 +55,11 @@ TEST(PartRunner, AThreadBeginsWithTheMostWorkOfItsShareAndGoesOnWithOthers) {
 }
 
 /// The calling thread runs what the others had no memory for.
-TEST(PartRunner, APartThatCouldNotBeFinishedIsRunAgain) {
+TEST(WorkRunner, APartThatCouldNotBeFinishedIsRunAgain) {
   const Executor threads = a_thread_for_each_part(2);
   const std::thread::id here = std::this_thread::get_id();
   std::atomic<std::size_t> failed = 0, done = 0;
-  PartRunner runner;
+  WorkRunner runner;
   const auto run = [&](std::size_t i) {
     if (i % 2 == 0 && std::this_thread::get_id() != here) {
       ++failed;
@@ -74,15 +74,15 @@ TEST(PartRunner, APartThatCouldNotBeFinishedIsRunAgain) {
   EXPECT_THROW(runner.run(threads, 2, alike, fail), std::bad_alloc);
 }
 
-TEST(PartRunner, RunsOnTheCallingThreadWhatNoOtherMayRun) {
-  PartRunner runner;
+TEST(WorkRunner, RunsOnTheCallingThreadWhatNoOtherMayRun) {
+  WorkRunner runner;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
-    for (const PartRunner::Turn& turn : runner.turns()) EXPECT_FALSE(turn.is_done);
+    for (const WorkRunner::WorkItem& turn : runner.items()) EXPECT_FALSE(turn.is_done);
   });
   std::size_t done = 0;
   runner.run(upwards, 5, alike, [&](std::size_t) { ++done; });
   EXPECT_EQ(done, 5U);
 }
 
-}  // namespace run_parts_test
+}  // namespace work_runner_test

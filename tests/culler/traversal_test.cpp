@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The traversal, which asks about the nodes of blocks at once, answers as a descent from node to node does.
-#include "descent/traverse.h"
+#include "descent/traversal.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
-namespace traverse_test {
+namespace traversal_test {
 
 using namespace occlude::culler;
 namespace kernel = occlude::kernel;
@@ -209,7 +209,7 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
   const std::vector<Executor> executors = some_executors();
   std::vector<View::Memory> memories(executors.size());
   std::size_t culled = 0, hidden_by_probes = 0, unions = 0;
-  std::vector<std::size_t> put_off(executors.size());
+  std::vector<std::size_t> deferred(executors.size());
   for (int frame = 0; frame < 40; ++frame) {
     Camera camera;
     camera.eye = {uniform(random, -50, 50), uniform(random, -50, 50), 2};
@@ -230,9 +230,9 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
       expect_same(expected, found);
       ASSERT_FALSE(HasFailure()) << "frame " << frame << ", executor " << i << ", seed " << kSeed;
       EXPECT_EQ(found.frame.result.stats.exact_shadow_tests, memories[0].frame.result.stats.exact_shadow_tests);
-      const std::size_t subtrees = found.frusta.parts.put_off.size;
+      const std::size_t subtrees = found.frusta.parts.deferred.size;
       EXPECT_TRUE(subtrees == 0 || (executors[i].threads() > 1 && expected.frame.result.pairs.empty()));
-      put_off[i] += subtrees;
+      deferred[i] += subtrees;
     }
     culled += expected.frame.result.stats.shadow_culled_polygons;
     unions += expected.frame.result.stats.union_tests;
@@ -241,7 +241,7 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
   EXPECT_GT(culled, 10000U);
   EXPECT_GT(hidden_by_probes, 1000U);
   EXPECT_EQ(unions > 100, GetParam().options.unions);
-  for (std::size_t i = 0; i < executors.size(); ++i) EXPECT_EQ(put_off[i] > 50, executors[i].threads() > 1);
+  for (std::size_t i = 0; i < executors.size(); ++i) EXPECT_EQ(deferred[i] > 50, executors[i].threads() > 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Options, TraversalTest,
@@ -391,4 +391,4 @@ TEST(NodeBlocks, AreFullAlsoWhereNothingHasAWidth) {
   EXPECT_LT(count, hierarchy.nodes().size() / 3);
 }
 
-}  // namespace traverse_test
+}  // namespace traversal_test

@@ -14,25 +14,25 @@
 namespace occlude::culler {
 
 /// A point relative to the eye: to the right, up, and along the line of sight.
-struct Seen {
+struct EyePoint {
   double right, up, forward;
 };
 
 /// A position in the picture: pixels to the right and up from its lower left corner.
-struct Place {
+struct PixelPosition {
   double x, y;
 };
 
 /// A position, and a bound of its error in each of the two directions.
-struct Corner {
-  Place place;
+struct BoundedPosition {
+  PixelPosition place;
   double error;
   double forward = 0;  ///< how far along the line of sight the point is, as it was found; 0 if nobody knows
 };
 
 /// All positions between two.
-struct PlaceRectangle {
-  Place low, high;
+struct PixelBounds {
+  PixelPosition low, high;
 };
 
 /// Whole pixels: columns from x0 to before x1, rows from y0 to before y1.
@@ -42,7 +42,7 @@ struct PixelRectangle {
 
 /// The doubles that are kept here, taken as exact numbers, define which ray meets which pixel. The rays of a pixel form a
 /// convex cone, or a convex beam when they are parallel.
-class BeamPicture {
+class ConservativeViewport {
  public:
   struct Size {
     int width, height;
@@ -51,8 +51,8 @@ class BeamPicture {
 
   /// `rounding` bounds how far a renderer moves a point, in units of the scene; what the view itself says of moves is added.
   /// REQUIRES: 2 border < width, height; rounding <= kSinglePrecision times the depth of the view.
-  BeamPicture(const FrameView& view, const Size& size, double rounding);
-  BeamPicture() = default;
+  ConservativeViewport(const FrameView& view, const Size& size, double rounding);
+  ConservativeViewport() = default;
 
   [[nodiscard]] bool is_perspective() const { return is_perspective_; }
   /// How far along the line of sight meshes are cut: beyond the renderer's near plane, however it rounds.
@@ -67,31 +67,31 @@ class BeamPicture {
   /// The depth of the view. error() holds for points no farther from the eye than this, in the sum of the axes.
   [[nodiscard]] double depth() const { return depth_; }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
-  /// The axes along which see() measures. Their length is nearly 1.
+  /// The axes along which eye_point() measures. Their length is nearly 1.
   [[nodiscard]] const glm::dvec3& right() const { return right_; }
   [[nodiscard]] const glm::dvec3& up() const { return up_; }
   [[nodiscard]] const glm::dvec3& forward() const { return forward_; }
   /// A position is middle() plus scale() times the slope of its ray, or times the distances to the right and up of a
   /// parallel ray.
-  [[nodiscard]] const Place& middle() const { return middle_; }
-  [[nodiscard]] const Place& scale() const { return scale_; }
+  [[nodiscard]] const PixelPosition& middle() const { return middle_; }
+  [[nodiscard]] const PixelPosition& scale() const { return scale_; }
 
-  [[nodiscard]] Seen see(const glm::dvec3& point) const;
+  [[nodiscard]] EyePoint eye_point(const glm::dvec3& point) const;
   /// Where the edge from a to b passes near(). The result is the same for every triangle that asks, as long as a and b are
   /// not exchanged.
-  [[nodiscard]] Seen cut(const Seen& a, const Seen& b) const;
+  [[nodiscard]] EyePoint cut(const EyePoint& a, const EyePoint& b) const;
   /// REQUIRES: in perspective, a point at near() or beyond. The functions below require the same of `forward`.
-  [[nodiscard]] Place place(const Seen& seen) const;
+  [[nodiscard]] PixelPosition place(const EyePoint& seen) const;
   /// Bounds the error of a position in each direction, for a point that far along the line of sight. It includes error(),
   /// rounding() and the roundings of the position itself.
-  [[nodiscard]] double place_error(const Place& place, double forward) const;
-  [[nodiscard]] Corner corner(const Seen& seen) const {
-    const Place place = this->place(seen);
+  [[nodiscard]] double place_error(const PixelPosition& place, double forward) const;
+  [[nodiscard]] BoundedPosition corner(const EyePoint& seen) const {
+    const PixelPosition place = this->place(seen);
     return {place, place_error(place, seen.forward), seen.forward};
   }
   /// Bounds the error of every position of an edge that may be in the picture, wherever the edge exactly is. At most the
   /// larger error of its ends. It is less where the edge leaves the picture towards an end that is near the eye.
-  [[nodiscard]] double edge_error(const Corner& a, const Corner& b) const {
+  [[nodiscard]] double edge_error(const BoundedPosition& a, const BoundedPosition& b) const {
     const double most = std::max(a.error, b.error);
     return most <= kSmallError ? most : error_in_picture(a, b);
   }
@@ -99,11 +99,11 @@ class BeamPicture {
   [[nodiscard]] double area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
   /// The slope of the ray through a position: how far right and up it is after a distance of 1 along the line of sight. Of a
   /// parallel ray, how far right and up of the eye it runs.
-  [[nodiscard]] Place slope(double x, double y) const;
+  [[nodiscard]] PixelPosition slope(double x, double y) const;
   /// Larger for nearer points, and linear along straight lines in the picture: 1 / forward, or -forward with parallel rays.
   [[nodiscard]] double nearness(double forward) const { return is_perspective_ ? 1 / forward : -forward; }
 
-  /// Bounds the error of each coordinate that see() and cut() return.
+  /// Bounds the error of each coordinate that eye_point() and cut() return.
   [[nodiscard]] double error() const { return error_; }
   /// Bounds how far a point is moved by a renderer, by eyes beside eye() and by what is not known of the eye, in addition to
   /// error().
@@ -115,7 +115,7 @@ class BeamPicture {
 
   /// The pixels that a rectangle of positions touches when it is widened by `wider` pixels. They may end a pixel outside of
   /// the picture.
-  [[nodiscard]] PixelRectangle pixels(const Place& low, const Place& high, double wider) const;
+  [[nodiscard]] PixelRectangle pixels(const PixelPosition& low, const PixelPosition& high, double wider) const;
   /// The rectangle clipped to the picture.
   [[nodiscard]] PixelRectangle clipped(const PixelRectangle& r) const;
   [[nodiscard]] int width() const { return width_; }
@@ -125,12 +125,12 @@ class BeamPicture {
   /// In pixels. A smaller bound leaves hardly more pixels to close.
   static constexpr double kSmallError = 1;
 
-  [[nodiscard]] double error_in_picture(const Corner& a, const Corner& b) const;
+  [[nodiscard]] double error_in_picture(const BoundedPosition& a, const BoundedPosition& b) const;
 
   glm::dvec3 eye_{}, right_{}, up_{}, forward_{};
   bool is_perspective_ = true;
   int width_ = 0, height_ = 0;
-  Place middle_{}, scale_{};  ///< in pixels; in pixels per unit of slope, or of length with parallel rays
+  PixelPosition middle_{}, scale_{};  ///< in pixels; in pixels per unit of slope, or of length with parallel rays
   double depth_ = 0, near_ = 0, error_ = 0, rounding_ = 0;
   double moved_ = 0;  ///< error_ + rounding_
   bool is_oblique_ = false;
@@ -154,35 +154,35 @@ inline constexpr double kBoundRounded = 1 + 0x1p-40;
   return static_cast<int>(std::min(std::max(x + 0.5, 0.0), static_cast<double>(count)));
 }
 
-inline Seen BeamPicture::see(const glm::dvec3& point) const {
+inline EyePoint ConservativeViewport::eye_point(const glm::dvec3& point) const {
   const glm::dvec3 y = point - eye_;
   return {glm::dot(right_, y), glm::dot(up_, y), glm::dot(forward_, y)};
 }
 
-inline Place BeamPicture::place(const Seen& seen) const {
+inline PixelPosition ConservativeViewport::place(const EyePoint& seen) const {
   const double shrink = is_perspective_ ? 1 / seen.forward : 1;
   return {middle_.x + scale_.x * (seen.right * shrink), middle_.y + scale_.y * (seen.up * shrink)};
 }
 
 /// Let r and f be the coordinates as computed and s and g the exact ones, each with an error of at most e. Then
 /// r / f - s / g = ((r - s) f - r (f - g)) / (f g), which is at most e (1 + |r / f|) / (f - e).
-inline double BeamPicture::place_error(const Place& place, double forward) const {
+inline double ConservativeViewport::place_error(const PixelPosition& place, double forward) const {
   const double aside = std::max(std::fabs(place.x - middle_.x), std::fabs(place.y - middle_.y));
   const double scale = std::max(scale_.x, scale_.y);
   const double moved = is_perspective_ ? (scale + aside) * (moved_ / (forward - moved_)) : scale * moved_;
   return kBoundRounded * moved + kPlaceError * (aside + width_ + height_);
 }
 
-inline Place BeamPicture::slope(double x, double y) const {
+inline PixelPosition ConservativeViewport::slope(double x, double y) const {
   return {(x - middle_.x) / scale_.x, (y - middle_.y) / scale_.y};
 }
 
-inline PixelRectangle BeamPicture::pixels(const Place& low, const Place& high, double wider) const {
+inline PixelRectangle ConservativeViewport::pixels(const PixelPosition& low, const PixelPosition& high, double wider) const {
   return {pixel_at(low.x - wider, width_), pixel_at(low.y - wider, height_), pixel_at(high.x + wider, width_) + 1,
           pixel_at(high.y + wider, height_) + 1};
 }
 
-inline PixelRectangle BeamPicture::clipped(const PixelRectangle& r) const {
+inline PixelRectangle ConservativeViewport::clipped(const PixelRectangle& r) const {
   return {std::max(r.x0, 0), std::max(r.y0, 0), std::min(r.x1, width_), std::min(r.y1, height_)};
 }
 

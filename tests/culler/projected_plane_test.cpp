@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Planes of triangles in the coarse picture: no ray meets a triangle, wherever its vertices are moved to, farther away than
 // its bound says.
-#include "cover/seen_plane.h"
+#include "cover/projected_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "exact_picture.h"
 #include "scenes.h"
 
-namespace seen_plane_test {
+namespace projected_plane_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -48,7 +48,7 @@ INSTANTIATE_TEST_SUITE_P(Both, SeenPlaneTest, testing::Values(Projection::perspe
 
 /// A lower bound of the nearness along the ray that meets a point. It leaves out what lower() takes off for roundings of the
 /// scale and the product.
-Real bound_at(const BeamPicture& picture, const PlaneBound& bound, const Vector& at) {
+Real bound_at(const ConservativeViewport& picture, const PlaneBound& bound, const Vector& at) {
   const Real shrink = picture.is_perspective() ? 1 / at.z : 1;
   return (bound.constant + bound.of_x * at.x * shrink + bound.of_y * at.y * shrink) * bound.scale;
 }
@@ -67,11 +67,11 @@ TEST_P(SeenPlaneTest, BoundsHoldWhereverVerticesAreMoved) {
     const std::array<glm::dvec3, 3> corners = triangle(camera);
     double depth = 0;
     for (const glm::dvec3& corner : corners) depth = std::max(depth, glm::dot(glm::abs(corner - camera.eye), glm::dvec3(1)));
-    const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : kSinglePrecision * depth);
-    std::array<Seen, 3> seen;
-    std::ranges::transform(corners, seen.begin(), [&](const glm::dvec3& corner) { return picture.see(corner); });
-    const Place high = picture.slope(512, 288);
-    const SeenPlane plane(picture, high.x + high.y, seen[0], seen[1], seen[2]);
+    const ConservativeViewport picture(FrameView(camera, depth), {512, 288, 16}, i % 2 == 0 ? 0 : kSinglePrecision * depth);
+    std::array<EyePoint, 3> seen;
+    std::ranges::transform(corners, seen.begin(), [&](const glm::dvec3& corner) { return picture.eye_point(corner); });
+    const PixelPosition high = picture.slope(512, 288);
+    const ProjectedPlane plane(picture, high.x + high.y, seen[0], seen[1], seen[2]);
     if (!plane.is_known()) continue;
     ++known;
     for (std::size_t m = 0; m < 16; ++m) {
@@ -92,4 +92,4 @@ TEST_P(SeenPlaneTest, BoundsHoldWhereverVerticesAreMoved) {
   EXPECT_GT(tight, known * 4);
 }
 
-}  // namespace seen_plane_test
+}  // namespace projected_plane_test

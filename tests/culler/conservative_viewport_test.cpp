@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The coarse picture's bounds of errors: no point, wherever it is moved to, lies beyond them.
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "exact_picture.h"
 #include "scenes.h"
 
-namespace beam_picture_test {
+namespace conservative_viewport_test {
 
 using namespace occlude;
 using namespace occlude::culler;
@@ -23,15 +23,15 @@ glm::dvec3 some(std::mt19937& random, double size = 1) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-class BeamPictureTest : public testing::TestWithParam<Projection> {};
+class ConservativeViewportTest : public testing::TestWithParam<Projection> {};
 
-INSTANTIATE_TEST_SUITE_P(Both, BeamPictureTest, testing::Values(Projection::perspective, Projection::orthographic),
+INSTANTIATE_TEST_SUITE_P(Both, ConservativeViewportTest, testing::Values(Projection::perspective, Projection::orthographic),
                          [](const auto& tested) {
                            return tested.param == Projection::perspective ? "Perspective" : "Orthographic";
                          });
 
 /// Points are near or far, in the picture or far aside, and moved by up to a twentieth of how far away they are.
-TEST_P(BeamPictureTest, BoundsHoldWhereverPointsAreMoved) {
+TEST_P(ConservativeViewportTest, BoundsHoldWhereverPointsAreMoved) {
   std::mt19937 random(5);
   Real largest_share = 0, least_lost = 1;
   for (int i = 0; i < 4000; ++i) {
@@ -43,12 +43,13 @@ TEST_P(BeamPictureTest, BoundsHoldWhereverPointsAreMoved) {
     camera.height = uniform(random, 1, 40);
     if (!fault(camera).empty()) continue;
     const double depth = std::exp2(uniform(random, 6, 18));
-    const BeamPicture picture(FrameView(camera, depth), {512, 288, 16}, uniform(random, 0, kSinglePrecision * depth));
+    const ConservativeViewport picture(FrameView(camera, depth), {512, 288, 16},
+                                       uniform(random, 0, kSinglePrecision * depth));
     const auto [right, up, forward] = camera.axes();
     const double away = picture.near() * std::exp2(uniform(random, 0, 8)), aside = away * std::exp2(uniform(random, -3, 4));
     const glm::dvec3 point =
         camera.eye + away * forward + uniform(random, -aside, aside) * right + uniform(random, -aside, aside) * up;
-    const Seen seen = picture.see(point);
+    const EyePoint seen = picture.eye_point(point);
     if (seen.forward < picture.near()) continue;
     const auto [place, error, found] = picture.corner(seen);
     EXPECT_EQ(found, seen.forward);
@@ -70,7 +71,7 @@ TEST_P(BeamPictureTest, BoundsHoldWhereverPointsAreMoved) {
 struct Shares {
   Real from, to;
 };
-Shares in_picture(const BeamPicture& picture, const ExactPlace& a, const ExactPlace& b) {
+Shares in_picture(const ConservativeViewport& picture, const ExactPlace& a, const ExactPlace& b) {
   Shares shares{0, 1};
   const auto clip = [&](Real at, Real to, Real most) {
     const Real run = to - at;
@@ -87,7 +88,7 @@ Shares in_picture(const BeamPicture& picture, const ExactPlace& a, const ExactPl
 }
 
 /// How far a point is from a segment, across or up.
-Real distance(const ExactPlace& point, const Place& a, const Place& b) {
+Real distance(const ExactPlace& point, const PixelPosition& a, const PixelPosition& b) {
   Real low = 0, high = 1;
   const auto at = [&](Real t) {
     return std::max(std::fabs(a.x + t * (Real{b.x} - a.x) - point.x), std::fabs(a.y + t * (Real{b.y} - a.y) - point.y));
@@ -100,7 +101,7 @@ Real distance(const ExactPlace& point, const Place& a, const Place& b) {
 }
 
 /// Edges begin near the eye, far aside, where the error of a position is up to thousands of pixels, or pass the picture by.
-TEST(BeamPicture, NoEdgeInThePictureIsOffByMoreThanItsError) {
+TEST(ConservativeViewport, NoEdgeInThePictureIsOffByMoreThanItsError) {
   std::mt19937 random(8);
   int inside = 0, smaller = 0;
   Real largest_share = 0;
@@ -110,16 +111,17 @@ TEST(BeamPicture, NoEdgeInThePictureIsOffByMoreThanItsError) {
     camera.target = {1, 0, 0};
     camera.near = 0x1p-10;
     camera.fov_y_deg = uniform(random, 20, 120);
-    const BeamPicture picture(FrameView(camera, kDepth), {576, 360, 60}, i % 4 == 0 ? 0 : kSinglePrecision * kDepth);
+    const ConservativeViewport picture(FrameView(camera, kDepth), {576, 360, 60},
+                                       i % 4 == 0 ? 0 : kSinglePrecision * kDepth);
     const auto end = [&](double most_away) {
       const double away = picture.near() * std::exp2(uniform(random, 0, most_away));
       const double aside = std::exp2(uniform(random, -3, 12)) * std::max(away, picture.near() * 4);
       return glm::dvec3(away, uniform(random, -aside, aside), uniform(random, -aside, aside));
     };
     const glm::dvec3 near = end(3), far = end(14);
-    const Seen p = picture.see(near), q = picture.see(far);
+    const EyePoint p = picture.eye_point(near), q = picture.eye_point(far);
     if (std::min(p.forward, q.forward) < picture.near()) continue;
-    const Corner a = picture.corner(p), b = picture.corner(q);
+    const BoundedPosition a = picture.corner(p), b = picture.corner(q);
     const double error = picture.edge_error(a, b), most = std::max(a.error, b.error);
     ASSERT_LE(error, most);
     smaller += error < most / 2 ? 1 : 0;
@@ -144,7 +146,7 @@ TEST(BeamPicture, NoEdgeInThePictureIsOffByMoreThanItsError) {
 }
 
 /// Points on one ray have the same position, even where `up` is nearly parallel to the line of sight.
-TEST(BeamPicture, ParallelRaysKeepTheirPlace) {
+TEST(ConservativeViewport, ParallelRaysKeepTheirPlace) {
   std::mt19937 random(3);
   constexpr double kDepth = 0x1p10;
   for (int i = 0; i < 1000; ++i) {
@@ -155,12 +157,12 @@ TEST(BeamPicture, ParallelRaysKeepTheirPlace) {
     camera.target = some(random);
     camera.up = camera.target + std::ldexp(1.0, -static_cast<int>(random() % 28)) * some(random);
     if (!fault(camera).empty()) continue;
-    const BeamPicture picture(FrameView(camera, kDepth), {160, 96, 16}, 0);
+    const ConservativeViewport picture(FrameView(camera, kDepth), {160, 96, 16}, 0);
     const glm::dvec3 near = some(random), far = near + 0x1p8 * camera.axes().forward;
-    const Corner a = picture.corner(picture.see(near)), b = picture.corner(picture.see(far));
+    const BoundedPosition a = picture.corner(picture.eye_point(near)), b = picture.corner(picture.eye_point(far));
     EXPECT_NEAR(a.place.x, b.place.x, a.error + b.error) << i;
     EXPECT_NEAR(a.place.y, b.place.y, a.error + b.error) << i;
   }
 }
 
-}  // namespace beam_picture_test
+}  // namespace conservative_viewport_test

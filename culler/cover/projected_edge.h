@@ -7,11 +7,11 @@
 #include <limits>
 #include <optional>
 
-#include "cover/beam_picture.h"
+#include "cover/conservative_viewport.h"
 
 namespace occlude::culler {
 
-class SeenEdge {
+class ProjectedEdge {
  public:
   struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -22,10 +22,10 @@ class SeenEdge {
     }
   };
 
-  SeenEdge() = default;
-  SeenEdge(const Corner& p, const Corner& q) : SeenEdge(p, q, std::max(p.error, q.error)) {}
+  ProjectedEdge() = default;
+  ProjectedEdge(const BoundedPosition& p, const BoundedPosition& q) : ProjectedEdge(p, q, std::max(p.error, q.error)) {}
   /// An edge with this error, instead of the larger one of its ends.
-  SeenEdge(const Corner& p, const Corner& q, double error)
+  ProjectedEdge(const BoundedPosition& p, const BoundedPosition& q, double error)
       : low_(p.place.y <= q.place.y ? p.place : q.place),
         high_(p.place.y <= q.place.y ? q.place : p.place),
         error_(error),
@@ -51,17 +51,17 @@ class SeenEdge {
 
   /// A piece of the edge, from its low to its high end. No other piece comes as near to the window as the error of the edge.
   /// None if the whole edge does not come that near. The piece ends at most a few pixels from the window.
-  [[nodiscard]] std::optional<PlaceRectangle> within(const PlaceRectangle& window) const {
-    if (!(wide_ < kMostWide)) return PlaceRectangle{window.low, {window.low.x, window.high.y}};
+  [[nodiscard]] std::optional<PixelBounds> within(const PixelBounds& window) const {
+    if (!(wide_ < kMostWide)) return PixelBounds{window.low, {window.low.x, window.high.y}};
     const double from = std::max(window.low.y - error_ - low_.y, 0.0), to = std::min(window.high.y + error_ - low_.y, rise_);
     if (from > to) return std::nullopt;
-    PlaceRectangle part{low_, high_};
+    PixelBounds part{low_, high_};
     if (from > 0) part.low = {low_.x + from * slope_, low_.y + from};
     if (to < rise_) part.high = {low_.x + to * slope_, low_.y + to};
     const double left = window.low.x - wide_ - kBeyond, right = window.high.x + wide_ + kBeyond;
     if (std::max(part.low.x, part.high.x) < left || std::min(part.low.x, part.high.x) > right) return std::nullopt;
     const double run = part.high.x - part.low.x, rise = part.high.y - part.low.y;
-    const auto end_at = [&](Place& end, double x) {
+    const auto end_at = [&](PixelPosition& end, double x) {
       if (x != end.x) end = {x, end.y + (x - end.x) / run * rise};
     };
     end_at(part.low, std::clamp(part.low.x, left, right));
@@ -75,7 +75,7 @@ class SeenEdge {
   /// An edge with a larger error, in pixels, may be anywhere.
   static constexpr double kMostWide = 0x1p20;
 
-  Place low_{}, high_{};
+  PixelPosition low_{}, high_{};
   double error_ = 0, rise_ = 0, slope_ = 0, wide_ = 0;
   Range whole_;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set. The best one is chosen at run time.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "cover/seen_boxes.cpp"
+#define HWY_TARGET_INCLUDE "cover/projected_boxes.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target.h must come first.
 #include <hwy/highway.h>
 
-#include "cover/seen_boxes.h"
+#include "cover/projected_boxes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace occlude::culler {
@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// One box per lane. Nothing is fused, so the results do not depend on the number of lanes.
-using FloatTag = hn::CappedTag<float, SeenBoxes::kMost>;
+using FloatTag = hn::CappedTag<float, ProjectedBoxes::kMost>;
 using IntegerTag = hn::RebindToSigned<FloatTag>;
 using Lanes = hn::Vec<FloatTag>;
 
@@ -74,7 +74,7 @@ HWY_INLINE hn::Vec<IntegerTag> pixel(Lanes x, float count) {
 }
 
 template <bool is_perspective>
-HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) {
+HWY_INLINE void project_lanes(const BoxPicture& p, ProjectedBoxes& boxes, std::size_t i) {
   const Lanes zero = hn::Zero(kD), one = hn::Set(kD, 1.0F), infinity = hn::Inf(kD);
   Lanes low[3], high[3];
   Lanes sum = zero, squared = zero;
@@ -103,7 +103,7 @@ HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) 
   x = {hn::Mul(x.low, scale_x), hn::Mul(x.high, scale_x)};
   y = {hn::Mul(y.low, scale_y), hn::Mul(y.high, scale_y)};
 
-  // As BeamPicture::place_error(): the error is larger for what is nearer and for what is farther aside.
+  // As ConservativeViewport::place_error(): the error is larger for what is nearer and for what is farther aside.
   const Lanes moved =
       hn::Mul(hn::Add(hn::Mul(sum, hn::Set(kD, kSeenError)), hn::Set(kD, p.moved)), hn::Set(kD, kBoundRounded));
   const Lanes least = hn::Sub(nearest, moved);
@@ -135,31 +135,31 @@ HWY_INLINE void see_lanes(const BoxPicture& p, SeenBoxes& boxes, std::size_t i) 
   hn::StoreU(is_perspective ? squared : nearest, kD, &boxes.distance[i]);
 }
 
-HWY_INLINE void take(const BoxPicture& picture, const kernel::BoxBlock& block, SeenBoxes& boxes) {
-  const hn::CappedTag<double, SeenBoxes::kMost> d;
+HWY_INLINE void take(const BoxPicture& picture, const kernel::BoxBlock& block, ProjectedBoxes& boxes) {
+  const hn::CappedTag<double, ProjectedBoxes::kMost> d;
   const hn::Rebind<float, decltype(d)> to;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto eye = hn::Set(d, picture.eye[static_cast<int>(axis)]);
-    for (std::size_t i = 0; i < SeenBoxes::kMost; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < ProjectedBoxes::kMost; i += hn::Lanes(d)) {
       hn::StoreU(hn::DemoteTo(to, hn::Sub(hn::Load(d, &block.min[axis][i]), eye)), to, &boxes.low[axis][i]);
       hn::StoreU(hn::DemoteTo(to, hn::Sub(hn::Load(d, &block.max[axis][i]), eye)), to, &boxes.high[axis][i]);
     }
   }
 }
 
-void see(const BoxPicture& picture, SeenBoxes& boxes) {
+void project(const BoxPicture& picture, ProjectedBoxes& boxes) {
   for (std::size_t i = 0; i < boxes.size; i += hn::Lanes(kD)) {
     if (picture.is_perspective) {
-      see_lanes<true>(picture, boxes, i);
+      project_lanes<true>(picture, boxes, i);
     } else {
-      see_lanes<false>(picture, boxes, i);
+      project_lanes<false>(picture, boxes, i);
     }
   }
 }
 
-void see_block(const BoxPicture& picture, const kernel::BoxBlock& block, SeenBoxes& boxes) {
+void project_block(const BoxPicture& picture, const kernel::BoxBlock& block, ProjectedBoxes& boxes) {
   take(picture, block, boxes);
-  HWY_NAMESPACE::see(picture, boxes);
+  HWY_NAMESPACE::project(picture, boxes);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -172,8 +172,8 @@ HWY_AFTER_NAMESPACE();
 
 namespace occlude::culler {
 namespace {
-HWY_EXPORT(see);
-HWY_EXPORT(see_block);
+HWY_EXPORT(project);
+HWY_EXPORT(project_block);
 
 /// Floats below 2^-126 round by 2^-150 whatever their size. Three coordinates, three products with an axis, the sum of the
 /// coordinates times its factor, and this bound itself do so: 8 of these. Twice that leaves room.
@@ -184,7 +184,7 @@ std::array<float, 3> to_floats(const glm::dvec3& v) {
 }
 }  // namespace
 
-BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
+BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition& margin)
     : eye(picture.eye()),
       is_perspective(picture.is_perspective()),
       right(to_floats(picture.right())),
@@ -201,11 +201,11 @@ BoxPicture::BoxPicture(const BeamPicture& picture, const Place& margin)
       wider_x(rounded_up(margin.x)),
       wider_y(rounded_up(margin.y)) {}
 
-void SeenBoxes::see(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(see)(picture, *this); }
+void ProjectedBoxes::project(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(project)(picture, *this); }
 
-SeenBoxes::SeenBoxes(const BoxPicture& picture, const kernel::BoxBlock& block) {
+ProjectedBoxes::ProjectedBoxes(const BoxPicture& picture, const kernel::BoxBlock& block) {
   size = kMost;
-  HWY_DYNAMIC_DISPATCH(see_block)(picture, block, *this);
+  HWY_DYNAMIC_DISPATCH(project_block)(picture, block, *this);
 }
 
 }  // namespace occlude::culler

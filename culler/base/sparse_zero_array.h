@@ -14,20 +14,20 @@
 
 namespace occlude::culler {
 
-/// Zeros that may be changed. The system makes a page of them when it is first touched, so what is never used costs nothing:
-/// a view has a number for each occluder of a model of millions, and uses some thousand.
+/// SparseZeroArray that may be changed. The system makes a page of them when it is first touched, so what is never used
+/// costs nothing: a view has a number for each occluder of a model of millions, and uses some thousand.
 ///
 /// No page is read before it is written to. Otherwise Linux would map a shared page of zeros, and interrupt the program's
 /// threads to replace it at the first write: in a virtual machine with a busy thread that took 1 ms for each page.
 template <class T>
-class Zeros {
+class SparseZeroArray {
  public:
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= 4096);
 
-  Zeros() = default;
-  ~Zeros() = default;
-  Zeros(Zeros&& other) noexcept { *this = std::move(other); }
-  Zeros& operator=(Zeros&& other) noexcept {
+  SparseZeroArray() = default;
+  ~SparseZeroArray() = default;
+  SparseZeroArray(SparseZeroArray&& other) noexcept { *this = std::move(other); }
+  SparseZeroArray& operator=(SparseZeroArray&& other) noexcept {
     elements_ = std::move(other.elements_);
     size_ = std::exchange(other.size_, 0);
     written_ = std::exchange(other.written_, {});
@@ -46,7 +46,7 @@ class Zeros {
   /// Has at least so many elements from now on. Those that were there stay.
   void grow(std::size_t size) {
     if (size <= size_) return;
-    Zeros grown(std::max(size, 2 * size_));
+    SparseZeroArray grown(std::max(size, 2 * size_));
     for (std::size_t page = 0; page * kOfPage < size_; ++page) {
       if (is_written(page)) std::copy_n(&elements_[page * kOfPage], size_of(page), &grown[page * kOfPage]);
     }
@@ -60,7 +60,7 @@ class Zeros {
   /// Ours have 4 KiB, and may begin anywhere in those of the system, which have 4 KiB or more.
   static constexpr std::size_t kOfPage = 4096 / sizeof(T);
 
-  explicit Zeros(std::size_t size)
+  explicit SparseZeroArray(std::size_t size)
       : elements_(static_cast<T*>(std::calloc(size, sizeof(T)))), size_(size), written_(size / kOfPage + 1) {
     if (!elements_) throw std::bad_alloc();
   }
