@@ -83,7 +83,7 @@ FrameView::FrameView(const Camera& camera, double reach)
       near_distance(camera.near + kDepthMargin * reach),
       near(near_distance),
       is_oblique(false),
-      moved(0) {
+      eye_uncertainty(0) {
   half_width = half_height * camera.aspect;
   height = 2 * half_height;
   const auto& [right, up, forward] = axes;
@@ -105,13 +105,14 @@ FrameView::FrameView(const Camera& camera, double reach)
 /// Why this holds for every eye within the radius r, and for wherever the exact eye is: the camera at eye + e sees what a
 /// camera at the eye sees of a model that is moved by -e.
 ///  - Half-spaces of the first are those of the second moved by e, and so by at most r along their normals.
-///  - A coarse picture bounds what moves of points by `moved` can do, and the model moves by r at most. Points that moved
+///  - A coarse picture bounds what moves of points by `eye_uncertainty` can do, and the model moves by r at most. Points
+///  that moved
 ///    are farther from the eye by up to 2 r in the sum of the axes, which is part of the depth.
 ///  - A point is beyond the near plane of the one if it is beyond that of the other by r. Along a ray from the eye, both are
 ///    equally far.
 ///  - Parallel rays stay what they are: nothing needs to be moved.
 FrameView::FrameView(const MatrixCamera& camera, double reach)
-    : is_perspective(true), area(0), near_distance(0), near(0), is_oblique(false), moved(0) {
+    : is_perspective(true), area(0), near_distance(0), near(0), is_oblique(false), eye_uncertainty(0) {
   const MatrixEye of(camera);
   const double radius = camera.eye_radius;
   is_perspective = of.is_perspective();
@@ -124,7 +125,7 @@ FrameView::FrameView(const MatrixCamera& camera, double reach)
   half_height = of.half_height();
   height = of.height();
   area = 4 * half_width * half_height;
-  moved = of.moved(depth) + (is_perspective ? radius : 0);
+  eye_uncertainty = of.moved(depth) + (is_perspective ? radius : 0);
   const std::array<ClipPlane, 6> planes = of.planes(depth);
   for (const ClipPlane& plane : planes) {
     if (plane.is_everywhere) continue;
@@ -138,7 +139,7 @@ FrameView::FrameView(const MatrixCamera& camera, double reach)
   near_normal = clip.normal;
   const double distance = clip.error - (glm::dot(clip.normal, eye) + clip.offset);
   near_distance = distance + radius;
-  const double beyond = moved + kDepthMargin * depth + kernel::kMinMagnitude;
+  const double beyond = eye_uncertainty + kDepthMargin * depth + kernel::kMinMagnitude;
   const auto crossing = crossing_of(of, near_normal, is_perspective ? distance : near_distance);
   is_oblique = !crossing || !is_across(of, *crossing);
   near = !is_oblique ? crossing->farthest + beyond : is_perspective ? beyond : -2 * depth - beyond;

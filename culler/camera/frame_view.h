@@ -52,7 +52,7 @@ struct FrameView {
   bool is_oblique;  ///< a triangle with a corner that it may_clip() does not hide
   /// The camera sees what it would see from `eye` along `forward` if each point were moved by up to this. It is more than 0
   /// where the eye is not known exactly, or where the frame holds for more than one eye.
-  double moved;
+  double eye_uncertainty;
   std::array<HalfSpace, 6> half_spaces;
   /// The margin that each half-space has for single precision, as a share of the depth.
   std::array<double, 6> half_space_margins;

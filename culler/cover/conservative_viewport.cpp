@@ -50,7 +50,7 @@ ConservativeViewport::ConservativeViewport(const FrameView& view, const Size& si
       depth_(view.depth),
       near_(view.near),
       error_(kSeenError * view.depth),
-      rounding_(rounding + view.moved),
+      rounding_(rounding + view.eye_uncertainty),
       moved_(error_ + rounding_),
       is_oblique_(view.is_oblique),
       near_normal_(view.near_normal),

@@ -98,9 +98,9 @@ Share moves_in_floats(Choices& choices) {
 Share moves_of_the_eye(Choices& choices) {
   const Square square = any_square(choices);
   culler::FrameView view = square.view(0);
-  view.moved = square.distance * choices.scale(-40, -1);
+  view.eye_uncertainty = square.distance * choices.scale(-40, -1);
   const Vector side(Exact(square.distance), Exact(square.half), 0);
-  const Exact moved = square.border(square.depth, Exact(view.moved) * square.outwards(), side);
+  const Exact moved = square.border(square.depth, Exact(view.eye_uncertainty) * square.outwards(), side);
   if (!square.is_perspective) return std::nullopt;
   return needed_share(square, {view, 0}, square.border() - moved);
 }

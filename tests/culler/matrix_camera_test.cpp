@@ -598,9 +598,9 @@ TEST(MatrixCamera, KnowsHowFarItsEyeMayBeOff) {
     } else {
       distance = glm::length(sight.eye() - Sight::Vector(view.eye));
     }
-    ASSERT_LE(distance, view.moved) << made.name << ", camera " << i;
-    ASSERT_LT(view.moved, 1e-9 * (depth + reach(view.eye))) << made.name << ", camera " << i;
-    off += distance > 0x1p-12 * view.moved ? 1 : 0;
+    ASSERT_LE(distance, view.eye_uncertainty) << made.name << ", camera " << i;
+    ASSERT_LT(view.eye_uncertainty, 1e-9 * (depth + reach(view.eye))) << made.name << ", camera " << i;
+    off += distance > 0x1p-12 * view.eye_uncertainty ? 1 : 0;
   }
   EXPECT_GT(off, 1000);
 }
@@ -640,8 +640,8 @@ TEST(MatrixCamera, KnowsHowMuchRaysAreTurnedThatAreNearlyParallel) {
                                                  Vector(up / size) * value(3, p) - value(1, p) * n)),
                  sight(view.axes.forward);
     const Sight::Real aside = Sight::Real{size} * glm::length(ray - glm::dot(ray, sight) / glm::dot(sight, sight) * sight);
-    ASSERT_LE(aside, 2 * view.moved) << "camera " << i;
-    turned += aside > view.moved / 16 ? 1 : 0;
+    ASSERT_LE(aside, 2 * view.eye_uncertainty) << "camera " << i;
+    turned += aside > view.eye_uncertainty / 16 ? 1 : 0;
   }
   EXPECT_GT(turned, 100);
 }
@@ -651,7 +651,7 @@ TEST(MatrixCamera, ShadowsHoldForWhereverTheEyeMayBe) {
   std::mt19937 random(8);
   constexpr double kOff = 0.05;
   FrameView view(Camera{.eye = {0, 0, 0}, .target = {1, 0, 0}}, 100);
-  view.moved = kOff;
+  view.eye_uncertainty = kOff;
   const ShadowMargin margin(view, 0);
   int kept = 0, lost = 0, wrong = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -807,7 +807,7 @@ TEST(MatrixCamera, NothingHidesBeforeTheNearPlaneInABorder) {
   for (std::size_t i = 0; i < 8000; ++i) {
     const Made made = some_camera(random, i % 2 == 0 ? Kind::oblique : Kind::sheared);
     const FrameView view(made.camera, made.far);
-    ASSERT_TRUE(!view.is_perspective || view.near > view.moved + kSinglePrecision * view.depth)
+    ASSERT_TRUE(!view.is_perspective || view.near > view.eye_uncertainty + kSinglePrecision * view.depth)
         << "where places have errors";
     if (view.is_oblique) continue;
     ++across[i % 2];
