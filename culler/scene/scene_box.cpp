@@ -2,13 +2,17 @@
 #include "scene/scene_box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "base/outer_box.h"
+#include "cover/placed.h"
+#include "occlude/culler/placement.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {
@@ -50,7 +54,55 @@ std::optional<Box> legal(const kernel::Obb& box) {
   return box;
 }
 
+double length(const kernel::Vec3& v) { return std::hypot(v.x, v.y, v.z); }
+
+/// Whether the map takes each axis to an axis, so that images of boxes are axis-aligned.
+bool keeps_axes(const Placement& at) {
+  return std::ranges::all_of(std::array{at.x, at.y, at.z},
+                             [](const kernel::Vec3& v) { return (v.x != 0) + (v.y != 0) + (v.z != 0) <= 1; });
+}
+
+/// The volume between three edges, as a share of that of a box with their lengths.
+double squareness(const std::array<kernel::Vec3, 3>& e) {
+  const auto minor = [&](int i, int j) { return e[1][i] * e[2][j] - e[1][j] * e[2][i]; };
+  const double volume = e[0].x * minor(1, 2) + e[0].y * minor(2, 0) + e[0].z * minor(0, 1);
+  return std::fabs(volume) / (length(e[0]) * length(e[1]) * length(e[2]));
+}
+
 }  // namespace
+
+Box placed_box(const kernel::Aabb& box, const Placement& at) {
+  const kernel::Aabb outer = placed(at, box);
+  if (keeps_axes(at)) return outer;
+  const std::array<kernel::Vec3, 3> columns{at.x, at.y, at.z};
+  kernel::Vec3 middle, size;
+  std::array<kernel::Vec3, 3> edges;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    middle[k] = box.min[k] / 2 + box.max[k] / 2;
+    const double half = box.max[k] / 2 - box.min[k] / 2;
+    for (int axis = 0; axis < 3; ++axis) {
+      edges[k][axis] = half * columns[k][axis];
+      size[axis] += std::max(std::fabs(box.min[k]), std::fabs(box.max[k])) * std::fabs(columns[k][axis]);
+    }
+    shortest = std::min(shortest, length(edges[k]));
+  }
+  // Placed points have six roundings, the centre has eight and the edges have three together, each of at most 2^-53 of the
+  // sum of the magnitudes on its axis. The constant is 64 times 2^-53, more than twice as much.
+  constexpr double kRounded = 0x1p-47;
+  for (int axis = 0; axis < 3; ++axis) size[axis] = kRounded * (size[axis] + std::fabs(at.origin[axis]));
+  // The centre is no nearer to a face than squareness times the shortest edge. Rounding moves squareness by less than 2^-46,
+  // which is little beside kLeast.
+  constexpr double kLeast = 0x1p-10;
+  const double square = squareness(edges), near = square * shortest;
+  const double growth = 2 * length(size) / near;
+  // A box that grows by more than a thousandth is not tight. Not so if a number is NaN.
+  if (!(square > kLeast && growth < kLeast)) return outer;
+  for (kernel::Vec3& edge : edges) {
+    for (int axis = 0; axis < 3; ++axis) edge[axis] += growth * edge[axis];
+  }
+  return kernel::Obb{placed(at, middle), edges};
+}
 
 std::string_view fault(const Box& box) {
   return std::visit([](const auto& b) { return fault_of(b); }, box);

@@ -63,7 +63,7 @@ class Slots {
   }
   /// Throws std::invalid_argument if there is no such thing.
   [[nodiscard]] Thing& operator[](Id id) {
-    if (!contains(id)) throw std::invalid_argument(fault(id));
+    if (!contains(id)) refuse(id);
     return slots_[id.slot()].thing;
   }
   /// The same for several, with the place.
@@ -100,6 +100,9 @@ class Slots {
   static std::string name(SceneKind kind) { return kind == SceneKind::object ? "object" : "occluder"; }
 
   [[nodiscard]] Id id(std::uint32_t slot) const { return {slot, slots_[slot].generation, scene_.number()}; }
+
+  /// By itself, so that what is inlined is the question alone.
+  [[noreturn]] void refuse(Id id) const { throw std::invalid_argument(fault(id)); }
 
   void add_slot() {
     const std::size_t slot = slots_.size();

@@ -555,6 +555,69 @@ TEST(Placement, IsWhatTheMatrixSays) {
   }
 }
 
+/// Solves edges * a = p - centre in long doubles.
+std::array<long double, 3> coordinates_in(const Obb& box, const Vec3& p) {
+  using Wide = std::array<long double, 3>;
+  const auto wide = [](const Vec3& v) -> Wide { return {v.x, v.y, v.z}; };
+  const auto determinant = [](const Wide& a, const Wide& b, const Wide& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  const Wide e[3] = {wide(box.half_edges[0]), wide(box.half_edges[1]), wide(box.half_edges[2])};
+  Wide to;
+  for (int axis = 0; axis < 3; ++axis) {
+    to[static_cast<std::size_t>(axis)] = static_cast<long double>(p[axis]) - static_cast<long double>(box.center[axis]);
+  }
+  const long double volume = determinant(e[0], e[1], e[2]);
+  return {determinant(to, e[1], e[2]) / volume, determinant(e[0], to, e[2]) / volume, determinant(e[0], e[1], to) / volume};
+}
+
+/// Whether a corner of the box, where it is placed, is in the box that was made of both, and how near to its border.
+long double reach_of_corners(const Aabb& local, const Placement& at, const Obb& made) {
+  long double reach = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = (corner >> axis & 1U) != 0 ? local.max[axis] : local.min[axis];
+    for (const long double a : coordinates_in(made, placed(at, p))) reach = std::max(reach, std::fabs(a));
+  }
+  return reach;
+}
+
+TEST(Placement, BoxesOfObjectsHoldWhatIsPlaced) {
+  std::mt19937 random(kSeed);
+  std::size_t oriented = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double far = std::ldexp(1, static_cast<int>(random() % 20));
+    const Placement at{random_vector(random, -1, 1), random_vector(random, -1, 1), random_vector(random, -1, 1),
+                       random_vector(random, -far, far)};
+    const Vec3 low = random_vector(random, -2, 2), size = random_vector(random, 0, 3);
+    const Aabb local{low, {low.x + size.x, low.y + size.y, low.z + size.z}};
+    const Box box = placed_box(local, at);
+    EXPECT_TRUE(fault(box).empty());
+    if (const Obb* made = std::get_if<Obb>(&box)) {
+      ++oriented;
+      const long double reach = reach_of_corners(local, at, *made);
+      ASSERT_LE(reach, 1) << "seed " << kSeed << ", " << i;
+      ASSERT_GE(reach, 0.998) << "and not much more";
+    } else {
+      EXPECT_EQ(std::get<Aabb>(box), placed(at, local));
+    }
+  }
+  EXPECT_GT(oriented, 3500U);
+}
+
+TEST(Placement, BoxesOfObjectsAreAlignedWhereThatIsAsTight) {
+  const Aabb local{{-1, -2, -3}, {4, 5, 6}}, flat{{-1, -2, 3}, {4, 5, 3}};
+  const Placement quarter{{0, 2, 0}, {-1, 0, 0}, {0, 0, 3}, {7, 8, 9}}, turned{{1, 1, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+  const Placement lean{{1, 1, 0}, {1, 1.0001, 0}, {0, 0, 1}, {0, 0, 0}}, none{{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 0, 0}};
+  const auto is_aligned = [](const Box& box) { return std::holds_alternative<Aabb>(box); };
+  EXPECT_TRUE(is_aligned(placed_box(local, {})));
+  EXPECT_TRUE(is_aligned(placed_box(local, quarter)));
+  EXPECT_FALSE(is_aligned(placed_box(local, turned)));
+  EXPECT_TRUE(is_aligned(placed_box(flat, turned))) << "what sticks out of it would not be held";
+  EXPECT_TRUE(is_aligned(placed_box(local, lean)));
+  EXPECT_TRUE(is_aligned(placed_box(local, none)));
+}
+
 TEST(Scene, MovesAndRemovesManyAtOnce) {
   Scene scene;
   const std::array<Box, 3> boxes{Aabb{{4, 0, 0}, {5, 1, 1}}, Aabb{{6, 0, 0}, {7, 1, 1}}, Aabb{{-5, 0, 0}, {-4, 1, 1}}};

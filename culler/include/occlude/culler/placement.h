@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "occlude/culler/box.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -42,5 +43,10 @@ struct Placement {
     return {vector(0), vector(1), vector(2), vector(3)};
   }
 };
+
+/// A box of a scene for what has this box in coordinates of its own: it holds the image of each point of the box, exact or
+/// rounded as doubles are. It is oriented if that is tighter: where axes are turned, and no edge is nearly in the plane of
+/// the others. REQUIRES: finite numbers.
+[[nodiscard]] Box placed_box(const kernel::Aabb& box, const Placement& at);
 
 }  // namespace occlude::culler
