@@ -28,7 +28,7 @@ template <class Id, class Thing>
 class Slots {
  public:
   /// The ids are of this scene.
-  explicit Slots(SceneNumber& scene) : scene_(scene) {}
+  explicit Slots(SceneNumber& scene) : scene_(scene), of_scene_(Id(0, 0, scene.number()).number()) {}
 
   Id add(Thing thing) {
     if (free_.empty()) add_slot();
@@ -41,7 +41,7 @@ class Slots {
     return id(i);
   }
   void remove(Id id) {
-    static_cast<void>((*this)[id]);
+    if (!contains(id)) refuse(id);
     Slot& slot = slots_[id.slot()];
     slot.thing = {};
     slot.is_used = false;
@@ -99,7 +99,9 @@ class Slots {
 
   static std::string name(SceneKind kind) { return kind == SceneKind::object ? "object" : "occluder"; }
 
-  [[nodiscard]] Id id(std::uint32_t slot) const { return {slot, slots_[slot].generation, scene_.number()}; }
+  [[nodiscard]] Id id(std::uint32_t slot) const {
+    return Id::from_number(of_scene_ | std::uint64_t{slots_[slot].generation} << Id::kSlotBits | slot);
+  }
 
   /// By itself, so that what is inlined is the question alone.
   [[noreturn]] void refuse(Id id) const { throw std::invalid_argument(fault(id)); }
@@ -114,6 +116,7 @@ class Slots {
   }
 
   SceneNumber& scene_;
+  std::uint64_t of_scene_;  ///< the number of the first id
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_;
   std::size_t count_ = 0;
