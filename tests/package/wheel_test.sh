@@ -17,7 +17,7 @@ fail() {
 "$python" -c 'import setuptools, wheel, pip' 2>/dev/null || { echo "no pip, setuptools and wheel: skipped"; exit 77; }
 cd "$source"
 before=$(find . -path ./build -prune -o -path ./.git -prune -o -print | sort)
-command=$(grep -m1 '^python3 -m pip wheel ' culler/python/README.md) || fail "README.md gives no command"
+command=$(grep -m1 '^python3 -m pip wheel ' docs/python.md) || fail "docs/python.md gives no command"
 read -ra words <<<"$command"
 "$python" "${words[@]:1}" --no-index --wheel-dir "$here" >"$here/log" 2>&1 || fail "no wheel is made: $(cat "$here/log")"
 diff <(echo "$before") <(find . -path ./build -prune -o -path ./.git -prune -o -print | sort) || fail "it leaves files"
