@@ -54,15 +54,18 @@ if(OCCLUDE_FUZZERS)
   target_compile_options(occlude_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# occlude_module(NAME ROOMS...): makes the library occlude::NAME from the sources in the folder src, or in these folders, with its
-# public headers in the folder include.
+# occlude_module(NAME ROOMS...): makes the library occlude::NAME from the sources in the folder src, with its public headers in the
+# folder include; or from those in these folders, each with its own public headers in a folder include.
 function(occlude_module name)
   if(ARGN)
     list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE folders)
     set(private ${CMAKE_CURRENT_SOURCE_DIR})
+    file(GLOB public ${CMAKE_CURRENT_SOURCE_DIR}/*/include)
+    list(FILTER public EXCLUDE REGEX "/c/include$")  # of a module of its own
   else()
     set(private ${CMAKE_CURRENT_SOURCE_DIR}/src)
     set(folders ${private} ${private}/*)
+    set(public ${CMAKE_CURRENT_SOURCE_DIR}/include)
   endif()
   list(TRANSFORM folders APPEND /*.cpp)
   file(GLOB sources CONFIGURE_DEPENDS ${folders})
@@ -75,9 +78,8 @@ function(occlude_module name)
     endif()
   endforeach()
   add_library(occlude::${name} ALIAS occlude_${name})
-  target_include_directories(occlude_${name}
-    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
-    PRIVATE ${private})
+  target_include_directories(occlude_${name} PUBLIC "$<BUILD_INTERFACE:${public}>" PRIVATE ${private})
+  set_target_properties(occlude_${name} PROPERTIES OCCLUDE_PUBLIC "${public}")  # for install.cmake
   target_compile_features(occlude_${name} PUBLIC cxx_std_20)
   target_link_libraries(occlude_${name} PRIVATE $<BUILD_INTERFACE:occlude_options>)
   # For shared libraries and modules that are made of it. What is hidden is called directly there, too.

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "base/bounds.h"
 #include "camera/frame_view.h"
 #include "camera/negligible.h"
+#include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

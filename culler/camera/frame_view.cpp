@@ -10,12 +10,12 @@
 #include <tuple>
 #include <utility>
 
-#include "base/bounds.h"
 #include "camera/legal_half_space.h"
 #include "camera/matrix_eye.h"
 #include "camera/negligible.h"
 #include "camera/single_precision.h"
 #include "camera/view_planes.h"
+#include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

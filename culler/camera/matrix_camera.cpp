@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/matrix_camera.h"
 
-#include "base/bounds.h"
 #include "camera/frame_view.h"
 #include "camera/matrix_eye.h"
-#include "occlude/culler/cull_result.h"
+#include "model/bounds.h"
+#include "occlude/culler/method.h"
 
 namespace occlude::culler {
 

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
-#include "base/bounds.h"
 #include "camera/legal_half_space.h"
 #include "camera/negligible.h"
 #include "camera/single_precision.h"
+#include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

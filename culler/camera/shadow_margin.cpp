@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "base/bounds.h"
-#include "base/outer_box.h"
 #include "camera/frame_view.h"
 #include "camera/single_precision.h"
+#include "model/bounds.h"
+#include "model/outer_box.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/validity.h"
 

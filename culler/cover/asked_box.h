@@ -8,13 +8,13 @@
 #include <string>
 #include <variant>
 
-#include "base/bounds.h"
-#include "base/outer_box.h"
 #include "camera/frame_view.h"
 #include "cover/cover_buffer.h"
+#include "model/bounds.h"
 #include "model/legal_soup.h"
+#include "model/outer_box.h"
 #include "occlude/culler/box.h"
-#include "occlude/culler/view.h"
+#include "occlude/culler/visibility.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/validity.h"
 

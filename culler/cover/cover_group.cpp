@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cover/cover_group.h"
 
-#include "base/bounds.h"
 #include "cover/placed.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 

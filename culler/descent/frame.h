@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/bounds.h"
 #include "camera/frame_view.h"
+#include "model/bounds.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/half_space.h"
 

@@ -2,9 +2,9 @@
 // The start of a frame of a model, whatever the method. Reading order: 11.
 #pragma once
 
-#include "base/bounds.h"
 #include "camera/sound_camera.h"
 #include "frame/view_memory.h"
+#include "model/bounds.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 

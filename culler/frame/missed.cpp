@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "base/bounds.h"
 #include "camera/frame_view.h"
 #include "camera/shadow_rule.h"
 #include "cover/cover_buffer.h"
 #include "frusta/plane_work.h"
+#include "model/bounds.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/kernel/half_space.h"
 

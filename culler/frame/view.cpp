@@ -5,10 +5,10 @@
 #include <atomic>
 #include <utility>
 
-#include "base/bounds.h"
 #include "camera/shadow_rule.h"
 #include "cover/asked_box.h"
 #include "frame/view_memory.h"
+#include "model/bounds.h"
 #include "occlude/kernel/shadow_union.h"
 
 namespace occlude::culler {

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "base/bounds.h"
 #include "base/disjoint_sets.h"
 #include "model/adjacency.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/bounds.h"
 #include "base/disjoint_sets.h"
 #include "frusta/shell_limits.h"
 #include "frusta/shell_polytopes.h"
 #include "model/adjacency.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <variant>
 
-#include "base/bounds.h"
 #include "frusta/candidate_order.h"
+#include "model/bounds.h"
 #include "occlude/kernel/overlap.h"
 
 namespace occlude::culler {

@@ -8,8 +8,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "base/bounds.h"
 #include "frusta/partition_cells.h"
+#include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "base/bounds.h"
 #include "base/each_bit.h"
 #include "camera/shadow_rule.h"
 #include "descent/parallel_traversal.h"
 #include "frusta/frusta_memory.h"
+#include "model/bounds.h"
 #include "model/node_blocks.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"

@@ -7,11 +7,11 @@
 #include <span>
 #include <utility>
 
-#include "base/bounds.h"
 #include "base/each_bit.h"
 #include "camera/shadow_rule.h"
 #include "frusta/seen_occluders.h"
 #include "frusta/solid_angle.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/part_checks.h"
-#include "base/part_list.h"
 #include "frusta/region_lists.h"
+#include "model/part_list.h"
 
 namespace occlude::culler {
 namespace {

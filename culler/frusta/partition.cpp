@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "base/part_list.h"
 #include "frusta/partition_cells.h"
+#include "model/part_list.h"
 
 namespace occlude::culler {
 namespace {

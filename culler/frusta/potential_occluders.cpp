@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "base/bounds.h"
 #include "model/adjacency.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

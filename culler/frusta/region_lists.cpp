@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "occlude/culler/parallel.h"
 
 namespace occlude::culler {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/bounds.h"
-#include "base/outer_box.h"
+#include "model/bounds.h"
+#include "model/outer_box.h"
 #include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_frustum.h"

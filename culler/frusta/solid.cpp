@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "occlude/kernel/orientation.h"
 
 namespace occlude::culler {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "base/bounds.h"
 #include "frusta/closed_parts.h"
 #include "frusta/solid.h"
 #include "inner/solid_cells.h"
 #include "model/adjacency.h"
+#include "model/bounds.h"
 #include "model/legal_soup.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/kernel/validity.h"

@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 #include <span>
 
-#include "base/bounds.h"
 #include "base/disjoint_sets.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

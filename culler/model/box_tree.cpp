@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <numeric>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 namespace {

@@ -10,7 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "occlude/kernel/orientation.h"
 
 namespace occlude::culler {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "model/box_tree.h"
 #include "model/oriented_box.h"
 

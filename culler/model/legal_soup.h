@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/bounds.h"
 #include "base/part_checks.h"
 #include "base/rounding.h"
+#include "model/bounds.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/validity.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 

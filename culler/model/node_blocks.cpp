@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
 #include "base/part_checks.h"
-#include "base/part_list.h"
+#include "model/bounds.h"
+#include "model/part_list.h"
 
 namespace occlude::culler {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "occlude/kernel/containment.h"
 #include "occlude/kernel/validity.h"
 

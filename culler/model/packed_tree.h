@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "model/curve_order.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"

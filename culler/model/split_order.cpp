@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "model/packed_tree.h"
 
 namespace occlude::culler {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <variant>
 
-#include "base/bounds.h"
-#include "base/outer_box.h"
+#include "model/bounds.h"
+#include "model/outer_box.h"
 
 namespace occlude::culler {
 namespace {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <variant>
 
-#include "base/outer_box.h"
 #include "cover/placed.h"
+#include "model/outer_box.h"
 #include "occlude/culler/placement.h"
 #include "occlude/kernel/validity.h"
 

@@ -9,12 +9,12 @@
 #include <memory>
 #include <utility>
 
-#include "base/bounds.h"
 #include "cover/cover_descent.h"
 #include "cover/drawn_groups.h"
 #include "cover/placed.h"
 #include "cover/prepared_mesh.h"
 #include "descent/add_counts.h"
+#include "model/bounds.h"
 #include "scene/object_listing.h"
 #include "scene/packed_descent.h"
 

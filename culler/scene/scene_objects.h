@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "model/packed_tree.h"
 #include "occlude/culler/box.h"
 #include "occlude/culler/executor.h"

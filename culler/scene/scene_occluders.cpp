@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "base/bounds.h"
 #include "cover/placed.h"
+#include "model/bounds.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

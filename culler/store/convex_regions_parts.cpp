@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/part_checks.h"
-#include "base/part_list.h"
+#include "model/part_list.h"
 #include "occlude/culler/convex_regions.h"
 
 namespace occlude::culler {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/part_checks.h"
-#include "base/part_list.h"
 #include "frusta/shell_limits.h"
 #include "frusta/shell_polytopes.h"
+#include "model/part_list.h"
 #include "occlude/culler/convex_shells.h"
 
 namespace occlude::culler {

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "base/part_checks.h"
-#include "base/part_list.h"
 #include "cover/cover_triangles.h"
+#include "model/part_list.h"
 
 namespace occlude::culler {
 namespace {

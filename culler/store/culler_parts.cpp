@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "base/lazy.h"
-#include "base/part_list.h"
 #include "cover/cover_triangles.h"
 #include "model/legal_soup.h"
 #include "model/node_blocks.h"
+#include "model/part_list.h"
 #include "occlude/culler/culler.h"
 
 namespace occlude::culler {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
 #include "base/part_checks.h"
-#include "base/part_list.h"
+#include "model/bounds.h"
 #include "model/legal_soup.h"
+#include "model/part_list.h"
 #include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/part_checks.h"
-#include "base/part_list.h"
+#include "model/part_list.h"
 #include "occlude/culler/potential_occluders.h"
 
 namespace occlude::culler {

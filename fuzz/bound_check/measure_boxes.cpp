@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "base/bounds.h"
 #include "cover/projected_boxes.h"
 #include "measure_culler.h"
+#include "model/bounds.h"
 #include "true_picture.h"
 
 namespace occlude::bound_check {

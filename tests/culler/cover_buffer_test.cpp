@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "base/bounds.h"
 #include "camera/single_precision.h"
 #include "cover/cover_group.h"
 #include "cover/cover_triangles.h"
+#include "model/bounds.h"
 #include "occlude/kernel/cover.h"
 #include "scenes.h"
 

@@ -15,9 +15,9 @@
 #include <thread>
 #include <vector>
 
-#include "base/bounds.h"
-#include "base/outer_box.h"
 #include "frames.h"
+#include "model/bounds.h"
+#include "model/outer_box.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
 #include "only_target.h"

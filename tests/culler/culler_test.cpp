@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
 #include "descent/traversal.h"
 #include "executors.h"
 #include "frame/view_memory.h"
 #include "frames.h"
 #include "frusta/occluder_history.h"
+#include "model/bounds.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/validity.h"

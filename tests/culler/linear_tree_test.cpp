@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "scenes.h"
 
 namespace linear_tree_test {

@@ -22,10 +22,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
 #include "camera/frame_view.h"
 #include "camera/single_precision.h"
 #include "frames.h"
+#include "model/bounds.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/half_space.h"

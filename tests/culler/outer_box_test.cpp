@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/outer_box.h"
+#include "model/outer_box.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "model/curve_order.h"
 #include "model/split_order.h"
 #include "scenes.h"

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-#include "base/bounds.h"
 #include "cover/cover_triangles.h"
 #include "forged_parts.h"
 #include "frames.h"
+#include "model/bounds.h"
 #include "model/node_blocks.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"

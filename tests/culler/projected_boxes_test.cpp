@@ -13,9 +13,9 @@
 #include <span>
 #include <vector>
 
-#include "base/bounds.h"
 #include "camera/single_precision.h"
 #include "exact_picture.h"
+#include "model/bounds.h"
 #include "scenes.h"
 
 namespace projected_boxes_test {

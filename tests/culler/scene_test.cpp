@@ -23,11 +23,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
-#include "base/outer_box.h"
 #include "cover/placed.h"
 #include "executors.h"
 #include "frames.h"
+#include "model/bounds.h"
+#include "model/outer_box.h"
 #include "occlude/kernel/cover.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/scene_frame.h"

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/bounds.h"
 #include "camera/frame_view.h"
 #include "camera/single_precision.h"
 #include "frames.h"
+#include "model/bounds.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/overlap.h"
 #include "scenes.h"

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "base/bounds.h"
+#include "model/bounds.h"
 #include "scenes.h"
 
 namespace solid_test {

@@ -14,11 +14,11 @@
 #include <tuple>
 #include <vector>
 
-#include "base/bounds.h"
 #include "camera/shadow_rule.h"
 #include "executors.h"
 #include "frame/view_memory.h"
 #include "frusta/node_tests.h"
+#include "model/bounds.h"
 #include "model/node_blocks.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/culler.h"

@@ -44,8 +44,8 @@ mkdir elsewhere && mv first elsewhere/second
 prefix=$here/elsewhere/second
 
 # What is there.
-headers() { (cd "$1" && find occlude -name '*.h'); }
-diff <({ headers "$source/kernel/include"; headers "$source/culler/include"; } | sort) <(headers "$prefix/include" | sort) ||
+headers() { (cd "$1" && find . -path './occlude/*' -name '*.h'); }
+diff <(for folder in "$source"/kernel/include "$source"/culler/*/include; do headers "$folder"; done | sort) <(headers "$prefix/include" | sort) ||
   fail "not the public headers"
 cmp "$source/culler/c/include/occlude.h" "$prefix/include/occlude.h" || fail "not the header of the C interface"
 [ -s "$prefix/share/doc/occlude/LICENSE" ] || fail "no licence"

@@ -8,14 +8,9 @@
 
 #include "occlude/culler/box.h"
 #include "occlude/culler/cull_result.h"
+#include "occlude/culler/visibility.h"
 
 namespace occlude::culler {
-
-enum class Visibility {
-  visible,      ///< neither of the other two could be shown
-  occluded,     ///< all of it is in the shadow of one occluder, or of a pair of CullResult::pairs, or behind the cover
-  out_of_view,  ///< all of it is beyond one half-space of the view
-};
 
 /// Tells the cullers of a program apart, so that a view notices which of them it is used with. A copy has the
 /// same identity, as it holds the same. Any thread may make one.

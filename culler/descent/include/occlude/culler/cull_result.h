@@ -9,6 +9,7 @@
 
 #include "occlude/culler/camera.h"
 #include "occlude/culler/executor.h"
+#include "occlude/culler/method.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/overlap.h"
@@ -34,16 +35,6 @@ struct Objective {
   /// in the picture hid. With 0 the occluders of a frame do not depend on earlier frames, and there are no probes.
   double coherence = 1;
 };
-
-/// What hides.
-enum class Method {
-  frusta,  ///< the shadows of a few chosen occluders, each on its own: the paper's method
-  cover,   ///< everything that is found visible, front to back, joined in a coarse picture
-};
-
-/// The best Hierarchy::Config::leaf_size for a method. For covers leaves are small: a hidden polygon is drawn if any part of
-/// its leaf's box is not hidden.
-[[nodiscard]] inline constexpr std::uint32_t leaf_size_for(Method method) { return method == Method::cover ? 4 : 16; }
 
 /// Limits of the width and of the height of the coarse picture, in pixels.
 inline constexpr int kLeastCoverSide = 64, kMostCoverSide = 4096;

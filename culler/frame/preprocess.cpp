@@ -7,8 +7,8 @@
 #include <mutex>
 #include <utility>
 
-#include "base/bounds.h"
 #include "frusta/depth_complexity.h"
+#include "model/bounds.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/parallel.h"
 

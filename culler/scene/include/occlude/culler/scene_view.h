@@ -13,7 +13,7 @@
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/executor.h"
 #include "occlude/culler/scene_id.h"
-#include "occlude/culler/view.h"
+#include "occlude/culler/visibility.h"
 
 namespace occlude::culler {
 
