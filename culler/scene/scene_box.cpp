@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -79,13 +80,15 @@ Box placed_box(const kernel::Aabb& box, const Placement& at) {
   std::array<kernel::Vec3, 3> edges;
   double shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
+    const kernel::Vec3& column = columns[static_cast<std::size_t>(k)];
+    kernel::Vec3& edge = edges[static_cast<std::size_t>(k)];
     middle[k] = box.min[k] / 2 + box.max[k] / 2;
     const double half = box.max[k] / 2 - box.min[k] / 2;
     for (int axis = 0; axis < 3; ++axis) {
-      edges[k][axis] = half * columns[k][axis];
-      size[axis] += std::max(std::fabs(box.min[k]), std::fabs(box.max[k])) * std::fabs(columns[k][axis]);
+      edge[axis] = half * column[axis];
+      size[axis] += std::max(std::fabs(box.min[k]), std::fabs(box.max[k])) * std::fabs(column[axis]);
     }
-    shortest = std::min(shortest, length(edges[k]));
+    shortest = std::min(shortest, length(edge));
   }
   // Placed points have six roundings, the centre has eight and the edges have three together, each of at most 2^-53 of the
   // sum of the magnitudes on its axis. The constant is 64 times 2^-53, more than twice as much.
