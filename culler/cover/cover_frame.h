@@ -17,6 +17,7 @@
 #include "descent/frame.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
+#include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
 
