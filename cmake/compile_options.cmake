@@ -60,8 +60,8 @@ function(occlude_module name)
   if(ARGN)
     list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE folders)
     set(private ${CMAKE_CURRENT_SOURCE_DIR})
-    file(GLOB public ${CMAKE_CURRENT_SOURCE_DIR}/*/include)
-    list(FILTER public EXCLUDE REGEX "/c/include$")  # of a module of its own
+    list(TRANSFORM folders APPEND /include OUTPUT_VARIABLE includes)
+    file(GLOB public ${includes})  # those that there are
   else()
     set(private ${CMAKE_CURRENT_SOURCE_DIR}/src)
     set(folders ${private} ${private}/*)

@@ -31,7 +31,7 @@ HalfSpace half_space(const glm::dvec3& inward, const glm::dvec3& point, double d
 }
 
 /// The part of a picture whose rays matter, in halves of the camera's picture: with the border of a coarse picture, which
-/// doubles the smallest one, and room for what moves points.
+/// makes it half as large again, and room for what moves points.
 constexpr double kWithBorder = 3;
 
 /// How far along the line of sight a near plane lies, within a picture.

@@ -122,7 +122,7 @@ class ConservativeViewport {
   [[nodiscard]] int height() const { return height_; }
 
  private:
-  /// In pixels. A smaller bound leaves hardly more pixels to close.
+  /// In pixels. An edge that is off by no more is left as it is: a smaller bound would close hardly more pixels.
   static constexpr double kSmallError = 1;
 
   [[nodiscard]] double error_in_picture(const BoundedPosition& a, const BoundedPosition& b) const;

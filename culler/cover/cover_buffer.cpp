@@ -13,7 +13,7 @@ namespace {
 /// The border around the camera's picture, as a share of the shorter side of both. Boxes that reach beyond the camera's
 /// picture can be hidden only as far as the border reaches. In a picture of 576x360 this share draws as many polygons of
 /// Utrecht, the castle and Sponza as 16 pixels in one of 512x288, in the same time, and 7 % fewer of a town. Where boxes are
-/// large it hides more: half of a globe instead of a quarter.
+/// large it hides more: two fifths of a globe instead of a quarter.
 constexpr double kBorder = 1.0 / 6;
 
 constexpr float kOpen = -std::numeric_limits<float>::infinity();

@@ -41,10 +41,13 @@ namespace occlude::culler {
   return result;
 }
 
-/// Whether it turns what is seen counter-clockwise clockwise.
-[[nodiscard]] inline bool is_mirrored(const Placement& at) {
-  const auto minor = [&](int i, int j) { return at.y[i] * at.z[j] - at.y[j] * at.z[i]; };
-  return at.x.x * minor(1, 2) + at.x.y * minor(2, 0) + at.x.z * minor(0, 1) < 0;
+/// Up to rounding.
+[[nodiscard]] inline double determinant(const kernel::Vec3& x, const kernel::Vec3& y, const kernel::Vec3& z) {
+  const auto minor = [&](int i, int j) { return y[i] * z[j] - y[j] * z[i]; };
+  return x.x * minor(1, 2) + x.y * minor(2, 0) + x.z * minor(0, 1);
 }
+
+/// Whether it turns what is seen counter-clockwise clockwise.
+[[nodiscard]] inline bool is_mirrored(const Placement& at) { return determinant(at.x, at.y, at.z) < 0; }
 
 }  // namespace occlude::culler

@@ -65,9 +65,7 @@ bool keeps_axes(const Placement& at) {
 
 /// The volume between three edges, as a share of that of a box with their lengths.
 double squareness(const std::array<kernel::Vec3, 3>& e) {
-  const auto minor = [&](int i, int j) { return e[1][i] * e[2][j] - e[1][j] * e[2][i]; };
-  const double volume = e[0].x * minor(1, 2) + e[0].y * minor(2, 0) + e[0].z * minor(0, 1);
-  return std::fabs(volume) / (length(e[0]) * length(e[1]) * length(e[2]));
+  return std::fabs(determinant(e[0], e[1], e[2])) / (length(e[0]) * length(e[1]) * length(e[2]));
 }
 
 }  // namespace
