@@ -296,9 +296,6 @@ occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view,
     require(view, "view");
     if (count != 0) require(objects, "objects");
     if (count != 0) require(fates, "fates");
-    require_known(*scene, {objects, count});
-    std::vector<occlude::culler::ObjectId> ids;
-    for (const occlude_object object : std::span(objects, count)) ids.push_back(to_id(object));
-    copy_fates(fates_of(*scene, *view, ids), *view, fates);
+    copy_fates(fates_of(*scene, *view, known(*scene, {objects, count})), *view, fates);
   });
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "handles.h"
 #include "occlude.h"
@@ -28,12 +29,17 @@ template <class Id>
   return to_id(id);
 }
 
-/// All of them are.
-inline void require_known(const occlude_scene& scene, std::span<const occlude_object> objects) {
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (scene.scene.contains(to_id(objects[i]))) continue;
-    static_cast<void>(known(&scene, objects[i], ("object " + std::to_string(i) + ": ").c_str()));
+/// The same of several.
+[[nodiscard]] inline std::vector<culler::ObjectId> known(const occlude_scene& scene,
+                                                         std::span<const occlude_object> objects) {
+  std::vector<culler::ObjectId> ids;
+  ids.reserve(objects.size());
+  for (const occlude_object object : objects) {
+    ids.push_back(to_id(object));
+    if (scene.scene.contains(ids.back())) continue;
+    static_cast<void>(known(&scene, object, ("object " + std::to_string(ids.size() - 1) + ": ").c_str()));
   }
+  return ids;
 }
 
 }  // namespace occlude::c

@@ -78,12 +78,7 @@ occlude_status occlude_scene_remove_objects(occlude_scene* scene, const occlude_
   return guarded([&] {
     require(scene, "scene");
     if (count != 0) require(objects, "objects");
-    const std::span all(objects, count);
-    require_known(*scene, all);
-    for (const occlude_object object : all) {
-      const auto id = to_id(object);
-      if (scene->scene.contains(id)) scene->scene.remove(id);  // not so the second time
-    }
+    scene->scene.remove(known(*scene, {objects, count}));
   });
 }
 
@@ -100,9 +95,9 @@ occlude_status occlude_scene_move_objects(occlude_scene* scene, const occlude_ob
     require(scene, "scene");
     const Boxes all(boxes);
     if (all.size() != 0) require(objects, "objects");
-    require_known(*scene, {objects, all.size()});
+    const auto ids = known(*scene, {objects, all.size()});
     require_legal(all);
-    for (std::size_t i = 0; i < all.size(); ++i) scene->scene.move(to_id(objects[i]), all[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) scene->scene.move(ids[i], all[i]);
   });
 }
 
