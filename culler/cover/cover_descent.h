@@ -1,227 +1,155 @@
 // SPDX-License-Identifier: MIT
-// One descent of a tree, front to back, that culls by the view and by what a cover buffer has closed.
+// One descent of a tree of blocks that culls by the view and by what a cover buffer has closed, eight boxes at a time.
 //
-// Leaves that are not culled go to `see`, one at a time. A few leaves together may then close pixels for what lies behind
-// them. Nothing hides itself, because a box is never strictly beyond what it holds.
+// Where what is seen closes pixels for what lies behind it, the descent goes from front to back. Nothing hides itself,
+// because a box is never strictly beyond what it holds.
 #pragma once
 
-#include <hwy/cache_control.h>
-
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
-#include "camera/view_planes.h"
+#include "base/each_bit.h"
 #include "cover/cover_buffer.h"
 #include "cover/projected_boxes.h"
-#include "cover/seen_node.h"
+#include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/culler/hierarchy.h"
-#include "occlude/kernel/half_space.h"
-#include "occlude/kernel/types.h"
+#include "occlude/kernel/box_block.h"
 
 namespace occlude::culler {
 
-/// A tree as a descent sees it: its boxes are where they are.
-struct StandingBoxes {
-  std::span<const HierarchyNode> nodes;
+/// A block as a descent has tested it.
+template <class Boxes>
+struct TestedBlock {
+  const TreeBlock& block;
+  Boxes boxes;             ///< of the block, where they stand
+  ProjectedBoxes seen;     ///< in the picture. Nothing is known of them if none is `left`
+  kernel::BoxBits left;    ///< those that take part and are not culled
+  std::size_t groups = 0;  ///< how many had been drawn when they were found not to be hidden
+  std::array<std::uint32_t, TreeBlock::kNodes> straddled_planes;  ///< of each box, a bit for each plane that may cross it
 
-  [[nodiscard]] const kernel::Aabb& box(std::uint32_t node) const { return nodes[node].box; }
-  template <class Question>
-  decltype(auto) ask(std::uint32_t node, const Question& question) const {
-    return question(box(node));
+  TestedBlock(const TreeBlock& tested, Boxes stand, kernel::BoxBits asked, std::uint32_t planes)
+      : block(tested), boxes(std::forward<Boxes>(stand)), left(asked) {
+    straddled_planes.fill(planes);
   }
 };
 
-/// What a descent looks for.
-enum class Sought {
-  seen,          ///< all that is not culled
-  worth_closing  ///< what is seen through more than a slit. Where nothing is, the descent does not enter
-};
-
-/// see(SeenNode) is called for each leaf that is sought, cull(Culled) for each node that is culled. join() is called after
-/// each subtree of few items and may add to the buffer what was seen.
-template <class Tree, class See, class Cull, class Join>
+/// `nodes` says what the tree holds:
+/// boxes(block): its kernel::BoxBlock, or a reference to it;
+/// asked(block): those that take part; the others are not heard of again;
+/// relations(block, boxes, asked): of the planes of the view and the nodes, as kernel::relations();
+/// prefetch(items): a hint that asked() comes for a block of these;
+/// cull(block, i, culled): called for each node that is culled when it is tested; Culled::node is not set;
+/// decide(tested, i): called for each node that is left, when its turn comes. Whether to go below it, which no leaf may
+/// have; is_few(items): whether nodes of these items can be visited in any order; join(): called after each subtree of few
+/// items that is not below another.
+template <class Nodes>
 class CoverDescent {
  public:
-  /// A subtree has few items if it has at most this many, or is a leaf. With a smaller limit, more of what
-  /// was drawn before is drawn again; with a larger one, what was seen closes pixels later. With 512, large models take up
-  /// to 3 % less, but a small town 9 % more instructions.
-  static constexpr std::uint32_t kFew = 256;
+  CoverDescent(const BlockTree& tree, const CoverBuffer& buffer, CullStats& stats, Nodes& nodes)
+      : tree_(tree), buffer_(buffer), stats_(stats), nodes_(nodes) {}
 
-  /// A leaf that is seen through fewer pixels is not worth drawing: it shows through slits that nothing closes. With a
-  /// limit of 4, frames of models would draw 50 % more triangles and cull only a few thousandths more. An occluder of a
-  /// scene costs more, because it is found in two trees: with 8, a cull takes 8 % longer and draws 1 % fewer objects.
-  static constexpr int kWorthOfLeaf = 8, kWorthOfOccluder = 12;
-  /// The more a frame has drawn, the less another leaf is worth: the limit is a pixel for each 512 triangles, as far as this
-  /// is between the limit above and 24. Frames of up to 4,096 triangles stay as they are. The castle and Sponza, of 18,000
-  /// to 28,000, draw half to two thirds of that, take 0.7 to 0.8 of the time, and cull less: of what is hidden 0.2 to 0.8 %
-  /// in the castle, 1 to 5 % in Sponza.
-  static constexpr std::size_t kTrianglesOfPixel = 512, kMostWorth = 24;
-
-  CoverDescent(const Tree& tree, const ViewPlanes& view, const CoverBuffer& buffer, Sought sought, CullStats& stats,
-               const See& see, const Cull& cull, const Join& join)
-      : tree_(tree), view_(view), buffer_(buffer), sought_(sought), stats_(stats), see_(see), cull_(cull), join_(join) {}
-
-  /// Descends from the root. `straddled_planes` has a bit for each plane that may cross it.
+  /// Descends from the first block, whose nodes `straddled_planes` has a bit for each plane that may cross.
   void run(std::uint32_t straddled_planes) {
-    if (tree_.nodes.empty()) return;
-    Visit root{0, straddled_planes};
-    if (!is_in_view(root)) return;
-    if (!is_few(root.node)) return visit_below(root);
-    visit_part(root);
-    join_();
+    if (tree_.empty()) return;
+    if (!nodes_.is_few(tree_.items())) return visit_in_order(0, straddled_planes);
+    visit_below(0, visit(0, straddled_planes));
+    nodes_.join();
   }
 
  private:
-  struct Visit {
-    std::uint32_t node;
-    std::uint32_t straddled_planes;  ///< a bit for each plane that may cross the node
-  };
-  /// Nodes that are tested together.
-  struct Batch {
-    std::array<Visit, ProjectedBoxes::kMost> visits;
-    ProjectedBoxes boxes;
-    std::size_t groups = 0;  ///< how many had been drawn when it was tested
-  };
-  /// A subtree of few items: the nodes that the descent enters there, and the next ones to be tested.
-  struct Part {
-    std::array<Visit, kFew> entered;  ///< which has room: a subtree has fewer nodes with children than items
-    std::size_t size = 0;             ///< of `entered`
-    Batch batch;
+  using Bits = kernel::BoxBits;
+  using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
+
+  /// The nodes of a block to go below, and the planes that may cross each of them.
+  struct Entered {
+    Bits nodes = 0;
+    std::array<std::uint32_t, TreeBlock::kNodes> straddled_planes;
   };
 
-  [[nodiscard]] bool is_few(std::uint32_t node) const {
-    return tree_.nodes[node].is_leaf() || tree_.nodes[node].count <= kFew;
-  }
-
-  /// Visits what is below a node: three levels of the tree at once, nearest first. A subtree of few items begins a level of
-  /// its own. REQUIRES: the node has more items.
-  void visit_below(const Visit& visit) {
-    Batch batch;
-    gather(visit, kLevels, batch, nullptr);
-    const kernel::BoxBits hidden = test(batch);
-    std::array<std::uint8_t, ProjectedBoxes::kMost> order{};
-    for (std::uint8_t i = 0; i < batch.boxes.size; ++i) {
-      std::size_t k = i;
-      for (; k > 0 && batch.boxes.distance[order[k - 1]] > batch.boxes.distance[i]; --k) order[k] = order[k - 1];
-      order[k] = i;
-    }
-    for (const std::uint8_t i : std::span(order).first(batch.boxes.size)) {
-      const Visit& next = batch.visits[i];
-      const bool is_entered = decide(batch, i, hidden), is_part = is_few(next.node);
-      if (is_entered && !is_part) visit_below(next);
-      if (is_entered && is_part) visit_part(next);
-      if (is_part) join_();
+  /// Visits the parts of a node, nearest first.
+  void visit_in_order(std::uint32_t at, std::uint32_t straddled_planes) {
+    const Tested tested = test(at, straddled_planes);
+    std::array<std::uint8_t, TreeBlock::kNodes> order{};
+    std::size_t size = 0;
+    for_each_bit(tested.left, [&](std::uint32_t i) {
+      tree_.prefetch(tested.block.below[i]);
+      std::size_t k = size++;
+      for (; k > 0 && tested.seen.distance[order[k - 1]] > tested.seen.distance[i]; --k) order[k] = order[k - 1];
+      order[k] = static_cast<std::uint8_t>(i);
+    });
+    for (const std::uint8_t i : std::span(order).first(size)) {
+      const bool is_entered = nodes_.decide(tested, i), is_few = nodes_.is_few(tested.block.items(i));
+      const std::uint32_t below = tested.block.below[i], planes = tested.straddled_planes[i];
+      if (is_entered && !is_few) visit_in_order(below, planes);
+      if (is_entered && is_few) visit_below(below, visit(below, planes));
+      if (is_few) nodes_.join();
     }
   }
 
-  /// Visits a subtree of few items, or the leaf itself. What is seen there closes pixels when the descent leaves it, so the
-  /// order does not matter, and only the last batch need not be full.
-  void visit_part(const Visit& root) {
-    Part part;
-    part.entered[part.size++] = root;
-    for (std::size_t next = 0; next < part.size;) {
-      gather(part.entered[next++], kLevels, part.batch, &part);
-      if (next == part.size && part.batch.boxes.size > 0) settle(part);
-    }
-  }
-  /// Decides about the batch, and empties it.
-  void settle(Part& part) {
-    const kernel::BoxBits hidden = test(part.batch);
-    for (std::size_t i = 0; i < part.batch.boxes.size; ++i) {
-      if (decide(part.batch, i, hidden)) part.entered[part.size++] = part.batch.visits[i];
-    }
-    part.batch.boxes.size = 0;
+  /// Visits the blocks below a block, in any order. All of them are visited before those below them, so that memory has time
+  /// to fetch these.
+  void visit_below(std::uint32_t at, const Entered& entered) {
+    const TreeBlock& block = tree_[at];
+    std::array<Entered, TreeBlock::kNodes> below;
+    for_each_bit(entered.nodes, [&](std::uint32_t i) { below[i] = visit(block.below[i], entered.straddled_planes[i]); });
+    for_each_bit(entered.nodes, [&](std::uint32_t i) {
+      if (below[i].nodes != 0) visit_below(block.below[i], below[i]);
+    });
   }
 
-  /// Adds the nodes in view so many levels below, and leaves above them, to a batch. In a part, settles it when it is full;
-  /// elsewhere, goes into no subtree of few items.
-  void gather(const Visit& visit, int levels, Batch& batch, Part* part) {
-    const HierarchyNode& node = tree_.nodes[visit.node];
-    if (node.is_leaf() || levels == 0) {
-      batch.visits[batch.boxes.size] = visit;
-      batch.boxes.add(buffer_.box_picture(), tree_.box(visit.node));
-      if (part != nullptr && batch.boxes.size == ProjectedBoxes::kMost) settle(*part);
-      return;
-    }
-    hwy::Prefetch(&tree_.nodes[node.right]);  // which is far from here
-    for (const std::uint32_t below : {visit.node + 1, node.right}) {
-      Visit next{below, visit.straddled_planes};
-      if (is_in_view(next)) gather(next, part == nullptr && is_few(below) ? 0 : levels - 1, batch, part);
-    }
+  Entered visit(std::uint32_t at, std::uint32_t straddled_planes) {
+    const Tested tested = test(at, straddled_planes);
+    Entered entered;
+    entered.straddled_planes = tested.straddled_planes;
+    for_each_bit(tested.left, [&](std::uint32_t i) {
+      if (!nodes_.decide(tested, i)) return;
+      entered.nodes = static_cast<Bits>(entered.nodes | 1U << i);
+      tree_.prefetch(tested.block.below[i]);
+      nodes_.prefetch(tested.block.items(i));
+    });
+    return entered;
   }
 
-  /// Those nodes of the batch that are hidden.
-  [[nodiscard]] kernel::BoxBits test(Batch& batch) const {
-    batch.boxes.project(buffer_.box_picture());
-    batch.groups = stats_.cover_groups;
-    return buffer_.hidden(batch.boxes, batch.boxes.all());
+  Tested test(std::uint32_t at, std::uint32_t straddled_planes) {
+    const TreeBlock& block = tree_[at];
+    Tested tested(block, nodes_.boxes(block), nodes_.asked(block), straddled_planes);
+    stats_.nodes_visited += kernel::count(tested.left);
+    if (straddled_planes != 0 && tested.left != 0) keep_in_view(tested, straddled_planes);
+    if (tested.left == 0) return tested;
+    tested.seen.project(buffer_.box_picture(), tested.boxes);
+    tested.groups = stats_.cover_groups;
+    stats_.cover_tests += kernel::count(tested.left);
+    cull(tested, buffer_.hidden(tested.seen, tested.left), {0, Culled::By::cover});
+    return tested;
   }
 
-  /// Whether the node is in view. Culls it if not.
-  bool is_in_view(Visit& visit) {
-    ++stats_.nodes_visited;
-    for (std::uint32_t left = visit.straddled_planes; left != 0; left &= left - 1) {
-      const auto plane = static_cast<std::uint32_t>(std::countr_zero(left));
-      ++stats_.view_tests;
-      const kernel::Relation relation = tree_.ask(
-          visit.node, [&](const auto& box) { return kernel::relation(view_.planes[plane], box, view_.arithmetic); });
-      if (relation == kernel::Relation::outside) {
-        cull_({visit.node, Culled::By::view, plane});
-        return false;
-      }
-      if (relation == kernel::Relation::inside) visit.straddled_planes &= ~(std::uint32_t{1} << plane);
-    }
-    return true;
+  /// Culls the nodes that are out of view.
+  void keep_in_view(Tested& tested, std::uint32_t straddled_planes) {
+    stats_.view_tests += kernel::count(tested.left) * static_cast<std::size_t>(std::popcount(straddled_planes));
+    kernel::BoxBytes asked = 0;
+    for_each_bit(straddled_planes, [&](std::uint32_t plane) { asked |= kernel::BoxBytes{tested.left} << 8 * plane; });
+    const kernel::BlockRelations relations = nodes_.relations(tested.block, tested.boxes, asked);
+    for_each_bit(straddled_planes, [&](std::uint32_t plane) {
+      cull(tested, static_cast<Bits>(kernel::boxes_of(relations.outside, plane) & tested.left),
+           {0, Culled::By::view, plane});
+      for_each_bit(kernel::boxes_of(relations.inside, plane),
+                   [&](std::uint32_t i) { tested.straddled_planes[i] &= ~(std::uint32_t{1} << plane); });
+    });
   }
 
-  /// Decides about a node of a batch, of which these were hidden when they were tested; what is hidden stays so. Returns
-  /// whether to go below it.
-  bool decide(const Batch& batch, std::size_t i, kernel::BoxBits hidden) {
-    const Visit& visit = batch.visits[i];
-    const bool is_leaf = tree_.nodes[visit.node].is_leaf(), is_closing = sought_ == Sought::worth_closing;
-    ++stats_.cover_tests;
-    if ((hidden >> i & 1U) != 0) return cull(visit);
-    const bool is_up_to_date = batch.groups == stats_.cover_groups;  // it is still not hidden: nothing was drawn since
-    if (!is_leaf && !is_closing && is_up_to_date) return true;
-    const CoverBuffer::Footprint footprint = buffer_.footprint(batch.boxes, i);
-    const int worth = worth_closing();
-    // How many pixels are open does not matter where there are fewer than are worth drawing, and it is not hidden.
-    const bool is_too_small = is_up_to_date && footprint.size() < worth;
-    const int open = is_too_small ? 1 : buffer_.open(footprint, is_leaf || is_closing ? worth : 1);
-    if (open == 0 && footprint.is_in_picture) return cull(visit);
-    if (is_closing && open < worth) return false;
-    if (is_leaf) see_(SeenNode{visit.node, visit.straddled_planes, footprint, open >= worth});
-    return !is_leaf;
+  void cull(Tested& tested, Bits nodes, const Culled& culled) {
+    for_each_bit(nodes, [&](std::uint32_t i) { nodes_.cull(tested.block, i, culled); });
+    tested.left = static_cast<Bits>(tested.left & ~nodes);
   }
 
-  /// Culls a hidden node. Returns whether to go below it.
-  bool cull(const Visit& visit) {
-    cull_({visit.node, Culled::By::cover});
-    return false;
-  }
-
-  /// Through how many pixels a leaf must be seen to be worth drawing.
-  [[nodiscard]] int worth_closing() const {
-    const int least = sought_ == Sought::worth_closing ? kWorthOfOccluder : kWorthOfLeaf;
-    return std::max(least, static_cast<int>(std::min(stats_.cover_triangles / kTrianglesOfPixel, kMostWorth)));
-  }
-
-  static constexpr int kLevels = 3;
-  static_assert(1U << kLevels == ProjectedBoxes::kMost);
-
-  const Tree& tree_;
-  const ViewPlanes& view_;
+  const BlockTree tree_;
   const CoverBuffer& buffer_;
-  Sought sought_;
   CullStats& stats_;
-  const See& see_;
-  const Cull& cull_;
-  const Join& join_;
+  Nodes& nodes_;
 };
 
 }  // namespace occlude::culler

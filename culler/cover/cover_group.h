@@ -50,6 +50,7 @@ class CoverGroup {
         for (RingStep step = triangles.next(side); step.side != side; step = triangles.next(step.side)) {
           if (ids_.size() == most) return;
           if (take(step.side / 3)) add_triangle(triangles, step.side / 3, instance);
+          if (step.is_of_two != 0) break;
         }
       }
     }

@@ -47,11 +47,20 @@ bool CoverPainter::may_draw() const {
   return taken.count() < options_.ms;
 }
 
-void CoverPainter::enqueue(const SeenNode& leaf) {
-  if (is_worth_drawing(source_->nodes[leaf.node])) memory_.taken.push_back({leaf.node, leaf.footprint.most});
+void CoverPainter::enqueue(const ItemRange& leaf, float nearness) {
+  memory_.taken.push_back({leaf, nearness});
+  source_->triangles.prefetch_first(leaf.first);
 }
 
-bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
+/// Leaves what is not worth drawing. Each pass asks memory for what the next one reads.
+void CoverPainter::drop_small() {
+  const CoverTriangles& triangles = source_->triangles;
+  for (const auto& [leaf, nearness] : memory_.taken) triangles.prefetch_corners(leaf.first, leaf.first + leaf.count);
+  for (const auto& [leaf, nearness] : memory_.taken) triangles.prefetch_vertices(leaf.first, leaf.first + leaf.count);
+  std::erase_if(memory_.taken, [&](const CoverMemory::Taken& taken) { return !is_worth_drawing(taken.polygons); });
+}
+
+bool CoverPainter::is_worth_drawing(const ItemRange& leaf) const {
   const ConservativeViewport& picture = memory_.buffer.picture();
   const CoverTriangles& triangles = source_->triangles;
   double area = 0;
@@ -65,6 +74,7 @@ bool CoverPainter::is_worth_drawing(const HierarchyNode& leaf) const {
 }
 
 bool CoverPainter::flush_group() {
+  drop_small();
   if (memory_.taken.empty()) return false;
   if (!may_draw()) {
     ++stats_.cover_groups_left;
@@ -75,11 +85,10 @@ bool CoverPainter::flush_group() {
   group.clear();
   // Nearest first, so that a sheet behind another one of the group need not be drawn. Equal ones in the order of the tree.
   std::ranges::sort(memory_.taken, [](const auto& a, const auto& b) {
-    return a.nearness != b.nearness ? a.nearness > b.nearness : a.leaf < b.leaf;
+    return a.nearness != b.nearness ? a.nearness > b.nearness : a.polygons.first < b.polygons.first;
   });
   for (const auto& [leaf, nearness] : memory_.taken) {
-    const HierarchyNode& node = source_->nodes[leaf];
-    for (std::uint32_t p = node.first; p < node.first + node.count; ++p) group.add(source_->triangles, p, source_->instance);
+    for (std::uint32_t p = leaf.first; p < leaf.first + leaf.count; ++p) group.add(source_->triangles, p, source_->instance);
   }
   memory_.taken.clear();
   group.add_neighbours(source_->triangles, source_->instance, [&](std::uint32_t triangle) { return take_drawn(triangle); });

@@ -12,15 +12,13 @@
 #include "cover/cover_buffer.h"
 #include "cover/cover_group.h"
 #include "cover/cover_triangles.h"
-#include "cover/seen_node.h"
+#include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
 
-/// Polygons that hide in frames by cover, in the order of a tree. Without nodes nothing hides.
+/// Polygons that hide in frames by cover, in the order of a tree.
 struct CoverSource {
-  std::span<const HierarchyNode> nodes;
   const CoverTriangles& triangles;
   OccluderInstance instance = {};  ///< how they instance in the scene
 };
@@ -32,7 +30,7 @@ struct CoverMemory {
   SparseZeroArray<std::uint32_t> stamps;  ///< for each triangle, the last source that drew it
   std::uint32_t stamp = 0;                ///< of the source
   struct Taken {
-    std::uint32_t leaf;
+    ItemRange polygons;
     float nearness;  ///< no point of it is nearer
   };
   std::vector<Taken> taken;  ///< leaves whose polygons are drawn next
@@ -45,12 +43,11 @@ class CoverPainter {
 
   /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is taken and not joined.
   void use(const CoverSource& source);
-  /// Keeps the polygons of a leaf of the source for flush_group(), unless they are too small in the picture to be worth
-  /// drawing.
-  void enqueue(const SeenNode& leaf);
-  /// Draws the kept polygons into the coarse picture, together with the triangles of the source that were drawn before and
-  /// touch them, so that no seam between them stays open. Returns false if none were kept or no more may be drawn. Else the
-  /// group that was drawn has the number groups().
+  /// Keeps the polygons of a leaf of the source for flush_group(). No point of it has more than this nearness.
+  void enqueue(const ItemRange& leaf, float nearness);
+  /// Draws the kept polygons into the coarse picture, but for leaves that are too small in it to be worth drawing. With them
+  /// it draws the triangles of the source that were drawn before and touch them, so that no seam between them stays open.
+  /// Returns false if none were kept or no more may be drawn. Else the group that was drawn has the number groups().
   bool flush_group();
   [[nodiscard]] std::uint32_t groups() const { return groups_; }
   /// Those of the source.
@@ -59,7 +56,8 @@ class CoverPainter {
   [[nodiscard]] bool may_draw() const;
 
  private:
-  [[nodiscard]] bool is_worth_drawing(const HierarchyNode& leaf) const;
+  void drop_small();
+  [[nodiscard]] bool is_worth_drawing(const ItemRange& leaf) const;
   bool take_drawn(std::uint32_t triangle);
 
   const CoverSource* source_ = nullptr;

@@ -2,6 +2,9 @@
 // The triangles of a soup, and which of them share edges.
 #pragma once
 
+#include <hwy/cache_control.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -48,6 +51,22 @@ class CoverTriangles {
   /// For each side of a triangle, the next one in its ring, in the mesh of all triangles. Sides are numbered as in
   /// CoverMesh.
   [[nodiscard]] RingStep next(std::uint32_t side) const { return next_[side]; }
+
+  /// Hints: that first(polygon) comes; that corners and sides of triangles of the polygons come; that their vertices come.
+  void prefetch_first(std::uint32_t polygon) const { hwy::Prefetch(&first_[polygon]); }
+  void prefetch_corners(std::uint32_t first_polygon, std::uint32_t end) const {
+    const std::uint32_t triangle = first(first_polygon), last = std::max(first(end), triangle + 1) - 1;
+    if (triangle >= corners_.size()) return;
+    hwy::Prefetch(&corners_[triangle]);
+    hwy::Prefetch(&corners_[last]);
+    hwy::Prefetch(&next_[3 * triangle]);
+    hwy::Prefetch(&next_[3 * last + 2]);
+  }
+  void prefetch_vertices(std::uint32_t first_polygon, std::uint32_t end) const {
+    for (std::uint32_t t = first(first_polygon); t < first(end); ++t) {
+      for (const std::uint32_t v : corners_[t]) hwy::Prefetch(&vertices_[v]);
+    }
+  }
 
  private:
   Array<std::uint32_t> first_, polygons_;

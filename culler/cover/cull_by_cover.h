@@ -4,28 +4,18 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "cover/cover_descent.h"
 #include "cover/cover_frame.h"
 #include "cover/cover_painter.h"
+#include "cover/opening.h"
 #include "descent/frame.h"
+#include "descent/volumes.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
-
-/// A tree as a descent sees it: of a model.
-struct ModelTree {
-  const Hierarchy& hierarchy;
-  std::span<const HierarchyNode> nodes = hierarchy.nodes();
-
-  [[nodiscard]] const kernel::Aabb& box(std::uint32_t node) const { return nodes[node].box; }
-  template <class Question>
-  decltype(auto) ask(std::uint32_t node, const Question& question) const {
-    return hierarchy.ask(node, question);
-  }
-};
 
 /// Observes a frame by cover, and does nothing.
 struct Unwatched {
@@ -34,33 +24,75 @@ struct Unwatched {
   static void culled(const Culled&) {}
 };
 
+/// The nodes of a model, for a descent of its tree.
+template <class Watch>
+class ModelNodes {
+ public:
+  ModelNodes(const Volumes& volumes, const CoverBuffer& buffer, CoverPainter& painter, CoverFrame& found, CullStats& stats,
+             Watch& watch)
+      : volumes_(volumes), buffer_(buffer), painter_(painter), found_(found), stats_(stats), watch_(watch) {}
+
+  static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
+  static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
+  [[nodiscard]] kernel::BlockRelations relations(const TreeBlock& block, const kernel::BoxBlock&,
+                                                 kernel::BoxBytes asked) const {
+    return volumes_.relations(block, asked);
+  }
+  static void prefetch(const ItemRange&) {}
+  static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
+
+  void cull(const TreeBlock& block, std::uint32_t i, Culled culled) {
+    culled.node = block.node[i];
+    cull(culled, block.count(i));
+  }
+  void cull(const Culled& culled, std::size_t items) {
+    watch_.culled(culled);
+    found_.cull(culled, items);
+  }
+
+  template <class Boxes>
+  bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
+    const bool is_leaf = tested.block.is_leaf(i);
+    if (!is_leaf && tested.groups == stats_.cover_groups) return true;  // nothing was drawn since it was tested
+    const int worth = worth_closing(kWorthOfLeaf, stats_.cover_triangles);
+    const Opening opening(buffer_, tested, i, stats_.cover_groups, is_leaf ? worth : 1);
+    if (opening.is_hidden()) {
+      cull(tested.block, i, {0, Culled::By::cover});
+      return false;
+    }
+    if (!is_leaf) return true;
+    found_.see({tested.block.node[i], tested.block.items(i), opening.footprint});
+    if (opening.open >= worth) painter_.enqueue(tested.block.items(i), opening.footprint.most);
+    return false;
+  }
+  void join() {
+    if (painter_.flush_group()) watch_.joined(painter_);
+  }
+
+ private:
+  const Volumes& volumes_;
+  const CoverBuffer& buffer_;
+  CoverPainter& painter_;
+  CoverFrame& found_;
+  CullStats& stats_;
+  Watch& watch_;
+};
+
 /// What is seen of the model hides the rest. REQUIRES: the frame has begun.
 template <class Watch = Unwatched>
-void cull_by_cover(const Hierarchy& hierarchy, const CoverTriangles& triangles, const CullOptions& options, Frame& frame,
-                   CoverMemory& memory, CoverLeaves& leaves, Watch&& watch = {}) {
-  const CoverSource source{hierarchy.nodes(), triangles};
+void cull_by_cover(const Hierarchy& hierarchy, const BlockTree& tree, const CoverTriangles& triangles,
+                   const CullOptions& options, Frame& frame, CoverMemory& memory, CoverLeaves& leaves, Watch&& watch = {}) {
+  const CoverSource source{triangles};
   CoverPainter painter(frame.view, options.cover, options.margin, memory, frame.result.stats);
   frame.result.method = Method::cover;  // the picture is this frame's from here on
   painter.use(source);
   watch.begin();
 
-  CoverFrame found(source.nodes, memory.buffer, frame, leaves);
-  const auto see = [&](const SeenNode& leaf) {
-    found.see(leaf);
-    if (leaf.is_worth_closing) painter.enqueue(leaf);
-  };
-  const auto cull = [&](const Culled& culled) {
-    watch.culled(culled);
-    found.cull(culled);
-  };
-  const auto join = [&] {
-    if (painter.flush_group()) watch.joined(painter);
-  };
-  frame.take_planes();
-  const ViewPlanes planes{frame.planes, options.arithmetic};
-  const ModelTree tree{hierarchy};
-  CoverDescent(tree, planes, memory.buffer, Sought::seen, frame.result.stats, see, cull, join).run(planes.all());
-  found.finish(cull);
+  const Volumes volumes(hierarchy, frame.view_planes(options.arithmetic));
+  CoverFrame found(tree, memory.buffer, frame, leaves);
+  ModelNodes nodes(volumes, memory.buffer, painter, found, frame.result.stats, watch);
+  CoverDescent(tree, memory.buffer, frame.result.stats, nodes).run(volumes.view().all());
+  found.finish([&](const Culled& culled, std::size_t items) { nodes.cull(culled, items); });
 }
 
 }  // namespace occlude::culler

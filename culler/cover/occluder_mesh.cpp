@@ -24,6 +24,7 @@ std::unique_ptr<const OccluderMesh::Prepared> prepared(PolygonSoup&& soup, const
   auto result = std::make_unique<OccluderMesh::Prepared>();
   if (soup.empty()) return result;
   result->tree = Hierarchy::build(std::move(soup), {.leaf_size = leaf_size_for(Method::cover)}, checkpoint);
+  result->blocks = HierarchyBlocks(*result->tree, checkpoint);
   result->triangles = CoverTriangles::find(result->tree->soup(), checkpoint);
   return result;
 }

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
-#include "cover/cover_painter.h"
 #include "cover/cover_triangles.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_mesh.h"
 
@@ -14,11 +13,8 @@ namespace occlude::culler {
 
 struct OccluderMesh::Prepared {
   std::optional<Hierarchy> tree;  ///< none of a mesh without polygons
+  HierarchyBlocks blocks;         ///< of the tree
   CoverTriangles triangles;
-
-  [[nodiscard]] CoverSource source(const OccluderInstance& stand) const {
-    return {tree ? tree->nodes() : std::span<const HierarchyNode>{}, triangles, stand};
-  }
 };
 
 }  // namespace occlude::culler

@@ -203,7 +203,7 @@ BoxPicture::BoxPicture(const ConservativeViewport& picture, const PixelPosition&
 
 void ProjectedBoxes::project(const BoxPicture& picture) { HWY_DYNAMIC_DISPATCH(project)(picture, *this); }
 
-ProjectedBoxes::ProjectedBoxes(const BoxPicture& picture, const kernel::BoxBlock& block) {
+void ProjectedBoxes::project(const BoxPicture& picture, const kernel::BoxBlock& block) {
   size = kMost;
   HWY_DYNAMIC_DISPATCH(project_block)(picture, block, *this);
 }

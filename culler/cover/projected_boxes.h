@@ -56,9 +56,6 @@ struct BoxPixels {
 /// At most eight boxes, and what is known of them in a picture.
 struct ProjectedBoxes : BoxPixels {
   ProjectedBoxes() : low{}, high{} {}
-  /// All boxes of a block, of which everything is known.
-  ProjectedBoxes(const BoxPicture& picture, const kernel::BoxBlock& block);
-
   void add(const BoxPicture& picture, const kernel::Aabb& box) {
     for (int axis = 0; axis < 3; ++axis) {
       low[static_cast<std::size_t>(axis)][size] = static_cast<float>(box.min[axis] - picture.eye[axis]);
@@ -68,6 +65,8 @@ struct ProjectedBoxes : BoxPixels {
   }
   /// Computes all members but `size`, `low` and `high`.
   void project(const BoxPicture& picture);
+  /// Takes all boxes of a block, and computes the other members.
+  void project(const BoxPicture& picture, const kernel::BoxBlock& block);
 
   alignas(32) std::array<Floats, 3> low, high;  ///< relative to the eye, rounded to nearest
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "camera/frame_view.h"
+#include "camera/view_planes.h"
 #include "model/bounds.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/half_space.h"
@@ -34,10 +35,11 @@ struct Frame {
     result.culled.reserve(leaves);
   }
 
-  /// Fills `planes` with the view of the result.
-  void take_planes() {
+  /// The view of the result, in `planes`.
+  ViewPlanes view_planes(kernel::Arithmetic arithmetic) {
     planes.clear();
     for (const HalfSpace& h : result.view) planes.push_back({to_kernel(h.normal), h.offset});
+    return {planes, arithmetic};
   }
 
   /// Makes the result one that culls nothing of a model of these polygons. REQUIRES: begin() was called.

@@ -12,7 +12,7 @@
 #include "base/work_runner.h"
 #include "descent/add_counts.h"
 #include "descent/traversal.h"
-#include "model/node_blocks.h"
+#include "model/block_tree.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/executor.h"
@@ -51,22 +51,16 @@ template <class Tests>
 class ParallelTraversal {
  public:
   /// `tests` as Traversal; its calls may come from several threads at once.
-  ParallelTraversal(const NodeBlocks& blocks, Tests& tests, const ShadowCounts& shadows, CullResult& result,
+  ParallelTraversal(const BlockTree& tree, Tests& tests, const ShadowCounts& shadows, CullResult& result,
                     TraversalMemory& memory, ParallelMemory& parts, WorkRunner& runner)
-      : blocks_(blocks),
-        tests_(tests),
-        shadows_(shadows),
-        result_(result),
-        memory_(memory),
-        parts_(parts),
-        runner_(runner) {}
+      : tree_(tree), tests_(tests), shadows_(shadows), result_(result), memory_(memory), parts_(parts), runner_(runner) {}
 
   /// `planes` has a bit for each half-space of the view. Pairs share a budget, in the order of the tree (kMostPairWork):
   /// where there are any, nothing is put off. What the executor throws is thrown on.
   void run(std::uint32_t planes, const Executor* executor) {
     const bool is_alone = executor == nullptr || executor->threads() <= 1 || !result_.pairs.empty();
     set_limits(is_alone ? 0 : executor->threads());
-    Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, result_, memory_).run(planes, parts_.deferred);
+    Traversal(tree_, tests_, shadows_.occluders, shadows_.probes, result_, memory_).run(planes, parts_.deferred);
     if (is_alone) return;
     if (parts_.deferred.size > 0) {
       for (DeferredSubtree& subtree : subtrees()) prepare(subtree);
@@ -88,12 +82,12 @@ class ParallelTraversal {
     deferred.divided.clear();
     deferred.divided.reserve(deferred.limit);
     runner_.reserve(deferred.limit);
-    if (threads > 0) deferred.work.grow(blocks_.size());
+    if (threads > 0) deferred.work.grow(tree_.size());
     deferred.most = kLeastLargest;
     if (threads > 0)
       deferred.most = std::max(deferred.most, static_cast<std::uint32_t>(items() / (kDeferredOfThread * threads)));
   }
-  [[nodiscard]] std::uint32_t items() const { return blocks_[0].count[0]; }
+  [[nodiscard]] std::uint32_t items() const { return tree_.items().count; }
 
   /// Reserves memory for all that may be found in the largest: in a later frame it may be another subtree. Memory that is
   /// never written to takes only addresses.
@@ -123,7 +117,7 @@ class ParallelTraversal {
     subtree.found.drawn.clear();
     subtree.found.culled.clear();
     subtree.found.stats = {};
-    Traversal(blocks_, tests_, shadows_.occluders, shadows_.probes, subtree.found, subtree.memory).run(subtree);
+    Traversal(tree_, tests_, shadows_.occluders, shadows_.probes, subtree.found, subtree.memory).run(subtree);
   }
 
   void join() {
@@ -150,7 +144,7 @@ class ParallelTraversal {
     result_.culled.insert(result_.culled.end(), culled.begin(), culled.end());
   }
 
-  const NodeBlocks& blocks_;
+  const BlockTree tree_;
   Tests& tests_;
   ShadowCounts shadows_;
   CullResult& result_;

@@ -3,9 +3,8 @@
 //
 // It knows neither frusta nor boxes: `tests` classifies nodes against half-spaces and shadows, or against two shadows
 // together. A half-space that holds a node, and a shadow that does not meet it, are dropped below the node. Any number of
-// shadows can be active. What is active is asked about all nodes of a block at once. The answers are those of a descent from
-// node to node, because what a node is culled by culls all that is below it. Subtrees may be put off, for other threads
-// (parallel_traversal.h).
+// shadows can be active. What is active is asked about all nodes of a block at once. Subtrees may be put off, for other
+// threads (parallel_traversal.h).
 #pragma once
 
 #include <algorithm>
@@ -18,7 +17,7 @@
 #include "base/each_bit.h"
 #include "base/sparse_zero_array.h"
 #include "camera/view_planes.h"
-#include "model/node_blocks.h"
+#include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/overlap.h"
@@ -30,12 +29,14 @@ namespace occlude::culler {
 /// ms and a second. The models tried take at most half of it: 8,300 for each of eight occluders, 8,000 for each of 64.
 inline constexpr std::size_t kPairWorkOfEach = std::size_t{1} << 14U, kMostPairWork = std::size_t{1} << 20U;
 
+/// Probes are not followed into subtrees of this many polygons or fewer, because what they hide there is little.
+inline constexpr std::uint32_t kProbed = 64;
+
 /// Up to eight shadows that are active at a block, and what is known of them and the nodes there. Those of occluders come
 /// before those of probes.
 struct alignas(64) ActiveShadows {
   kernel::BlockQuestions answers;
   kernel::BoxBytes occluders, probes;  ///< masks of the questions about either
-  kernel::BoxBytes asked;              ///< nodes whose parents they straddle
   kernel::BoxBytes partial;            ///< nodes that they straddle
   kernel::BoxBytes exact;              ///< nodes of which the exact stage had to answer
 };
@@ -56,7 +57,7 @@ struct TraversalMemory {
 /// A subtree that a traversal puts off, and what a traversal of its own finds there.
 struct alignas(64) DeferredSubtree {
   std::uint32_t block = 0;            ///< the block below its root
-  PolygonRange items;                 ///< below it
+  ItemRange items;                    ///< below it
   ActiveTests active;                 ///< there, in `memory`
   std::size_t holding = 0;            ///< of the probes in `memory`, those that hold the whole subtree
   std::size_t drawn = 0, culled = 0;  ///< lengths of the lists of the traversal that put it off, at that moment
@@ -94,9 +95,9 @@ class Traversal {
   /// pair(first, second, block, i), such a Decision, and pair_work(first, second), the pairs of planes that it may ask;
   /// tested(block, questions, nodes): called for the nodes that were tested against shadows.
   /// Frustum i is that of occluder i, or of probe i - occluders. What is drawn and culled is appended to `result`.
-  Traversal(const NodeBlocks& blocks, Tests& tests, std::uint32_t occluders, std::uint32_t probes, CullResult& result,
+  Traversal(const BlockTree& tree, Tests& tests, std::uint32_t occluders, std::uint32_t probes, CullResult& result,
             TraversalMemory& memory)
-      : blocks_(blocks),
+      : tree_(tree),
         tests_(tests),
         occluders_(occluders),
         probes_(probes),
@@ -117,7 +118,7 @@ class Traversal {
     const Active active = activated(active_, 0, all_planes, [&](const auto& append) {
       for (std::uint32_t i = 0; i < occluders_ + probes_; ++i) append(i);
     });
-    traverse(0, active, {0, blocks_[0].count[0]});
+    traverse(0, active, tree_.items());
   }
   /// Traverses a subtree that was put off. REQUIRES: the memory is that of the subtree, and there are no pairs.
   void run(const DeferredSubtree& subtree) {
@@ -126,26 +127,33 @@ class Traversal {
   }
 
  private:
-  using Bits = std::uint32_t;  ///< NodeBlock::Bits in a register, which takes fewer instructions than a byte
+  using Bits = std::uint32_t;  ///< TreeBlock::Bits in a register, which takes fewer instructions than a byte
   using Bytes = kernel::BoxBytes;
   using Active = ActiveTests;
   static constexpr std::size_t kMost = kernel::BlockQuestions::kMost;
 
   /// A block while it is visited.
   struct Visit {
-    const NodeBlock& block;
+    const TreeBlock& block;
     const Active& active;
     Bytes outside = 0, crossing = 0;                              ///< of each half-space, nodes outside or straddled
-    std::array<std::uint32_t, NodeBlock::kNodes> hiding, second;  ///< the occluders that hide each hidden node
-    Bits out_of_view = 0, hidden = 0;                             ///< culled, or below what is
+    std::array<std::uint32_t, TreeBlock::kNodes> hiding, second;  ///< the occluders that hide each hidden node
+    Bits out_of_view = 0, hidden = 0;                             ///< culled
     Bits undecided = 0, undecided_probes = 0;                     ///< straddled by half-spaces or shadows, and by probes
     bool is_held = false;                                         ///< whether a probe may hold some node
 
-    Visit(const NodeBlock& visited_block, const Active& active_there) : block(visited_block), active(active_there) {}
+    Visit(const TreeBlock& visited_block, const Active& active_there) : block(visited_block), active(active_there) {}
     [[nodiscard]] Bits culled() const { return out_of_view | hidden; }
     [[nodiscard]] Bits left() const { return block.used & ~culled(); }
-    /// The nodes below which something is left to decide.
-    [[nodiscard]] Bits entered() const { return left() & (undecided | (undecided_probes & block.probed)); }
+    /// The nodes in which something is left to decide.
+    [[nodiscard]] Bits entered() const { return left() & block.divided & (undecided | followed_probes()); }
+
+   private:
+    [[nodiscard]] Bits followed_probes() const {
+      Bits followed = 0;
+      for_each_bit(undecided_probes, [&](std::uint32_t i) { followed |= Bits{block.count(i) > kProbed} << i; });
+      return followed;
+    }
   };
 
   static bool has(std::uint32_t bits, std::uint32_t i) { return (bits >> i & 1U) != 0; }
@@ -161,10 +169,6 @@ class Traversal {
     bytes |= bytes << 8U;
     bytes |= bytes << 16U;
     return bytes | bytes << 32U;
-  }
-  /// The nodes that eight questions are asked about which straddle these.
-  static Bytes asked_below(const Visit& here, Bytes straddled) {
-    return kernel::for_all(here.block.roots) | here.block.children_of(straddled);
   }
   /// Calls visit(k) for each question that has this node.
   template <class Visitor>
@@ -204,23 +208,22 @@ class Traversal {
   /// All bits of the first bytes of eight.
   static Bytes first_bytes(std::size_t count) { return count == kMost ? ~Bytes{0} : (Bytes{1} << 8 * count) - 1; }
 
-  void traverse(std::uint32_t block, const Active& active, const PolygonRange& items) {
+  void traverse(std::uint32_t block, const Active& active, const ItemRange& items) {
     drawn_from_ = items.first;
-    visit(blocks_[block], active);
+    visit(block, active);
     draw_until(items.first + items.count);
   }
 
-  void visit(const NodeBlock& block, const Active& active) {
-    NodeBlocks::prefetch_after(block);  // most often it is the first below this one, and is entered
-    Visit here(block, active);
+  void visit(std::uint32_t block, const Active& active) {
+    tree_.prefetch_boxes(block + 1);  // most often it is the first below this one, and is entered
+    Visit here(tree_[block], active);
     ask_planes(here);
     for (std::size_t g = active.begin; g < active.end; ++g) ask_shadows(here, active_[g]);
     const Bits before_pairs = here.hidden;
     if (!result_.pairs.empty()) ask_pairs(here);
-    const Bits entered = here.entered(), visited = block.visited(entered);
-    count_tests(here, visited, here.hidden & ~before_pairs);
-    if (here.is_held) hold(here, visited);
-    descend(here, visited, visited & entered & block.exits);
+    count_tests(here, here.hidden & ~before_pairs);
+    if (here.is_held) hold(here);
+    descend(here, here.entered());
   }
 
   void ask_planes(Visit& here) {
@@ -230,13 +233,14 @@ class Traversal {
     here.outside = relations.outside;
     here.crossing = asked & ~(relations.outside | relations.inside);
     here.undecided = any(here.crossing);
-    here.out_of_view = here.block.with_below(any(here.outside));
+    here.out_of_view = any(here.outside);
   }
 
   void ask_shadows(Visit& here, ActiveShadows& shadows) {
     const kernel::BlockQuestions& answers = shadows.answers;
     ask(here, shadows);
-    settle(here, shadows, (answers.unknown | (answers.inside & shadows.occluders)) & kernel::for_all(here.left()));
+    const Bytes all = shadows.occluders | shadows.probes;
+    settle(here, shadows, ((answers.unknown & all) | (answers.inside & shadows.occluders)) & kernel::for_all(here.left()));
     set(here.undecided, any(shadows.partial & shadows.occluders));
     set(here.undecided_probes, any(shadows.partial & shadows.probes));
     here.is_held |= (answers.inside & shadows.probes) != 0;
@@ -248,19 +252,17 @@ class Traversal {
     tests_.filter(here.block, answers, shadows.occluders);
     const Bytes all = shadows.occluders | shadows.probes;
     shadows.partial = all & kernel::for_all(here.block.used) & ~(answers.outside | answers.inside | answers.unknown);
-    shadows.asked = all & asked_below(here, shadows.partial);
     shadows.exact = 0;
   }
 
-  /// Completes the answers: each of the doubtful nodes that has to be asked about is decided, and hidden if it may be. A
-  /// node comes after those above it, and a probe after all occluders.
+  /// Completes the answers: each of the doubtful nodes is decided, and hidden if it may be. A probe comes after all
+  /// occluders.
   void settle(Visit& here, ActiveShadows& shadows, Bytes doubtful) {
     kernel::BlockQuestions& answers = shadows.answers;
     while (doubtful != 0) {
       const auto place = static_cast<std::uint32_t>(std::countr_zero(doubtful)), i = place % 8;
       const Bytes bit = Bytes{1} << place;
       doubtful &= ~bit;
-      if ((shadows.asked & bit) == 0) continue;
       const std::uint32_t frustum = answers.frustum[place / 8];
       const bool is_occluder = (shadows.occluders & bit) != 0;
       const kernel::Decision found = decide(here, frustum, is_occluder, (answers.unknown & bit) != 0, i);
@@ -270,11 +272,10 @@ class Traversal {
         answers.inside |= bit;
         if (is_occluder) {
           hide(here, i, frustum, Culled::kNone);
-          doubtful &= ~kernel::for_all(here.block.subtree[i]);
+          doubtful &= ~kernel::for_all(1U << i);
         }
       } else if (found.relation == kernel::Relation::partial) {
         shadows.partial |= bit;
-        shadows.asked |= here.block.children_of(bit);
       }
     }
   }
@@ -286,14 +287,14 @@ class Traversal {
   static void hide(Visit& here, std::uint32_t i, std::uint32_t occluder, std::uint32_t second) {
     here.hiding[i] = occluder;
     here.second[i] = second;
-    set(here.hidden, here.block.subtree[i]);
+    set(here.hidden, Bits{1} << i);
   }
 
   /// Tests the nodes that are not culled against the pairs of the shadows that they straddle.
   void ask_pairs(Visit& here) {
     if (!straddle_two(here)) return;
-    for (std::uint32_t i = 0; i < NodeBlock::kNodes; ++i) {
-      if (!has(here.block.visited(here.entered()) & here.left(), i)) continue;
+    for (std::uint32_t i = 0; i < TreeBlock::kNodes; ++i) {
+      if (!has(here.left(), i)) continue;
       const auto pair = std::ranges::find_if(result_.pairs, [&](const ShadowPair& p) { return is_inside(here, p, i); });
       if (pair != result_.pairs.end()) hide(here, i, pair->first, pair->second);
     }
@@ -334,23 +335,21 @@ class Traversal {
   }
 
   /// Counts for each probe the items of the nodes that are inside of it. What is culled of them is taken away again. After
-  /// this, `inside` has all that a probe holds.
-  void hold(Visit& here, Bits visited) {
+  /// this, `inside` has what a probe holds.
+  void hold(const Visit& here) {
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
       ActiveShadows& shadows = active_[g];
       kernel::BlockQuestions& answers = shadows.answers;
-      const Bytes inside = answers.inside & shadows.asked & shadows.probes & kernel::for_all(visited & here.left());
-      answers.inside = 0;
-      for_each_bit(any(inside), [&](std::uint32_t i) {
-        for_each_question(inside, i, [&](std::size_t k) { hidden_[answers.frustum[k]] += here.block.count[i]; });
-        answers.inside |= (inside >> i & kernel::for_all(1)) * here.block.subtree[i];
+      answers.inside &= shadows.probes & kernel::for_all(here.left());
+      for_each_bit(any(answers.inside), [&](std::uint32_t i) {
+        for_each_question(answers.inside, i, [&](std::size_t k) { hidden_[answers.frustum[k]] += here.block.count(i); });
       });
     }
   }
 
   /// Culls or enters nodes of the block, in the order of the tree. What is neither is drawn.
-  void descend(const Visit& here, Bits visited, Bits entered) {
-    for_each_bit((visited & here.culled()) | entered, [&](std::uint32_t i) {
+  void descend(const Visit& here, Bits entered) {
+    for_each_bit(here.culled() | entered, [&](std::uint32_t i) {
       if (has(entered, i)) {
         prefetch_below_next(here, entered, i);
         enter(here, i);
@@ -363,12 +362,12 @@ class Traversal {
   /// A hint that the block below the next entered node comes. There is no branch: if there is none, the hint is for node i.
   void prefetch_below_next(const Visit& here, Bits entered, std::uint32_t i) const {
     const Bits after = entered & (~Bits{1} << i);
-    blocks_.prefetch(here.block.below[after != 0 ? static_cast<std::uint32_t>(std::countr_zero(after)) : i]);
+    tree_.prefetch(here.block.below[after != 0 ? static_cast<std::uint32_t>(std::countr_zero(after)) : i]);
   }
 
   /// Visits the block below a node with what straddles the node, or puts the node off, whole or in parts.
   void enter(const Visit& here, std::uint32_t i) {
-    if (!may_put_off(here.block.count[i])) return enter_below(here, i);
+    if (!may_put_off(here.block.count(i))) return enter_below(here, i);
     std::vector<DividedSubtree>& divided = deferred_->divided;
     const bool is_too_much = deferred_->work.get(here.block.below[i]) > deferred_->most_work;
     if (!is_too_much || divided.size() == deferred_->limit) return deferred(here, i);
@@ -379,11 +378,11 @@ class Traversal {
     divided[at].work = result_.stats.nodes_visited - before;
   }
   void enter_below(const Visit& here, std::uint32_t i) {
-    blocks_.prefetch(here.block.below[i]);
+    tree_.prefetch(here.block.below[i]);
     const Active below = active_below(here, i, active_, here.active.end);
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
-    visit(blocks_[here.block.below[i]], below);
+    visit(here.block.below[i], below);
     while (holding_.size() > holding) holding_.pop_back();
   }
   /// What straddles a node, in a stack from `begin` on.
@@ -403,7 +402,7 @@ class Traversal {
     if (deferred_->size == deferred_->subtrees.size()) deferred_->subtrees.emplace_back();
     DeferredSubtree& subtree = deferred_->subtrees[deferred_->size++];
     subtree.block = here.block.below[i];
-    subtree.items = {here.block.first[i], here.block.count[i]};
+    subtree.items = here.block.items(i);
     subtree.active = active_below(here, i, subtree.memory.active, 0);
     subtree.memory.holding = holding_;
     for_each_holding(here, i, [&](std::uint32_t probe) { subtree.memory.holding.push_back(probe); });
@@ -414,7 +413,7 @@ class Traversal {
     subtree.culled = result_.culled.size();
   }
 
-  /// Calls take(probe) for each probe that holds a node, but no block above it.
+  /// Calls take(probe) for each probe that holds a node, but nothing above it.
   template <class Take>
   void for_each_holding(const Visit& here, std::uint32_t i, const Take& take) {
     if (!here.is_held) return;
@@ -425,8 +424,8 @@ class Traversal {
   }
 
   void cull(const Visit& here, std::uint32_t i) {
-    const std::uint32_t node = here.block.node[i], count = here.block.count[i];
-    draw_until(here.block.first[i]);
+    const std::uint32_t node = here.block.node[i], count = here.block.count(i);
+    draw_until(here.block.begin[i]);
     drawn_from_ += count;
     if (has(here.out_of_view, i)) {
       const auto plane = static_cast<std::uint32_t>(std::countr_zero(here.outside >> i & kernel::for_all(1))) / 8;
@@ -451,14 +450,14 @@ class Traversal {
     drawn_from_ = item;
   }
 
-  /// Counts the tests that a descent from node to node takes. There, what culls a node ends its tests.
-  void count_tests(const Visit& here, Bits visited, Bits hidden_by_pairs) {
+  /// Counts the tests that a descent takes which asks node by node. There, what culls a node ends its tests.
+  void count_tests(const Visit& here, Bits hidden_by_pairs) {
     CullStats& stats = result_.stats;
-    Bits left = visited;
-    stats.nodes_visited += kernel::count(Bytes{left});
+    Bits left = here.block.used;
+    stats.nodes_visited += kernel::count(here.block.used);
     if (here.active.planes != 0) {
-      const Bytes asked = here.active.planes & asked_below(here, here.crossing), culled = from_first(here.outside);
-      stats.view_tests += kernel::count(asked & kernel::for_all(left) & ~(culled << 8U));
+      const Bytes culled = from_first(here.outside);
+      stats.view_tests += kernel::count(here.active.planes & kernel::for_all(left) & ~(culled << 8U));
       left &= ~Bits{kernel::boxes_of(culled, kMost - 1)};
     }
     for (std::size_t g = here.active.begin; g < here.active.end; ++g) {
@@ -470,11 +469,10 @@ class Traversal {
   /// occluders, and after pairs of them.
   Bits count_shadow_tests(const Visit& here, const ActiveShadows& shadows, Bits left, Bits hidden_by_pairs) {
     const kernel::BlockQuestions& answers = shadows.answers;
-    const Bytes asked = shadows.asked & shadows.occluders;
-    const Bytes culled = from_first(answers.inside & asked);
-    const Bytes tested = asked & kernel::for_all(left) & ~(culled << 8U);
+    const Bytes culled = from_first(answers.inside & shadows.occluders);
+    const Bytes tested = shadows.occluders & kernel::for_all(left) & ~(culled << 8U);
     left &= ~Bits{kernel::boxes_of(culled, kMost - 1)};
-    const Bytes of_probes = shadows.asked & shadows.probes & kernel::for_all(left & ~hidden_by_pairs);
+    const Bytes of_probes = shadows.probes & kernel::for_all(left & ~hidden_by_pairs);
     const Bytes counts = kernel::counts(tested | of_probes);
     result_.stats.shadow_tests += kernel::total(counts & shadows.occluders);
     result_.stats.probe_tests += kernel::total(counts & shadows.probes);
@@ -483,7 +481,7 @@ class Traversal {
     return left;
   }
 
-  const NodeBlocks& blocks_;
+  const BlockTree tree_;
   Tests& tests_;
   std::uint32_t occluders_, probes_;  ///< how many there are
   CullResult& result_;

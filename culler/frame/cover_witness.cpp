@@ -77,7 +77,7 @@ void Culler::append_covers(const CullResult& frame, const Camera& camera, const 
   const CullOptions same = repeated(frame, options);
   View::Memory memory;
   begin_frame(hierarchy_, camera, same, memory);
-  cull_by_cover(hierarchy_, triangles(), same, memory.frame, memory.cover, memory.leaves,
+  cull_by_cover(hierarchy_, tree(), triangles(), same, memory.frame, memory.cover, memory.leaves,
                 CoverReplay(hierarchy_, memory.cover, most, witnesses));
 }
 

@@ -12,8 +12,8 @@
 #include "frame/begin_frame.h"
 #include "frusta/cull_by_frusta.h"
 #include "frusta/node_tests.h"
+#include "model/hierarchy_blocks.h"
 #include "model/legal_soup.h"
-#include "model/node_blocks.h"
 #include "occlude/culler/clearance.h"
 #include "occlude/kernel/clearance.h"
 
@@ -37,7 +37,7 @@ Culler::Culler(PolygonSoup soup, const BuildConfig& config, const Checkpoint& ch
     : config_(checked(config)),
       hierarchy_(Hierarchy::build(checked(std::move(soup)), config.hierarchy, checkpoint)),
       occluders_(std::make_shared<Lazy<OccluderSet>>()),
-      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
+      blocks_(std::make_shared<Lazy<HierarchyBlocks>>()),
       triangles_(std::make_shared<Lazy<CoverTriangles>>()) {}
 
 Culler::Culler(const Culler& other, OccluderSet occluders)
@@ -65,21 +65,22 @@ const CoverTriangles& Culler::triangles(const Checkpoint& checkpoint) const {
   });
 }
 
-const NodeBlocks& Culler::blocks(const Checkpoint& checkpoint) const {
+const HierarchyBlocks& Culler::blocks(const Checkpoint& checkpoint) const {
   return blocks_->get([&] {
     require_rounding();
-    return NodeBlocks(hierarchy_, checkpoint);
+    return HierarchyBlocks(hierarchy_, checkpoint);
   });
 }
+
+BlockTree Culler::tree() const { return blocks().tree(); }
 
 void Culler::prepare(Method method, const Checkpoint& checkpoint) const {
   if (method == Method::cover) {
     static_cast<void>(triangles(checkpoint));
   } else {
-    // Occluders first: to make them takes most memory, and blocks would add to that.
     static_cast<void>(occluders(checkpoint));
-    static_cast<void>(blocks(checkpoint));
   }
+  static_cast<void>(blocks(checkpoint));  // last: to make the others takes most memory, and blocks would add to that
 }
 
 template <class AnyCamera>
@@ -97,14 +98,15 @@ const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& 
   View::Memory& memory = view.memory_for(identity_);
   if (options.method == Method::cover) {
     const CoverTriangles& triangles = this->triangles();
+    const BlockTree tree = this->tree();
     begin_frame(hierarchy_, camera, options, memory);
-    cull_by_cover(hierarchy_, triangles, options, memory.frame, memory.cover, memory.leaves);
+    cull_by_cover(hierarchy_, tree, triangles, options, memory.frame, memory.cover, memory.leaves);
   } else {
     // In the order of prepare().
     const OccluderSet* const occluders = options.occluders > 0 ? &this->occluders() : nullptr;
-    const NodeBlocks& blocks = this->blocks();
+    const BlockTree tree = this->tree();
     begin_frame(hierarchy_, camera, options, memory);
-    cull_by_frusta(hierarchy_, blocks, occluders, options, memory.frame, memory.frusta);
+    cull_by_frusta(hierarchy_, tree, occluders, options, memory.frame, memory.frusta);
   }
   return memory.frame.result;
 }
@@ -127,8 +129,8 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   again.result.occluders = frame.occluders;
   again.result.pairs = frame.pairs;
   FrustaMemory memory;
-  const auto on_tests = [&](const NodeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) {
-    for (std::uint32_t i = 0; i < NodeBlock::kNodes; ++i) {
+  const auto on_tests = [&](const TreeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) {
+    for (std::uint32_t i = 0; i < TreeBlock::kNodes; ++i) {
       for (std::size_t k = 0; k < questions.count; ++k) {
         if ((kernel::boxes_of(nodes, k) >> i & 1U) == 0) continue;
         visit(again.result.occluders[questions.frustum[k]], hierarchy_.volume(block.node[i]));
@@ -138,7 +140,7 @@ void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& opti
   const OccluderSet* const occluders = frame.occluders.empty() ? nullptr : &this->occluders();
   CullOptions in_order = options;
   in_order.executor = nullptr;
-  traverse(blocks(), hierarchy_, occluders, on_tests, in_order, again, memory);
+  traverse(tree(), hierarchy_, occluders, on_tests, in_order, again, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

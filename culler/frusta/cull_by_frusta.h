@@ -25,14 +25,14 @@ inline void choose_occluders(const OccluderSet& occluders, const CullOptions& op
 
 /// `occluders` may be null if options.occluders is 0. What is thrown leaves a result that draws everything. REQUIRES: the
 /// frame has begun.
-inline void cull_by_frusta(const Hierarchy& hierarchy, const NodeBlocks& blocks, const OccluderSet* occluders,
+inline void cull_by_frusta(const Hierarchy& hierarchy, const BlockTree& tree, const OccluderSet* occluders,
                            const CullOptions& options, Frame& frame, FrustaMemory& memory) {
   try {
     if (options.occluders > 0) choose_occluders(*occluders, options, frame, memory);
 
     // Section 5: one descent of the tree culls by the half-spaces and by the shadows, and draws.
-    const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
-    traverse(blocks, hierarchy, occluders, unwatched, options, frame, memory);
+    const auto unwatched = [](const TreeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
+    traverse(tree, hierarchy, occluders, unwatched, options, frame, memory);
   } catch (...) {
     frame.draw_all(hierarchy.soup().all());
     throw;

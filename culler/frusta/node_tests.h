@@ -10,9 +10,10 @@
 #include "base/each_bit.h"
 #include "camera/shadow_rule.h"
 #include "descent/parallel_traversal.h"
+#include "descent/volumes.h"
 #include "frusta/frusta_memory.h"
+#include "model/block_tree.h"
 #include "model/bounds.h"
-#include "model/node_blocks.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/occluder_set.h"
@@ -29,37 +30,26 @@ class NodeTests {
  public:
   NodeTests(const Hierarchy& hierarchy, const OccluderSet* occluders, const OnShadowTests& on_shadow_tests,
             const CullOptions& options, Frame& frame, FrustaMemory& memory)
-      : hierarchy_(hierarchy),
-        on_shadow_tests_(on_shadow_tests),
+      : on_shadow_tests_(on_shadow_tests),
         options_(options),
-        planes_(frame.planes),
+        volumes_(hierarchy, frame.view_planes(options.arithmetic)),
         shrunk_(memory.shrunk),
         casters_(memory.casters),
         frusta_(memory.frusta),
         frame_(frame.result) {
-    frame.take_planes();
     memory.shrink_shadows(frame.result);
     memory.take_casters(frame.result, occluders, options.near);
   }
 
-  kernel::BlockRelations planes(const NodeBlock& block, kernel::BoxBytes asked) const {
-    const kernel::BoxBytes alone = asked & kernel::for_all(is_certified() ? block.oriented : block.used);
-    kernel::BlockRelations relations = kernel::relations(planes_, block.boxes, asked & ~alone);
-    for (kernel::BoxBytes left = alone; left != 0; left &= left - 1) {
-      const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
-      const kernel::BoxBytes bit = kernel::BoxBytes{1} << place;
-      const kernel::Relation relation = ask(
-          block, place % 8, [&](const auto& box) { return kernel::relation(planes_[place / 8], box, options_.arithmetic); });
-      if (relation == kernel::Relation::outside) relations.outside |= bit;
-      if (relation == kernel::Relation::inside) relations.inside |= bit;
-    }
-    return relations;
+  [[nodiscard]] const ViewPlanes& view() const { return volumes_.view(); }
+  [[nodiscard]] kernel::BlockRelations planes(const TreeBlock& block, kernel::BoxBytes asked) const {
+    return volumes_.relations(block, asked);
   }
 
   /// What the filter cannot tell is left to shadow() and probe().
-  void filter(const NodeBlock& block, kernel::BlockQuestions& questions, kernel::BoxBytes of_occluders) const {
+  void filter(const TreeBlock& block, kernel::BlockQuestions& questions, kernel::BoxBytes of_occluders) const {
     kernel::conservative_filter(frusta_, block.boxes, questions);
-    const kernel::BoxBytes alone = kernel::for_all(is_certified() ? block.oriented : block.used);
+    const kernel::BoxBytes alone = kernel::for_all(volumes_.alone(block));
     const bool is_overlap = options_.test == kernel::Test::overlap;
     if (alone == 0 && !is_overlap) return;
     questions.outside &= ~alone;
@@ -70,25 +60,25 @@ class NodeTests {
     questions.unknown |= of_occluders & kernel::for_all(block.used) & ~(questions.outside | questions.inside);
   }
 
-  kernel::Decision shadow(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
+  kernel::Decision shadow(std::uint32_t occluder, const TreeBlock& block, std::uint32_t i) const {
     const bool holds_part = this->holds_part(occluder, block, i);
     if (holds_part && is_surface(occluder)) return {kernel::Relation::partial, kernel::Stage::filter};
-    return ask(block, i, [&](const auto& box) {
+    return volumes_.ask(block, i, [&](const auto& box) {
       return decide_cull(*frusta_[occluder], box, {options_.arithmetic, options_.test}, shrunk_[occluder],
                          [&] { return holds_part; });
     });
   }
 
-  bool may_cull(std::uint32_t occluder, const NodeBlock& block, std::uint32_t i) const {
-    return ask(block, i, [&](const auto& box) {
+  bool may_cull(std::uint32_t occluder, const TreeBlock& block, std::uint32_t i) const {
+    return volumes_.ask(block, i, [&](const auto& box) {
       return is_cull(*frusta_[occluder], box, shrunk_[occluder], [&] { return holds_part(occluder, block, i); });
     });
   }
 
   /// A probe hides nothing, so its answer may be approximate: neither the margin nor its own parts are considered.
-  kernel::Decision probe(std::uint32_t probe, const NodeBlock& block, std::uint32_t i) const {
+  kernel::Decision probe(std::uint32_t probe, const TreeBlock& block, std::uint32_t i) const {
     if (is_surface(probe) && holds_part(probe, block, i)) return {kernel::Relation::partial, kernel::Stage::filter};
-    return ask(block, i, [&](const auto& box) {
+    return volumes_.ask(block, i, [&](const auto& box) {
       return decide_cull(*frusta_[probe], box, {.arithmetic = options_.arithmetic}, ShadowMargin());
     });
   }
@@ -97,39 +87,33 @@ class NodeTests {
     return frusta_[first]->plane_count() * frusta_[second]->plane_count();
   }
 
-  kernel::Decision pair(std::uint32_t first, std::uint32_t second, const NodeBlock& block, std::uint32_t i) const {
-    return ask(block, i, [&](const auto& box) {
+  kernel::Decision pair(std::uint32_t first, std::uint32_t second, const TreeBlock& block, std::uint32_t i) const {
+    return volumes_.ask(block, i, [&](const auto& box) {
       return decide_cull(kernel::ShadowUnion{*frusta_[first], *frusta_[second]}, box, Asked{}, frame_.margin,
                          [&] { return holds_part(first, block, i) || holds_part(second, block, i); });
     });
   }
 
-  void tested(const NodeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) const {
+  void tested(const TreeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) const {
     on_shadow_tests_(block, questions, nodes);
   }
 
  private:
-  /// Returns question(box) of the volume of a node. The block is at hand where the node of the hierarchy may be far.
-  template <class Question>
-  decltype(auto) ask(const NodeBlock& block, std::uint32_t i, const Question& question) const {
-    return (block.oriented >> i & 1U) == 0 ? question(block.boxes.box(i)) : hierarchy_.ask(block.node[i], question);
-  }
   /// Whether a part of the occluder is in the node.
-  [[nodiscard]] bool holds_part(std::uint32_t frustum, const NodeBlock& block, std::uint32_t i) const {
+  [[nodiscard]] bool holds_part(std::uint32_t frustum, const TreeBlock& block, std::uint32_t i) const {
     const auto parts = casters_[frustum].parts;
-    if (parts.size() == 1) return parts[0] - block.first[i] < block.count[i];  // most are polygons
-    const auto part = std::ranges::lower_bound(parts, block.first[i]);
-    return part != parts.end() && *part - block.first[i] < block.count[i];
+    if (parts.size() == 1) return parts[0] - block.begin[i] < block.count(i);  // most are polygons
+    const auto part = std::ranges::lower_bound(parts, block.begin[i]);
+    return part != parts.end() && *part - block.begin[i] < block.count(i);
   }
   /// Whether the parts are in the surface at which the shadow begins. A box that holds one meets the shadow, and is not
   /// beyond the near plane.
   [[nodiscard]] bool is_surface(std::uint32_t frustum) const { return is_certified() && casters_[frustum].are_surface; }
   [[nodiscard]] bool is_certified() const { return options_.arithmetic == kernel::Arithmetic::certified; }
 
-  const Hierarchy& hierarchy_;
   const OnShadowTests& on_shadow_tests_;
   const CullOptions& options_;
-  const std::vector<kernel::HalfSpace>& planes_;
+  const Volumes volumes_;
   const std::vector<ShrunkShadow>& shrunk_;
   const std::vector<ShadowCaster>& casters_;
   const std::vector<const kernel::ShadowFrustum*>& frusta_;
@@ -138,7 +122,7 @@ class NodeTests {
 
 /// One descent of the tree, for a frame whose half-spaces and occluders are known. `occluders` may be null if it has none.
 template <class OnShadowTests>
-void traverse(const NodeBlocks& blocks, const Hierarchy& hierarchy, const OccluderSet* occluders,
+void traverse(const BlockTree& tree, const Hierarchy& hierarchy, const OccluderSet* occluders,
               const OnShadowTests& on_shadow_tests, const CullOptions& options, Frame& frame, FrustaMemory& memory) {
   // Memory for the stacks: all occluders and probes that a frame may have, at each level of the deepest trees. The tree of
   // ten million polygons has some 40 levels of nodes, and fewer of blocks.
@@ -151,11 +135,10 @@ void traverse(const NodeBlocks& blocks, const Hierarchy& hierarchy, const Occlud
   memory.frusta.reserve(most);
   memory.casters.reserve(most);
   NodeTests tests(hierarchy, occluders, on_shadow_tests, options, frame, memory);
-  const ViewPlanes planes{frame.planes, options.arithmetic};
   const auto size = [](const std::vector<Occluder>& shadows) { return static_cast<std::uint32_t>(shadows.size()); };
   const ShadowCounts shadows{size(frame.result.occluders), size(memory.probes)};
-  ParallelTraversal(blocks, tests, shadows, frame.result, memory.traversal, memory.parts, memory.runner)
-      .run(planes.all(), options.executor);
+  ParallelTraversal(tree, tests, shadows, frame.result, memory.traversal, memory.parts, memory.runner)
+      .run(tests.view().all(), options.executor);
   const std::uint32_t* hidden = memory.traversal.hidden.data();
   for (Occluder& occluder : frame.result.occluders) occluder.hidden = *hidden++;
   for (Occluder& probe : memory.probes) probe.hidden = *hidden++;

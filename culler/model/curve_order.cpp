@@ -72,6 +72,29 @@ void CurveOrder::sort_by_codes() {
   }
 }
 
+std::vector<ItemRange> CurveOrder::parts(std::uint32_t most) const {
+  std::vector<ItemRange> parts;
+  if (!order_.empty()) divide({0, static_cast<std::uint32_t>(order_.size())}, most, parts);
+  return parts;
+}
+
+void CurveOrder::divide(const ItemRange& range, std::uint32_t most, std::vector<ItemRange>& parts) const {
+  if (range.count <= most) return parts.push_back(range);
+  const std::uint32_t left = left_of(range);
+  divide({range.first, left}, most, parts);
+  divide({range.first + left, range.count - left}, most, parts);
+}
+
+/// How many boxes go left. So there are no more levels than a place has bits, and the logarithm of the number of boxes more.
+std::uint32_t CurveOrder::left_of(const ItemRange& range) const {
+  const auto begin = codes_.begin() + range.first, end = begin + range.count;
+  const std::uint32_t differ = *begin ^ *(end - 1);
+  if (differ == 0) return range.count / 2;
+  const std::uint32_t bit = std::bit_floor(differ);
+  return static_cast<std::uint32_t>(std::partition_point(begin, end, [&](std::uint32_t c) { return (c & bit) == 0; }) -
+                                    begin);
+}
+
 std::size_t CurveOrder::bytes() const {
   const std::size_t numbers = order_.capacity() + codes_.capacity() + spare_order_.capacity() + spare_codes_.capacity();
   return numbers * sizeof(std::uint32_t);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "model/block_tree.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -18,17 +19,21 @@ class CurveOrder {
   /// Boxes at one place of the curve keep their order. REQUIRES: finite boxes.
   void sort(std::span<const kernel::Aabb> boxes);
 
-  /// The indices of the boxes in the order of the curve, and the places of these on it.
+  /// The indices of the boxes in the order of the curve.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
-  [[nodiscard]] std::span<const std::uint32_t> codes() const { return codes_; }
+  /// The order in parts of at most so many boxes, one or more: what has more is divided where the highest bit of the places
+  /// changes (Lauterbach et al. 2009), or in halves where all are the same.
+  [[nodiscard]] std::vector<ItemRange> parts(std::uint32_t most) const;
   /// The bytes of memory that it holds.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   void find_codes(std::span<const kernel::Aabb> boxes);
   void sort_by_codes();
+  void divide(const ItemRange& range, std::uint32_t most, std::vector<ItemRange>& parts) const;
+  [[nodiscard]] std::uint32_t left_of(const ItemRange& range) const;
 
-  std::vector<std::uint32_t> order_, codes_;
+  std::vector<std::uint32_t> order_, codes_;              ///< the boxes, and their places on the curve
   std::vector<std::uint32_t> spare_order_, spare_codes_;  ///< memory of sort_by_codes()
 };
 

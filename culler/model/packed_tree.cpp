@@ -1,36 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "model/packed_tree.h"
 
+#include <algorithm>
+#include <array>
+
 namespace occlude::culler {
+namespace {
+
+std::size_t blocks_of(std::size_t boxes) { return (boxes + TreeBlock::kNodes - 1) / TreeBlock::kNodes; }
+
+kernel::Aabb box_around(const TreeBlock& block) {
+  kernel::Aabb all = empty_box();
+  for (std::size_t i = 0; i < block.size(); ++i) grow(all, block.boxes.box(i));
+  return all;
+}
+
+}  // namespace
 
 void PackedTree::build(std::span<const kernel::Aabb> boxes, std::span<const std::uint32_t> order) {
   clear();
-  const auto blocks_of = [](std::uint32_t n) { return n / kWidth + (n % kWidth != 0 ? 1 : 0); };
-  std::uint32_t end = 0;
-  for (auto n = static_cast<std::uint32_t>(boxes.size()); n > 0; n = n > kWidth ? blocks_of(n) : 0) {
-    begin_[levels_] = end;
-    boxes_[levels_++] = n;
-    end += blocks_of(n);
+  if (boxes.empty()) return;
+  size_ = static_cast<std::uint32_t>(boxes.size());
+  std::size_t all = 0, count = blocks_of(size_);
+  for (std::size_t level = count; level > 1; level = blocks_of(level)) all += blocks_of(level);
+  first_of_items_ = all;
+  blocks_.resize(all + count);
+  for (std::uint32_t i = 0; i < size_; ++i) blocks_[all + i / TreeBlock::kNodes].add(boxes[order[i]], {i, 1});
+  for (std::size_t first = all; count > 1; count = blocks_of(count)) {
+    build_level_above(first - blocks_of(count), first, count);
+    first -= blocks_of(count);
   }
-  blocks_.resize(end);
-  for (std::uint32_t i = 0; i < boxes.size(); ++i) blocks_[i / kWidth].set(i % kWidth, boxes[order[i]]);
-  for (std::uint32_t level = 0; level < levels_; ++level) {
-    for (std::uint32_t b = 0; b < blocks_of(boxes_[level]); ++b) {
-      const kernel::BoxBlock& block = this->block({level, b});
-      kernel::Aabb all = empty_box();
-      for (std::uint32_t i = 0; i < std::min(kWidth, boxes_[level] - kWidth * b); ++i) grow(all, block.box(i));
-      if (level + 1 == levels_) {
-        box_ = all;
-      } else {
-        blocks_[begin_[level + 1] + b / kWidth].set(b % kWidth, all);
-      }
-    }
+  box_ = box_around(blocks_[0]);
+}
+
+/// Builds the level that begins with a block, above the `count` blocks that begin with `below`.
+void PackedTree::build_level_above(std::size_t level, std::size_t below, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    TreeBlock& block = blocks_[level + i / TreeBlock::kNodes];
+    const TreeBlock& part = blocks_[below + i];
+    block.add(box_around(part), part.items());
+    block.divide(i % TreeBlock::kNodes, static_cast<std::uint32_t>(below + i));
   }
 }
 
 void PackedTree::clear() {
   blocks_.clear();
-  levels_ = 0;
+  first_of_items_ = 0;
+  size_ = 0;
   box_ = empty_box();
 }
 

@@ -5,13 +5,13 @@
 #include <limits>
 #include <numeric>
 
+#include "model/block_tree.h"
 #include "model/bounds.h"
-#include "model/packed_tree.h"
 
 namespace occlude::culler {
 namespace {
 
-constexpr std::uint32_t kWidth = PackedTree::kWidth;
+constexpr std::uint32_t kWidth = TreeBlock::kNodes;
 
 }  // namespace
 

@@ -87,7 +87,7 @@ void ObjectGroup::append_living(std::vector<SceneObject>& objects) const {
 std::size_t ObjectGroup::bytes() const { return tree_.bytes() + capacity_of(places_) + capacity_of(oriented_); }
 
 ObjectGroup::Kinds ObjectGroup::kinds(std::uint32_t first, std::uint32_t mask) const {
-  const auto places = std::span(places_).subspan(first, std::min<std::size_t>(size() - first, PackedTree::kWidth));
+  const auto places = std::span(places_).subspan(first, std::min<std::size_t>(size() - first, TreeBlock::kNodes));
   if (oriented_.empty() && is_whole(mask)) return {static_cast<kernel::BoxBits>((1U << places.size()) - 1), 0};
   Kinds kinds;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -97,7 +97,7 @@ ObjectGroup::Kinds ObjectGroup::kinds(std::uint32_t first, std::uint32_t mask) c
   return kinds;
 }
 
-std::size_t ObjectGroup::count_one_by_one(const PackedTree::Items& objects, std::uint32_t mask) const {
+std::size_t ObjectGroup::count_one_by_one(const ItemRange& objects, std::uint32_t mask) const {
   const auto places = std::span(places_).subspan(objects.first, objects.count);
   return static_cast<std::size_t>(
       std::ranges::count_if(places, [&](const Place& place) { return (place.mask & mask) != 0; }));

@@ -73,7 +73,7 @@ class ObjectGroup {
   /// A hint that kinds(first, …) comes.
   void prefetch(std::uint32_t first) const {
     hwy::Prefetch(&places_[first]);
-    hwy::Prefetch(&places_[std::min(first + PackedTree::kWidth, static_cast<std::uint32_t>(size())) - 1]);
+    hwy::Prefetch(&places_[std::min<std::size_t>(first + TreeBlock::kNodes, size()) - 1]);
   }
   [[nodiscard]] kernel::Aabb outer(std::uint32_t i) const { return tree_.item(i); }
   /// Calls question(box) with the box of object i, which may be oriented.
@@ -85,7 +85,7 @@ class ObjectGroup {
   /// Whether every object is in all layers.
   [[nodiscard]] bool is_in_all_layers() const { return is_in_all_layers_; }
   /// How many of these objects are in one of these layers.
-  [[nodiscard]] std::size_t count(const PackedTree::Items& objects, std::uint32_t mask) const {
+  [[nodiscard]] std::size_t count(const ItemRange& objects, std::uint32_t mask) const {
     return is_whole(mask) ? objects.count : count_one_by_one(objects, mask);
   }
   [[nodiscard]] std::size_t count(std::uint32_t mask) const { return count({0, static_cast<std::uint32_t>(size())}, mask); }
@@ -95,7 +95,7 @@ class ObjectGroup {
 
   /// Whether no place is empty, and every object is in one of these layers.
   [[nodiscard]] bool is_whole(std::uint32_t mask) const { return is_in_all_layers_ && living_ == size() && mask != 0; }
-  [[nodiscard]] std::size_t count_one_by_one(const PackedTree::Items& objects, std::uint32_t mask) const;
+  [[nodiscard]] std::size_t count_one_by_one(const ItemRange& objects, std::uint32_t mask) const;
 
   struct Place {
     ObjectId id;             ///< none if the place is empty

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/object_listing.h"
 
-#include "base/each_bit.h"
+#include <bit>
+
+#include "cover/cover_descent.h"
 #include "cover/projected_boxes.h"
 #include "occlude/kernel/half_space.h"
-#include "scene/packed_descent.h"
 
 namespace occlude::culler {
 
@@ -13,33 +14,49 @@ class ObjectListing::Objects {
  public:
   Objects(ObjectListing& listing, const ObjectGroup& group) : listing_(listing), group_(group) {}
 
-  kernel::BoxBits asked(std::uint32_t first) {
-    const ObjectGroup::Kinds kinds = group_.kinds(first, listing_.options_.mask);
+  static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
+  kernel::BoxBits asked(const TreeBlock& block) {
+    if (block.divided != 0) return block.used;
+    const ObjectGroup::Kinds kinds = group_.kinds(block.begin[0], listing_.options_.mask);
     oriented_ = kinds.oriented;
     return kinds.in_layers;
   }
 
-  [[nodiscard]] kernel::BoxBits beyond(std::uint32_t first, std::uint32_t plane, kernel::BoxBits boxes) const {
-    unsigned beyond = 0;
-    for_each_bit(boxes & oriented_,
-                 [&](std::uint32_t i) { beyond |= (listing_.is_beyond(plane, group_, first + i) ? 1U : 0U) << i; });
-    return static_cast<kernel::BoxBits>(beyond);
+  /// An oriented object may be beyond a plane that its box straddles.
+  [[nodiscard]] kernel::BlockRelations relations(const TreeBlock& block, const kernel::BoxBlock& boxes,
+                                                 kernel::BoxBytes asked) const {
+    kernel::BlockRelations relations = kernel::relations(listing_.view_.planes, boxes, asked);
+    if (block.divided != 0 || oriented_ == 0) return relations;
+    const kernel::BoxBytes straddled = asked & kernel::for_all(oriented_) & ~(relations.outside | relations.inside);
+    for (kernel::BoxBytes left = straddled; left != 0; left &= left - 1) {
+      const auto place = static_cast<std::uint32_t>(std::countr_zero(left));
+      const bool is_beyond = listing_.is_beyond(place / 8, group_, block.begin[0] + place % 8);
+      relations.outside |= kernel::BoxBytes{is_beyond} << place;
+    }
+    return relations;
   }
 
-  void prefetch(std::uint32_t first) const { group_.prefetch(first); }
+  void prefetch(const ItemRange& objects) const {
+    if (objects.count <= TreeBlock::kNodes) group_.prefetch(objects.first);
+  }
+  static bool is_few(const ItemRange&) { return true; }
 
-  void cull(Culled::By by, const PackedTree::Items& objects) {
-    listing_.count(by, group_.count(objects, listing_.options_.mask));
+  void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
+    listing_.count(culled.by, group_.count(block.items(i), listing_.options_.mask));
   }
 
-  void see(std::uint32_t object, const ProjectedBoxes& boxes, std::uint32_t i, std::uint32_t /*straddled_planes*/) {
-    const float size = listing_.buffer_.seen_size(boxes, i);
+  template <class Boxes>
+  bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
+    if (!tested.block.is_leaf(i)) return true;
+    const float size = listing_.buffer_.seen_size(tested.seen, i);
     if (size < listing_.options_.least_size) {
       ++listing_.stats_.too_small;
     } else {
-      listing_.draw({group_.id(object), size, boxes.distance[i]});
+      listing_.draw({group_.id(tested.block.begin[i]), size, tested.seen.distance[i]});
     }
+    return false;
   }
+  static void join() {}
 
  private:
   ObjectListing& listing_;
@@ -49,7 +66,7 @@ class ObjectListing::Objects {
 
 void ObjectListing::list(const ObjectGroup& group, std::uint32_t straddled_planes) {
   Objects objects(*this, group);
-  PackedDescent(group.tree(), view_, buffer_, stats_.work, objects).run(straddled_planes);
+  CoverDescent(group.tree().tree(), buffer_, stats_.work, objects).run(straddled_planes);
 }
 
 bool ObjectListing::is_beyond(std::uint32_t plane, const ObjectGroup& group, std::uint32_t object) const {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
-#include "cover/cover_descent.h"
 #include "occlude/culler/scene_view.h"
 #include "scene/object_group.h"
 

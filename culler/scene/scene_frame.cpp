@@ -11,29 +11,71 @@
 
 #include "cover/cover_descent.h"
 #include "cover/drawn_groups.h"
+#include "cover/opening.h"
 #include "cover/placed.h"
 #include "cover/prepared_mesh.h"
 #include "descent/add_counts.h"
 #include "model/bounds.h"
 #include "scene/object_listing.h"
-#include "scene/packed_descent.h"
 
 namespace occlude::culler {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// A tree of a mesh where the mesh stands. Its boxes need only be about right: what is not drawn into the coarse picture
-/// hides nothing.
-struct PlacedTree {
-  std::span<const HierarchyNode> nodes;
+/// The boxes of a block where they are.
+struct StandingBoxes {
+  const kernel::BoxBlock& operator()(const TreeBlock& block) const { return block.boxes; }
+};
+/// The boxes of a mesh's block where the mesh stands. They need only be about right: what is not drawn into the coarse
+/// picture hides nothing.
+struct PlacedBoxes {
   const Placement& placement;
 
-  [[nodiscard]] kernel::Aabb box(std::uint32_t node) const { return placed(placement, nodes[node].box); }
-  template <class Question>
-  decltype(auto) ask(std::uint32_t node, const Question& question) const {
-    return question(box(node));
+  kernel::BoxBlock operator()(const TreeBlock& block) const {
+    kernel::BoxBlock boxes;
+    for (std::uint32_t i = 0; i < block.size(); ++i) boxes.set(i, placed(placement, block.boxes.box(i)));
+    return boxes;
   }
+};
+
+/// The nodes of a tree of occluders, or of polygons of one. see(items, straddled_planes, nearness) is called for each leaf
+/// that is seen through more than a slit. Where nothing is, the descent does not enter.
+template <class BoxesOf, class See, class Join>
+class ClosingNodes {
+ public:
+  ClosingNodes(const BoxesOf& boxes_of, const ViewPlanes& view, const CoverBuffer& buffer, const CullStats& stats,
+               const See& see, const Join& join)
+      : boxes_of_(boxes_of), view_(view), buffer_(buffer), stats_(stats), see_(see), join_(join) {}
+
+  decltype(auto) boxes(const TreeBlock& block) const { return boxes_of_(block); }
+  static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
+  [[nodiscard]] kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock& boxes,
+                                                 kernel::BoxBytes asked) const {
+    return kernel::relations(view_.planes, boxes, asked);
+  }
+  static void prefetch(const ItemRange&) {}
+  static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
+  static void cull(const TreeBlock&, std::uint32_t, const Culled&) {}
+
+  template <class Boxes>
+  bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
+    const int worth = worth_closing(kWorthOfOccluder, stats_.cover_triangles);
+    const Opening opening(buffer_, tested, i, stats_.cover_groups, worth);
+    if (opening.open < worth) return false;
+    if (!tested.block.is_leaf(i)) return true;
+    see_(tested.block.items(i), tested.straddled_planes[i], opening.footprint.most);
+    return false;
+  }
+  void join() { join_(); }
+
+ private:
+  const BoxesOf& boxes_of_;
+  const ViewPlanes& view_;
+  const CoverBuffer& buffer_;
+  const CullStats& stats_;
+  const See& see_;
+  const Join& join_;
 };
 
 /// Groups that are worth a thread of their own.
@@ -58,10 +100,10 @@ class SceneFrame {
   template <class Joined>
   void draw_occluders(const Joined& joined) {
     for (const SceneOccluders::Forest& forest : occluders_.forests()) {
-      const auto see = [&](const SeenNode& leaf) {
-        draw(forest.occluders[forest.tree.order()[forest.tree.nodes()[leaf.node].first]], leaf.straddled_planes, joined);
+      const auto see = [&](const ItemRange& item, std::uint32_t straddled_planes, float) {
+        draw(forest.occluders[item.first], straddled_planes, joined);
       };
-      descend(StandingBoxes{forest.tree.nodes()}, planes_.all(), see, [] {});
+      descend(forest.tree.tree(), StandingBoxes{}, planes_.all(), see, [] {});
     }
   }
 
@@ -103,10 +145,11 @@ class SceneFrame {
 
  private:
   /// Looks for what is worth drawing into the coarse picture.
-  template <class Tree, class See, class Join>
-  void descend(const Tree& tree, std::uint32_t straddled_planes, const See& see, const Join& join) {
-    const auto ignore = [](const Culled&) {};
-    CoverDescent(tree, planes_, buffer_, Sought::worth_closing, stats_.work, see, ignore, join).run(straddled_planes);
+  template <class BoxesOf, class See, class Join>
+  void descend(const BlockTree& tree, const BoxesOf& boxes_of, std::uint32_t straddled_planes, const See& see,
+               const Join& join) {
+    ClosingNodes nodes(boxes_of, planes_, buffer_, stats_.work, see, join);
+    CoverDescent(tree, buffer_, stats_.work, nodes).run(straddled_planes);
   }
 
   [[nodiscard]] bool takes_part(const SceneOccluders::Standing& occluder) const {
@@ -125,14 +168,19 @@ class SceneFrame {
     if (occluder.is_one_sided) {
       stand.front = occluder.is_mirrored ? CoverMesh::Front::clockwise : CoverMesh::Front::counter_clockwise;
     }
-    const CoverSource source = occluder.mesh->prepared().source(stand);
+    const OccluderMesh::Prepared& mesh = occluder.mesh->prepared();
+    const CoverSource source{mesh.triangles, stand};
     painter_.use(source);
     const std::uint32_t before = painter_.groups();
-    const auto see = [&](const SeenNode& leaf) { painter_.enqueue(leaf); };
+    const auto see = [&](const ItemRange& polygons, std::uint32_t, float nearness) { painter_.enqueue(polygons, nearness); };
     const auto join = [&] {
       if (painter_.flush_group()) joined(painter_, occluder);
     };
-    descend(PlacedTree{source.nodes, occluder.placement}, straddled_planes, see, join);
+    if (occluder.is_identity) {
+      descend(mesh.blocks.tree(), StandingBoxes{}, straddled_planes, see, join);
+    } else {
+      descend(mesh.blocks.tree(), PlacedBoxes{occluder.placement}, straddled_planes, see, join);
+    }
     if (painter_.groups() != before) ++stats_.occluders;
   }
 
@@ -152,21 +200,35 @@ class SceneFrame {
   class Groups {
    public:
     Groups(const SceneFrame& frame, ObjectListing& listing)
-        : objects_(frame.objects_), mask_(frame.options_.mask), seen_(frame.memory_.groups), listing_(listing) {}
+        : objects_(frame.objects_),
+          mask_(frame.options_.mask),
+          view_(frame.planes_),
+          seen_(frame.memory_.groups),
+          listing_(listing) {}
 
-    [[nodiscard]] kernel::BoxBits asked(std::uint32_t first) const {
-      return objects_.groups().used({0, first / PackedTree::kWidth});
+    static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
+    static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
+    [[nodiscard]] kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock& boxes,
+                                                   kernel::BoxBytes asked) const {
+      return kernel::relations(view_.planes, boxes, asked);
     }
-    [[nodiscard]] static kernel::BoxBits beyond(std::uint32_t, std::uint32_t, kernel::BoxBits) { return 0; }
-    static void prefetch(std::uint32_t) {}
-    void cull(Culled::By by, const PackedTree::Items& groups) { listing_.count(by, objects_.count(groups, mask_)); }
-    void see(std::uint32_t group, const ProjectedBoxes&, std::uint32_t, std::uint32_t straddled_planes) {
-      seen_.push_back({group, straddled_planes});
+    static void prefetch(const ItemRange&) {}
+    static bool is_few(const ItemRange&) { return true; }
+    void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
+      listing_.count(culled.by, objects_.count(block.items(i), mask_));
     }
+    template <class Boxes>
+    bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
+      if (!tested.block.is_leaf(i)) return true;
+      seen_.push_back({tested.block.begin[i], tested.straddled_planes[i]});
+      return false;
+    }
+    static void join() {}
 
    private:
     const SceneObjects& objects_;
     std::uint32_t mask_;
+    const ViewPlanes& view_;
     std::vector<SceneView::Memory::SeenGroup>& seen_;
     ObjectListing& listing_;
   };
@@ -175,12 +237,10 @@ class SceneFrame {
     memory_.groups.clear();
     memory_.groups.reserve(std::bit_ceil(objects_.groups().size()));
     Groups groups(*this, listing);
-    PackedDescent(objects_.groups(), planes_, buffer_, listing.stats().work, groups).run(planes_.all());
+    CoverDescent(objects_.groups().tree(), buffer_, listing.stats().work, groups).run(planes_.all());
   }
 
-  static void prefetch(const ObjectGroup& group) {
-    if (!group.tree().empty()) group.tree().prefetch(group.tree().root());
-  }
+  static void prefetch(const ObjectGroup& group) { group.tree().tree().prefetch(0); }
 
   /// Divides the groups into at most so many parts.
   void divide(std::size_t most) {

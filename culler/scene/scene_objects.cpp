@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "model/bounds.h"
-#include "model/linear_tree.h"
 #include "model/outer_box.h"
 #include "occlude/culler/parallel.h"
 #include "occlude/culler/scene.h"
@@ -223,15 +222,15 @@ void SceneObjects::place_arrivals(const Executor& executor) {
 void SceneObjects::place_large_batch(const Executor& executor) {
   std::vector<kernel::Aabb> boxes;
   for (const SceneObject& object : batch_) boxes.push_back(outer_box(object.box));
-  LinearTree chunks;
-  chunks.build(boxes, kMost);
+  CurveOrder curve;
+  curve.sort(boxes);
   struct Chunk {
     std::span<const std::uint32_t> objects;
     std::uint32_t group;
   };
   std::vector<Chunk> work;
-  for (const HierarchyNode& node : chunks.nodes()) {
-    if (node.is_leaf()) work.push_back({chunks.order().subspan(node.first, node.count), free_group(node.count)});
+  for (const auto& [first, count] : curve.parts(kMost)) {
+    work.push_back({curve.order().subspan(first, count), free_group(count)});
   }
   const std::size_t parts = executor.threads(), length = (work.size() + parts - 1) / parts;
   const auto build_part = [&](std::size_t part) {
@@ -345,7 +344,7 @@ void SceneObjects::count_groups() {
   before_.push_back(objects);
 }
 
-std::size_t SceneObjects::count(const PackedTree::Items& groups, std::uint32_t mask) const {
+std::size_t SceneObjects::count(const ItemRange& groups, std::uint32_t mask) const {
   const std::uint32_t end = groups.first + groups.count;
   std::size_t objects = mask == 0 ? 0 : before_[end] - before_[groups.first];
   for (auto i = std::ranges::lower_bound(layered_, groups.first); i != layered_.end() && *i < end; ++i) {

@@ -51,7 +51,7 @@ class SceneObjects {
   [[nodiscard]] const PackedTree& groups() const { return top_; }
   [[nodiscard]] const ObjectGroup& group(std::uint32_t item) const { return groups_[top_groups_[item]]; }
   /// How many of the objects of these items of groups() are in one of these layers.
-  [[nodiscard]] std::size_t count(const PackedTree::Items& groups, std::uint32_t mask) const;
+  [[nodiscard]] std::size_t count(const ItemRange& groups, std::uint32_t mask) const;
   /// Objects without a place, which are always drawn.
   struct Unplaced {
     ObjectId id;

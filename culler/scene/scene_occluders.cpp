@@ -8,6 +8,7 @@
 
 #include "cover/placed.h"
 #include "model/bounds.h"
+#include "model/curve_order.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {
@@ -110,24 +111,26 @@ void SceneOccluders::update() {
 }
 
 void SceneOccluders::build(std::size_t forest) {
-  Forest& built = forests_[forest];
-  built.occluders.clear();
-  built.boxes.clear();
+  std::vector<Standing> occluders;
+  std::vector<kernel::Aabb> boxes;
   slots_.for_each([&](OccluderId id, const Placed& occluder) {
     const auto& [mesh, placement, options, is_enabled] = occluder;
     if (!is_enabled || mesh->size() == 0 || options.moves != (forest == 1)) return;
-    built.occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
-                               placement == Placement{}, is_mirrored(placement)});
-    built.boxes.push_back(placed(placement, mesh->box()));
+    occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
+                         placement == Placement{}, is_mirrored(placement)});
+    boxes.push_back(placed(placement, mesh->box()));
   });
-  built.tree.build(built.boxes, 1);
+  CurveOrder curve;
+  curve.sort(boxes);
+  Forest& built = forests_[forest];
+  built.tree.build(boxes, curve.order());
+  built.occluders.clear();
+  for (const std::uint32_t i : curve.order()) built.occluders.push_back(occluders[i]);
 }
 
 kernel::Aabb SceneOccluders::box() const {
   kernel::Aabb box = empty_box();
-  for (const Forest& forest : forests_) {
-    if (!forest.tree.nodes().empty()) grow(box, forest.tree.nodes()[0].box);
-  }
+  for (const Forest& forest : forests_) grow(box, forest.tree.box());
   return box;
 }
 

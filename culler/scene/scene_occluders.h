@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/linear_tree.h"
+#include "model/packed_tree.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/placement.h"
 #include "occlude/culler/scene.h"
@@ -50,11 +50,10 @@ class SceneOccluders {
     ObjectId object;
     bool is_one_sided = false, is_identity = true, is_mirrored = false;
   };
-  /// A tree of occluders, whose leaves are occluders, one each.
+  /// A tree of occluders.
   struct Forest {
-    LinearTree tree;
-    std::vector<Standing> occluders;  ///< the tree orders them
-    std::vector<kernel::Aabb> boxes;
+    PackedTree tree;
+    std::vector<Standing> occluders;  ///< in the order of the tree
   };
   /// Those that stand still, then those that move.
   [[nodiscard]] std::span<const Forest> forests() const { return forests_; }

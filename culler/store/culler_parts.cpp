@@ -11,8 +11,8 @@
 
 #include "base/lazy.h"
 #include "cover/cover_triangles.h"
+#include "model/hierarchy_blocks.h"
 #include "model/legal_soup.h"
-#include "model/node_blocks.h"
 #include "model/part_list.h"
 #include "occlude/culler/culler.h"
 
@@ -54,9 +54,7 @@ const PartReader& checked(const PartReader& parts) {
   return parts;
 }
 
-bool is_of_occluders(std::string_view part) {
-  return part != NodeBlocks::kPart && Culler::method_of(part) == Method::frusta;
-}
+bool is_of_occluders(std::string_view part) { return Culler::method_of(part) == Method::frusta; }
 
 /// Throws std::invalid_argument where lists that are to be made would take more bytes than the model has, so that a few
 /// bytes cannot ask for any amount of work. As many regions and entries as by default may always be: they take 130 MiB at
@@ -80,7 +78,7 @@ struct Kept {
 }  // namespace
 
 std::optional<Method> Culler::method_of(std::string_view part) {
-  if (part == kCullerConfig || Hierarchy::is_part(part)) return std::nullopt;
+  if (part == kCullerConfig || part == HierarchyBlocks::kPart || Hierarchy::is_part(part)) return std::nullopt;
   return part.starts_with(CoverTriangles::kPrefix) ? Method::cover : Method::frusta;
 }
 
@@ -90,8 +88,8 @@ Parts Culler::parts(const Checkpoint& checkpoint) const {
   PartWriter writer(result);
   writer.put(kCullerConfig, std::span(&kept->config, 1));
   hierarchy_.append_parts(writer);
-  occluders(checkpoint).append_parts(writer);
   blocks(checkpoint).append_parts(writer);
+  occluders(checkpoint).append_parts(writer);
   triangles(checkpoint).append_parts(writer);
   return result;
 }
@@ -102,15 +100,13 @@ Culler::Culler(const PartReader& parts, const Checkpoint& checkpoint)
     : config_(config_of(checked(parts))),
       hierarchy_(Hierarchy::from_parts(parts, config_.hierarchy, checkpoint)),
       occluders_(std::make_shared<Lazy<OccluderSet>>()),
-      blocks_(std::make_shared<Lazy<NodeBlocks>>()),
+      blocks_(std::make_shared<Lazy<HierarchyBlocks>>()),
       triangles_(std::make_shared<Lazy<CoverTriangles>>()) {
+  static_cast<void>(blocks_->get([&] { return HierarchyBlocks::from_parts(parts, hierarchy_, checkpoint); }));
   if (parts.has_any(is_of_occluders)) {
     static_cast<void>(occluders_->get([&] { return OccluderSet::from_parts(parts, hierarchy_.shared_soup(), checkpoint); }));
   } else {
     require_lists_within(parts.bytes(), config_.lists, Space::of(hierarchy_));
-  }
-  if (parts.has_any([](std::string_view part) { return part == NodeBlocks::kPart; })) {
-    static_cast<void>(blocks_->get([&] { return NodeBlocks::from_parts(parts, hierarchy_, checkpoint); }));
   }
   if (parts.has_any([](std::string_view part) { return method_of(part) == Method::cover; })) {
     static_cast<void>(triangles_->get([&] { return CoverTriangles::from_parts(parts, hierarchy_.soup(), checkpoint); }));

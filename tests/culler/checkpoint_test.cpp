@@ -13,6 +13,7 @@
 
 #include "base/parallel_sort.h"
 #include "executors.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/parallel.h"
@@ -100,7 +101,8 @@ TEST(Checkpoint, AThreadThatRoundsOtherwiseDoesNothing) {
   EXPECT_EQ(std::ranges::count(done, 1), 1000);
 }
 
-/// Neither the constructor nor the other method makes what a method needs, and it is made once.
+/// Neither the constructor nor the other method makes what a method alone needs, and it is made once. Both need the blocks
+/// of the tree.
 TEST(Checkpoint, IsCalledForWhatTheMethodNeedsAlone) {
   const PolygonSoup soup = random_town_of_houses(3, 300);
   const Culler culler(soup);
@@ -109,11 +111,14 @@ TEST(Checkpoint, IsCalledForWhatTheMethodNeedsAlone) {
     asked.prepare(method, Checkpoint([&] { ++calls; }, Executor()));
     return calls;
   };
+  std::size_t calls_of_blocks = 0;
+  const Hierarchy tree = Hierarchy::build(soup, {});
+  static_cast<void>(HierarchyBlocks(tree, Checkpoint([&] { ++calls_of_blocks; }, Executor())));
   View view;
   for (const Method method : {Method::cover, Method::frusta}) {
     const std::size_t calls = calls_of(culler, method);
     EXPECT_GT(calls, method == Method::cover ? 5U : 50U);
-    EXPECT_EQ(calls, calls_of(Culler(soup), method));
+    EXPECT_EQ(calls + (method == Method::cover ? 0 : calls_of_blocks), calls_of(Culler(soup), method));
     EXPECT_EQ(calls_of(culler, method), 0U);
     CullOptions options;
     options.method = method;

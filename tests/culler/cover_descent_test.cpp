@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a descent finds worth drawing into the coarse picture.
-#include "cover/cover_descent.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +11,9 @@
 #include <vector>
 
 #include "base/radix_sort.h"
+#include "cover/opening.h"
+#include "model/hierarchy_blocks.h"
+#include "occlude/culler/camera.h"
 #include "scenes.h"
 
 namespace cover_descent_test {
@@ -42,16 +43,36 @@ class WorthDrawing : public testing::Test {
     buffer_.begin(FrameView(camera, 100), 256 + 64, 128 + 64, 0);  // a pixel is a unit
   }
 
+  /// Asks of each leaf what the nodes of models and of occluders ask.
+  struct Nodes {
+    const CoverBuffer& buffer;
+    std::size_t triangles;
+    int least;
+    std::map<std::uint32_t, bool>& leaves;
+
+    static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
+    static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
+    static kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock&, kernel::BoxBytes) { return {}; }
+    static void prefetch(const ItemRange&) {}
+    static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
+    static void cull(const TreeBlock&, std::uint32_t, const Culled&) { ADD_FAILURE() << "nothing is hidden"; }
+    template <class Boxes>
+    bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
+      if (!tested.block.is_leaf(i)) return true;
+      const int worth = worth_closing(least, triangles);
+      leaves[tested.block.node[i]] = Opening(buffer, tested, i, 0, worth).open >= worth;
+      return false;
+    }
+    static void join() {}
+  };
+
   /// The leaves that a descent passes on once so many triangles are drawn, and whether each is worth drawing.
-  [[nodiscard]] std::map<std::uint32_t, bool> found(Sought sought, std::size_t triangles) const {
+  [[nodiscard]] std::map<std::uint32_t, bool> found(int least, std::size_t triangles) const {
     std::map<std::uint32_t, bool> leaves;
     CullStats stats;
-    stats.cover_triangles = triangles;
-    const auto see = [&](const SeenNode& leaf) { leaves[leaf.node] = leaf.is_worth_closing; };
-    const auto cull = [](const Culled&) { ADD_FAILURE() << "nothing is hidden"; };
-    const auto join = [] {};
-    const ViewPlanes planes{{}, kernel::Arithmetic::certified};
-    CoverDescent(StandingBoxes{tree_.nodes()}, planes, buffer_, sought, stats, see, cull, join).run(planes.all());
+    Nodes nodes{buffer_, triangles, least, leaves};
+    const HierarchyBlocks blocks(tree_);
+    CoverDescent(blocks.tree(), buffer_, stats, nodes).run(0);
     return leaves;
   }
   [[nodiscard]] int open(std::uint32_t leaf) const { return buffer_.open(buffer_.footprint(tree_.nodes()[leaf].box), 1000); }
@@ -66,26 +87,23 @@ class WorthDrawing : public testing::Test {
 /// Else a limit that is wrong by one would not be noticed.
 TEST_F(WorthDrawing, IsAskedOfEveryNumberOfPixels) {
   std::set<int> numbers;
-  for (const auto& [leaf, is_worth] : found(Sought::seen, 0)) numbers.insert(open(leaf));
+  for (const auto& [leaf, is_worth] : found(kWorthOfLeaf, 0)) numbers.insert(open(leaf));
   for (int n = 7; n <= 25; ++n) EXPECT_TRUE(numbers.contains(n)) << n;
 }
 
 TEST_F(WorthDrawing, IsWhatEnoughPixelsAreOpenFor) {
   for (const auto& [triangles, least] : std::map<std::size_t, int>{
            {0, 8}, {4096, 8}, {4607, 8}, {4608, 9}, {8192, 16}, {12288, 24}, {1U << 20U, 24}, {~std::size_t{0}, 24}}) {
-    const auto seen = found(Sought::seen, triangles);
+    const auto seen = found(kWorthOfLeaf, triangles);
     EXPECT_EQ(seen.size(), leaves()) << "all are seen";
     for (const auto& [leaf, is_worth] : seen) EXPECT_EQ(is_worth, open(leaf) >= least) << triangles << ", leaf " << leaf;
   }
 }
 
-TEST_F(WorthDrawing, AloneIsFoundAmongOccluders) {
+TEST_F(WorthDrawing, IsLessAmongOccluders) {
   for (const auto& [triangles, least] : std::map<std::size_t, int>{{0, 12}, {4608, 12}, {8192, 16}, {12288, 24}}) {
-    const auto worth = found(Sought::worth_closing, triangles);
-    EXPECT_FALSE(worth.empty());
-    for (std::uint32_t node = 0; node < tree_.nodes().size(); ++node) {
-      if (!tree_.nodes()[node].is_leaf()) continue;
-      EXPECT_EQ(worth.contains(node), open(node) >= least) << triangles << ", leaf " << node;
+    for (const auto& [leaf, is_worth] : found(kWorthOfOccluder, triangles)) {
+      EXPECT_EQ(is_worth, open(leaf) >= least) << triangles << ", leaf " << leaf;
     }
   }
 }

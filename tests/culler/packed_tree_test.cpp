@@ -32,26 +32,24 @@ std::vector<Aabb> random_boxes(std::mt19937& random, std::size_t count) {
   return boxes;
 }
 
-/// Expects that each box of a block is exactly the box around its items, and that the items follow each other. Returns the
-/// item after the last.
-std::uint32_t expect_sound(const PackedTree& tree, const PackedTree::At& at, std::uint32_t first) {
-  const unsigned used = tree.used(at);
-  EXPECT_NE(used, 0U);
-  EXPECT_EQ(used & (used + 1), 0U) << "the first ones are used";
-  for (std::uint32_t i = 0; i < PackedTree::kWidth && (used >> i & 1U) != 0; ++i) {
-    const auto [begin, count] = tree.items(at, i);
-    EXPECT_EQ(begin, first);
+/// Expects that each box of a block is exactly the box around its items, and that the items follow each other.
+void expect_sound(const PackedTree& tree, std::uint32_t at, const ItemRange& items) {
+  const TreeBlock& block = tree.tree()[at];
+  EXPECT_EQ(block.used, (1U << block.size()) - 1) << "the first ones are used";
+  EXPECT_EQ(block.items().first, items.first);
+  EXPECT_EQ(block.items().count, items.count);
+  for (std::size_t i = 0; i < block.size(); ++i) {
     Aabb box = empty_box();
-    for (std::uint32_t item = begin; item < begin + count; ++item) grow(box, tree.item(item));
-    EXPECT_EQ(tree.block(at).box(i), box) << "level " << at.level << ", block " << at.block;
-    first = begin + count;
-    if (at.level > 0) {
-      EXPECT_EQ(expect_sound(tree, PackedTree::below(at, i), begin), first);
+    for (std::uint32_t item = block.begin[i]; item < block.begin[i + 1]; ++item) grow(box, tree.item(item));
+    EXPECT_EQ(block.boxes.box(i), box) << "block " << at << ", box " << i;
+    if (block.is_leaf(i)) {
+      EXPECT_EQ(block.count(i), 1U);
+      EXPECT_EQ(block.below[i], TreeBlock::kNone);
     } else {
-      EXPECT_EQ(count, 1U);
+      ASSERT_GT(block.below[i], at);
+      expect_sound(tree, block.below[i], block.items(i));
     }
   }
-  return first;
 }
 
 TEST(PackedTree, HoldsEachBoxOnceAndExactly) {
@@ -63,7 +61,8 @@ TEST(PackedTree, HoldsEachBoxOnceAndExactly) {
     curve.sort(boxes);
     tree.build(boxes, curve.order());
     ASSERT_FALSE(tree.empty());
-    EXPECT_EQ(expect_sound(tree, tree.root(), 0), count);
+    expect_sound(tree, 0, {0, static_cast<std::uint32_t>(count)});
+    ASSERT_EQ(tree.size(), count);
     Aabb all = empty_box();
     for (std::uint32_t i = 0; i < count; ++i) {
       EXPECT_EQ(tree.item(i), boxes[curve.order()[i]]);
@@ -87,17 +86,15 @@ TEST(PackedTree, IsEmptyWithoutBoxes) {
 }
 
 /// The surface of all boxes of the tree but those of the items, over that of the root. The visits of a descent grow with it.
-double surface(const PackedTree& tree) {
+double surface(const PackedTree& packed) {
+  const BlockTree tree = packed.tree();
   double sum = 0;
-  for (std::uint32_t level = tree.root().level; level > 0; --level) {
-    const std::uint32_t blocks = ((tree.size() - 1) >> (3 * (level + 1))) + 1;
-    for (std::uint32_t block = 0; block < blocks; ++block) {
-      for (std::uint32_t i = 0; (tree.used({level, block}) >> i & 1U) != 0; ++i) {
-        sum += half_area(tree.block({level, block}).box(i));
-      }
+  for (std::uint32_t at = 0; at < tree.size(); ++at) {
+    for (std::size_t i = 0; i < tree[at].size(); ++i) {
+      if (!tree[at].is_leaf(i)) sum += half_area(tree[at].boxes.box(i));
     }
   }
-  return sum / half_area(tree.box());
+  return sum / half_area(packed.box());
 }
 
 TEST(PackedTree, PutsWhatIsNearTogether) {
@@ -121,6 +118,38 @@ std::vector<Aabb> town(std::mt19937& random, std::size_t count) {
     boxes.push_back({{x, y, z}, {x + size, y + size, z + size}});
   }
   return boxes;
+}
+
+TEST(CurveOrder, HasPartsOfBoxesThatAreNear) {
+  std::mt19937 random(kSeed);
+  CurveOrder curve;
+  for (const std::size_t count : {0U, 1U, 99U, 100U, 101U, 5000U}) {
+    const auto boxes = random_boxes(random, count);
+    curve.sort(boxes);
+    std::uint32_t next = 0;
+    double surfaces = 0;
+    const auto parts = curve.parts(100);
+    for (const auto& [first, size] : parts) {
+      EXPECT_EQ(first, next);
+      EXPECT_GT(size, 0U);
+      EXPECT_LE(size, 100U);
+      Aabb box = empty_box();
+      for (const std::uint32_t i : curve.order().subspan(first, size)) grow(box, boxes[i]);
+      surfaces += half_area(box);
+      next = first + size;
+    }
+    EXPECT_EQ(next, count);
+    if (count < 5000) continue;
+    EXPECT_LT(surfaces, 0.2 * half_area({{-100, -100, 0}, {101, 101, 101}}) * static_cast<double>(parts.size()));
+  }
+}
+
+TEST(CurveOrder, HasHalvesWhereAllIsAtOnePlace) {
+  const std::vector<Aabb> boxes(1024, Aabb{{1, 1, 1}, {2, 2, 2}});
+  CurveOrder curve;
+  curve.sort(boxes);
+  const auto parts = curve.parts(1);
+  EXPECT_EQ(parts.size(), 1024U);
 }
 
 TEST(SplitOrder, MakesABetterTreeThanTheCurve) {

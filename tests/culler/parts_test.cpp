@@ -23,7 +23,7 @@
 #include "forged_parts.h"
 #include "frames.h"
 #include "model/bounds.h"
-#include "model/node_blocks.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
@@ -142,7 +142,7 @@ TEST(Parts, OfAMethodMayBeLeftOut) {
     bare.erase(name);
     ++left_out;
   }
-  EXPECT_EQ(left_out, 22U);
+  EXPECT_EQ(left_out, 21U);
   const Culler culler = bare.culler();
   std::mt19937 random(2);
   for (const Method method : {Method::frusta, Method::cover}) {
@@ -154,11 +154,7 @@ TEST(Parts, OfAMethodMayBeLeftOut) {
   for (const std::string& name : names) {
     ForgedParts lacking(fresh);
     lacking.erase(name);
-    if (name == "node blocks") {  // alone in what is made of it
-      EXPECT_EQ(lacking.refusal(), "");
-    } else {
-      EXPECT_EQ(lacking.refusal(), "part \"" + name + "\": it is missing");
-    }
+    EXPECT_EQ(lacking.refusal(), "part \"" + name + "\": it is missing");
   }
 }
 
@@ -275,7 +271,17 @@ TEST(Parts, RefuseTreesDeeperThanAStack) {
       nodes.push_back({soup.box(order[level]), level, 1, 0});
     }
     nodes.push_back({boxes_from[levels], levels, count - levels, 0});
+    std::vector<TreeBlock> blocks(levels);
+    for (U32 level = 0; level < levels; ++level) {
+      TreeBlock& block = blocks[level];
+      block.add(nodes[2 * level + 1].box, {level, 1});
+      block.add(nodes[2 * level + 2].box, {level + 1, count - level - 1});
+      block.node[0] = 2 * level + 1;
+      block.node[1] = 2 * level + 2;
+      if (level + 1 < levels) block.divide(1, level + 1);
+    }
     forged.set("nodes", nodes);
+    forged.set("blocks", blocks);
     for (const std::string& name : std::vector<std::string>(forged.names())) {
       if (Culler::method_of(name)) forged.erase(name);
     }
@@ -292,7 +298,7 @@ TEST(Parts, RefuseTreesDeeperThanAStack) {
   along.height = 0.25;
   for (const Method method : {Method::frusta, Method::cover}) {
     const CullResult frame = deepest.cull(along, {.method = method, .occluders = 0});
-    EXPECT_GT(frame.stats.nodes_visited, 2 * kMostLevels);
+    EXPECT_EQ(frame.stats.nodes_visited, 2 * kMostLevels);
   }
 }
 
@@ -497,54 +503,60 @@ TEST_F(ForgedPart, OfWhatIsKnownAndTheSettings) {
   EXPECT_EQ(with("config", 1, U32{1}), "part \"oriented\": it does not number the oriented boxes");
 }
 
-TEST_F(ForgedPart, OfTheNodeBlocks) {
-  const std::string blocks = "part \"node blocks\": the blocks are not of this tree";
-  const auto all = sound_.get<NodeBlock>("node blocks");
+TEST_F(ForgedPart, OfTheBlocks) {
+  const std::string blocks = "part \"blocks\": the blocks are not of this tree";
+  const auto all = sound_.get<TreeBlock>("blocks");
   const auto nodes = static_cast<U32>(culler_.hierarchy().nodes().size());
   ASSERT_GT(all.size(), 10U);
-  const auto change = [&](std::size_t i, const std::function<void(NodeBlock&)>& of) {
-    return refusal<NodeBlock>("node blocks", [&](std::vector<NodeBlock>& changed) { of(changed[i]); });
+  const auto change = [&](std::size_t i, const std::function<void(TreeBlock&)>& of) {
+    return refusal<TreeBlock>("blocks", [&](std::vector<TreeBlock>& changed) { of(changed[i]); });
   };
   for (std::size_t i = 0; i < all.size(); i += i < 4 ? 1 : 7) {
-    EXPECT_EQ(change(i, [&](NodeBlock& b) { b.node[0] = nodes; }), blocks) << i;
-    EXPECT_EQ(change(i, [&](NodeBlock& b) { b.boxes.max[2][0] = std::nextafter(b.boxes.max[2][0], -1e9); }), blocks) << i;
-    EXPECT_EQ(change(i, [&](NodeBlock& b) { ++b.count[0]; }), blocks) << i;
-    EXPECT_EQ(change(i, [&](NodeBlock& b) { b.used = 0; }), blocks) << i;
-    EXPECT_EQ(change(i, [&](NodeBlock& b) { b.roots ^= 2; }), blocks) << i;
-    EXPECT_EQ(change(i, [&](NodeBlock& b) { b.parents[0].i = 200; }), blocks) << i;
-    for (std::size_t k = 0; k < NodeBlock::kNodes; ++k) {
-      const bool is_exit = (all[i].exits >> k & 1U) != 0;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { b.node[0] = nodes; }), blocks) << i;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { b.boxes.max[2][0] = std::nextafter(b.boxes.max[2][0], -1e9); }), blocks) << i;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { ++b.begin[1]; }), blocks) << i;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { b.used = 0; }), blocks) << i;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { b.used = static_cast<TreeBlock::Bits>(b.used & ~1U); }), blocks) << i;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { b.divided ^= 2; }), blocks) << i;
+    EXPECT_EQ(change(i, [&](TreeBlock& b) { b.oriented ^= 1; }), blocks) << i;
+    for (std::size_t k = 0; k < TreeBlock::kNodes; ++k) {
       for (const U32 wrong : {static_cast<U32>(all.size()), all[i].below[k] - 1, static_cast<U32>(i)}) {
-        EXPECT_EQ(change(i, [&](NodeBlock& b) { b.below[k] = wrong; }), blocks) << i << ", " << k << ", " << is_exit;
+        EXPECT_EQ(change(i, [&](TreeBlock& b) { b.below[k] = wrong; }), blocks) << i << ", " << k;
       }
     }
   }
-  // A node from elsewhere beside the children of another, in a block that is right in all else.
-  const U32 last = nodes - 1;
-  const HierarchyNode& leaf = culler_.hierarchy().nodes()[last];
-  const auto parent = static_cast<U32>(std::ranges::find(culler_.hierarchy().nodes(), last, &HierarchyNode::right) -
-                                       culler_.hierarchy().nodes().begin());
-  std::size_t with_another = 0;
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const auto size = static_cast<U32>(std::popcount(all[i].used));
-    const auto taken = std::span(all[i].node).first(size);
-    if (size == NodeBlock::kNodes || taken.back() == last || std::ranges::find(taken, parent) != taken.end()) continue;
-    ++with_another;
-    EXPECT_EQ(change(i,
-                     [&](NodeBlock& b) {
-                       const auto bit = static_cast<NodeBlock::Bits>(1U << size);
-                       b.boxes.set(size, leaf.box);
-                       b.node[size] = last;
-                       b.first[size] = leaf.first;
-                       b.count[size] = leaf.count;
-                       b.subtree[size] = bit;
-                       b.used |= bit;
-                       b.roots |= bit;
+  // The last node of a block is left out: the block is right in all else, but polygons are in no leaf.
+  const auto of_few = [&](const std::function<TreeBlock(const TreeBlock&)>& made) {
+    return change(all.size() - 1, [&](TreeBlock& b) { b = made(b); });
+  };
+  EXPECT_EQ(of_few([](const TreeBlock& b) {
+              TreeBlock few;
+              for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+                few.add(b.boxes.box(i), b.items(i));
+                few.node[i] = b.node[i];
+                if (!b.is_leaf(i)) few.divide(i, b.below[i]);
+              }
+              return few;
+            }),
+            blocks);
+  // The node itself instead of its parts: a descent would not end.
+  std::size_t endless = 0;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    if (all[i].is_leaf(0)) continue;
+    const U32 below = all[i].below[0];
+    ++endless;
+    EXPECT_EQ(change(below,
+                     [&](TreeBlock& b) {
+                       TreeBlock whole;
+                       whole.add(all[i].boxes.box(0), all[i].items(0));
+                       whole.node[0] = all[i].node[0];
+                       whole.divide(0, below);
+                       b = whole;
                      }),
               blocks)
         << i;
   }
-  EXPECT_GT(with_another, 0U);
+  EXPECT_GT(endless, 0U);
 }
 
 TEST_F(ForgedPart, OfTheCover) {

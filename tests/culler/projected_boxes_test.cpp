@@ -99,7 +99,8 @@ TEST_P(SeenBoxesTest, HoldTheirCorners) {
     batch.project(boxes);
     kernel::BoxBlock block;
     for (std::size_t k = 0; k < asked.size(); ++k) block.set(k, asked[k]);
-    const ProjectedBoxes of_block(boxes, block);
+    ProjectedBoxes of_block;
+    of_block.project(boxes, block);
     for (std::size_t k = 0; k < batch.size; ++k) {
       ProjectedBoxes alone;
       alone.add(boxes, asked[k]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The traversal, which asks about the nodes of blocks at once, answers as a descent from node to node does.
+// The traversal, which asks about the nodes of a block at once, answers as a descent that asks node by node does.
 #include "descent/traversal.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 #include "frame/view_memory.h"
 #include "frusta/node_tests.h"
 #include "model/bounds.h"
-#include "model/node_blocks.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/append_range.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
@@ -35,21 +35,21 @@ constexpr std::uint32_t kSeed = 23;
 /// Section 5 as the paper tells it: a recursion that tests one node after the other.
 class Descent {
  public:
-  Descent(const Culler& culler, const CullOptions& options, View::Memory& memory)
-      : culler_(culler), options_(options), memory_(memory), result_(memory.frame.result) {}
+  Descent(const Culler& culler, const BlockTree& tree, const CullOptions& options, View::Memory& memory)
+      : culler_(culler), tree_(tree), options_(options), memory_(memory), result_(memory.frame.result) {}
 
   void run() {
-    memory_.frame.take_planes();
+    static_cast<void>(memory_.frame.view_planes(options_.arithmetic));
     memory_.frusta.shrink_shadows(result_);
     const auto numbers = [](std::size_t size) {
       std::vector<std::uint32_t> result(size);
       for (std::uint32_t i = 0; i < size; ++i) result[i] = i;
       return result;
     };
-    visit(0, {numbers(memory_.frame.planes.size()),
-              numbers(result_.occluders.size()),
-              numbers(memory_.frusta.probes.size()),
-              {}});
+    visit_parts(0, {numbers(memory_.frame.planes.size()),
+                    numbers(result_.occluders.size()),
+                    numbers(memory_.frusta.probes.size()),
+                    {}});
   }
 
  private:
@@ -57,7 +57,10 @@ class Descent {
     std::vector<std::uint32_t> planes, shadows, probes, holding;
   };
 
-  void visit(std::uint32_t index, const Active& above) {
+  void visit_parts(std::uint32_t block, const Active& above) {
+    for (std::size_t i = 0; i < tree_[block].size(); ++i) visit(tree_[block].node[i], tree_[block].below[i], above);
+  }
+  void visit(std::uint32_t index, std::uint32_t below, const Active& above) {
     const HierarchyNode& node = culler_.hierarchy().nodes()[index];
     Active here;
     ++result_.stats.nodes_visited;
@@ -66,8 +69,7 @@ class Descent {
     const bool is_undecided =
         !here.planes.empty() || !here.shadows.empty() || (!here.probes.empty() && node.count > kProbed);
     if (is_undecided && !node.is_leaf()) {
-      visit(index + 1, here);
-      visit(node.right, here);
+      visit_parts(below, here);
     } else {
       append_range(result_.drawn, {node.first, node.count});
       result_.stats.drawn_polygons += node.count;
@@ -142,6 +144,7 @@ class Descent {
   }
 
   const Culler& culler_;
+  const BlockTree& tree_;
   const CullOptions& options_;
   View::Memory& memory_;
   CullResult& result_;
@@ -199,12 +202,13 @@ struct Case {
 
 class TraversalTest : public testing::TestWithParam<Case> {};
 
-TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
+TEST_P(TraversalTest, AnswersAsADescentNodeByNode) {
   BuildConfig config;
   config.hierarchy = {.leaf_size = 2, .bounds = GetParam().bounds};
   const Culler culler(random_town_of_houses(kSeed, 3000), config);
-  const NodeBlocks blocks(culler.hierarchy());
-  const auto unwatched = [](const NodeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
+  const HierarchyBlocks blocks(culler.hierarchy());
+  const BlockTree tree = blocks.tree();
+  const auto unwatched = [](const TreeBlock&, const kernel::BlockQuestions&, kernel::BoxBytes) {};
   std::mt19937 random(kSeed);
   const std::vector<Executor> executors = some_executors();
   std::vector<View::Memory> memories(executors.size());
@@ -218,7 +222,7 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
     const CullResult seen = culler.cull(camera, GetParam().options);
     View::Memory expected;
     take_frame(seen, expected);
-    Descent(culler, GetParam().options, expected).run();
+    Descent(culler, tree, GetParam().options, expected).run();
     for (std::size_t i = 0; i < executors.size(); ++i) {
       View::Memory& found = memories[i];
       found.frusta.keep_spare(found.frame.result);
@@ -226,7 +230,7 @@ TEST_P(TraversalTest, AnswersAsADescentFromNodeToNode) {
       take_frame(seen, found);
       CullOptions options = GetParam().options;
       options.executor = &executors[i];
-      traverse(blocks, culler.hierarchy(), &culler.occluders(), unwatched, options, found.frame, found.frusta);
+      traverse(tree, culler.hierarchy(), &culler.occluders(), unwatched, options, found.frame, found.frusta);
       expect_same(expected, found);
       ASSERT_FALSE(HasFailure()) << "frame " << frame << ", executor " << i << ", seed " << kSeed;
       EXPECT_EQ(found.frame.result.stats.exact_shadow_tests, memories[0].frame.result.stats.exact_shadow_tests);
@@ -253,142 +257,5 @@ INSTANTIATE_TEST_SUITE_P(Options, TraversalTest,
                                          Case{"margin", Bounds::aabb, {.margin = 0.002}},
                                          Case{"unions", Bounds::aabb, {.occluders = 24, .unions = true}}),
                          [](const auto& c) { return std::string(c.param.name); });
-
-/// Every node is in one block, with its box and its items, and the blocks are entered as the tree is.
-TEST(NodeBlocks, HoldTheTree) {
-  const Culler culler(random_town_of_houses(kSeed, 3000));
-  const auto nodes = culler.hierarchy().nodes();
-  const NodeBlocks blocks(culler.hierarchy());
-  std::vector<int> found(nodes.size());
-  const auto visit = [&](const auto& self, const NodeBlock& block, std::vector<std::uint32_t> roots) -> void {
-    for_each_bit(block.used, [&](std::uint32_t i) {
-      const HierarchyNode& node = nodes[block.node[i]];
-      ++found[block.node[i]];
-      EXPECT_EQ(block.boxes.box(i), node.box);
-      EXPECT_EQ(block.first[i], node.first);
-      EXPECT_EQ(block.count[i], node.count);
-      EXPECT_EQ((block.probed >> i & 1) != 0, node.count > kProbed);
-      EXPECT_EQ((block.roots >> i & 1) != 0, std::ranges::count(roots, block.node[i]) != 0);
-      const kernel::BoxBits children = kernel::boxes_of(block.children_of(kernel::BoxBytes{1} << i), 0);
-      EXPECT_EQ((block.exits >> i & 1) != 0, !node.is_leaf() && children == 0);
-      EXPECT_EQ((block.exits >> i & 1) != 0, block.below[i] != NodeBlock::kNone);
-      for_each_bit(children, [&](std::uint32_t k) {
-        EXPECT_TRUE(block.node[k] == block.node[i] + 1 || block.node[k] == node.right);
-        EXPECT_EQ(block.subtree[i] & block.subtree[k], block.subtree[k]);
-      });
-      if (block.below[i] != NodeBlock::kNone) self(self, blocks[block.below[i]], {block.node[i] + 1, node.right});
-    });
-  };
-  visit(visit, blocks[0], {0});
-  EXPECT_EQ(std::ranges::count(found, 1), std::ssize(found));
-}
-
-/// Which nodes are below others and are visited, as their children tell.
-TEST(NodeBlocks, KnowWhatIsBelowAndVisited) {
-  const Culler culler(random_town_of_houses(kSeed, 3000));
-  const NodeBlocks blocks(culler.hierarchy());
-  const auto children = [](const NodeBlock& block, std::uint32_t nodes) -> std::uint32_t {
-    return kernel::boxes_of(block.children_of(kernel::BoxBytes{nodes}), 0);
-  };
-  std::mt19937 random(kSeed);
-  std::size_t grandchildren = 0;
-  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
-    const NodeBlock& block = blocks[i];
-    const auto nodes = static_cast<std::uint32_t>(random() & block.used);
-    const auto entered = static_cast<std::uint32_t>(random() & block.used);
-    std::uint32_t below = nodes, visited = block.roots;
-    for (std::size_t level = 0; level < NodeBlock::kNodes; ++level) {
-      below |= children(block, below);
-      visited |= children(block, visited & entered);
-    }
-    EXPECT_EQ(block.with_below(nodes), below) << "block " << i << ", seed " << kSeed;
-    EXPECT_EQ(block.visited(entered), visited) << "block " << i << ", seed " << kSeed;
-    if (children(block, children(block, block.roots)) != 0) ++grandchildren;
-  }
-  EXPECT_GT(grandchildren, 10U);
-}
-
-/// The sum of the widths of nodes whose children are in a block of their own below them.
-double visits(const NodeBlocks& blocks, const Hierarchy& hierarchy) {
-  double sum = 0;
-  const auto visit = [&](const auto& self, const NodeBlock& block) -> void {
-    for_each_bit(block.exits, [&](std::uint32_t i) {
-      sum += total_width(hierarchy.nodes()[block.node[i]].box);
-      self(self, blocks[block.below[i]]);
-    });
-  };
-  visit(visit, blocks[0]);
-  return sum;
-}
-
-/// The least such sum of all divisions: of all sets of nodes whose children are in their block.
-double least_visits(std::span<const HierarchyNode> nodes) {
-  std::vector<std::uint32_t> inner;
-  std::vector<std::size_t> above(nodes.size(), nodes.size());  // the root is below nothing
-  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].is_leaf()) continue;
-    inner.push_back(i);
-    above[i + 1] = above[nodes[i].right] = i;
-  }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t set = 0; set < 1U << inner.size(); ++set) {
-    std::vector<bool> is_parent(nodes.size() + 1);
-    std::vector<int> parents(nodes.size() + 1);  // in the block below each node, and in the first
-    for (std::size_t k = 0; k < inner.size(); ++k) is_parent[inner[k]] = (set >> k & 1) != 0;
-    double sum = 0;
-    int most = 0;
-    for (const std::uint32_t i : inner) {
-      if (!is_parent[i]) {
-        sum += total_width(nodes[i].box);
-        continue;
-      }
-      std::size_t top = above[i];
-      while (is_parent[top]) top = above[top];
-      most = std::max(most, ++parents[top]);
-    }
-    if (most <= 3) least = std::min(least, sum);
-  }
-  return least;
-}
-
-TEST(NodeBlocks, AreVisitedAsRarelyAsCanBe) {
-  std::mt19937 random(kSeed);
-  for (std::size_t polygons = 1; polygons <= 14; ++polygons) {
-    for (int i = 0; i < 10; ++i) {
-      PolygonSoup soup;
-      while (soup.size() < polygons) {
-        const double size = i % 2 == 0 ? 100 : std::exp2(uniform(random, -10, 6));
-        std::vector<std::uint32_t> triangle;
-        for (int k = 0; k < 3; ++k) {
-          triangle.push_back(
-              soup.add_vertex({uniform(random, 0, size), uniform(random, 0, size), uniform(random, 0, size)}));
-        }
-        soup.add_polygon(triangle);
-      }
-      const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1});
-      const double least = least_visits(hierarchy.nodes());
-      EXPECT_NEAR(visits(NodeBlocks(hierarchy), hierarchy), least, 1e-5 * least) << polygons << " polygons, seed " << kSeed;
-    }
-  }
-}
-
-/// In a block of their own the children of a node that is a point cost nothing, and fill blocks nevertheless.
-TEST(NodeBlocks, AreFullAlsoWhereNothingHasAWidth) {
-  PolygonSoup soup;
-  for (int i = 0; i < 1000; ++i) {
-    std::vector<std::uint32_t> point;
-    for (int k = 0; k < 3; ++k) point.push_back(soup.add_vertex({1, 2, 3}));
-    soup.add_polygon(point);
-  }
-  const Hierarchy hierarchy = Hierarchy::build(soup, {.leaf_size = 1});
-  const NodeBlocks blocks(hierarchy);
-  std::size_t count = 0;
-  const auto visit = [&](const auto& self, const NodeBlock& block) -> void {
-    ++count;
-    for_each_bit(block.exits, [&](std::uint32_t i) { self(self, blocks[block.below[i]]); });
-  };
-  visit(visit, blocks[0]);
-  EXPECT_LT(count, hierarchy.nodes().size() / 3);
-}
 
 }  // namespace traversal_test

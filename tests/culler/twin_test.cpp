@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frames.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
@@ -20,14 +21,20 @@ using namespace occlude;
 using namespace occlude::culler;
 
 /// With axis-aligned boxes it is enough to test the leaves, because the boxes above them hold theirs and cull no more. An
-/// oriented box need not hold those of its children, so the twin of such a tree begins at the root.
+/// oriented box need not hold those below it, so the twin of such a tree goes down its blocks.
 class Twin {
  public:
-  Twin(const Culler& culler, const CullOptions& options, const CullResult& frame, bool leaves_alone)
-      : culler_(culler), hierarchy_(culler.hierarchy()), options_(options), frame_(frame), drawn_(hierarchy_.soup().size()) {
-    if (!leaves_alone) visit(0);
+  Twin(const Culler& culler, const CullOptions& options, const CullResult& frame, const HierarchyBlocks& blocks,
+       bool leaves_alone)
+      : culler_(culler),
+        hierarchy_(culler.hierarchy()),
+        tree_(blocks.tree()),
+        options_(options),
+        frame_(frame),
+        drawn_(hierarchy_.soup().size()) {
+    if (!leaves_alone) visit_parts(0);
     for (std::uint32_t n = 0; leaves_alone && n < hierarchy_.nodes().size(); ++n) {
-      if (hierarchy_.nodes()[n].is_leaf()) visit(n);
+      if (hierarchy_.nodes()[n].is_leaf()) visit(n, TreeBlock::kNone);
     }
   }
 
@@ -46,19 +53,19 @@ class Twin {
     return false;
   }
 
-  void visit(std::uint32_t index) {
+  void visit_parts(std::uint32_t block) {
+    for (std::size_t i = 0; i < tree_[block].size(); ++i) visit(tree_[block].node[i], tree_[block].below[i]);
+  }
+  void visit(std::uint32_t index, std::uint32_t below) {
     const HierarchyNode& node = hierarchy_.nodes()[index];
     if (hierarchy_.ask(index, [&](const auto& box) { return is_culled(node, box); })) return;
-    if (!node.is_leaf()) {
-      visit(index + 1);
-      visit(node.right);
-      return;
-    }
+    if (!node.is_leaf()) return visit_parts(below);
     for (std::uint32_t p = node.first; p < node.first + node.count; ++p) drawn_[p] = true;
   }
 
   const Culler& culler_;
   const Hierarchy& hierarchy_;
+  const BlockTree tree_;
   const CullOptions& options_;
   const CullResult& frame_;
   std::vector<bool> drawn_;
@@ -91,6 +98,7 @@ struct Tally {
 /// Compares views of one culler: half of them are independent, and half are along a path.
 void compare(const Culler& culler, bool leaves_alone, std::uint32_t seed, int views, Tally& tally) {
   std::mt19937 random(seed);
+  const HierarchyBlocks blocks(culler.hierarchy());
   Camera camera = random_camera(random);
   View view;
   for (int i = 0; i < views; ++i) {
@@ -100,7 +108,7 @@ void compare(const Culler& culler, bool leaves_alone, std::uint32_t seed, int vi
     CullResult alone;
     if (!is_followed) alone = culler.cull(camera, options);
     const CullResult& frame = is_followed ? culler.cull(camera, options, view) : alone;
-    ASSERT_EQ(drawn_polygons(culler, frame), Twin(culler, options, frame, leaves_alone).drawn())
+    ASSERT_EQ(drawn_polygons(culler, frame), Twin(culler, options, frame, blocks, leaves_alone).drawn())
         << "seed " << seed << ", view " << i;
     const CullStats& stats = frame.stats;
     ASSERT_EQ(stats.drawn_polygons + stats.view_culled_polygons + stats.shadow_culled_polygons,

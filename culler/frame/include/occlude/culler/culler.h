@@ -19,9 +19,10 @@
 
 namespace occlude::culler {
 
+class BlockTree;
 class CoverBuffer;
 class CoverTriangles;
-class NodeBlocks;
+class HierarchyBlocks;
 class PartReader;
 template <class T>
 class Lazy;
@@ -121,7 +122,8 @@ class Culler {
   const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
   const OccluderSet& occluders(const Checkpoint& checkpoint) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
-  const NodeBlocks& blocks(const Checkpoint& checkpoint = {}) const;
+  const HierarchyBlocks& blocks(const Checkpoint& checkpoint = {}) const;
+  BlockTree tree() const;
 
   Culler(const PartReader& parts, const Checkpoint& checkpoint);
   Culler(const Culler& other, OccluderSet occluders);
@@ -130,7 +132,7 @@ class Culler {
   BuildConfig config_;
   Hierarchy hierarchy_;
   std::shared_ptr<Lazy<OccluderSet>> occluders_;
-  std::shared_ptr<Lazy<NodeBlocks>> blocks_;
+  std::shared_ptr<Lazy<HierarchyBlocks>> blocks_;
   std::shared_ptr<Lazy<CoverTriangles>> triangles_;
 };
 
