@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cover/cover_group.h"
 
-#include "cover/placed.h"
-#include "model/bounds.h"
-
 namespace occlude::culler {
-
-glm::dvec3 OccluderInstance::place(const glm::dvec3& vertex) const {
-  return placement == nullptr ? vertex : to_glm(placed(*placement, to_kernel(vertex)));
-}
 
 void CoverGroup::reserve(std::size_t triangles) {
   vertex_index_.reserve(triangles);  // meshes have fewer vertices than triangles, and a small table is a fast one
@@ -52,18 +45,18 @@ void CoverGroup::add_triangle(const CoverTriangles& triangles, std::uint32_t id,
 }
 
 CoverMesh CoverGroup::mesh(const CoverTriangles& triangles, const OccluderInstance& instance) {
-  next_.resize(3 * triangles_.size());
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      // Follows the ring to the next side of a triangle of the group. Without another one, that is the side itself.
-      RingStep step = triangles.next(3 * ids_[t] + i);
-      std::uint32_t owner = triangle_index_.find(step.side / 3);
-      while (owner == LocalIndex::kNone && step.is_of_two == 0) {
-        step = triangles.next(step.side);
-        owner = triangle_index_.find(step.side / 3);
-      }
-      next_[3 * t + i] = owner == LocalIndex::kNone ? 3 * t + i : 3 * owner + step.side % 3;
+  next_.assign(3 * triangles_.size(), LocalIndex::kNone);
+  for (std::uint32_t side = 0; side < next_.size(); ++side) {
+    if (next_[side] != LocalIndex::kNone) continue;  // the second of two
+    // Follows the ring to the next side of a triangle of the group. Without another one, that is the side itself.
+    RingStep step = triangles.next(3 * ids_[side / 3] + side % 3);
+    std::uint32_t owner = triangle_index_.find(step.side / 3);
+    while (owner == LocalIndex::kNone && step.is_of_two == 0) {
+      step = triangles.next(step.side);
+      owner = triangle_index_.find(step.side / 3);
     }
+    next_[side] = owner == LocalIndex::kNone ? side : 3 * owner + step.side % 3;
+    if (step.is_of_two != 0) next_[next_[side]] = side;
   }
   return {vertices_, triangles_, next_, own_, instance.front};
 }

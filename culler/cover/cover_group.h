@@ -10,10 +10,10 @@
 #include "base/local_index.h"
 #include "cover/cover_mesh.h"
 #include "cover/cover_triangles.h"
+#include "cover/placed.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
-
-struct Placement;
 
 /// How polygons instance in a scene: where, and which of their sides hide.
 struct OccluderInstance {
@@ -21,7 +21,9 @@ struct OccluderInstance {
   CoverMesh::Front front = CoverMesh::Front::both;
 
   /// Where a vertex of theirs is in the scene.
-  [[nodiscard]] glm::dvec3 place(const glm::dvec3& vertex) const;
+  [[nodiscard]] glm::dvec3 place(const glm::dvec3& vertex) const {
+    return placement == nullptr ? vertex : to_glm(placed(*placement, to_kernel(vertex)));
+  }
 };
 
 /// Builds the mesh of a few polygons, and of triangles that touch them.

@@ -55,14 +55,23 @@ struct CoverOutline {
 
   explicit CoverOutline(const CoverLoop& loop) {
     for (std::size_t i = 0; i < loop.count; ++i) {
-      extent.hold(loop.vertices[i].corner);
-      nearness = std::min(nearness, loop.vertices[i].nearness);
+      hold(loop.vertices[i]);
       if (i >= 2) area += area_of(loop.vertices[0], loop.vertices[i - 1], loop.vertices[i]);
     }
     area = std::fabs(area);
   }
+  /// Of a triangle that is not cut.
+  CoverOutline(const CoverVertex& a, const CoverVertex& b, const CoverVertex& c) : area(std::fabs(area_of(a, b, c))) {
+    hold(a);
+    hold(b);
+    hold(c);
+  }
 
  private:
+  void hold(const CoverVertex& vertex) {
+    extent.hold(vertex.corner);
+    nearness = std::min(nearness, vertex.nearness);
+  }
   static double area_of(const CoverVertex& first, const CoverVertex& second, const CoverVertex& third) {
     const PixelPosition &a = first.corner.place, &b = second.corner.place, &c = third.corner.place;
     return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;

@@ -67,7 +67,10 @@ class SheetRasteriser {
   [[nodiscard]] bool is_before(std::uint32_t vertex) const { return seen_[vertex].forward < picture_.near(); }
   [[nodiscard]] CoverVertex cut(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] CoverLoop loop(const CoverMesh::Triangle& triangle) const;
-  [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const { return CoverOutline(loop(triangle)); }
+  [[nodiscard]] CoverOutline outline(const CoverMesh::Triangle& triangle) const {
+    const auto [a, b, c] = triangle;
+    return is_cut_ ? CoverOutline(loop(triangle)) : CoverOutline(vertices_[a], vertices_[b], vertices_[c]);
+  }
   void clear(const PixelRectangle& tiles);
   [[nodiscard]] int sign(const CoverMesh::Triangle& triangle) const;
   void rasterise_depth(const CoverMesh::Triangle& triangle, const CoverOutline& outline);
