@@ -539,24 +539,25 @@ TEST_F(ForgedPart, OfTheBlocks) {
               return few;
             }),
             blocks);
-  // The node itself instead of its parts: a descent would not end.
-  std::size_t endless = 0;
-  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-    if (all[i].is_leaf(0)) continue;
-    const U32 below = all[i].below[0];
-    ++endless;
-    EXPECT_EQ(change(below,
-                     [&](TreeBlock& b) {
-                       TreeBlock whole;
-                       whole.add(all[i].boxes.box(0), all[i].items(0));
-                       whole.node[0] = all[i].node[0];
-                       whole.divide(0, below);
-                       b = whole;
-                     }),
-              blocks)
-        << i;
-  }
-  EXPECT_GT(endless, 0U);
+  // Below a block the same node once more, and so on: with enough of them, a descent would take more than the stack.
+  const auto with_roots = [&](U32 roots) {
+    return refusal<TreeBlock>("blocks", [&](std::vector<TreeBlock>& changed) {
+      for (TreeBlock& block : changed) {
+        for (std::size_t i = 0; i < block.size(); ++i) {
+          if (!block.is_leaf(i)) block.below[i] += roots;
+        }
+      }
+      const HierarchyNode& root = culler_.hierarchy().nodes()[0];
+      for (U32 i = roots; i > 0; --i) {
+        TreeBlock whole;
+        whole.add(root.box, {0, root.count});
+        whole.divide(0, i);
+        changed.insert(changed.begin(), whole);
+      }
+    });
+  };
+  EXPECT_EQ(with_roots(1), "") << "the first block may have the root";
+  EXPECT_EQ(with_roots(2), blocks);
 }
 
 TEST_F(ForgedPart, OfTheCover) {
