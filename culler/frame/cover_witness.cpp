@@ -71,9 +71,11 @@ class CoverReplay {
 
 }  // namespace
 
-void Culler::append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
-                           std::vector<CoverWitness>& witnesses) const {
-  require_sound(camera);
+template <class AnyCamera>
+void Culler::append_covers_of(const CullResult& frame, const AnyCamera& camera, const CullOptions& options, std::size_t most,
+                              std::vector<CoverWitness>& witnesses) const {
+  if (frame.method != Method::cover) return;
+  require_sound(camera, Method::cover);
   const CullOptions same = repeated(frame, options);
   View::Memory memory;
   begin_frame(hierarchy_, camera, same, memory);
@@ -81,10 +83,31 @@ void Culler::append_covers(const CullResult& frame, const Camera& camera, const 
                 CoverReplay(hierarchy_, memory.cover, most, witnesses));
 }
 
-std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {
+void Culler::append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
+                           std::vector<CoverWitness>& witnesses) const {
+  append_covers_of(frame, camera, options, most, witnesses);
+}
+void Culler::append_covers(const CullResult& frame, const MatrixCamera& camera, const CullOptions& options, std::size_t most,
+                           std::vector<CoverWitness>& witnesses) const {
+  append_covers_of(frame, camera, options, most, witnesses);
+}
+
+namespace {
+
+template <class AnyCamera>
+std::shared_ptr<const CoverBuffer> cover_of(const Culler& culler, const AnyCamera& camera, const CullOptions& options) {
   View view;
-  cull(camera, options, view);
+  culler.cull(camera, options, view);
   return std::make_shared<const CoverBuffer>(std::move(view.memory().cover.buffer));
+}
+
+}  // namespace
+
+std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {
+  return cover_of(*this, camera, options);
+}
+std::shared_ptr<const CoverBuffer> Culler::cover(const MatrixCamera& camera, const CullOptions& options) const {
+  return cover_of(*this, camera, options);
 }
 
 }  // namespace occlude::culler

@@ -7,6 +7,7 @@
 
 #include "camera/frame_view.h"
 #include "camera/shadow_rule.h"
+#include "camera/sound_camera.h"
 #include "cover/cover_buffer.h"
 #include "frusta/plane_work.h"
 #include "model/bounds.h"
@@ -14,20 +15,30 @@
 #include "occlude/kernel/half_space.h"
 
 namespace occlude::culler {
+
 MissedReasons::MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame)
     : culler_(culler), hierarchy_(culler.hierarchy()), frame_(frame) {
-  for (const Occluder& occluder : frame.occluders) chosen_.push_back({occluder.index, occluder.frustum});
-  if (frame.method == Method::cover) {
-    cover_ = culler.cover(camera, repeated(frame, options));
-    if (frame.stats.cover_groups_left > 0) {
-      CullOptions unlimited = options;
-      unlimited.cover.triangles = std::numeric_limits<std::size_t>::max();
-      unlimited.cover.ms = std::numeric_limits<double>::infinity();
-      unlimited_ = culler.cover(camera, unlimited);
-    }
-  } else {
-    keep_others(camera, options);
+  find_what_hides(camera, options);
+}
+MissedReasons::MissedReasons(const Culler& culler, const MatrixCamera& camera, const CullOptions& options,
+                             const CullResult& frame)
+    : culler_(culler), hierarchy_(culler.hierarchy()), frame_(frame) {
+  find_what_hides(camera, options);
+}
+
+template <class AnyCamera>
+void MissedReasons::find_what_hides(const AnyCamera& camera, const CullOptions& options) {
+  for (const Occluder& occluder : frame_.occluders) chosen_.push_back({occluder.index, occluder.frustum});
+  if (frame_.method == Method::frusta) {
+    keep_others(FrameView(camera, depth(hierarchy_.nodes()[0].box, eye_of(camera))), options);
+    return;
   }
+  cover_ = culler_.cover(camera, repeated(frame_, options));
+  if (frame_.stats.cover_groups_left == 0) return;
+  CullOptions unlimited = options;
+  unlimited.cover.triangles = std::numeric_limits<std::size_t>::max();
+  unlimited.cover.ms = std::numeric_limits<double>::infinity();
+  unlimited_ = culler_.cover(camera, unlimited);
 }
 
 namespace {
@@ -50,11 +61,10 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 }  // namespace
 
 /// Keeps the occluders of the region's list that may occlude from here and are not chosen.
-void MissedReasons::keep_others(const Camera& camera, const CullOptions& options) {
-  const FrameView view(camera, depth(hierarchy_.nodes()[0].box, camera.eye));
+void MissedReasons::keep_others(const FrameView& view, const CullOptions& options) {
   const OccluderSet& occluders = culler_.occluders();
   std::vector<kernel::Vec3> vertices;
-  for (const std::uint32_t i : largest_of(occluders.lists().list(camera.eye).occluders, occluders, camera.eye)) {
+  for (const std::uint32_t i : largest_of(occluders.lists().list(view.eye).occluders, occluders, view.eye)) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
     occluders.vertices(i, vertices);
     if (view.may_clip(vertices)) continue;

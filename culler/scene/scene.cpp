@@ -29,13 +29,17 @@ const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& o
   return view.result();
 }
 
+/// The options that repeat the last frame of the view.
+SceneOptions repeated(const SceneView& view, SceneOptions options) {
+  options.cover = repeated(view.result().stats.work, options.cover);
+  return options;
+}
+
 template <class AnyCamera>
 std::vector<ObjectFate> why_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
                                 const SceneOptions& options, const SceneView& view, std::span<const ObjectId> ids) {
   objects.require(ids);
-  SceneOptions same = options;
-  same.cover = repeated(view.result().stats.work, options.cover);
-  return fates_of(objects, occluders, view_of(objects, occluders, camera), same, ids);
+  return fates_of(objects, occluders, view_of(objects, occluders, camera), repeated(view, options), ids);
 }
 
 }  // namespace
@@ -124,6 +128,17 @@ std::vector<ObjectFate> Scene::why(const Camera& camera, const SceneOptions& opt
 std::vector<ObjectFate> Scene::why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
                                    std::span<const ObjectId> objects) const {
   return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
+}
+
+void Scene::append_witnesses(const Camera& camera, const SceneOptions& options, const SceneView& view,
+                             std::vector<ObjectWitness>& witnesses) const {
+  const auto& [number, objects, occluders] = *parts_;
+  append_witnesses_of(objects, occluders, view_of(objects, occluders, camera), repeated(view, options), witnesses);
+}
+void Scene::append_witnesses(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
+                             std::vector<ObjectWitness>& witnesses) const {
+  const auto& [number, objects, occluders] = *parts_;
+  append_witnesses_of(objects, occluders, view_of(objects, occluders, camera), repeated(view, options), witnesses);
 }
 
 std::size_t Scene::objects() const { return parts_->objects.size(); }

@@ -321,24 +321,6 @@ class SceneFrame {
   ObjectListing asking_;  ///< which lists nothing
 };
 
-/// Appends the polygons that hide the box, each once.
-void append_hiding(const DrawnGroups& drawn, std::span<const SceneOccluders::Standing* const> occluders,
-                   const CoverBuffer& buffer, const kernel::Aabb& box, std::vector<ObjectFate::Hiding>& by) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> polygons;
-  drawn.visit_before(buffer, box, [&](std::uint32_t source, std::uint32_t p) { polygons.emplace_back(source, p); });
-  std::ranges::sort(polygons);
-  polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
-  for (const auto& [source, p] : polygons) {
-    const SceneOccluders::Standing& occluder = *occluders[source];
-    const Hierarchy& tree = *occluder.mesh->prepared().tree;
-    ObjectFate::Hiding hiding{occluder.id, tree.original(p), {}};
-    for (const std::uint32_t v : tree.soup().loop(p)) {
-      hiding.corners.push_back(placed(occluder.placement, to_kernel(tree.soup().vertices[v])));
-    }
-    by.push_back(std::move(hiding));
-  }
-}
-
 /// Empties the result, and makes the planes of the view.
 void begin_frame(SceneView::Memory& memory) {
   memory.result.drawn.clear();
@@ -348,6 +330,60 @@ void begin_frame(SceneView::Memory& memory) {
   memory.planes.clear();
   for (const HalfSpace& h : memory.result.view) memory.planes.push_back({to_kernel(h.normal), h.offset});
 }
+
+/// A frame that is culled again, and keeps what closed which pixel.
+class FrameAgain {
+ public:
+  FrameAgain(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
+             const SceneOptions& options)
+      : objects_(objects), memory_(begun(view)), frame_(objects, occluders, options, memory_) {
+    memory_.cover.buffer.keep_owners();
+    frame_.draw_occluders([&](const CoverPainter& painter, const SceneOccluders::Standing& occluder) {
+      drawn_.keep(painter, memory_.cover, static_cast<std::uint32_t>(drawn_occluders_.size()));
+      drawn_occluders_.push_back(&occluder);
+    });
+  }
+
+  [[nodiscard]] ObjectFate fate(ObjectId id) {
+    ObjectFate fate = frame_.fate(id);
+    if (fate.reason != ObjectFate::Reason::hidden) return fate;
+    const auto object = objects_.seen(id);
+    append_hiding(object->group->outer(object->index), fate.by);
+    return fate;
+  }
+
+ private:
+  [[nodiscard]] static SceneView::Memory begun(const FrameView& view) {
+    SceneView::Memory memory;
+    memory.view = view;
+    begin_frame(memory);
+    return memory;
+  }
+
+  /// Appends the polygons that hide the box, each once.
+  void append_hiding(const kernel::Aabb& box, std::vector<ObjectFate::Hiding>& by) const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> polygons;
+    drawn_.visit_before(memory_.cover.buffer, box,
+                        [&](std::uint32_t source, std::uint32_t p) { polygons.emplace_back(source, p); });
+    std::ranges::sort(polygons);
+    polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
+    for (const auto& [source, p] : polygons) {
+      const SceneOccluders::Standing& occluder = *drawn_occluders_[source];
+      const Hierarchy& tree = *occluder.mesh->prepared().tree;
+      ObjectFate::Hiding hiding{occluder.id, tree.original(p), {}};
+      for (const std::uint32_t v : tree.soup().loop(p)) {
+        hiding.corners.push_back(placed(occluder.placement, to_kernel(tree.soup().vertices[v])));
+      }
+      by.push_back(std::move(hiding));
+    }
+  }
+
+  const SceneObjects& objects_;
+  SceneView::Memory memory_;
+  SceneFrame frame_;
+  DrawnGroups drawn_;
+  std::vector<const SceneOccluders::Standing*> drawn_occluders_;
+};
 
 }  // namespace
 
@@ -368,25 +404,28 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
 
 std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
                                  const SceneOptions& options, std::span<const ObjectId> ids) {
-  SceneView::Memory memory;
-  memory.view = view;
-  begin_frame(memory);
-  SceneFrame frame(objects, occluders, options, memory);
-  memory.cover.buffer.keep_owners();
-  DrawnGroups drawn;
-  std::vector<const SceneOccluders::Standing*> drawn_occluders;
-  frame.draw_occluders([&](const CoverPainter& painter, const SceneOccluders::Standing& occluder) {
-    drawn.keep(painter, memory.cover, static_cast<std::uint32_t>(drawn_occluders.size()));
-    drawn_occluders.push_back(&occluder);
-  });
+  FrameAgain frame(objects, occluders, view, options);
   std::vector<ObjectFate> fates;
-  for (const ObjectId id : ids) {
-    fates.push_back(frame.fate(id));
-    if (fates.back().reason != ObjectFate::Reason::hidden) continue;
-    const auto object = objects.seen(id);
-    append_hiding(drawn, drawn_occluders, memory.cover.buffer, object->group->outer(object->index), fates.back().by);
-  }
+  for (const ObjectId id : ids) fates.push_back(frame.fate(id));
   return fates;
+}
+
+void append_witnesses_of(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
+                         const SceneOptions& options, std::vector<ObjectWitness>& witnesses) {
+  using Reason = ObjectFate::Reason;
+  FrameAgain frame(objects, occluders, view, options);
+  for (std::uint32_t item = 0; item < objects.groups().size(); ++item) {
+    const ObjectGroup& group = objects.group(item);
+    for (std::uint32_t i = 0; i < group.size(); ++i) {
+      if ((group.mask(i) & options.mask) == 0) continue;
+      ObjectFate fate = frame.fate(group.id(i));
+      if (fate.reason == Reason::hidden) {
+        witnesses.push_back({group.id(i), group.outer(i), std::move(fate)});
+      } else if (fate.reason == Reason::out_of_view) {
+        witnesses.push_back({group.id(i), group.ask(i, [](const auto& box) { return Box(box); }), std::move(fate)});
+      }
+    }
+  }
 }
 
 }  // namespace occlude::culler

@@ -56,5 +56,8 @@ void cull_scene(const SceneObjects& objects, const SceneOccluders& occluders, co
 [[nodiscard]] std::vector<ObjectFate> fates_of(const SceneObjects& objects, const SceneOccluders& occluders,
                                                const FrameView& view, const SceneOptions& options,
                                                std::span<const ObjectId> ids);
+/// The proofs of all that a frame culls. REQUIRES: as above.
+void append_witnesses_of(const SceneObjects& objects, const SceneOccluders& occluders, const FrameView& view,
+                         const SceneOptions& options, std::vector<ObjectWitness>& witnesses);
 
 }  // namespace occlude::culler

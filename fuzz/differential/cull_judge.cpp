@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "border.h"
-#include "camera_picture.h"
 #include "cases/to_oracle.h"
 #include "occlude/fuzz/case.h"
 #include "occlude/oracle/cover.h"
@@ -18,12 +18,12 @@
 namespace occlude::fuzz {
 namespace {
 
-using culler::Camera;
 using culler::Culled;
 using culler::CullOptions;
 using culler::CullResult;
 using culler::Hierarchy;
 using glm::dvec3;
+using proof::AnyCamera;
 
 kernel::Vec3 to_kernel(const dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -45,7 +45,7 @@ oracle::Aabb box_of(culler::SoupView soup) {
 
 class CullJudge {
  public:
-  CullJudge(const culler::Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& result)
+  CullJudge(const culler::Culler& culler, const AnyCamera& camera, const CullOptions& options, const CullResult& result)
       : culler_(culler),
         hierarchy_(culler.hierarchy()),
         occluders_(culler.occluders()),
@@ -124,7 +124,7 @@ class CullJudge {
   std::string fault_of_covers() {
     constexpr std::size_t kMost = 64;  // so small that some subtrees are proved in parts
     std::vector<culler::CoverWitness> witnesses;
-    culler_.append_covers(result_, camera_, options_, kMost, witnesses);
+    std::visit([&](const auto& camera) { culler_.append_covers(result_, camera, options_, kMost, witnesses); }, camera_);
     std::vector<char> is_proved(is_drawn_.size());
     for (const culler::CoverWitness& witness : witnesses) {
       for (std::size_t p = witness.range.first; p < std::size_t{witness.range.first} + witness.range.count; ++p) {
@@ -136,10 +136,12 @@ class CullJudge {
       }
       std::vector<oracle::Loop> cover;
       for (const std::uint32_t p : witness.polygons) cover.push_back(to_oracle(polygon(hierarchy_.soup().loop(p))));
-      const oracle::Answer answer =
-          oracle::relation_to_cover(viewpoint(), cover, to_oracle(witness.box), proof::drawn(camera_, model_));
-      if (answer.relation != oracle::Relation::inside || !answer.refusal.empty()) {
-        return "culled by cover: the polygons do not hide the box";
+      for (const oracle::Viewpoint& eye : eyes()) {
+        const oracle::Answer answer =
+            oracle::relation_to_cover(eye, cover, to_oracle(witness.box), proof::drawn(camera_, model_));
+        if (answer.relation != oracle::Relation::inside || !answer.refusal.empty()) {
+          return "culled by cover: the polygons do not hide the box";
+        }
       }
     }
     for (const Culled& culled : result_.culled) {
@@ -151,9 +153,19 @@ class CullJudge {
     return "";
   }
 
-  oracle::Viewpoint viewpoint() const {
-    const bool perspective = camera_.projection == culler::Projection::perspective;
-    return {to_oracle(to_kernel(perspective ? camera_.eye : camera_.axes().forward)), !perspective};
+  /// The eye, or the direction. Of several eyes, the one in the middle and those farthest from it along the axes.
+  std::vector<oracle::Viewpoint> eyes() const {
+    std::vector<oracle::Viewpoint> eyes{proof::viewpoint_of(camera_)};
+    const auto* const matrix = std::get_if<culler::MatrixCamera>(&camera_);
+    if (matrix == nullptr || matrix->eye_radius == 0 || eyes[0].at_infinity) return eyes;
+    const double radius = 0.999 * matrix->eye_radius;  // rounding moves none of them out of it
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double e : {-radius, radius}) {
+        eyes.push_back(eyes[0]);
+        eyes.back().value[axis] += e;
+      }
+    }
+    return eyes;
   }
 
   bool holds_its_polygons(std::uint32_t index_of_node) const {
@@ -235,14 +247,14 @@ class CullJudge {
   oracle::Shadow& shadow(std::uint32_t index) {
     if (shadows_[index]) return *shadows_[index];
     const culler::Occluder& occluder = result_.occluders[index];
-    return shadows_[index].emplace(viewpoint(), to_oracle(occluders_.geometry(occluder.index)),
+    return shadows_[index].emplace(proof::viewpoint_of(camera_), to_oracle(occluders_.geometry(occluder.index)),
                                    to_oracle(options_.near, {occluder.frustum}));
   }
 
   const culler::Culler& culler_;
   const Hierarchy& hierarchy_;
   const culler::PotentialOccluders& occluders_;
-  const Camera& camera_;
+  const AnyCamera& camera_;
   const CullOptions& options_;
   const CullResult& result_;
   std::vector<std::optional<oracle::Shadow>> shadows_;  ///< of the occluders, each made when it is first needed
@@ -252,15 +264,16 @@ class CullJudge {
 
 }  // namespace
 
-std::string fault_of(const culler::Culler& culler, const Camera& camera, const CullOptions& options,
+std::string fault_of(const culler::Culler& culler, const AnyCamera& camera, const CullOptions& options,
                      const CullResult& result) {
   CullJudge judge(culler, camera, options, result);
   if (std::string fault = judge.fault_of_ranges(); !fault.empty()) return fault;
   if (std::string fault = judge.fault_of_counts(); !fault.empty()) return fault;
-  CullOptions no_occluders = options;
-  no_occluders.method = culler::Method::frusta;
-  no_occluders.occluders = 0;
-  if (std::string fault = judge.fault_against(culler.cull(camera, no_occluders)); !fault.empty()) return fault;
+  CullOptions nothing_hides = options;
+  nothing_hides.occluders = 0;
+  nothing_hides.cover.triangles = 0;
+  const CullResult without = std::visit([&](const auto& c) { return culler.cull(c, nothing_hides); }, camera);
+  if (std::string fault = judge.fault_against(without); !fault.empty()) return fault;
   // `plain` does not promise more than this.
   return options.arithmetic == kernel::Arithmetic::certified ? judge.fault_of_proofs() : "";
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "occlude/culler/culler.h"
+#include "proof/camera_picture.h"
 
 namespace occlude::fuzz {
 
@@ -15,8 +16,9 @@ namespace occlude::fuzz {
 /// - A subtree culled by shadow is exactly in the shadow of its occluder, or of its two occluders together, and strictly
 ///   beyond the near plane. An occluder consists of polygons outside of the subtree that hide what it hides and that the
 ///   camera's near plane does not clip.
-/// - A subtree culled by cover is hidden by the polygons that the culler names, by the oracle.
-[[nodiscard]] std::string fault_of(const culler::Culler& culler, const culler::Camera& camera,
+/// - A subtree culled by cover is hidden by the polygons that the culler names, by the oracle. Of a camera with several eyes
+///   some are asked, each as far away as it may be.
+[[nodiscard]] std::string fault_of(const culler::Culler& culler, const proof::AnyCamera& camera,
                                    const culler::CullOptions& options, const culler::CullResult& result);
 
 }  // namespace occlude::fuzz

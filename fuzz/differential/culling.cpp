@@ -226,6 +226,12 @@ bool takes_exact_stage(const Culler& culler, const CullResult& frame, const Cull
   return takes_it;
 }
 
+/// What is wrong with the frame of a matrix of the camera.
+std::string fault_by_matrix(Random& random, const Culler& culler, const Camera& camera, const CullOptions& options) {
+  const culler::MatrixCamera matrix = matrix_of(random, camera);
+  return fault(matrix).empty() ? fuzz::fault_of(culler, matrix, options, culler.cull(matrix, options)) : "";
+}
+
 }  // namespace
 
 void run_culling(std::uint64_t seed, Report& report) {
@@ -252,7 +258,8 @@ void run_culling(std::uint64_t seed, Report& report) {
   report.tally.relations[1] += stats.drawn_polygons;
   report.tally.relations[2] += stats.view_culled_polygons;
   report.tally.stages[takes_exact_stage(culler, result, options) ? 1 : 0] += soup.size();
-  const std::string wrong = fault_of_frame(culler, camera, options, view);
+  std::string wrong = fault_of_frame(culler, camera, options, view);
+  if (wrong.empty() && random.chance(0.3)) wrong = fault_by_matrix(random, culler, camera, options);
   if (wrong.empty()) return;
   add_finding(report, "frame", wrong);
 }

@@ -79,6 +79,13 @@ void turn_to_axis(Random& random, Camera& camera) {
   camera.up = up;
 }
 
+/// What is wrong with the frame of a matrix of the camera, perhaps for several eyes.
+std::string fault_from_eyes(Random& random, const Culler& culler, const Camera& camera, const culler::CullOptions& options) {
+  culler::MatrixCamera matrix = matrix_of(random, camera);
+  if (random.chance(0.5)) matrix.eye_radius = std::array{1e-9, 0x1p-10, 0x1p-5, 0.5}[random.index(4)];
+  return culler::fault(matrix).empty() ? fuzz::fault_of(culler, matrix, options, culler.cull(matrix, options)) : "";
+}
+
 }  // namespace
 
 void run_joined(std::uint64_t seed, Report& report) {
@@ -100,7 +107,8 @@ void run_joined(std::uint64_t seed, Report& report) {
     report.tally.relations[1] += result.stats.drawn_polygons;
     report.tally.relations[2] += result.stats.view_culled_polygons;
     report.tally.stages[0] += soup.size();
-    const std::string wrong = fault_of(culler, camera, options, result);
+    std::string wrong = fault_of(culler, camera, options, result);
+    if (wrong.empty() && random.chance(0.3)) wrong = fault_from_eyes(random, culler, camera, options);
     if (!wrong.empty()) return add_finding(report, "frame", wrong);
     camera.eye += 0.25 * lattice_point(random, 2);
     camera.target += 0.125 * lattice_point(random, 2);

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
 #include <variant>
 #include <vector>
 
@@ -158,6 +162,32 @@ Camera some_camera(Random& random, SoupView soup) {
   if (random.chance(0.3)) camera.projection = culler::Projection::orthographic;
   if (random.chance(0.3)) camera.far = camera.near + random.integer(1, 2 * kReach);
   return camera;
+}
+
+culler::MatrixCamera matrix_of(Random& random, const Camera& camera) {
+  const auto [right, up, forward] = camera.axes();
+  const bool is_perspective = camera.projection == culler::Projection::perspective;
+  const double half = is_perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
+  const auto row = [&](const dvec3& axis, double scale) {
+    return glm::dvec4(axis * scale, -glm::dot(axis, camera.eye) * scale);
+  };
+  const glm::dvec4 along = row(forward, 1), one(0, 0, 0, 1);
+  const bool is_reversed = random.chance(0.5), is_zero_to_w = random.chance(0.5), has_far = std::isfinite(camera.far);
+  // The depth is 0 at the near plane and w at the far plane, or the other way round.
+  const double near = camera.near, far = camera.far;
+  glm::dvec4 depth = along - near * one;
+  if (is_perspective && has_far) depth = far / (far - near) * depth;
+  if (!is_perspective) depth = (has_far ? 1 / (far - near) : 0x1p-20) * depth;
+  const glm::dvec4 w = is_perspective ? along : one;
+  if (is_reversed) depth = w - depth;
+  if (!is_zero_to_w) depth = 2.0 * depth - w;
+  const std::array rows{row(right, 1 / (half * camera.aspect)), row(up, 1 / half), depth, w};
+  std::array<double, 16> numbers{};
+  const double scale = std::ldexp(1.0, random.integer(-8, 8));
+  for (std::size_t i = 0; i < 16; ++i) numbers[i] = scale * rows[i / 4][static_cast<int>(i % 4)];
+  return culler::MatrixCamera::from_rows(numbers.data(),
+                                         is_zero_to_w ? culler::ClipDepth::zero_to_w : culler::ClipDepth::minus_w_to_w,
+                                         is_reversed ? culler::Nearer::greater : culler::Nearer::less);
 }
 
 }  // namespace occlude::fuzz

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/fuzz/random.h"
 
@@ -21,5 +22,9 @@ inline constexpr int kReach = 8;
 
 /// A camera near a vertex, mostly near one of the first wall. It may have a fault().
 [[nodiscard]] culler::Camera some_camera(Random& random, culler::SoupView soup);
+
+/// The matrix of a camera, as an engine of some kind makes it: a depth of either kind, reversed or not, without a far plane,
+/// or with one where the camera has one. REQUIRES: the camera has no fault(). The matrix may have one.
+[[nodiscard]] culler::MatrixCamera matrix_of(Random& random, const culler::Camera& camera);
 
 }  // namespace occlude::fuzz

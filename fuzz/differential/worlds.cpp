@@ -6,8 +6,6 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <glm/vec4.hpp>
 #include <limits>
 #include <map>
 #include <memory>
@@ -36,6 +34,7 @@ using culler::Camera;
 using culler::ObjectFate;
 using culler::ObjectId;
 using culler::ObjectOptions;
+using culler::ObjectWitness;
 using culler::OccluderId;
 using culler::OccluderMesh;
 using culler::OccluderOptions;
@@ -102,34 +101,6 @@ Placement some_placement(Random& random) {
   if (random.chance(0.2)) at.z = {random.real(-1, 1), 0, random.real(0.2, 3)};
   if (random.chance(0.02)) at.z = {};
   return at;
-}
-
-/// The matrix of a camera, as an engine of some kind makes it: a depth of either kind, reversed or not, without a far plane,
-/// or with one where the camera has one.
-culler::MatrixCamera matrix_of(Random& random, const Camera& camera) {
-  const auto [right, up, forward] = camera.axes();
-  const bool is_perspective = camera.projection == culler::Projection::perspective;
-  const double half = is_perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
-  const auto row = [&](const dvec3& axis, double scale) {
-    return glm::dvec4(axis * scale, -glm::dot(axis, camera.eye) * scale);
-  };
-  const glm::dvec4 along = row(forward, 1), one(0, 0, 0, 1);
-  const bool is_reversed = random.chance(0.5), is_zero_to_w = random.chance(0.5), has_far = std::isfinite(camera.far);
-  // The depth is 0 at the near plane and w at the far plane, or the other way round.
-  const double near = camera.near, far = camera.far;
-  glm::dvec4 depth = along - near * one;
-  if (is_perspective && has_far) depth = far / (far - near) * depth;
-  if (!is_perspective) depth = (has_far ? 1 / (far - near) : 0x1p-20) * depth;
-  const glm::dvec4 w = is_perspective ? along : one;
-  if (is_reversed) depth = w - depth;
-  if (!is_zero_to_w) depth = 2.0 * depth - w;
-  const std::array rows{row(right, 1 / (half * camera.aspect)), row(up, 1 / half), depth, w};
-  std::array<double, 16> numbers{};
-  const double scale = std::ldexp(1.0, random.integer(-8, 8));
-  for (std::size_t i = 0; i < 16; ++i) numbers[i] = scale * rows[i / 4][static_cast<int>(i % 4)];
-  return culler::MatrixCamera::from_rows(numbers.data(),
-                                         is_zero_to_w ? culler::ClipDepth::zero_to_w : culler::ClipDepth::minus_w_to_w,
-                                         is_reversed ? culler::Nearer::greater : culler::Nearer::less);
 }
 
 /// What a scene should hold.
@@ -387,6 +358,7 @@ class WorldJudge {
   std::string fault_of_culls(const AnyCamera& camera, const SceneOptions& options) {
     scene_.cull(camera, options, view_);
     if (std::string wrong = fault_of_list(options); !wrong.empty()) return wrong;
+    if (std::string wrong = fault_of_proofs(camera, options); !wrong.empty()) return wrong;
     if (std::string wrong = fault_of_fates(camera, options); !wrong.empty()) return wrong;
     return random_.chance(0.3) ? fault_beside_scene_anew(camera, options) : "";
   }
@@ -438,12 +410,53 @@ class WorldJudge {
     if (is_in_layer == (fate.reason == Reason::in_no_layer)) return "why: the layers are others";
     const bool is_drawn = std::ranges::binary_search(drawn_, object->id.slot());
     if (is_drawn != (fate.reason == Reason::drawn || fate.reason == Reason::always_drawn)) return "why: not what was drawn";
-    if (fate.reason == Reason::out_of_view) return fault_of_plane(legal(object->box), view_.result().view[fate.plane]);
+    const auto proof = proofs_.find(object->id.slot());
+    const bool is_proved = proof != proofs_.end() && proof->second.reason == fate.reason &&
+                           proof->second.plane == fate.plane && proof->second.by.size() == fate.by.size();
+    if (is_proved != (fate.reason == Reason::hidden || fate.reason == Reason::out_of_view)) return "why: not what is proved";
+    return "";
+  }
+
+  /// Proves every cull, and keeps the proofs.
+  template <class AnyCamera>
+  std::string fault_of_proofs(const AnyCamera& camera, const SceneOptions& options) {
+    std::vector<ObjectWitness> witnesses;
+    scene_.append_witnesses(camera, options, view_, witnesses);
+    proofs_.clear();
+    for (const ObjectWitness& witness : witnesses) {
+      const World::Object* object = seen_.find(witness.object);
+      if (object == nullptr) return "an object is proved to be hidden that is not in the scene";
+      if (!holds(witness.box, legal(object->box))) return "an object reaches out of the box that is proved to be hidden";
+      if (std::string wrong = fault_of_proof(options, witness); !wrong.empty()) return wrong;
+      proofs_[witness.object.slot()] = witness.fate;
+    }
+    const culler::SceneStats& stats = view_.result().stats;
+    const bool is_each = proofs_.size() == witnesses.size() && proofs_.size() == stats.hidden + stats.out_of_view;
+    return is_each ? "" : "not each cull is proved once";
+  }
+
+  std::string fault_of_proof(const SceneOptions& options, const ObjectWitness& witness) {
+    if (witness.fate.reason == Reason::out_of_view) {
+      return fault_of_plane(witness.box, view_.result().view[witness.fate.plane]);
+    }
+    if (witness.fate.reason != Reason::hidden) return "an object is proved to be culled and was not";
     for (const Camera& eye : eyes_) {
-      if (fate.reason != Reason::hidden) break;
-      if (std::string wrong = fault_of_hidden(eye, options, legal(object->box), fate); !wrong.empty()) return wrong;
+      if (std::string wrong = fault_of_hidden(eye, options, witness.box, witness.fate); !wrong.empty()) return wrong;
     }
     return "";
+  }
+
+  static bool holds(const culler::Box& box, const culler::Box& object) {
+    const auto* const aabb = std::get_if<Aabb>(&box);
+    if (aabb == nullptr) return box == object;
+    std::vector<oracle::HalfSpaceCoefficients> sides;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      sides.push_back({0, 0, 0, -aabb->min[static_cast<int>(axis)]});
+      sides.back()[axis] = 1;
+      sides.push_back({0, 0, 0, aabb->max[static_cast<int>(axis)]});
+      sides.back()[axis] = -1;
+    }
+    return oracle::relation_to_half_spaces(sides, to_oracle(object)).relation == oracle::Relation::inside;
   }
 
   static std::string fault_of_plane(const culler::Box& box, const culler::HalfSpace& h) {
@@ -556,8 +569,9 @@ class WorldJudge {
   World world_, seen_;  ///< as it will be, and as views see it
   std::vector<ObjectId> gone_;
   std::vector<OccluderId> gone_occluders_;
-  std::vector<std::uint32_t> drawn_;  ///< slots, in the last frame
-  std::vector<Camera> eyes_;          ///< of the last frame
+  std::vector<std::uint32_t> drawn_;            ///< slots, in the last frame
+  std::map<std::uint32_t, ObjectFate> proofs_;  ///< by slots, of the last frame
+  std::vector<Camera> eyes_;                    ///< of the last frame
 };
 
 }  // namespace

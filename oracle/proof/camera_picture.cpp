@@ -22,19 +22,20 @@ constexpr double kRounded = 0x1p-50;
 
 double sum_of_magnitudes(const dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
-/// {x : normal . (x - eye) + ahead >= 0}, moved by the distance `outward` and, in the same direction, by more than its
-/// offset may be wrong by rounding.
-HalfSpaceCoefficients half_space(const dvec3& normal, const dvec3& eye, double ahead, double outward) {
-  const double moved = outward * glm::length(normal);
-  const double size = sum_of_magnitudes(normal) * sum_of_magnitudes(eye) + std::fabs(ahead) + std::fabs(moved);
-  return {normal.x, normal.y, normal.z, ahead - glm::dot(normal, eye) + moved + std::copysign(kRounded, outward) * size};
+/// {x : normal . x + offset >= 0}, moved by the distance `outward` and, in the same direction, by more than the offset may
+/// be wrong by rounding. `terms` bounds the magnitudes of what it was summed of.
+HalfSpaceCoefficients moved(const dvec3& normal, double offset, double terms, double outward) {
+  const double distance = outward * glm::length(normal);
+  const double rounded = std::copysign(kRounded, outward) * (terms + std::fabs(distance));
+  return {normal.x, normal.y, normal.z, offset + distance + rounded};
 }
 
-}  // namespace
-
-oracle::Picture picture_of(const culler::Camera& camera, double outward) {
+oracle::Picture picture(const culler::Camera& camera, double outward) {
   const auto [right, up, forward] = camera.axes();
-  const auto within = [&](const dvec3& normal, double ahead) { return half_space(normal, camera.eye, ahead, outward); };
+  const auto within = [&](const dvec3& normal, double ahead) {
+    const double terms = sum_of_magnitudes(normal) * sum_of_magnitudes(camera.eye) + std::fabs(ahead);
+    return moved(normal, ahead - glm::dot(normal, camera.eye), terms, outward);
+  };
   const bool perspective = camera.projection == culler::Projection::perspective;
   const double y = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2;
   const double x = y * camera.aspect;
@@ -52,16 +53,75 @@ oracle::Picture picture_of(const culler::Camera& camera, double outward) {
   return picture;
 }
 
-double depth_of(const oracle::Aabb& model, const culler::Camera& camera) {
+/// Whether the renderer draws the smaller of two depths before the other.
+bool is_less_nearer(const culler::MatrixCamera& camera) {
+  if (camera.nearer != culler::Nearer::unsaid) return camera.nearer == culler::Nearer::less;
+  // The eye, where w is 0, is before the near plane, -w <= z or 0 <= z, unless depth is reversed.
+  const dvec3 eye = camera.eye();
+  return camera.matrix[0][2] * eye.x + camera.matrix[1][2] * eye.y + camera.matrix[2][2] * eye.z + camera.matrix[3][2] < 0;
+}
+
+oracle::Picture picture(const culler::MatrixCamera& camera, double outward) {
+  const double distance = outward + std::copysign(camera.eye_radius, outward);
+  const dvec3 eye = camera.eye();
+  const auto add = [&](std::vector<HalfSpaceCoefficients>& half_spaces, int row, double sign, bool with_w) {
+    const auto number = [&](int column) {
+      return sign * camera.matrix[column][row] + (with_w ? camera.matrix[column][3] : 0);
+    };
+    dvec3 normal(number(0), number(1), number(2));
+    const double length = glm::length(normal), offset = number(3) / length;
+    constexpr double kFarthest = 0x1p99;
+    if (!(offset < kFarthest)) return;  // it cuts off nothing
+    normal /= length;
+    // What rotations leave of 0. It is less than what rounds.
+    for (int axis = 0; axis < 3; ++axis) normal[axis] = std::fabs(normal[axis]) < 0x1p-60 ? 0 : normal[axis];
+    half_spaces.push_back(moved(normal, offset, sum_of_magnitudes(eye) + std::fabs(offset), distance));
+  };
+  oracle::Picture picture;
+  for (const int row : {0, 1}) {
+    for (const double sign : {1.0, -1.0}) add(picture.sides, row, sign, true);
+  }
+  for (const double sign : is_less_nearer(camera) ? std::array{1.0, -1.0} : std::array{-1.0, 1.0}) {
+    add(picture.depth, 2, sign, sign < 0 || camera.depth == culler::ClipDepth::minus_w_to_w);
+  }
+  return picture;
+}
+
+dvec3 eye_of(const culler::Camera& camera) { return camera.eye; }
+dvec3 eye_of(const culler::MatrixCamera& camera) { return camera.eye(); }
+
+oracle::Point position(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// Parallel rays run along the direction that the culler uses, so both take the same exact numbers.
+oracle::Viewpoint to_viewpoint(const culler::Camera& camera) {
+  if (camera.projection == culler::Projection::perspective) return {position(camera.eye)};
+  return {position(camera.axes().forward), true};
+}
+oracle::Viewpoint to_viewpoint(const culler::MatrixCamera& camera) {
+  const kernel::Viewpoint view = camera.viewpoint();
+  return {{view.value.x, view.value.y, view.value.z}, !view.is_eye()};
+}
+
+}  // namespace
+
+oracle::Viewpoint viewpoint_of(const AnyCamera& camera) {
+  return std::visit([](const auto& c) { return to_viewpoint(c); }, camera);
+}
+
+oracle::Picture picture_of(const AnyCamera& camera, double outward) {
+  return std::visit([&](const auto& c) { return picture(c, outward); }, camera);
+}
+
+double depth_of(const oracle::Aabb& model, const AnyCamera& camera) {
+  const oracle::Point eye = position(std::visit([](const auto& c) { return eye_of(c); }, camera));
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double eye = camera.eye[static_cast<int>(axis)];
-    sum += std::max(std::fabs(model.min[axis] - eye), std::fabs(model.max[axis] - eye));
+    sum += std::max(std::fabs(model.min[axis] - eye[axis]), std::fabs(model.max[axis] - eye[axis]));
   }
   return sum;
 }
 
-bool may_draw_beyond(const std::array<double, 4>& plane, const culler::Camera& camera, const oracle::Aabb& model) {
+bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model) {
   const oracle::Picture picture = picture_of(camera, kRendererRounds * depth_of(model, camera));
   std::vector<HalfSpaceCoefficients> both{{-plane[0], -plane[1], -plane[2], -plane[3]}};
   both.insert(both.end(), picture.sides.begin(), picture.sides.end());
@@ -69,7 +129,7 @@ bool may_draw_beyond(const std::array<double, 4>& plane, const culler::Camera& c
   return oracle::relation_to_half_spaces(both, model).relation != Relation::outside;
 }
 
-HalfSpaceCoefficients drawn(const culler::Camera& camera, const oracle::Aabb& model) {
+HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model) {
   constexpr double kLeast = 0x1p-100, kMost = 0x1p100;
   HalfSpaceCoefficients near = picture_of(camera, -kRendererRounds * depth_of(model, camera)).depth.front();
   double& offset = near[3];
@@ -80,7 +140,7 @@ HalfSpaceCoefficients drawn(const culler::Camera& camera, const oracle::Aabb& mo
   return near;
 }
 
-bool may_clip(const culler::Camera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points) {
+bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points) {
   const HalfSpaceCoefficients near = drawn(camera, model);
   return !std::ranges::all_of(points, [&](const oracle::Point& p) {
     return oracle::relation_to_half_spaces(std::span(&near, 1), oracle::Aabb{p, p}).relation == Relation::inside;

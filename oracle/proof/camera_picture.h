@@ -5,21 +5,29 @@
 
 #include <array>
 #include <span>
+#include <variant>
 
 #include "occlude/culler/camera.h"
+#include "occlude/culler/matrix_camera.h"
 #include "occlude/oracle/questions.h"
 #include "occlude/oracle/visibility.h"
 
 namespace occlude::proof {
 
-/// The picture of the camera, with the axes that the camera computes in doubles. Each half-space is moved outward by
-/// `outward`, and by a little more than its numbers may be wrong by rounding. So the camera's own picture lies in this one.
-/// A negative `outward` moves the half-spaces inward, and this picture lies in the camera's own. REQUIRES: the camera has no
-/// fault.
-[[nodiscard]] oracle::Picture picture_of(const culler::Camera& camera, double outward);
+/// A camera of any kind. REQUIRES, of each function below: it has no fault.
+using AnyCamera = std::variant<culler::Camera, culler::MatrixCamera>;
+
+/// The eye, or the direction of parallel rays: the doubles that the camera computes, taken as exact.
+[[nodiscard]] oracle::Viewpoint viewpoint_of(const AnyCamera& camera);
+
+/// The picture of the camera: with the axes that it computes in doubles, or the clip volume of its matrix. Each half-space
+/// is moved outward by `outward`, and by a little more than its numbers may be wrong by rounding. So the camera's own
+/// picture lies in this one. A negative `outward` moves the half-spaces inward, and this picture lies in the camera's own.
+/// Of a camera with several eyes, the pictures of all of them lie in this one, or this one in all of those.
+[[nodiscard]] oracle::Picture picture_of(const AnyCamera& camera, double outward);
 
 /// A bound on the distance from the eye to any point of the model's box, summed over the axes.
-[[nodiscard]] double depth_of(const oracle::Aabb& model, const culler::Camera& camera);
+[[nodiscard]] double depth_of(const oracle::Aabb& model, const AnyCamera& camera);
 
 /// A renderer in single precision may misjudge the distance of a point to a half-space of the picture by this share of the
 /// depth. There are nine roundings of 2^-24 on each axis. One is the coordinate's, relative to the model's middle. Two come
@@ -27,16 +35,15 @@ namespace occlude::proof {
 /// near or far. The tenth 2^-24 covers the second-order terms.
 inline constexpr double kRendererRounds = 10 * 0x1p-24;
 
-/// Whether the renderer may draw a point of `model` at which a x + b y + c z + d <= 0. REQUIRES: as for picture_of(); the
-/// coordinates of the box are in the legal range; the numbers of the plane are finite.
-[[nodiscard]] bool may_draw_beyond(const std::array<double, 4>& plane, const culler::Camera& camera,
-                                   const oracle::Aabb& model);
+/// Whether the renderer may draw a point of `model` at which a x + b y + c z + d <= 0. REQUIRES: the coordinates of the box
+/// are in the legal range; the numbers of the plane are finite.
+[[nodiscard]] bool may_draw_beyond(const std::array<double, 4>& plane, const AnyCamera& camera, const oracle::Aabb& model);
 
 /// Whether the near plane of the renderer may clip one of the points of `model`. REQUIRES: as above.
-[[nodiscard]] bool may_clip(const culler::Camera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points);
+[[nodiscard]] bool may_clip(const AnyCamera& camera, const oracle::Aabb& model, std::span<const oracle::Point> points);
 
 /// The half-space whose points in `model` the near plane of the renderer certainly does not clip. Its numbers are in the
 /// legal range. REQUIRES: as above.
-[[nodiscard]] oracle::HalfSpaceCoefficients drawn(const culler::Camera& camera, const oracle::Aabb& model);
+[[nodiscard]] oracle::HalfSpaceCoefficients drawn(const AnyCamera& camera, const oracle::Aabb& model);
 
 }  // namespace occlude::proof

@@ -12,12 +12,6 @@ namespace {
 
 oracle::Point point(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Parallel rays run along the direction that the culler uses, so both take the same exact numbers.
-oracle::Viewpoint viewpoint_of(const culler::Camera& camera) {
-  if (camera.projection == culler::Projection::perspective) return {point(camera.eye)};
-  return {point(camera.axes().forward), true};
-}
-
 /// The picture is smaller by this share of the depth of the model. This is far too little to be seen.
 constexpr double kSmaller = 0x1p-40;
 

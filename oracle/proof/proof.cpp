@@ -9,7 +9,6 @@
 #include <mutex>
 
 #include "border.h"
-#include "camera_picture.h"
 #include "cases/case_line.h"
 #include "cases/to_oracle.h"
 #include "occlude/culler/cull_result.h"
@@ -157,7 +156,7 @@ Proof Prover::prove(std::string_view line) const {
   return Proof{fault(object, cameras_.at(number), first, count), number, first, count};
 }
 
-std::string Prover::fault(const Json& object, const culler::Camera& camera, std::size_t first, std::size_t count) const {
+std::string Prover::fault(const Json& object, const AnyCamera& camera, std::size_t first, std::size_t count) const {
   const Box box = proof::box(object);
   const Json& by = member(object, "by");
   if (!lie_in(box, first, count)) return "the triangles are not in the box";
@@ -172,11 +171,8 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
   if (by != "shadow" && by != "cover") return "\"by\": expected \"view\", \"shadow\" or \"cover\"";
 
   const kernel::Viewpoint view = viewpoint(object);
-  const glm::dvec3 expected = view.is_eye() ? camera.eye : camera.axes().forward;
-  const bool perspective = camera.projection == culler::Projection::perspective;
-  if (view.is_eye() != perspective || view.value != kernel::Vec3{expected.x, expected.y, expected.z}) {
-    return "the viewpoint is not the frame's";
-  }
+  const oracle::Viewpoint said = to_oracle(view), expected = viewpoint_of(camera);
+  if (said.at_infinity != expected.at_infinity || said.value != expected.value) return "the viewpoint is not the frame's";
   if (by == "cover") {
     return margin == 0 ? fault_of_cover(member(object, "polygons"), view, camera, box) : "a cover has no margin";
   }
@@ -190,7 +186,7 @@ std::string Prover::fault(const Json& object, const culler::Camera& camera, std:
   return shadows[0].refute_union_cull(shadows[1], to_oracle(box));
 }
 
-std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint& view, const culler::Camera& camera,
+std::string Prover::fault_of_cover(const Json& polygons, const kernel::Viewpoint& view, const AnyCamera& camera,
                                    const Box& box) const {
   if (!polygons.is_array()) throw LineError("\"polygons\": expected a list of numbers of polygons");
   std::vector<oracle::Loop> cover;
@@ -226,7 +222,7 @@ std::optional<std::uint32_t> Prover::polygon_of(const Json& named) const {
   return place_[first_piece_[face] + piece];
 }
 
-std::string Prover::fault_of_occluder(const Json& described, const culler::Camera& camera, std::size_t first,
+std::string Prover::fault_of_occluder(const Json& described, const AnyCamera& camera, std::size_t first,
                                       std::size_t count) const {
   const Occluder occluder = proof::occluder(described);
   const bool is_joined = described.contains("parts");

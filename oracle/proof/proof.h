@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "camera_picture.h"
 #include "cases/json_input.h"
-#include "occlude/culler/camera.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/oracle/oracle.h"
 
@@ -36,7 +36,7 @@ struct Proof {
 /// The cameras of a walk.
 struct Cameras {
   std::size_t frames = 0;
-  std::function<culler::Camera(std::size_t frame)> at;  ///< may be called on several threads at once
+  std::function<AnyCamera(std::size_t frame)> at;  ///< may be called on several threads at once
 };
 
 /// Checks witnesses against the model and the walk that they claim to be from. Several threads may call prove() at once.
@@ -61,11 +61,11 @@ class Prover {
 
  private:
   /// The fault of a witness about these triangles, which exist. Empty when the witness is proved.
-  [[nodiscard]] std::string fault(const nlohmann::json& witness, const culler::Camera& camera, std::size_t first,
+  [[nodiscard]] std::string fault(const nlohmann::json& witness, const AnyCamera& camera, std::size_t first,
                                   std::size_t count) const;
   /// Why the renderer does not draw the occluder completely by polygons outside of those triangles. Empty when it does.
-  [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const culler::Camera& camera,
-                                              std::size_t first, std::size_t count) const;
+  [[nodiscard]] std::string fault_of_occluder(const nlohmann::json& described, const AnyCamera& camera, std::size_t first,
+                                              std::size_t count) const;
   /// The range of polygons [.first, .second) to which the triangles belong.
   [[nodiscard]] std::pair<std::size_t, std::size_t> polygons_with(std::size_t first, std::size_t count) const;
   /// Whether the polygons of those triangles lie in the box, exactly.
@@ -74,7 +74,7 @@ class Prover {
   [[nodiscard]] bool is_model_polygon_outside(const Polygon& loop, std::size_t first, std::size_t count) const;
   /// Why the polygons do not hide the box together. Empty when they do.
   [[nodiscard]] std::string fault_of_cover(const nlohmann::json& polygons, const kernel::Viewpoint& view,
-                                           const culler::Camera& camera, const Box& box) const;
+                                           const AnyCamera& camera, const Box& box) const;
   /// The polygon of the tree that is named in a cover by its number in the model file or, where it has several pieces, by
   /// [number, piece]. None if there is none. Throws LineError if it is neither.
   [[nodiscard]] std::optional<std::uint32_t> polygon_of(const nlohmann::json& named) const;

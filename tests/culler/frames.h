@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -46,6 +50,31 @@ inline Camera random_camera(std::mt19937& random) {
   if (random() % 3 == 0) camera.far = 40;
   camera.height = 20;
   return camera;
+}
+
+/// The matrix of a Camera.
+inline MatrixCamera matrix_of(const Camera& camera) {
+  const auto [right, up, forward] = camera.axes();
+  const bool perspective = camera.projection == Projection::perspective;
+  const double half = perspective ? std::tan(camera.fov_y_deg * std::numbers::pi / 360) : camera.height / 2;
+  const double far = std::isfinite(camera.far) || perspective ? camera.far : 1e4;
+  std::array<double, 16> rows{};
+  const auto set = [&](std::size_t row, const glm::dvec3& normal, double constant) {
+    for (int k = 0; k < 3; ++k) rows[4 * row + static_cast<std::size_t>(k)] = normal[k];
+    rows[4 * row + 3] = constant - glm::dot(normal, camera.eye);
+  };
+  set(0, right / (half * camera.aspect), 0);
+  set(1, up / half, 0);
+  if (perspective) {
+    const bool is_infinite = std::isinf(far);
+    set(2, (is_infinite ? 1 : far / (far - camera.near)) * forward,
+        -camera.near * (is_infinite ? 1 : far / (far - camera.near)));
+    set(3, forward, 0);
+  } else {
+    set(2, forward / (far - camera.near), -camera.near / (far - camera.near));
+    rows[15] = 1;
+  }
+  return MatrixCamera::from_rows(rows.data(), ClipDepth::zero_to_w, Nearer::less);
 }
 
 /// The message of the std::invalid_argument that `call` throws; "" if it throws none.

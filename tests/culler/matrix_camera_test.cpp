@@ -746,31 +746,6 @@ TEST(MatrixCamera, NothingVisibleFromAnyOfItsEyesIsCulled) {
   EXPECT_GT(from_others, 1000U);
 }
 
-/// The matrix of a Camera.
-MatrixCamera matrix_of(const Camera& camera) {
-  const auto [right, up, forward] = camera.axes();
-  const bool perspective = camera.projection == Projection::perspective;
-  const double half = perspective ? std::tan(camera.fov_y_deg * std::numbers::pi / 360) : camera.height / 2;
-  const double far = std::isfinite(camera.far) || perspective ? camera.far : 1e4;
-  std::array<double, 16> rows{};
-  const auto set = [&](std::size_t row, const dvec3& normal, double constant) {
-    for (int k = 0; k < 3; ++k) rows[4 * row + static_cast<std::size_t>(k)] = normal[k];
-    rows[4 * row + 3] = constant - glm::dot(normal, camera.eye);
-  };
-  set(0, right / (half * camera.aspect), 0);
-  set(1, up / half, 0);
-  if (perspective) {
-    const bool is_infinite = std::isinf(far);
-    set(2, (is_infinite ? 1 : far / (far - camera.near)) * forward,
-        -camera.near * (is_infinite ? 1 : far / (far - camera.near)));
-    set(3, forward, 0);
-  } else {
-    set(2, forward / (far - camera.near), -camera.near / (far - camera.near));
-    rows[15] = 1;
-  }
-  return MatrixCamera::from_rows(rows.data(), ClipDepth::zero_to_w, Nearer::less);
-}
-
 TEST(MatrixCamera, CullsAsTheCameraDoes) {
   std::mt19937 random(4);
   const Culler culler(random_town_of_houses(4, 2000), {.hierarchy = {.leaf_size = 4}});

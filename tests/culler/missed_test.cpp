@@ -21,8 +21,9 @@ using namespace occlude;
 using namespace occlude::culler;
 
 /// Why a polygon that is hidden was drawn. `original` is its number in the input.
-MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, const CullOptions& options = {}) {
-  Camera camera;
+template <class AnyCamera>
+MissedReasons::Answer why_drawn_by(const AnyCamera& camera, const Culler& culler, std::uint32_t original,
+                                   const CullOptions& options) {
   const CullResult frame = culler.cull(camera, options);
   const MissedReasons reasons(culler, camera, options, frame);
   const std::size_t polygons = culler.hierarchy().soup().size();
@@ -39,6 +40,13 @@ MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, co
   }
   ADD_FAILURE() << "no such polygon";
   return {};
+}
+
+/// The same by a camera and by its matrix, which have the same reasons.
+MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, const CullOptions& options = {}) {
+  const MissedReasons::Answer answer = why_drawn_by(Camera(), culler, original, options);
+  EXPECT_EQ(why_drawn_by(matrix_of(Camera()), culler, original, options), answer);
+  return answer;
 }
 
 Culler with_leaves(const PolygonSoup& soup, std::uint32_t size) { return Culler(soup, {.hierarchy = {.leaf_size = size}}); }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -140,6 +141,52 @@ TEST(ViewProof, TakesEveryPlaneThatTheCullerMakes) {
         }
       }
     }
+  }
+}
+
+/// The matrix of a camera at the origin that looks along x: 90 degrees, from x = 1 on. The third row is that of its depth.
+culler::MatrixCamera matrix_along_x(std::array<double, 4> depth, culler::ClipDepth clip) {
+  const auto [a, b, c, d] = depth;
+  return culler::MatrixCamera::from_rows(std::array<double, 16>{0, -1, 0, 0, 0, 0, 1, 0, a, b, c, d, 1, 0, 0, 0}.data(),
+                                         clip);
+}
+
+/// Depth from -w or 0 to w or, without a far plane, to what is less than w; and the same reversed.
+const std::array kMatrices{matrix_along_x({1, 0, 0, -2}, culler::ClipDepth::minus_w_to_w),
+                           matrix_along_x({1, 0, 0, -1}, culler::ClipDepth::zero_to_w),
+                           matrix_along_x({1.25, 0, 0, -1.25}, culler::ClipDepth::zero_to_w),
+                           matrix_along_x({-1, 0, 0, 2}, culler::ClipDepth::minus_w_to_w),
+                           matrix_along_x({0, 0, 0, 1}, culler::ClipDepth::zero_to_w)};
+
+TEST(MatrixProof, RefusesPlanesThatCutWhatTheMatrixShows) {
+  const oracle::Aabb model{{-8, -8, -8}, {4, 4, 4}};
+  for (culler::MatrixCamera camera : kMatrices) {
+    ASSERT_EQ(culler::fault(camera), "");
+    const auto is_refused = [&](const std::array<double, 4>& plane) { return may_draw_beyond(plane, camera, model); };
+    EXPECT_TRUE(is_refused({1, 0, 0, -1.001})) << "within the near plane";
+    EXPECT_FALSE(is_refused({1, 0, 0, -0.999})) << "before it";
+    EXPECT_TRUE(is_refused({1, -1, 0, -0.001})) << "within the left side";
+    EXPECT_FALSE(is_refused({1, -1, 0, 0.001})) << "beyond it";
+    EXPECT_TRUE(is_refused({1, 0, 1, -0.001})) << "within the bottom";
+    EXPECT_FALSE(is_refused({1, 0, 1, 0.001})) << "beyond it";
+    camera.eye_radius = 0.25;
+    EXPECT_TRUE(is_refused({1, 0, 0, -0.76})) << "one of the eyes shows it";
+    EXPECT_FALSE(is_refused({1, 0, 0, -0.74}));
+    EXPECT_TRUE(is_refused({1, -1, 0, 0.34})) << "a side is moved by the radius, 0.25 sqrt 2 along the axes";
+    EXPECT_FALSE(is_refused({1, -1, 0, 0.36}));
+  }
+}
+
+TEST(MatrixProof, KnowsWhereTheRendererClips) {
+  const oracle::Aabb model{{-8, -8, -8}, {4, 4, 4}};
+  for (culler::MatrixCamera camera : kMatrices) {
+    const auto clips = [&](double x) { return may_clip(camera, model, std::vector<oracle::Point>{{x, 0, 0}}); };
+    EXPECT_TRUE(clips(0.999));
+    EXPECT_FALSE(clips(1.001));
+    EXPECT_FALSE(clips(1000)) << "what is beyond the far plane hides what is beyond it too";
+    camera.eye_radius = 0.25;
+    EXPECT_TRUE(clips(1.24)) << "for one of the eyes";
+    EXPECT_FALSE(clips(1.26));
   }
 }
 

@@ -99,10 +99,14 @@ class Culler {
   /// of their own, and each polygon of a leaf. Throws as cull().
   void append_covers(const CullResult& frame, const Camera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
+  /// Of a camera with several eyes, the same polygons hide the subtree from each of them.
+  void append_covers(const CullResult& frame, const MatrixCamera& camera, const CullOptions& options, std::size_t most,
+                     std::vector<CoverWitness>& witnesses) const;
 
   /// The coarse picture (src/cover_buffer.h) as a frame with these options leaves it. Throws as cull().
   /// REQUIRES: options.method is cover.
   [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const Camera& camera, const CullOptions& options) const;
+  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const MatrixCamera& camera, const CullOptions& options) const;
 
   /// The element of frame.culled whose subtree has polygon p of hierarchy().soup(); null if p is drawn.
   /// REQUIRES: p < hierarchy().soup().size().
@@ -120,6 +124,9 @@ class Culler {
   CullResult cull_alone(const AnyCamera& camera, const CullOptions& options) const;
   template <class AnyCamera>
   const CullResult& cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const;
+  template <class AnyCamera>
+  void append_covers_of(const CullResult& frame, const AnyCamera& camera, const CullOptions& options, std::size_t most,
+                        std::vector<CoverWitness>& witnesses) const;
   const OccluderSet& occluders(const Checkpoint& checkpoint) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
   const HierarchyBlocks& blocks(const Checkpoint& checkpoint = {}) const;

@@ -16,6 +16,8 @@
 
 namespace occlude::culler {
 
+struct FrameView;
+
 /// Reasons, in the order in which they are tested: the first that holds is the answer.
 /// 1. Frames by frusta have the first six.
 /// 2. Frames by cover have the first two and the last four. For them read "hidden by the frame's final coarse picture" where
@@ -62,6 +64,7 @@ class MissedReasons {
   /// REQUIRES: `frame` is what `culler` made of this camera with these options, which is not checked; both outlive this
   /// object. For a frame by cover, culls the frame again, and throws as Culler::cull().
   MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame);
+  MissedReasons(const Culler& culler, const MatrixCamera& camera, const CullOptions& options, const CullResult& frame);
 
   struct Answer {
     Missed reason;
@@ -114,7 +117,9 @@ class MissedReasons {
   class Asking;
   class Work;
 
-  void keep_others(const Camera& camera, const CullOptions& options);
+  template <class AnyCamera>
+  void find_what_hides(const AnyCamera& camera, const CullOptions& options);
+  void keep_others(const FrameView& view, const CullOptions& options);
   [[nodiscard]] Near all() const;
   [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node, Work& work) const;
   [[nodiscard]] Answer answer(std::uint32_t p, const Near& near, Work& work) const;

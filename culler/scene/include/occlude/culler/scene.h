@@ -132,6 +132,14 @@ class Scene {
   [[nodiscard]] std::vector<ObjectFate> why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
                                             std::span<const ObjectId> objects) const;
 
+  /// Appends the proof of every cull of that frame: an element for each object that SceneStats counts as hidden or out of
+  /// view. One that is both is proved to be out of view. Of a camera with several eyes, the same polygons hide an object
+  /// from each of them. `camera`, `options`, the time it takes and what it throws: as why().
+  void append_witnesses(const Camera& camera, const SceneOptions& options, const SceneView& view,
+                        std::vector<ObjectWitness>& witnesses) const;
+  void append_witnesses(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
+                        std::vector<ObjectWitness>& witnesses) const;
+
   /// Objects and occluders that are in the scene, disabled ones included.
   [[nodiscard]] std::size_t objects() const;
   [[nodiscard]] std::size_t occluders() const;

@@ -87,6 +87,14 @@ struct ObjectFate {
   std::vector<Hiding> by = {};  ///< each once; together they hide the box, beyond the near plane of the camera
 };
 
+/// The proof of a cull.
+struct ObjectWitness {
+  ObjectId object;
+  /// All of it is hidden, or out of view. Holds the box of the object: it is that box, or the axis-aligned one around it.
+  Box box;
+  ObjectFate fate;  ///< hidden or out_of_view
+};
+
 /// One camera, and its last frame.
 /// 1. One thread at a time may cull with it. Different views may be culled at once.
 /// 2. It may be used with any scene at any time. A frame does not depend on those before it.
