@@ -12,10 +12,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "culling.h"
 #include "failures.h"
 #include "item_buffers.h"
 #include "occlude/culler/missed.h"
@@ -31,9 +33,7 @@
 #include "occlude/render/progress.h"
 #include "occlude/render/ranks.h"
 #include "occlude/render/store.h"
-#include "occlude/render/view_along_path.h"
 #include "occlude/render/walk.h"
-#include "occlude/render/witness.h"
 #include "packed_visibility.h"
 #include "path_arguments.h"
 #include "proof.h"
@@ -50,42 +50,9 @@ struct ValidateArguments {
   WalkArguments walk;
   /// Exact visibility then takes half a minute for the 300 frames of a path through random triangles. Lattices take longer.
   std::size_t exact_up_to = 2000;
-  bool json = false;
+  bool matrix = false, scene = false, json = false;
   PartsArguments parts;
   std::string given;  ///< the options on which results depend
-};
-
-/// The model, the path, and the options for culling its frames anew.
-struct Walked {
-  const culler::Culler& culler;
-  const render::CameraPath& path;
-  const render::WalkOptions& options;
-};
-
-/// Culls frames of a walk, each as it is after those before it.
-class Culling {
- public:
-  explicit Culling(const Walked& walked)
-      : walked_(walked), along_(walked.culler, walked.path, walked.options, walked.options.cull) {}
-
-  [[nodiscard]] culler::Camera camera(std::size_t frame) const {
-    return walked_.path.camera(frame, render::aspect(walked_.options));
-  }
-  /// REQUIRES: a frame after that of the last call.
-  [[nodiscard]] const culler::CullResult& cull(std::size_t frame) {
-    render::check_interrupt();
-    return walked_.culler.cull(camera(frame), walked_.options.cull, along_.before(frame));
-  }
-  /// Adds the witnesses of a frame, which is then culled.
-  void append_witnesses(std::vector<std::string>& lines, std::size_t frame) {
-    const culler::CullResult& culled = cull(frame);
-    const auto covers = render::covers_of(walked_.culler, camera(frame), culled, walked_.options.cull);
-    render::append_witnesses(lines, frame, camera(frame), walked_.culler, culled, walked_.options.cull, covers);
-  }
-
- private:
-  const Walked& walked_;
-  render::ViewAlongPath along_;
 };
 
 /// A batch has enough lines to keep all threads busy, and few enough to keep memory small. It also ends when it has as many
@@ -322,8 +289,11 @@ render::MissedCounts count_missed(render::Job& job, const Walked& walked, const 
     const std::vector<bool> shows = unpacker.bits();
     unpacker.finish();
     const culler::CullResult& culled = culling.cull(frame);
-    const culler::MissedReasons reasons(walked.culler, culling.camera(frame), walked.options.cull, culled);
-    return render::Packer().put(culler::MissedReasons::count(reasons.answers(shows, render::check_interrupt))).bytes();
+    const auto count = [&](const auto& camera) {
+      const culler::MissedReasons reasons(walked.culler, camera, walked.options.cull, culled);
+      return culler::MissedReasons::count(reasons.answers(shows, render::check_interrupt));
+    };
+    return render::Packer().put(std::visit(count, walked.camera(frame))).bytes();
   };
   const auto take = [&](const std::string& result) {
     render::Unpacker unpacker(result);
@@ -391,6 +361,8 @@ std::uint64_t key_of(const ValidateArguments& arguments, const render::CameraPat
 void validate(ValidateArguments& arguments, int& exit_code) {
   render::WalkOptions options = arguments.walk.options();
   arguments.walk.require_settled(arguments.model);
+  if (arguments.scene && options.cull.method != culler::Method::cover)
+    refuse("--scene", "a scene is culled by --method cover");
   const bool is_anew = arguments.witness.empty();
   require_readable_by_all(arguments.witness);
   std::optional<WitnessFile> witnesses;
@@ -403,12 +375,11 @@ void validate(ValidateArguments& arguments, int& exit_code) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   if (witnesses) require_leaves(*witnesses, hierarchy, arguments);
   warn_of_misfit(path, arguments.path, arguments.model, hierarchy.soup());
-  const Walked walked{culler, path, options};
+  const Walked walked{culler, path, options, arguments.matrix, arguments.scene};
   const CheckedWalk checked{culler, path, render::aspect(options), turns};
   render::Job job(arguments.parts.keeping(), [&] { return key_of(arguments, path, options, hierarchy); });
 
-  const proof::Prover prover(hierarchy,
-                             {path.frames, [&](std::size_t frame) { return path.camera(frame, checked.aspect); }});
+  const proof::Prover prover(hierarchy, {path.frames, [&](std::size_t frame) { return walked.camera(frame); }});
   Proving proving({path.frames, hierarchy.first_triangle(hierarchy.soup().size())}, exit_code);
   if (is_anew) {
     WitnessesAnew anew(walked, proving.culled);
@@ -430,7 +401,7 @@ void validate(ValidateArguments& arguments, int& exit_code) {
   result.visibility = check_visibility(job, proving.culled, checked, [&](const CulledSets& culled) {
     return result.is_exact ? check_exactly(checked, culled) : check_rendered(checked, culled, buffers());
   });
-  if (is_anew) result.missed = count_missed(job, walked, result.visibility);
+  if (is_anew && !walked.as_scene) result.missed = count_missed(job, walked, result.visibility);
   if (!render::is_first_rank()) return;
 
   if (!passed(result)) exit_code = kCheckFailed;
@@ -469,6 +440,14 @@ void add_validate(Command app, int& exit_code) {
       .show_default()
       .in_range(std::size_t{0}, std::size_t{1000000});
   add_output(command, "--out", a->out, "folder for what is culled and shows: frame, polygon, witness and picture");
+  command
+      .add_flag("--matrix", a->matrix,
+                "cull by the matrix of each camera, as an engine has it, and not by its eye and angles")
+      .excludes(witness);
+  command
+      .add_flag("--scene", a->scene,
+                "cull by --method cover a scene of which each leaf of the tree is an object, and all polygons hide")
+      .excludes(witness);
   a->walk.add_size_to(command);
   for (Option option : a->walk.add_culling_to(command)) option.excludes(witness);
   a->walk.add_model_to(command).excludes(witness);

@@ -27,6 +27,15 @@ expect_error 'lie.jsonl:2: "leaf"' "$occlude" validate city.ply --path city.json
 sed '1s/"leaf":7/"leaf":-7/' leaves.jsonl >lie.jsonl
 expect_error 'lie.jsonl:1: "leaf"' "$occlude" validate city.ply --path city.json --witness lie.jsonl
 
+# What an engine culls, by its matrix and as a scene, is proved alike.
+for culled in '--matrix' '--matrix --method cover' '--scene --method cover' '--scene --matrix --method cover'; do
+  # shellcheck disable=SC2086
+  "$occlude" validate city.ply --path city.json --frames 0:40:20 $culled >stdout || fail "validate $culled: $(cat stdout)"
+  grep -qE '^([1-9][0-9]+) of \1 witnesses proved' stdout || fail "validate $culled: $(cat stdout)"
+  grep -q '^false culls 0, wrong pixels 0 in 2 frames' stdout || fail "validate $culled: $(cat stdout)"
+done
+expect_error '--scene: a scene is culled by --method cover' "$occlude" validate city.ply --path city.json --scene
+
 # False witnesses are found out.
 "$occlude" walk good.ply --path back.json --out aside --no-render --witness aside.jsonl >/dev/null || fail "walk, looking away"
 lie() { # lie WHAT SED_SCRIPT [MODEL WITNESSES PATH]

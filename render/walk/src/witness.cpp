@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "occlude/render/input_limits.h"
 
@@ -75,6 +76,10 @@ std::string geometry_members(const culler::Culler& culler, std::uint32_t occlude
   return fmt::format(R"("vertices":{},"faces":{})", list(vertices, triple<kernel::Vec3>), list(faces, face));
 }
 
+std::string view_member(const culler::HalfSpace& h) {
+  return fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset);
+}
+
 /// What culled a subtree, in JSON. Occluders and half-spaces recur, so their text is made once per frame.
 class Reasons {
  public:
@@ -84,9 +89,7 @@ class Reasons {
       geometry_.push_back(geometry_members(culler, occluder.index));
       near_.push_back(near_member(occluder.frustum, near));
     }
-    for (const culler::HalfSpace& h : result.view) {
-      view_.push_back(fmt::format(R"("by":"view","plane":[{},{},{},{}])", h.normal.x, h.normal.y, h.normal.z, h.offset));
-    }
+    for (const culler::HalfSpace& h : result.view) view_.push_back(view_member(h));
   }
 
   std::string of(const culler::Culled& culled) const {
@@ -113,45 +116,69 @@ class Reasons {
   std::vector<std::string> view_;             ///< of each half-space, complete
 };
 
+/// Writes the lines of a frame.
+class Lines {
+ public:
+  Lines(std::vector<std::string>& lines, std::size_t frame, const kernel::Viewpoint& viewpoint,
+        const culler::Hierarchy& hierarchy)
+      : lines_(lines),
+        hierarchy_(hierarchy),
+        frame_(fmt::format(R"({{"frame":{},"{}":{},)", frame, viewpoint.is_eye() ? "eye" : "direction",
+                           triple(viewpoint.value))),
+        leaf_(hierarchy.leaf_size() == culler::leaf_size_for(culler::Method::frusta)
+                  ? ""
+                  : fmt::format(R"("leaf":{},)", hierarchy.leaf_size())) {}
+
+  void append(const culler::PolygonRange& range, const culler::Box& box, const std::string& reason) {
+    const std::size_t first = hierarchy_.first_triangle(range.first);
+    const std::size_t count = hierarchy_.first_triangle(range.first + range.count) - first;
+    lines_.push_back(fmt::format(R"({}"box":{},{}"triangles":[{},{}],{}}})", frame_,
+                                 std::visit([](const auto& b) { return box_member(b); }, box), leaf_, first, count, reason));
+  }
+
+  void append_cover(const culler::PolygonRange& range, const kernel::Aabb& box, std::span<const std::uint32_t> polygons) {
+    append(range, box,
+           R"("by":"cover","polygons":)" + list(polygons, [&](std::uint32_t p) { return name_of(hierarchy_, p); }));
+  }
+
+ private:
+  std::vector<std::string>& lines_;
+  const culler::Hierarchy& hierarchy_;
+  std::string frame_, leaf_;
+};
+
 }  // namespace
 
-std::vector<culler::CoverWitness> covers_of(const culler::Culler& culler, const culler::Camera& camera,
-                                            const culler::CullResult& result, const culler::CullOptions& options) {
-  std::vector<culler::CoverWitness> covers;
-  if (options.method == culler::Method::cover) {
-    culler.append_covers(result, camera, options, kMostCoverVertices, covers);
-  }
-  return covers;
-}
-
-void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const culler::Camera& camera,
+void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const kernel::Viewpoint& viewpoint,
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options,
                       std::span<const culler::CoverWitness> covers) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
   const Reasons reasons(culler, result, options.near);
-  const std::string viewpoint = camera.projection == culler::Projection::perspective
-                                    ? fmt::format(R"("eye":{})", triple(camera.eye))
-                                    : fmt::format(R"("direction":{})", triple(camera.axes().forward));
-  const std::string leaf = hierarchy.leaf_size() == culler::leaf_size_for(culler::Method::frusta)
-                               ? ""
-                               : fmt::format(R"("leaf":{},)", hierarchy.leaf_size());
-  const auto append = [&](const culler::PolygonRange& range, const std::string& box, const std::string& reason) {
-    const std::size_t first = hierarchy.first_triangle(range.first);
-    const std::size_t count = hierarchy.first_triangle(range.first + range.count) - first;
-    lines.push_back(fmt::format(R"({{"frame":{},{},"box":{},{}"triangles":[{},{}],{}}})", frame, viewpoint, box, leaf, first,
-                                count, reason));
-  };
+  Lines of_frame(lines, frame, viewpoint, hierarchy);
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);
   for (const auto& [culled, margin] : witnesses) {
     if (culled.by == culler::Culled::By::cover) continue;
     const culler::HierarchyNode& node = hierarchy.nodes()[culled.node];
-    append({node.first, node.count}, hierarchy.ask(culled.node, [](const auto& box) { return box_member(box); }),
-           fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
+    of_frame.append({node.first, node.count}, hierarchy.volume(culled.node),
+                    fmt::format(R"({},"margin":{})", reasons.of(culled), margin));
   }
-  for (const culler::CoverWitness& cover : covers) {
-    append(cover.range, box_member(cover.box),
-           R"("by":"cover","polygons":)" + list(cover.polygons, [&](std::uint32_t p) { return name_of(hierarchy, p); }));
+  for (const culler::CoverWitness& cover : covers) of_frame.append_cover(cover.range, cover.box, cover.polygons);
+}
+
+void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const kernel::Viewpoint& viewpoint,
+                      const culler::Hierarchy& hierarchy, std::span<const culler::HalfSpace> view,
+                      std::span<const culler::ObjectWitness> witnesses, std::span<const culler::PolygonRange> objects) {
+  Lines of_frame(lines, frame, viewpoint, hierarchy);
+  for (const auto& [object, box, fate] : witnesses) {
+    const culler::PolygonRange& range = objects[object.slot()];
+    if (fate.reason == culler::ObjectFate::Reason::out_of_view) {
+      of_frame.append(range, box, view_member(view[fate.plane]));
+      continue;
+    }
+    std::vector<std::uint32_t> polygons;
+    for (const culler::ObjectFate::Hiding& hiding : fate.by) polygons.push_back(hiding.polygon);
+    of_frame.append_cover(range, std::get<kernel::Aabb>(box), polygons);
   }
 }
 
