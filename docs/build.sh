@@ -37,7 +37,7 @@ reference() {
   } | doxygen -
   rm "$source/$name.md"
 }
-reference cpp kernel/include culler/{base,model,camera,descent,frusta,cover,scene,inner,frame}/include <<'END'
+reference cpp kernel/include culler/{base,model,camera,descent,cover,scene,inner,frame}/include <<'END'
 # Reference of C++
 
 - occlude::culler::Culler culls a model of polygons, occlude::culler::Scene a world of objects.

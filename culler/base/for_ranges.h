@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "occlude/culler/checkpoint.h"
-#include "occlude/culler/parallel.h"
+#include "base/parallel.h"
+#include "occlude/culler/executor.h"
 
 namespace occlude::culler {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "occlude/culler/parallel.h"
+#include "base/parallel.h"
 
 namespace occlude::culler {
 

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "base/for_ranges.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 
 namespace occlude::culler {
 

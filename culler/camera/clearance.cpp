@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/clearance.h"
+#include "camera/clearance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/matrix_camera.h"
-
 #include "camera/frame_view.h"
 #include "camera/matrix_eye.h"
 #include "model/bounds.h"
-#include "occlude/culler/method.h"
+#include "occlude/culler/camera.h"
 
 namespace occlude::culler {
 

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
 
 namespace occlude::culler {
 

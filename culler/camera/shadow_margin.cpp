@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/shadow_margin.h"
+#include "camera/shadow_margin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // When a box may be culled by a shadow.
 #pragma once
 
-#include "occlude/culler/shadow_margin.h"
+#include "camera/shadow_margin.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/shadow_union.h"

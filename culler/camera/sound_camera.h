@@ -8,8 +8,6 @@
 
 #include "base/rounding.h"
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
-#include "occlude/culler/method.h"
 
 namespace occlude::culler {
 

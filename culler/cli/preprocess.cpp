@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // occlude preprocess: finds out once what every walk through a model can use, and boxes inside of it for engines.
-#include "occlude/culler/preprocess.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +14,8 @@
 
 #include "command_arguments.h"
 #include "commands.h"
+#include "frame/culler_access.h"
+#include "frame/sampling.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/inner_boxes.h"
 #include "occlude/render/console.h"
@@ -39,7 +39,7 @@ struct PreprocessArguments {
   std::string model, out, inner_boxes, pattern = "even", seed = "1";
   ReadArguments read;
   BuildArguments build;
-  culler::OccluderLists::Config lists;
+  culler::ListConfig lists;
   culler::SampleConfig samples;
   culler::InnerBoxOptions boxes;
   bool json = false;
@@ -64,7 +64,7 @@ void require_hidden(const std::vector<float>& hidden, std::uint64_t count, std::
 std::vector<float> sample(render::Job& job, const culler::Culler& culler, const culler::SampleConfig& samples) {
   constexpr std::size_t kParts = 256;
   culler.prepare(culler::Method::frusta, render::check_interrupt);
-  const culler::OccluderLists& lists = culler.occluders().lists();
+  const culler::OccluderLists& lists = occluders_of(culler).lists();
   const std::size_t polygons = culler.hierarchy().soup().size();
   const std::size_t regions = lists.partition().regions();
   const std::size_t of_part = (regions + kParts - 1) / kParts;
@@ -107,7 +107,7 @@ culler::Culler find_out(render::Job& job, const culler::PolygonSoup& soup, const
                         const culler::BuildConfig& config) {
   culler::Culler culler(soup, config, render::check_interrupt);
   if (arguments.samples.viewpoints == 0) return culler;
-  return culler.with_hidden(sample(job, culler, arguments.samples));
+  return with_hidden(culler, sample(job, culler, arguments.samples));
 }
 
 Summary make_store(render::OutputFile& file, render::Job& job, const culler::PolygonSoup& soup,
@@ -120,7 +120,7 @@ Summary make_store(render::OutputFile& file, render::Job& job, const culler::Pol
   render::write_store(file, culler);
   file.close();
   const std::size_t nodes = culler.hierarchy().nodes().size();
-  const culler::OccluderLists::Stored& lists = culler.occluders().lists().stored();
+  const culler::OccluderLists::Stored& lists = occluders_of(culler).lists().stored();
   const auto hide = std::ranges::count_if(lists.hidden, [](float hidden) { return hidden > 0; });
   const std::string sampled = lists.hidden.empty() ? "" : fmt::format(", {} of them found to hide something", hide);
   return {fmt::format("{}: {} polygons, {} nodes; {} regions list {} occluders{}; {:.1f} s\n", arguments.out, soup.size(),

@@ -14,7 +14,7 @@
 #include "model/legal_soup.h"
 #include "model/outer_box.h"
 #include "occlude/culler/box.h"
-#include "occlude/culler/visibility.h"
+#include "occlude/culler/cull_result.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/validity.h"
 

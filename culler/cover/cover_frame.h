@@ -13,8 +13,8 @@
 #include "cover/cover_buffer.h"
 #include "cover/projected_boxes.h"
 #include "descent/frame.h"
+#include "model/append_range.h"
 #include "model/block_tree.h"
-#include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 
 namespace occlude::culler {

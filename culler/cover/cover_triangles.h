@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "cover/cover_mesh.h"
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/parts.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {

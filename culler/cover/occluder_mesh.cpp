@@ -6,6 +6,7 @@
 
 #include "cover/prepared_mesh.h"
 #include "model/legal_soup.h"
+#include "occlude/culler/cull_result.h"
 
 namespace occlude::culler {
 namespace {
@@ -38,5 +39,7 @@ OccluderMesh::~OccluderMesh() = default;
 std::size_t OccluderMesh::size() const { return prepared_->tree ? prepared_->tree->soup().size() : 0; }
 
 kernel::Aabb OccluderMesh::box() const { return prepared_->tree ? prepared_->tree->nodes()[0].box : kernel::Aabb{}; }
+
+const OccluderMesh::Prepared& prepared_of(const OccluderMesh& mesh) { return *mesh.prepared_; }
 
 }  // namespace occlude::culler

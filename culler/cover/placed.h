@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "occlude/culler/placement.h"
+#include "occlude/culler/box.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {

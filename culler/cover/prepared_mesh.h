@@ -17,4 +17,6 @@ struct OccluderMesh::Prepared {
   CoverTriangles triangles;
 };
 
+[[nodiscard]] const OccluderMesh::Prepared& prepared_of(const OccluderMesh& mesh);
+
 }  // namespace occlude::culler

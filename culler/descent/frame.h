@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "camera/frame_view.h"
+#include "camera/shadow_margin.h"
 #include "camera/view_planes.h"
 #include "model/bounds.h"
 #include "occlude/culler/cull_result.h"
@@ -16,6 +17,7 @@ namespace occlude::culler {
 struct Frame {
   CullResult result;
   FrameView view;
+  ShadowMargin margin;
   std::vector<kernel::HalfSpace> planes;
 
   /// Empties the result: by frusta without occluders, which hides nothing. Reserves memory for all that a frame may draw or

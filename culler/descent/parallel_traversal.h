@@ -12,8 +12,8 @@
 #include "base/work_runner.h"
 #include "descent/add_counts.h"
 #include "descent/traversal.h"
+#include "model/append_range.h"
 #include "model/block_tree.h"
-#include "occlude/culler/append_range.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/executor.h"
 

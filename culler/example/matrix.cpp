@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cameras as an engine has them, as matrices: a head with two eyes, and a lamp with its shadow map. The example prints how
 // much of a wall with rows of tiles behind it, and of a roof with rows of tiles below it, each of them must draw.
+#include <occlude/culler/camera.h>
 #include <occlude/culler/culler.h>
-#include <occlude/culler/matrix_camera.h>
 
 #include <array>
 #include <cstdint>

@@ -18,7 +18,7 @@ void begin_frame(const Hierarchy& hierarchy, const AnyCamera& camera, const Cull
   frame.begin(hierarchy.nodes().size());
   frame.view = FrameView(camera, depth(hierarchy.nodes()[0].box, eye_of(camera)));
   frame.view.append_half_spaces(frame.result.view);
-  frame.result.margin = ShadowMargin(frame.view, options.margin);
+  frame.margin = ShadowMargin(frame.view, options.margin);
 }
 
 }  // namespace occlude::culler

@@ -92,22 +92,4 @@ void Culler::append_covers(const CullResult& frame, const MatrixCamera& camera, 
   append_covers_of(frame, camera, options, most, witnesses);
 }
 
-namespace {
-
-template <class AnyCamera>
-std::shared_ptr<const CoverBuffer> cover_of(const Culler& culler, const AnyCamera& camera, const CullOptions& options) {
-  View view;
-  culler.cull(camera, options, view);
-  return std::make_shared<const CoverBuffer>(std::move(view.memory().cover.buffer));
-}
-
-}  // namespace
-
-std::shared_ptr<const CoverBuffer> Culler::cover(const Camera& camera, const CullOptions& options) const {
-  return cover_of(*this, camera, options);
-}
-std::shared_ptr<const CoverBuffer> Culler::cover(const MatrixCamera& camera, const CullOptions& options) const {
-  return cover_of(*this, camera, options);
-}
-
 }  // namespace occlude::culler

@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "base/lazy.h"
+#include "camera/clearance.h"
 #include "cover/cull_by_cover.h"
 #include "frame/begin_frame.h"
 #include "frusta/cull_by_frusta.h"
-#include "frusta/node_tests.h"
 #include "model/hierarchy_blocks.h"
 #include "model/legal_soup.h"
-#include "occlude/culler/clearance.h"
 #include "occlude/kernel/clearance.h"
 
 namespace occlude::culler {
@@ -48,8 +47,6 @@ Culler::Culler(const Culler& other, OccluderSet occluders)
       triangles_(other.triangles_) {
   static_cast<void>(occluders_->get([&] { return std::move(occluders); }));
 }
-
-Culler Culler::with_hidden(std::vector<float> hidden) const { return {*this, occluders().with_hidden(std::move(hidden))}; }
 
 const OccluderSet& Culler::occluders(const Checkpoint& checkpoint) const {
   return occluders_->get([&] {
@@ -89,13 +86,13 @@ CullResult Culler::cull_alone(const AnyCamera& camera, const CullOptions& option
   CullOptions alone = options;
   alone.probes = 0;  // there is no next frame
   cull(camera, alone, view);
-  return std::move(view.memory().frame.result);
+  return std::move(memory_of(view).frame.result);
 }
 
 template <class AnyCamera>
 const CullResult& Culler::cull_next(const AnyCamera& camera, const CullOptions& options, View& view) const {
   require_sound(camera, options.method);
-  View::Memory& memory = view.memory_for(identity_);
+  View::Memory& memory = memory_for(view, occluders_);
   if (options.method == Method::cover) {
     const CoverTriangles& triangles = this->triangles();
     const BlockTree tree = this->tree();
@@ -119,28 +116,6 @@ const CullResult& Culler::cull(const Camera& camera, const CullOptions& options,
 }
 const CullResult& Culler::cull(const MatrixCamera& camera, const CullOptions& options, View& view) const {
   return cull_next(camera, options, view);
-}
-
-void Culler::visit_shadow_tests(const CullResult& frame, const CullOptions& options,
-                                const std::function<void(const Occluder& occluder, const Box& box)>& visit) const {
-  Frame again;
-  again.result.view = frame.view;
-  again.result.margin = frame.margin;
-  again.result.occluders = frame.occluders;
-  again.result.pairs = frame.pairs;
-  FrustaMemory memory;
-  const auto on_tests = [&](const TreeBlock& block, const kernel::BlockQuestions& questions, kernel::BoxBytes nodes) {
-    for (std::uint32_t i = 0; i < TreeBlock::kNodes; ++i) {
-      for (std::size_t k = 0; k < questions.count; ++k) {
-        if ((kernel::boxes_of(nodes, k) >> i & 1U) == 0) continue;
-        visit(again.result.occluders[questions.frustum[k]], hierarchy_.volume(block.node[i]));
-      }
-    }
-  };
-  const OccluderSet* const occluders = frame.occluders.empty() ? nullptr : &this->occluders();
-  CullOptions in_order = options;
-  in_order.executor = nullptr;
-  traverse(tree(), hierarchy_, occluders, on_tests, in_order, again, memory);
 }
 
 void Culler::append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const {

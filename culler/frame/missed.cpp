@@ -5,13 +5,14 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "camera/frame_view.h"
 #include "camera/shadow_rule.h"
 #include "camera/sound_camera.h"
-#include "cover/cover_buffer.h"
+#include "frame/culler_access.h"
+#include "frame/frame_cover.h"
 #include "frusta/plane_work.h"
 #include "model/bounds.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/kernel/half_space.h"
 
 namespace occlude::culler {
@@ -30,15 +31,17 @@ template <class AnyCamera>
 void MissedReasons::find_what_hides(const AnyCamera& camera, const CullOptions& options) {
   for (const Occluder& occluder : frame_.occluders) chosen_.push_back({occluder.index, occluder.frustum});
   if (frame_.method == Method::frusta) {
-    keep_others(FrameView(camera, depth(hierarchy_.nodes()[0].box, eye_of(camera))), options);
+    const FrameView view(camera, depth(hierarchy_.nodes()[0].box, eye_of(camera)));
+    margin_ = std::make_shared<const ShadowMargin>(view, options.margin);
+    keep_others(view, options);
     return;
   }
-  cover_ = culler_.cover(camera, repeated(frame_, options));
+  cover_ = cover_of(culler_, camera, repeated(frame_, options));
   if (frame_.stats.cover_groups_left == 0) return;
   CullOptions unlimited = options;
   unlimited.cover.triangles = std::numeric_limits<std::size_t>::max();
   unlimited.cover.ms = std::numeric_limits<double>::infinity();
-  unlimited_ = culler_.cover(camera, unlimited);
+  unlimited_ = cover_of(culler_, camera, unlimited);
 }
 
 namespace {
@@ -62,7 +65,7 @@ std::vector<std::uint32_t> largest_of(std::span<const std::uint32_t> list, const
 
 /// Keeps the occluders of the region's list that may occlude from here and are not chosen.
 void MissedReasons::keep_others(const FrameView& view, const CullOptions& options) {
-  const OccluderSet& occluders = culler_.occluders();
+  const OccluderSet& occluders = occluders_of(culler_);
   std::vector<kernel::Vec3> vertices;
   for (const std::uint32_t i : largest_of(occluders.lists().list(view.eye).occluders, occluders, view.eye)) {
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
@@ -92,7 +95,7 @@ class MissedReasons::Work : public PlaneWork {
 template <class AnyBox>
 kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box, Work& work) const {
   if (!work.is_left()) return kernel::Relation::partial;
-  const kernel::Decision found = decide_cull(shadow.frustum, box, Asked{}, frame_.margin);
+  const kernel::Decision found = decide_cull(shadow.frustum, box, Asked{}, *margin_);
   work.take(shadow.frustum, found.stage);
   return found.relation;
 }
@@ -144,7 +147,7 @@ bool MissedReasons::is_out_of_view(std::uint32_t p, Work& work) const {
 
 /// A shadow is convex: it holds a polygon if it holds its corners. The parts of an occluder are not hidden by it.
 bool MissedReasons::hides(const Shadow& shadow, std::uint32_t p, Work& work) const {
-  return !std::ranges::binary_search(culler_.occluders().parts(shadow.occluder), p) &&
+  return !std::ranges::binary_search(occluders_of(culler_).parts(shadow.occluder), p) &&
          std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
            const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
            return hides(shadow, kernel::Aabb{corner, corner}, work);

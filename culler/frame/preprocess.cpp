@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/preprocess.h"
-
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <mutex>
 #include <utility>
 
+#include "base/parallel.h"
+#include "frame/culler_access.h"
+#include "frame/sampling.h"
 #include "frusta/depth_complexity.h"
 #include "model/bounds.h"
-#include "occlude/culler/culler.h"
-#include "occlude/culler/parallel.h"
 
 namespace occlude::culler {
 namespace {
@@ -42,14 +41,14 @@ glm::dvec3 viewpoint(const SampleConfig& samples, std::size_t region, std::size_
 /// What the occluders listed by a region hide on average, in the order of its list.
 void sample(const Culler& culler, const SampleConfig& samples, std::size_t region, std::span<float> hidden,
             const Checkpoint& checkpoint) {
-  const OccluderLists& lists = culler.occluders().lists();
+  const OccluderLists& lists = occluders_of(culler).lists();
   const auto listed = lists.list(region).occluders;
   const kernel::Aabb box = lists.partition().box(region);
   const glm::dvec3 corner = to_glm(box.min), size = to_glm(box.max) - corner;
   for (std::size_t n = 0; n < samples.viewpoints; ++n) {
     checkpoint();
     const glm::dvec3 eye = corner + size * viewpoint(samples, region, n);
-    for (const auto& [occluder, polygons] : best_together(culler.hierarchy(), culler.occluders(), listed, eye)) {
+    for (const auto& [occluder, polygons] : best_together(culler.hierarchy(), occluders_of(culler), listed, eye)) {
       const auto at = static_cast<std::size_t>(std::ranges::lower_bound(listed, occluder) - listed.begin());
       hidden[at] += static_cast<float>(polygons) / static_cast<float>(samples.viewpoints);
     }
@@ -60,7 +59,7 @@ void sample(const Culler& culler, const SampleConfig& samples, std::size_t regio
 template <class Done>
 std::vector<float> sample_each(const Culler& culler, const SampleConfig& samples, std::size_t first, std::size_t end,
                                const Checkpoint& checkpoint, Done&& done) {
-  const OccluderLists& lists = culler.occluders().lists();
+  const OccluderLists& lists = occluders_of(culler).lists();
   std::vector<std::size_t> begin{0};  // of each region's list
   for (std::size_t region = first; region < end; ++region) {
     begin.push_back(begin.back() + lists.list(region).occluders.size());
@@ -90,12 +89,12 @@ Culler preprocess(PolygonSoup soup, const BuildConfig& config, const SampleConfi
   if (samples.viewpoints == 0) return culler;
   std::mutex mutex;
   std::size_t done = 0;
-  const std::size_t regions = culler.occluders().lists().partition().regions();
-  return culler.with_hidden(sample_each(culler, samples, 0, regions, checkpoint, [&] {
-    if (!progress) return;
-    const std::lock_guard lock(mutex);
-    progress(++done, regions);
-  }));
+  const std::size_t regions = occluders_of(culler).lists().partition().regions();
+  return with_hidden(culler, sample_each(culler, samples, 0, regions, checkpoint, [&] {
+                       if (!progress) return;
+                       const std::lock_guard lock(mutex);
+                       progress(++done, regions);
+                     }));
 }
 
 }  // namespace occlude::culler

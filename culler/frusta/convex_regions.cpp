@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/convex_regions.h"
+#include "frusta/convex_regions.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

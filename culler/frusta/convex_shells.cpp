@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/convex_shells.h"
+#include "frusta/convex_shells.h"
 
 #include <algorithm>
 #include <utility>

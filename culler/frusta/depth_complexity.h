@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "frusta/potential_occluders.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/culler/potential_occluders.h"
 
 namespace occlude::culler {
 

@@ -18,9 +18,10 @@ void FrustaMemory::take_casters(const CullResult& frame, const OccluderSet* occl
   }
 }
 
-void FrustaMemory::shrink_shadows(const CullResult& frame) {
-  shrunk.resize(std::max(shrunk.size(), frame.occluders.size()));
-  for (std::size_t i = 0; i < frame.occluders.size(); ++i) shrunk[i].assign(frame.margin, frame.occluders[i].frustum);
+void FrustaMemory::shrink_shadows(const Frame& frame) {
+  const std::vector<Occluder>& occluders = frame.result.occluders;
+  shrunk.resize(std::max(shrunk.size(), occluders.size()));
+  for (std::size_t i = 0; i < occluders.size(); ++i) shrunk[i].assign(frame.margin, occluders[i].frustum);
 }
 
 void FrustaMemory::keep_spare(CullResult& frame) {

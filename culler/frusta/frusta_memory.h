@@ -15,9 +15,9 @@
 #include "frusta/candidate_order.h"
 #include "frusta/followed_silhouettes.h"
 #include "frusta/occluder_history.h"
+#include "frusta/occluder_set.h"
 #include "frusta/seen_occluders.h"
 #include "frusta/shrunk_shadow.h"
-#include "occlude/culler/occluder_set.h"
 
 namespace occlude::culler {
 
@@ -81,7 +81,7 @@ struct FrustaMemory {
   /// Fills `frusta` and `casters`. `occluders` may be null if the frame has none.
   void take_casters(const CullResult& frame, const OccluderSet* occluders, kernel::Near near);
   /// Fills `shrunk`, which may be longer than the occluders are.
-  void shrink_shadows(const CullResult& frame);
+  void shrink_shadows(const Frame& frame);
   /// Takes the frusta of the frame and of its probes for the next one.
   void keep_spare(CullResult& frame);
 };

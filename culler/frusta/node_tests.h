@@ -12,11 +12,11 @@
 #include "descent/parallel_traversal.h"
 #include "descent/volumes.h"
 #include "frusta/frusta_memory.h"
+#include "frusta/occluder_set.h"
 #include "model/block_tree.h"
 #include "model/bounds.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/culler/occluder_set.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_union.h"
@@ -36,8 +36,8 @@ class NodeTests {
         shrunk_(memory.shrunk),
         casters_(memory.casters),
         frusta_(memory.frusta),
-        frame_(frame.result) {
-    memory.shrink_shadows(frame.result);
+        margin_(frame.margin) {
+    memory.shrink_shadows(frame);
     memory.take_casters(frame.result, occluders, options.near);
   }
 
@@ -89,7 +89,7 @@ class NodeTests {
 
   kernel::Decision pair(std::uint32_t first, std::uint32_t second, const TreeBlock& block, std::uint32_t i) const {
     return volumes_.ask(block, i, [&](const auto& box) {
-      return decide_cull(kernel::ShadowUnion{*frusta_[first], *frusta_[second]}, box, Asked{}, frame_.margin,
+      return decide_cull(kernel::ShadowUnion{*frusta_[first], *frusta_[second]}, box, Asked{}, margin_,
                          [&] { return holds_part(first, block, i) || holds_part(second, block, i); });
     });
   }
@@ -117,7 +117,7 @@ class NodeTests {
   const std::vector<ShrunkShadow>& shrunk_;
   const std::vector<ShadowCaster>& casters_;
   const std::vector<const kernel::ShadowFrustum*>& frusta_;
-  const CullResult& frame_;
+  const ShadowMargin& margin_;
 };
 
 /// One descent of the tree, for a frame whose half-spaces and occluders are known. `occluders` may be null if it has none.

@@ -11,9 +11,9 @@
 
 #include "camera/frame_view.h"
 #include "frusta/frusta_memory.h"
+#include "frusta/occluder_set.h"
 #include "frusta/plane_work.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/culler/occluder_set.h"
 
 namespace occlude::culler {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/occluder_lists.h"
+#include "frusta/occluder_lists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +45,12 @@ OccluderLists::OccluderLists(Partition partition, Stored stored)
   }
 }
 
-std::string OccluderLists::fault(const Config& config) {
+std::string OccluderLists::fault(const ListConfig& config) {
   if (!(config.threshold > 0)) return "the threshold of the lists must be above 0";
   return Partition::can_have(config.regions) ? "" : "the number of regions must be from 1 to 2^30";
 }
 
-OccluderLists OccluderLists::build(const PotentialOccluders& occluders, const Space& space, const Config& config,
+OccluderLists OccluderLists::build(const PotentialOccluders& occluders, const Space& space, const ListConfig& config,
                                    const Checkpoint& checkpoint) {
   if (const std::string reason = fault(config); !reason.empty()) throw std::invalid_argument(reason);
   Partition partition = Partition::make(config.kind, space, config.regions, checkpoint);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/partition.h"
+#include "frusta/partition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,14 +43,15 @@ bool are_tree(std::span<const Partition::Cell> cells) {
 
 }  // namespace
 
-Partition Partition::make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint) {
+Partition Partition::make(RegionKind kind, const Space& space, double regions, const Checkpoint& checkpoint) {
   if (!can_have(regions)) throw std::invalid_argument("a partition cannot have so many regions");
-  PartitionCells made = kind == Kind::grid ? cells_of_grid(space.box, regions) : cells_of_tree(space, regions, checkpoint);
+  PartitionCells made =
+      kind == RegionKind::grid ? cells_of_grid(space.box, regions) : cells_of_tree(space, regions, checkpoint);
   return {made.box, std::move(made.cells)};
 }
 
-double Partition::most_regions(Kind kind, const Space& space, double regions) {
-  if (kind == Kind::grid) return regions_of_grid(space.box, regions);
+double Partition::most_regions(RegionKind kind, const Space& space, double regions) {
+  if (kind == RegionKind::grid) return regions_of_grid(space.box, regions);
   return std::min(regions, static_cast<double>(std::max<std::size_t>(space.nodes.size(), 1)));
 }
 

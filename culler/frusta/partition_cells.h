@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
-#include "occlude/culler/partition.h"
+#include "frusta/partition.h"
+#include "occlude/culler/executor.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/potential_occluders.h"
+#include "frusta/potential_occluders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ double PotentialOccluder::area_angle(const glm::dvec3& eye) const {
 
 double PotentialOccluder::area() const { return glm::length(area_normal) + round_area; }
 
-PotentialOccluders PotentialOccluders::find(SharedSoup shared, const Config& config, const Checkpoint& checkpoint) {
+PotentialOccluders PotentialOccluders::find(SharedSoup shared, const OccluderConfig& config, const Checkpoint& checkpoint) {
   const SoupView soup = shared.view;
   const std::vector<std::uint32_t> weld = welded(soup.vertices, checkpoint);
   const std::vector<SidePair> adjacency = find_adjacency(soup, weld, checkpoint);

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "model/bounds.h"
-#include "occlude/culler/parallel.h"
 
 namespace occlude::culler {
 namespace {
@@ -91,7 +91,7 @@ std::size_t length_within(std::vector<std::size_t> lengths, std::size_t budget) 
 
 class RegionDescent {
  public:
-  RegionDescent(const Partition& partition, const PotentialOccluders& occluders, const OccluderLists::Config& config,
+  RegionDescent(const Partition& partition, const PotentialOccluders& occluders, const ListConfig& config,
                 const Checkpoint& checkpoint)
       : partition_(partition), occluders_(occluders), config_(config), checkpoint_(checkpoint), reach_(occluders.size()) {
     for (std::uint32_t i = 0; i < occluders.size(); ++i) {
@@ -99,8 +99,7 @@ class RegionDescent {
       if (reach_[i] > 0 && std::isfinite(reach_[i])) lists_.occluders.push_back(i);
     }
     listed_ = lists_.occluders.size();
-    using Config = OccluderLists::Config;
-    entries_ = std::min(config.entries, std::max(Config::kEntriesOfFew, Config::kEntriesOfEach * listed_));
+    entries_ = std::min(config.entries, std::max(ListConfig::kEntriesOfFew, ListConfig::kEntriesOfEach * listed_));
     lists_.end_list(0);
   }
 
@@ -229,7 +228,7 @@ class RegionDescent {
 
   const Partition& partition_;
   const PotentialOccluders& occluders_;
-  const OccluderLists::Config& config_;
+  const ListConfig& config_;
   const Checkpoint& checkpoint_;
   std::vector<double> reach_;  ///< of each occluder, how far from its centre it is listed
   std::size_t listed_ = 0;     ///< occluders that are listed at all
@@ -240,7 +239,7 @@ class RegionDescent {
 }  // namespace
 
 OccluderLists::Stored list_occluders(const Partition& partition, const PotentialOccluders& occluders,
-                                     const OccluderLists::Config& config, const Checkpoint& checkpoint) {
+                                     const ListConfig& config, const Checkpoint& checkpoint) {
   CellLists regions = RegionDescent(partition, occluders, config, checkpoint).regions();
   OccluderLists::Stored stored;
   std::vector<std::uint64_t> first{0};

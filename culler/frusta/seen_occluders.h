@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "frusta/potential_occluders.h"
 #include "occlude/culler/camera.h"
-#include "occlude/culler/potential_occluders.h"
 
 namespace occlude::culler {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "camera/shadow_margin.h"
 #include "model/bounds.h"
 #include "model/outer_box.h"
-#include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "camera/frame_view.h"
+#include "frusta/potential_occluders.h"
 #include "occlude/culler/cull_result.h"
-#include "occlude/culler/potential_occluders.h"
 
 namespace occlude::culler {
 

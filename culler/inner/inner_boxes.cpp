@@ -6,13 +6,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "frusta/closed_parts.h"
 #include "frusta/solid.h"
 #include "inner/solid_cells.h"
 #include "model/adjacency.h"
 #include "model/bounds.h"
 #include "model/legal_soup.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "frusta/solid.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {

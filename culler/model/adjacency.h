@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {

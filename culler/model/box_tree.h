@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/kernel/types.h"
 

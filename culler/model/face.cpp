@@ -3,14 +3,13 @@
 // of triangles and of what is left always add up to the loop. So whatever is cut off, and in whatever order, properties 1 to
 // 3 hold once nothing is left. Which triangles are ears decides only whether it comes to that: a corner inside of one would
 // be left outside of the rest, where the loop turns the other way.
-#include "occlude/culler/face.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "model/bounds.h"
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/orientation.h"
 
 namespace occlude::culler {

@@ -13,7 +13,6 @@
 #include <string_view>
 #include <utility>
 
-#include "occlude/culler/array.h"
 #include "occlude/culler/hierarchy.h"
 #include "occlude/culler/parts.h"
 

@@ -7,7 +7,6 @@
 
 #include "model/bounds.h"
 #include "model/legal_soup.h"
-#include "occlude/culler/face.h"
 
 namespace occlude::culler {
 

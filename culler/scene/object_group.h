@@ -15,7 +15,7 @@
 #include "model/packed_tree.h"
 #include "model/split_order.h"
 #include "occlude/culler/box.h"
-#include "occlude/culler/scene_id.h"
+#include "occlude/culler/scene.h"
 #include "occlude/kernel/box_block.h"
 #include "occlude/kernel/types.h"
 

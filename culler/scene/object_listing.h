@@ -8,7 +8,7 @@
 
 #include "camera/view_planes.h"
 #include "cover/cover_buffer.h"
-#include "occlude/culler/scene_view.h"
+#include "occlude/culler/scene.h"
 #include "scene/object_group.h"
 
 namespace occlude::culler {

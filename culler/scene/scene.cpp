@@ -24,8 +24,8 @@ FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, 
 template <class AnyCamera>
 const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
                             const SceneOptions& options, SceneView& view) {
-  view.memory().view = view_of(objects, occluders, camera);
-  cull_scene(objects, occluders, options, view.memory());
+  memory_of(view).view = view_of(objects, occluders, camera);
+  cull_scene(objects, occluders, options, memory_of(view));
   return view.result();
 }
 
@@ -48,6 +48,8 @@ SceneView::SceneView() : memory_(std::make_unique<Memory>()) {}
 SceneView::~SceneView() = default;
 SceneView::SceneView(SceneView&&) noexcept = default;
 SceneView& SceneView::operator=(SceneView&&) noexcept = default;
+
+SceneView::Memory& memory_of(const SceneView& view) { return *view.memory_; }
 
 const SceneResult& SceneView::result() const { return memory_->result; }
 

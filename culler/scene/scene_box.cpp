@@ -13,7 +13,7 @@
 
 #include "cover/placed.h"
 #include "model/outer_box.h"
-#include "occlude/culler/placement.h"
+#include "occlude/culler/box.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {

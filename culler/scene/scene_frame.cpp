@@ -168,7 +168,7 @@ class SceneFrame {
     if (occluder.is_one_sided) {
       stand.front = occluder.is_mirrored ? CoverMesh::Front::clockwise : CoverMesh::Front::counter_clockwise;
     }
-    const OccluderMesh::Prepared& mesh = occluder.mesh->prepared();
+    const OccluderMesh::Prepared& mesh = prepared_of(*occluder.mesh);
     const CoverSource source{mesh.triangles, stand};
     painter_.use(source);
     const std::uint32_t before = painter_.groups();
@@ -369,7 +369,7 @@ class FrameAgain {
     polygons.erase(std::unique(polygons.begin(), polygons.end()), polygons.end());
     for (const auto& [source, p] : polygons) {
       const SceneOccluders::Standing& occluder = *drawn_occluders_[source];
-      const Hierarchy& tree = *occluder.mesh->prepared().tree;
+      const Hierarchy& tree = *prepared_of(*occluder.mesh).tree;
       ObjectFate::Hiding hiding{occluder.id, tree.original(p), {}};
       for (const std::uint32_t v : tree.soup().loop(p)) {
         hiding.corners.push_back(placed(occluder.placement, to_kernel(tree.soup().vertices[v])));

@@ -12,7 +12,7 @@
 #include "base/work_runner.h"
 #include "camera/frame_view.h"
 #include "cover/cover_painter.h"
-#include "occlude/culler/scene_view.h"
+#include "occlude/culler/scene.h"
 #include "occlude/kernel/half_space.h"
 #include "scene/object_listing.h"
 #include "scene/scene_objects.h"
@@ -44,6 +44,9 @@ struct SceneView::Memory {
   std::unique_ptr<DrawnObject[]> room;  ///< where the parts list; memory that is never written to takes only addresses
   std::size_t room_size = 0;
 };
+
+/// What is kept of the view. Not protected by `const`.
+[[nodiscard]] SceneView::Memory& memory_of(const SceneView& view);
 
 /// How far the scene reaches from the eye, in the sum of the axes.
 [[nodiscard]] double reach(const SceneObjects& objects, const SceneOccluders& occluders, const glm::dvec3& eye);

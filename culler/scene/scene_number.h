@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "occlude/culler/scene_id.h"
+#include "occlude/culler/scene.h"
 
 namespace occlude::culler {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/parallel.h"
 #include "model/bounds.h"
 #include "model/outer_box.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/culler/scene.h"
 #include "scene/scene_box.h"
 

@@ -15,7 +15,7 @@
 #include "model/packed_tree.h"
 #include "occlude/culler/box.h"
 #include "occlude/culler/executor.h"
-#include "occlude/culler/scene_id.h"
+#include "occlude/culler/scene.h"
 #include "scene/object_group.h"
 #include "scene/slots.h"
 

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "model/packed_tree.h"
+#include "occlude/culler/box.h"
 #include "occlude/culler/occluder_mesh.h"
-#include "occlude/culler/placement.h"
 #include "occlude/culler/scene.h"
-#include "occlude/culler/scene_id.h"
 #include "scene/slots.h"
 
 namespace occlude::culler {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/culler/scene_id.h"
+#include "occlude/culler/scene.h"
 #include "scene/scene_number.h"
 
 namespace occlude::culler {

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/part_checks.h"
+#include "frusta/convex_regions.h"
 #include "model/part_list.h"
-#include "occlude/culler/convex_regions.h"
 
 namespace occlude::culler {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/part_checks.h"
+#include "frusta/convex_shells.h"
 #include "frusta/shell_limits.h"
 #include "frusta/shell_polytopes.h"
 #include "model/part_list.h"
-#include "occlude/culler/convex_shells.h"
 
 namespace occlude::culler {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "base/lazy.h"
 #include "cover/cover_triangles.h"
+#include "frusta/occluder_set.h"
 #include "model/hierarchy_blocks.h"
 #include "model/legal_soup.h"
 #include "model/part_list.h"
@@ -43,8 +44,8 @@ BuildConfig config_of(const PartReader& parts) {
   if (read.size() != 1 || read[0].bounds > 1 || read[0].shells > 1 || read[0].kind > 1)
     refuse_part(kCullerConfig, "out of range");
   const StoredConfig& config = read[0];
-  const OccluderLists::Config lists{static_cast<Partition::Kind>(config.kind), config.threshold, config.regions,
-                                    static_cast<std::size_t>(config.entries)};
+  const ListConfig lists{static_cast<RegionKind>(config.kind), config.threshold, config.regions,
+                         static_cast<std::size_t>(config.entries)};
   if (const std::string reason = OccluderLists::fault(lists); !reason.empty()) refuse_part(kCullerConfig, reason);
   return {{config.leaf_size, static_cast<Bounds>(config.bounds)}, {config.shells != 0}, lists};
 }
@@ -59,8 +60,8 @@ bool is_of_occluders(std::string_view part) { return Culler::method_of(part) == 
 /// Throws std::invalid_argument where lists that are to be made would take more bytes than the model has, so that a few
 /// bytes cannot ask for any amount of work. As many regions and entries as by default may always be: they take 130 MiB at
 /// most.
-void require_lists_within(std::uint64_t bytes, const OccluderLists::Config& config, const Space& space) {
-  const OccluderLists::Config few;
+void require_lists_within(std::uint64_t bytes, const ListConfig& config, const Space& space) {
+  const ListConfig few;
   constexpr std::size_t kBytesOfRegion = 2 * sizeof(Partition::Cell), kBytesOfEntry = sizeof(std::uint32_t);
   const auto made = [&](double regions) { return Partition::most_regions(config.kind, space, regions); };
   if (made(config.regions) > std::max(made(few.regions), static_cast<double>(bytes / kBytesOfRegion)))

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/part_checks.h"
+#include "frusta/potential_occluders.h"
 #include "model/part_list.h"
-#include "occlude/culler/potential_occluders.h"
 
 namespace occlude::culler {
 namespace {

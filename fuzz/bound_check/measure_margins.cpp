@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "camera/frame_view.h"
+#include "camera/shadow_margin.h"
 #include "camera/single_precision.h"
 #include "measure_culler.h"
-#include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "true_picture.h"
 

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <new>
 
-#include "occlude/culler/parallel.h"
+#include "base/parallel.h"
 
 namespace occlude::fuzz {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "border.h"
 #include "cases/to_oracle.h"
+#include "frame/culler_access.h"
 #include "occlude/fuzz/case.h"
 #include "occlude/oracle/cover.h"
 
@@ -48,7 +49,7 @@ class CullJudge {
   CullJudge(const culler::Culler& culler, const AnyCamera& camera, const CullOptions& options, const CullResult& result)
       : culler_(culler),
         hierarchy_(culler.hierarchy()),
-        occluders_(culler.occluders()),
+        occluders_(occluders_of(culler)),
         camera_(camera),
         options_(options),
         result_(result),

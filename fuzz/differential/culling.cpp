@@ -10,6 +10,7 @@
 
 #include "any_case.h"
 #include "cull_judge.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
@@ -67,9 +68,8 @@ culler::BuildConfig some_config(Random& random) {
   config.hierarchy.leaf_size = static_cast<std::uint32_t>(random.integer(1, 4));
   if (random.chance(0.5)) config.hierarchy.bounds = culler::Bounds::obb;
   config.occluders.shells = random.chance(0.8);
-  using Kind = culler::Partition::Kind;
   const std::size_t regions = random.index(6);
-  config.lists.kind = regions < 3 ? Kind::grid : Kind::tree;
+  config.lists.kind = regions < 3 ? culler::RegionKind::grid : culler::RegionKind::tree;
   config.lists.regions = std::array{1.0, 8.0, 64.0}[regions % 3];
   return config;
 }
@@ -116,7 +116,7 @@ class BruteForce {
 class Twin {
  public:
   Twin(const Culler& culler, const BruteForce& ask)
-      : hierarchy_(culler.hierarchy()), occluders_(culler.occluders()), ask_(ask), drawn_(hierarchy_.soup().size()) {
+      : hierarchy_(culler.hierarchy()), occluders_(occluders_of(culler)), ask_(ask), drawn_(hierarchy_.soup().size()) {
     visit(0);
   }
 
@@ -159,7 +159,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
   const kernel::Vec3 value{at.x, at.y, at.z};  // derived without the culler's own viewpoint
   const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
                                                                               : kernel::Viewpoint::direction(value);
-  const kernel::ShadowFrustumResult fresh = culler.occluders().shadow(occluder.index, viewpoint, options.near);
+  const kernel::ShadowFrustumResult fresh = occluders_of(culler).shadow(occluder.index, viewpoint, options.near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
          kernel::stored(*fresh.frustum)->cap_vertices == kernel::stored(occluder.frustum)->cap_vertices;
@@ -215,9 +215,9 @@ std::string fault_of_frame(const Culler& culler, const Camera& camera, const Cul
 
 /// Whether a test of a shadow in this frame takes the exact stage, when boxes are asked one by one. What CullStats counts
 /// depends on the instruction set.
-bool takes_exact_stage(const Culler& culler, const CullResult& frame, const CullOptions& options) {
+bool takes_exact_stage(const Culler& culler, const CullResult& frame, const Camera& camera, const CullOptions& options) {
   bool takes_it = false;
-  culler.visit_shadow_tests(frame, options, [&](const culler::Occluder& occluder, const culler::Box& any_box) {
+  visit_shadow_tests(culler, frame, camera, options, [&](const culler::Occluder& occluder, const culler::Box& any_box) {
     const auto decide = [&](const auto& box) {
       return kernel::decide(occluder.frustum, box, options.arithmetic, options.test, kernel::NearBoundary::open);
     };
@@ -257,7 +257,7 @@ void run_culling(std::uint64_t seed, Report& report) {
   report.tally.relations[0] += stats.shadow_culled_polygons;
   report.tally.relations[1] += stats.drawn_polygons;
   report.tally.relations[2] += stats.view_culled_polygons;
-  report.tally.stages[takes_exact_stage(culler, result, options) ? 1 : 0] += soup.size();
+  report.tally.stages[takes_exact_stage(culler, result, camera, options) ? 1 : 0] += soup.size();
   std::string wrong = fault_of_frame(culler, camera, options, view);
   if (wrong.empty() && random.chance(0.3)) wrong = fault_by_matrix(random, culler, camera, options);
   if (wrong.empty()) return;

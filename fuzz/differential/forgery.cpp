@@ -14,6 +14,7 @@
 #include "any_case.h"
 #include "exact_visibility.h"
 #include "experiment.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "proof.h"
 #include "rows.h"
@@ -303,7 +304,7 @@ class Forger {
 
   /// An occluder of the culler, a polygon of the model, or something like it.
   Json some_occluder() {
-    const auto& occluders = culler_.occluders();
+    const auto& occluders = occluders_of(culler_);
     if (occluders.size() != 0 && random_.chance(0.6)) {
       return occluder_of(static_cast<std::uint32_t>(random_.index(occluders.size())));
     }
@@ -311,7 +312,7 @@ class Forger {
   }
 
   Json occluder_of(std::uint32_t i) {
-    const auto geometry = culler_.occluders().geometry(i);
+    const auto geometry = occluders_of(culler_).geometry(i);
     if (const auto* solid = std::get_if<kernel::Polytope>(&geometry)) {
       std::vector<dvec3> vertices;
       for (const kernel::Vec3& v : solid->vertices) vertices.push_back(to_glm(v));
@@ -319,16 +320,16 @@ class Forger {
       if (lies(0.1)) faces.erase(random_.index(faces.size()));
       return {{"vertices", forged_loop(std::move(vertices))}, {"faces", faces}};
     }
-    const auto piece = culler_.occluders().regions().piece(i);
+    const auto piece = occluders_of(culler_).regions().piece(i);
     Json parts = Json::array();
-    for (const std::uint32_t part : culler_.occluders().parts(i)) {
+    for (const std::uint32_t part : occluders_of(culler_).parts(i)) {
       const std::size_t first = culler_.hierarchy().first_triangle(part);
       const std::size_t count = culler_.hierarchy().first_triangle(part + 1) - first;
       parts.push_back(piece ? Json{first + piece->first, piece->count} : Json{first, count});
     }
     if (lies(0.1)) parts.erase(random_.index(parts.size()));
     if (lies(0.1)) parts.push_back({random_.index(triangles()), 1});
-    return {{"polygon", forged_loop(loop(culler_.occluders().loop(i)))}, {"parts", parts}};
+    return {{"polygon", forged_loop(loop(occluders_of(culler_).loop(i)))}, {"parts", parts}};
   }
 
   std::vector<dvec3> loop(std::span<const std::uint32_t> indices) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a margin takes away from shadows. It is found from the definition (occlude/culler/shadow_margin.h) without the
+// What a margin takes away from shadows. It is found from the definition (camera/shadow_margin.h) without the
 // culler's code: the corners of boxes are moved in the picture as far as they may be, and measured against planes through
 // the vertices of the occluder.
 #pragma once

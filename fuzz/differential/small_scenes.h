@@ -5,7 +5,6 @@
 #include <glm/vec3.hpp>
 
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/fuzz/random.h"
 

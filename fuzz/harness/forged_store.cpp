@@ -16,6 +16,8 @@
 #include <utility>
 
 #include "differential/small_scenes.h"
+#include "frusta/convex_regions.h"
+#include "frusta/partition.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/output_file.h"
 #include "occlude/render/store.h"
@@ -27,6 +29,7 @@ namespace {
 
 using culler::HierarchyNode;
 using culler::Partition;
+using culler::RegionKind;
 using fuzz::Random;
 using U32 = std::uint32_t;
 using U64 = std::uint64_t;
@@ -46,7 +49,7 @@ culler::BuildConfig some_config(Random& random) {
   culler::BuildConfig config;
   config.hierarchy.leaf_size = static_cast<U32>(random.integer(1, 4));
   config.hierarchy.bounds = random.chance(0.1) ? culler::Bounds::obb : culler::Bounds::aabb;
-  config.lists.kind = random.chance(0.5) ? Partition::Kind::grid : Partition::Kind::tree;
+  config.lists.kind = random.chance(0.5) ? RegionKind::grid : RegionKind::tree;
   config.lists.threshold = 0.05;
   config.lists.regions = 8;
   return config;

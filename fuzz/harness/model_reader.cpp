@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "finding.h"
-#include "occlude/culler/face.h"
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/model_io.h"
 #include "scratch_file.h"

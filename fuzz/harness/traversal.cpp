@@ -70,7 +70,7 @@ culler::BuildConfig config_of(Decoder& decoder) {
   config.lists.threshold = decoder.flag() ? 0.03 : 1e-6;
   const std::size_t regions = decoder.below(2 * kRegions.size());
   config.lists.regions = kRegions[regions % kRegions.size()];
-  if (regions >= kRegions.size()) config.lists.kind = culler::Partition::Kind::tree;
+  if (regions >= kRegions.size()) config.lists.kind = culler::RegionKind::tree;
   return config;
 }
 

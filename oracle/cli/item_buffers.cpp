@@ -9,7 +9,7 @@
 #include <numeric>
 #include <span>
 
-#include "occlude/culler/append_range.h"
+#include "model/append_range.h"
 #include "occlude/render/plate_renderer.h"
 
 namespace occlude::cli {

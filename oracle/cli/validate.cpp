@@ -15,13 +15,13 @@
 #include <variant>
 #include <vector>
 
+#include "base/parallel.h"
 #include "command_arguments.h"
 #include "commands.h"
 #include "culling.h"
 #include "failures.h"
 #include "item_buffers.h"
 #include "occlude/culler/missed.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/render/camera_path.h"
 #include "occlude/render/console.h"
 #include "occlude/render/digest.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/parallel.h"
 #include "exact_visibility.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/render/progress.h"
 
 namespace occlude::cli {

@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
 #include "occlude/oracle/questions.h"
 #include "occlude/oracle/visibility.h"
 

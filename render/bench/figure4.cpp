@@ -5,9 +5,9 @@
 #include <functional>
 #include <mutex>
 
+#include "base/parallel.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
-#include "occlude/culler/parallel.h"
-#include "occlude/culler/preprocess.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
 #include "pass.h"
@@ -72,7 +72,7 @@ Figure4 measure_figure4(const Subject& subject, const Options& options) {
   const culler::Culler culler =
       are_sampled ? sampled(subject, options, config) : culler::Culler(subject.soup, config, render::check_interrupt);
   culler.prepare(culler::Method::frusta, render::check_interrupt);
-  figure.regions = culler.occluders().lists().partition().regions();
+  figure.regions = occluders_of(culler).lists().partition().regions();
   if (are_sampled) figure.sampling_s = stopwatch.seconds();
 
   const double in_view = polygons_in_view(culler, subject.path, options.walk);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_set>
 
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
 #include "pass.h"
@@ -26,8 +27,8 @@ struct Candidate {
 std::vector<Candidate> candidates_of(const culler::Culler& culler, const culler::Camera& camera,
                                      const culler::CullResult& culled) {
   std::vector<Candidate> candidates;
-  for (const std::uint32_t i : culler.occluders().lists().list(camera.eye).occluders) {
-    const culler::PotentialOccluder& occluder = culler.occluders()[i];
+  for (const std::uint32_t i : occluders_of(culler).lists().list(camera.eye).occluders) {
+    const culler::PotentialOccluder& occluder = occluders_of(culler)[i];
     const auto is_beyond = [&](const culler::HalfSpace& h) {
       return glm::dot(h.normal, occluder.centre) + h.offset < -occluder.radius;
     };

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "bench.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
@@ -13,7 +14,7 @@
 namespace occlude::experiments {
 namespace {
 
-using Lists = culler::OccluderLists::Config;
+using Lists = culler::ListConfig;
 
 /// The edge of a cube of a grid halves from one to the next.
 constexpr std::array<double, 4> kRegions{512, 4096, 32768, 262144};
@@ -35,7 +36,7 @@ void run(SweepTrial& trial, const Subject& subject, const Options& options) {
   trial.preprocess_s.push_back(stopwatch.seconds());
   const Pass pass = pass_along(culler, subject.path, options.walk, options.walk.cull);
   trial.cull_ms.push_back(pass.cull_ms);
-  trial.point.entries = culler.occluders().lists().stored().occluders.size();
+  trial.point.entries = occluders_of(culler).lists().stored().occluders.size();
   trial.point.listed = pass.listed;
   trial.point.culled_share = culled_share(polygons_in_view(culler, subject.path, options.walk), pass.drawn);
 }

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "occlude/culler/occluder_lists.h"
+#include "frusta/occluder_lists.h"
 #include "setting.h"
 
 namespace occlude::experiments {
 
 struct SweepPoint {
-  culler::OccluderLists::Config lists;
+  culler::ListConfig lists;
   std::size_t entries = 0;  ///< of all lists
   double listed = 0;        ///< potential occluders in the list of the eye's region, mean over the frames
   double culled_share = 0;  ///< of the polygons in view

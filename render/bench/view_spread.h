@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "occlude/culler/scene_view.h"
+#include "occlude/culler/scene.h"
 #include "spread.h"
 
 namespace occlude::experiments {

@@ -119,7 +119,7 @@ culler::BuildConfig BuildArguments::config(culler::Method method) const {
   config.hierarchy.leaf_size = leaf_ != 0 ? leaf_ : culler::leaf_size_for(method);
   config.hierarchy.bounds = bounds_ == "obb" ? culler::Bounds::obb : culler::Bounds::aabb;
   config.occluders.shells = shapes_ == "polytope";
-  config.lists.kind = regions_ == "tree" ? culler::Partition::Kind::tree : culler::Partition::Kind::grid;
+  config.lists.kind = regions_ == "tree" ? culler::RegionKind::tree : culler::RegionKind::grid;
   return config;
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The preparation of a model can be stopped.
-#include "occlude/culler/checkpoint.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,12 +9,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/parallel_sort.h"
 #include "executors.h"
+#include "frame/culler_access.h"
 #include "model/hierarchy_blocks.h"
 #include "occlude/culler/culler.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/occluder_mesh.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/kernel/validity.h"
 #include "scenes.h"
 
@@ -90,7 +90,7 @@ TEST(Checkpoint, SaysOnWhichThreads) {
     culler.prepare(method, Checkpoint(mine));
     EXPECT_GT(parts, 0U);
   }
-  EXPECT_EQ(culler.occluders().lists().stored().first, other.occluders().lists().stored().first);
+  EXPECT_EQ(occluders_of(culler).lists().stored().first, occluders_of(other).lists().stored().first);
 }
 
 TEST(Checkpoint, AThreadThatRoundsOtherwiseDoesNothing) {

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "camera/frame_view.h"
+#include "camera/shadow_margin.h"
+#include "frame/culler_access.h"
 #include "frames.h"
 #include "kernel/rounding.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
-#include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/clearance.h"
 #include "scenes.h"
 
@@ -192,7 +193,7 @@ TEST(Rounding, NothingIsCulledUnlessToNearest) {
     EXPECT_THROW(static_cast<void>(view.visibility(Aabb{{3, 0, 0}, {3, 0, 0}})), std::runtime_error);
     EXPECT_THROW(static_cast<void>(Culler(triangle())), std::runtime_error);
     for (const Method method : {Method::frusta, Method::cover}) EXPECT_THROW(unprepared.prepare(method), std::runtime_error);
-    EXPECT_THROW(static_cast<void>(unprepared.occluders()), std::runtime_error);
+    EXPECT_THROW(static_cast<void>(occluders_of(unprepared)), std::runtime_error);
     EXPECT_THROW(static_cast<void>(unprepared.parts()), std::runtime_error);
     EXPECT_THROW(static_cast<void>(OccluderMesh(triangle())), std::runtime_error);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/convex_regions.h"
+#include "frusta/convex_regions.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "frusta/potential_occluders.h"
 #include "model/adjacency.h"
-#include "occlude/culler/potential_occluders.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "scenes.h"
 

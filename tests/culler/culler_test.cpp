@@ -16,6 +16,7 @@
 
 #include "descent/traversal.h"
 #include "executors.h"
+#include "frame/culler_access.h"
 #include "frame/view_memory.h"
 #include "frames.h"
 #include "frusta/occluder_history.h"
@@ -373,9 +374,9 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
                                          stats.view_culled_polygons, stats.shadow_culled_polygons});
     walk.found.insert(walk.found.end(), {stats.potential_occluders, stats.occluders_in_view, stats.sort_kept,
                                          stats.sort_moves, stats.sort_comparisons});
-    walk.deferred += view.memory().frusta.parts.deferred.size;
+    walk.deferred += memory_of(view).frusta.parts.deferred.size;
     const auto has_groups = [](const ChoiceSlice& part) { return part.first < part.end; };
-    walk.divided += static_cast<std::size_t>(std::ranges::count_if(view.memory().frusta.choice_slices, has_groups));
+    walk.divided += static_cast<std::size_t>(std::ranges::count_if(memory_of(view).frusta.choice_slices, has_groups));
   }
   return walk;
 }
@@ -399,7 +400,7 @@ TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
 TEST(Culler, AWalkWithALongListDoesNotDependOnTheExecutor) {
   const Culler culler(random_town_of_houses(11, 12000),
                       {.hierarchy = {.leaf_size = 4}, .lists = {.threshold = 1e-9, .regions = 1}});
-  ASSERT_GT(culler.occluders().lists().longest(), 8192U);
+  ASSERT_GT(occluders_of(culler).lists().longest(), 8192U);
   const Walk expected = walk_on(culler, Executor(), {});
   EXPECT_EQ(expected.divided, 0U);
   for (const Executor& executor : some_executors()) {
@@ -441,7 +442,7 @@ TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   for (int frame = 0; frame < 3; ++frame) {
     const CullResult& found = culler.cull(camera, options, view);
     EXPECT_EQ(found.drawn, culler.cull(camera, {}, alone).drawn);
-    const DeferredSubtrees& deferred = view.memory().frusta.parts.deferred;
+    const DeferredSubtrees& deferred = memory_of(view).frusta.parts.deferred;
     std::size_t most = 0;
     for (const DeferredSubtree& subtree : std::span(deferred.subtrees).first(deferred.size)) {
       most = std::max(most, subtree.found.stats.nodes_visited);
@@ -457,7 +458,7 @@ TEST(Culler, AThreadThatRoundsOtherwiseDecidesNothing) {
   std::size_t calls = 0, done = 0;
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
-    for (const WorkRunner::WorkItem& turn : view.memory().frusta.runner.items()) done += turn.is_done ? 1 : 0;
+    for (const WorkRunner::WorkItem& turn : memory_of(view).frusta.runner.items()) done += turn.is_done ? 1 : 0;
     ++calls;
   });
   CullOptions options;
@@ -503,7 +504,7 @@ TEST(Culler, VisitsEveryShadowTest) {
   CullOptions options;
   options.executor = &executor;
   kernel::Operations operations;
-  culler.visit_shadow_tests(frame, options, [&](const Occluder& occluder, const Box& box) {
+  visit_shadow_tests(culler, frame, camera, options, [&](const Occluder& occluder, const Box& box) {
     operations += kernel::count_operations(occluder.frustum, std::get<kernel::Aabb>(box), options.arithmetic, options.test);
   });
   EXPECT_EQ(operations.tests, frame.stats.shadow_tests);
@@ -519,7 +520,7 @@ TEST(Culler, AShellDoesNotHideItself) {
   for (const auto near : {kernel::Near::surface, kernel::Near::farthest}) {
     const Culler culler = one_polygon_leaves(soup);
     const CullResult frame = look(culler, {.occluders = 1, .near = near});
-    ASSERT_TRUE(culler.occluders().is_shell(frame.occluders.at(0).index));
+    ASSERT_TRUE(occluders_of(culler).is_shell(frame.occluders.at(0).index));
     for (std::uint32_t face = 0; face < 6; ++face) EXPECT_TRUE(is_drawn(culler, frame, face));
     EXPECT_FALSE(is_drawn(culler, frame, 6));
   }
@@ -537,7 +538,7 @@ TEST(Culler, AShellInAPairDoesNotHideItself) {
     const Culler culler = one_polygon_leaves(soup);
     const CullResult frame = look(culler, {.occluders = 2, .unions = true});
     ASSERT_EQ(frame.pairs.size(), 1U);
-    EXPECT_EQ(culler.occluders().is_shell(frame.occluders.at(frame.pairs[0].second).index), y < 1);
+    EXPECT_EQ(occluders_of(culler).is_shell(frame.occluders.at(frame.pairs[0].second).index), y < 1);
     EXPECT_GT(frame.stats.union_tests, 0U);
     EXPECT_TRUE(is_drawn(culler, frame, 1)) << "the far side";
   }
@@ -568,7 +569,7 @@ TEST(Culler, TwoHideTogetherWhereAsked) {
     ASSERT_EQ(frame.pairs.size(), 1U);
     for (const Occluder& occluder : frame.occluders) ASSERT_EQ(occluder.hidden, 100U) << "both are remembered";
     std::size_t visited = 0;
-    culler.visit_shadow_tests(frame, options, [&](const Occluder&, const Box&) { ++visited; });
+    visit_shadow_tests(culler, frame, camera, options, [&](const Occluder&, const Box&) { ++visited; });
     ASSERT_EQ(visited, frame.stats.shadow_tests);
   }
   options.unions = false;
@@ -626,11 +627,11 @@ TEST(Culler, PartsHideWhereTheirWholeCannot) {
   camera.near = 1;
   for (const double nearest : {5.0, 0.5}) {
     const Culler culler(wall_of_two(nearest), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
-    ASSERT_EQ(culler.occluders().size(), 4U);
+    ASSERT_EQ(occluders_of(culler).size(), 4U);
     const CullResult frame = culler.cull(camera);
     EXPECT_FALSE(is_drawn(culler, frame, 2)) << "nearest " << nearest;
     ASSERT_EQ(frame.occluders.size(), 1U) << "and nothing that adds nothing";
-    EXPECT_EQ(culler.occluders().parts(frame.occluders[0].index).size(), nearest < camera.near ? 1U : 2U);
+    EXPECT_EQ(occluders_of(culler).parts(frame.occluders[0].index).size(), nearest < camera.near ? 1U : 2U);
   }
 }
 
@@ -669,15 +670,15 @@ TEST(Culler, NoProbeIsPartOfAnOccluderInUseOrOfAnotherProbe) {
     culler.cull(random_camera(random), {}, view);
     std::vector<std::uint32_t> used;
     for (const Occluder& o : view.result().occluders) used.push_back(o.index);
-    for (const Occluder& o : view.memory().frusta.probes) used.push_back(o.index);
-    for (const Occluder& probe : view.memory().frusta.probes) {
+    for (const Occluder& o : memory_of(view).frusta.probes) used.push_back(o.index);
+    for (const Occluder& probe : memory_of(view).frusta.probes) {
       ++probes;
-      for (std::uint32_t p = probe.index; culler.occluders().container(p) != p;) {
-        p = culler.occluders().container(p);
+      for (std::uint32_t p = probe.index; occluders_of(culler).container(p) != p;) {
+        p = occluders_of(culler).container(p);
         EXPECT_EQ(std::ranges::count(used, p), 0) << "occluder " << probe.index << " is part of " << p;
       }
     }
-    EXPECT_LE(view.memory().frusta.probes.size(), CullOptions{}.probes);
+    EXPECT_LE(memory_of(view).frusta.probes.size(), CullOptions{}.probes);
   }
   EXPECT_GT(probes, 200U);
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Faces on a lattice: all areas are exact.
-#include "occlude/culler/face.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "occlude/culler/polygon_soup.h"
 #include "random_faces.h"
 
 namespace face_test {

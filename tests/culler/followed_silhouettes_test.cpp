@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
+#include "frusta/potential_occluders.h"
 #include "occlude/culler/polygon_soup.h"
-#include "occlude/culler/potential_occluders.h"
 #include "scenes.h"
 
 namespace followed_silhouettes_test {

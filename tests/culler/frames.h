@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
 #include "scenes.h"
@@ -37,7 +38,7 @@ inline std::vector<bool> drawn_polygons(const Culler& culler, const CullResult& 
 
 /// Whether a part of the occluder is in the node, so that the occluder must not cull it.
 inline bool holds_part(const Culler& culler, const HierarchyNode& node, const Occluder& occluder) {
-  return std::ranges::any_of(culler.occluders().parts(occluder.index),
+  return std::ranges::any_of(occluders_of(culler).parts(occluder.index),
                              [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
 }
 
@@ -90,7 +91,7 @@ std::string refusal(Call&& call) {
 
 /// The number in the input of the polygon that is the occluder. REQUIRES: an occluder of one polygon.
 inline std::uint32_t original(const Culler& culler, const Occluder& occluder) {
-  const auto parts = culler.occluders().parts(occluder.index);
+  const auto parts = occluders_of(culler).parts(occluder.index);
   EXPECT_EQ(parts.size(), 1U);
   return culler.hierarchy().original(parts[0]);
 }

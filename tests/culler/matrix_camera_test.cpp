@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cameras that are matrices: what a matrix shows is decided in exact arithmetic on its own numbers, and none of it is
 // culled.
-#include "occlude/culler/matrix_camera.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,9 +21,11 @@
 #include <vector>
 
 #include "camera/frame_view.h"
+#include "camera/shadow_margin.h"
 #include "camera/single_precision.h"
 #include "frames.h"
 #include "model/bounds.h"
+#include "occlude/culler/camera.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/convex_polytope.h"
 #include "occlude/kernel/half_space.h"

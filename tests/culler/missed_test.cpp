@@ -8,9 +8,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "camera/clearance.h"
+#include "frame/culler_access.h"
 #include "frames.h"
 #include "frusta/plane_work.h"
-#include "occlude/culler/clearance.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/clearance.h"
 #include "scenes.h"
@@ -63,7 +64,7 @@ TEST(Missed, NotByWhatItIsAPartOf) {
   PolygonSoup soup;
   soup.add_box({10, -1, -1}, {12, 1, 1});
   const Culler culler = with_leaves(soup, 16);
-  ASSERT_EQ(culler.occluders().shells().size(), 1U);
+  ASSERT_EQ(occluders_of(culler).shells().size(), 1U);
   const Camera camera;
   const CullResult frame = culler.cull(camera);
   ASSERT_EQ(frame.occluders.size(), 1U);

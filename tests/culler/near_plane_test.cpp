@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "frame/culler_access.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
@@ -54,7 +55,7 @@ Culler far_reaching(const PolygonSoup& soup) {
 
 std::size_t shells_in_use(const Culler& culler, const CullResult& frame) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(frame.occluders, [&](const Occluder& o) { return culler.occluders().is_shell(o.index); }));
+      std::ranges::count_if(frame.occluders, [&](const Occluder& o) { return occluders_of(culler).is_shell(o.index); }));
 }
 
 /// OpenSceneGraph culls what is seen through the part of an occluder that the near plane cuts away. One corner is enough.
@@ -133,7 +134,7 @@ TEST(NearPlane, APolytopeThatItCutsHidesNothing) {
       const auto behind = static_cast<std::uint32_t>(soup.size());
       add_wall(soup, 30, -0.3, 0.3, 26.8, 27.2);
       const Culler culler = far_reaching(soup);
-      ASSERT_EQ(culler.occluders().shells().size(), 1U);
+      ASSERT_EQ(occluders_of(culler).shells().size(), 1U);
       Camera camera;
       camera.fov_y_deg = 120;
       const CullResult frame = culler.cull(camera);
@@ -191,7 +192,7 @@ TEST(NearPlane, NothingDisappearsForACameraInTheBoxOfAShell) {
   add(soup, {{6, -1, 6.5}, {7, -1, 7.5}, {7, 1, 7.5}, {6, 1, 6.5}});
   add_wall(soup, 13, -1, 1, -3, -2);
   const Culler culler = far_reaching(soup);
-  ASSERT_EQ(culler.occluders().shells().size(), 1U);
+  ASSERT_EQ(occluders_of(culler).shells().size(), 1U);
   Camera camera;
   camera.eye = {3, 0, 7.5};
   camera.target = {4, 0, 6.5};

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "frame/culler_access.h"
 #include "frame/view_memory.h"
 #include "frames.h"
 #include "occlude/culler/culler.h"
@@ -66,7 +67,7 @@ TEST(OccluderChoice, IsOfTheRegionThatTheEyeIsIn) {
   CullOptions options;
   options.objective.coherence = 0;
   View moving;
-  const OccluderLists& lists = culler.occluders().lists();
+  const OccluderLists& lists = occluders_of(culler).lists();
   std::optional<std::size_t> region;
   std::size_t stays = 0, moves = 0;
   for (int frame = 0; frame < 120; ++frame) {
@@ -111,15 +112,15 @@ TEST(OccluderChoice, WhatTheKernelRefusesIsNoProbeAndLeavesRoomForAnother) {
     ASSERT_EQ(frame.occluders.size(), 1U);
     EXPECT_EQ(original(culler, frame.occluders[0]), 0U);
     std::vector<std::uint32_t> probes;
-    for (const Occluder& probe : view.memory().frusta.probes) {
+    for (const Occluder& probe : memory_of(view).frusta.probes) {
       probes.push_back(original(culler, probe));
-      EXPECT_EQ(view.memory().frusta.trials[probe.index], Trial::taken);
+      EXPECT_EQ(memory_of(view).frusta.trials[probe.index], Trial::taken);
       EXPECT_GT(probe.frustum.plane_count(), 0U);
     }
     EXPECT_EQ(probes, (std::vector<std::uint32_t>{5, 6, 7, 8, 9}));
     std::size_t refused = 0;
-    for (const std::uint32_t i : view.memory().frusta.tried)
-      refused += view.memory().frusta.trials[i] == Trial::refused ? 1 : 0;
+    for (const std::uint32_t i : memory_of(view).frusta.tried)
+      refused += memory_of(view).frusta.trials[i] == Trial::refused ? 1 : 0;
     EXPECT_EQ(refused, 6U) << "two walls and their triangles";
     EXPECT_GE(frame.stats.choice_work, refused * PlaneWork::kExact);
   }
@@ -137,8 +138,8 @@ TEST(OccluderChoice, IsMadeWhateverTheWeights) {
     for (int frame = 0; frame < 3; ++frame) {
       const CullResult& result = culler.cull(Camera{}, options, view);
       EXPECT_GT(result.occluders.size(), 0U) << weight;
-      ASSERT_GT(view.memory().frusta.candidates.size(), 50U);
-      for (const Candidate& candidate : view.memory().frusta.candidates)
+      ASSERT_GT(memory_of(view).frusta.candidates.size(), 50U);
+      for (const Candidate& candidate : memory_of(view).frusta.candidates)
         EXPECT_TRUE(std::isfinite(candidate.score)) << weight;
     }
   }

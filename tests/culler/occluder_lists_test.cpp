@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/occluder_lists.h"
+#include "frusta/occluder_lists.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct Model {
       : tree(Hierarchy::build(soup, {.leaf_size = 2})), occluders(PotentialOccluders::find(SharedSoup(soup), {})) {}
 
   [[nodiscard]] Space space() const { return {tree.nodes()[0].box, tree.nodes()}; }
-  [[nodiscard]] OccluderLists lists(const OccluderLists::Config& config) const {
+  [[nodiscard]] OccluderLists lists(const ListConfig& config) const {
     return OccluderLists::build(occluders, space(), config);
   }
 
@@ -29,12 +29,10 @@ struct Model {
   PotentialOccluders occluders;
 };
 
-using Kind = Partition::Kind;
+class Lists : public testing::TestWithParam<RegionKind> {};
 
-class Lists : public testing::TestWithParam<Kind> {};
-
-INSTANTIATE_TEST_SUITE_P(Kinds, Lists, testing::Values(Kind::grid, Kind::tree),
-                         [](const auto& of) { return of.param == Kind::grid ? "grid" : "tree"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, Lists, testing::Values(RegionKind::grid, RegionKind::tree),
+                         [](const auto& of) { return of.param == RegionKind::grid ? "grid" : "tree"; });
 
 TEST(AreaAngle, IsAreaTimesCosineOverSquaredDistance) {
   const PotentialOccluder wall{.centre = {10, 0, 0}, .area_normal = {4, 0, 0}};
@@ -48,7 +46,7 @@ TEST(AreaAngle, IsAreaTimesCosineOverSquaredDistance) {
 TEST_P(Lists, HaveEveryOccluderAboveTheThreshold) {
   const PolygonSoup soup = random_town_of_houses(11, 2000);
   const Model model(soup);
-  const OccluderLists::Config config{.kind = GetParam(), .threshold = 0.05, .regions = 4096};
+  const ListConfig config{.kind = GetParam(), .threshold = 0.05, .regions = 4096};
   const OccluderLists lists = model.lists(config);
   std::mt19937 random(5);
   std::size_t above = 0, listed = 0;
@@ -108,7 +106,7 @@ TEST_P(Lists, KeepToTheirBudgetLargestFirst) {
     if (std::ranges::binary_search(kept, largest)) ++largest_listed;
   }
   // Lists keep what looks largest from somewhere in the region, not from its middle. Nodes are longer than cubes.
-  EXPECT_GT(largest_listed, listed * (GetParam() == Kind::grid ? 9 : 7) / 10);
+  EXPECT_GT(largest_listed, listed * (GetParam() == RegionKind::grid ? 9 : 7) / 10);
 }
 
 TEST_P(Lists, OfABudgetThatIsNotSpentNothingIsCut) {
@@ -117,27 +115,26 @@ TEST_P(Lists, OfABudgetThatIsNotSpentNothingIsCut) {
   const auto within = [&](std::size_t budget) {
     return model.lists({.kind = GetParam(), .threshold = kThreshold, .entries = budget}).stored().occluders;
   };
-  const auto all = within(OccluderLists::Config{}.entries);
-  ASSERT_LT(all.size(), OccluderLists::Config::kEntriesOfFew);
+  const auto all = within(ListConfig{}.entries);
+  ASSERT_LT(all.size(), ListConfig::kEntriesOfFew);
   EXPECT_EQ(within(all.size()), all);
   EXPECT_LT(within(all.size() - 1).size(), all.size());
 }
 
 TEST(OccluderLists, OfASmallModelItsBudgetIsSmall) {
-  using Config = OccluderLists::Config;
   const Model few(large_triangles(2000)), more(large_triangles(5000));
   const std::size_t entries = few.lists({}).stored().occluders.size();
-  EXPECT_LE(entries, Config::kEntriesOfFew);
-  EXPECT_GT(entries, Config::kEntriesOfFew * 9 / 10);
+  EXPECT_LE(entries, ListConfig::kEntriesOfFew);
+  EXPECT_GT(entries, ListConfig::kEntriesOfFew * 9 / 10);
   const std::size_t others = more.lists({}).stored().occluders.size();
-  EXPECT_LE(others, Config::kEntriesOfEach * more.occluders.size());
-  EXPECT_GT(others, Config::kEntriesOfEach * more.occluders.size() * 9 / 10);
+  EXPECT_LE(others, ListConfig::kEntriesOfEach * more.occluders.size());
+  EXPECT_GT(others, ListConfig::kEntriesOfEach * more.occluders.size() * 9 / 10);
 }
 
 /// The number of threads is that of the machine. Repeated runs show that their timing does not matter.
 TEST_P(Lists, AreTheSameInEveryRun) {
   const Model model(large_triangles(300));
-  const OccluderLists::Config config{.kind = GetParam(), .regions = 4096, .entries = 50000};
+  const ListConfig config{.kind = GetParam(), .regions = 4096, .entries = 50000};
   const OccluderLists first = model.lists(config);
   for (int run = 0; run < 5; ++run) {
     const OccluderLists other = model.lists(config);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/partition.h"
+#include "frusta/partition.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,9 @@ namespace partition_test {
 
 using namespace occlude::culler;
 using occlude::kernel::Aabb;
-using Kind = Partition::Kind;
-
 Hierarchy tree_of(const PolygonSoup& soup) { return Hierarchy::build(soup, {.leaf_size = 4}); }
 
-Partition partition(Kind kind, const Hierarchy& tree, double regions) {
+Partition partition(RegionKind kind, const Hierarchy& tree, double regions) {
   return Partition::make(kind, {tree.nodes()[0].box, tree.nodes()}, regions);
 }
 
@@ -42,10 +40,10 @@ glm::dvec3 point_in(const Aabb& box, std::mt19937& random) {
   return point;
 }
 
-class Partitions : public testing::TestWithParam<Kind> {};
+class Partitions : public testing::TestWithParam<RegionKind> {};
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Partitions, testing::Values(Kind::grid, Kind::tree),
-                         [](const auto& of) { return of.param == Kind::grid ? "grid" : "tree"; });
+INSTANTIATE_TEST_SUITE_P(Kinds, Partitions, testing::Values(RegionKind::grid, RegionKind::tree),
+                         [](const auto& of) { return of.param == RegionKind::grid ? "grid" : "tree"; });
 
 TEST_P(Partitions, EveryPointIsInOneRegion) {
   const Hierarchy tree = tree_of(random_town(11, 2000));
@@ -128,7 +126,8 @@ TEST_P(Partitions, FlatAndDegenerateModels) {
   PolygonSoup points;
   for (int i = 0; i < 40; ++i) add(points, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
   EXPECT_EQ(partition(GetParam(), tree_of(points), 8).regions(), 1U);
-  EXPECT_EQ(Partition::make(GetParam(), {.box = {{0, 0, 0}, {1, 1, 1}}}, 1).regions(), GetParam() == Kind::grid ? 8U : 1U);
+  EXPECT_EQ(Partition::make(GetParam(), {.box = {{0, 0, 0}, {1, 1, 1}}}, 1).regions(),
+            GetParam() == RegionKind::grid ? 8U : 1U);
 }
 
 TEST_P(Partitions, RefusesNumbersThatCannotBe) {
@@ -140,7 +139,7 @@ TEST_P(Partitions, RefusesNumbersThatCannotBe) {
 
 TEST(PartitionByGrid, RegionsAreCubesOfOneSize) {
   const Hierarchy tree = tree_of(random_town(3, 1000));
-  const Partition grid = partition(Kind::grid, tree, 500);
+  const Partition grid = partition(RegionKind::grid, tree, 500);
   EXPECT_GE(grid.regions(), 500U);
   EXPECT_LE(grid.regions(), 1000U);
   const Aabb first = grid.box(0);
@@ -164,7 +163,7 @@ PolygonSoup two_heaps() {
 }
 
 TEST(PartitionByTree, PlanesLieBetweenChildren) {
-  const Partition regions = partition(Kind::tree, tree_of(two_heaps()), 2);
+  const Partition regions = partition(RegionKind::tree, tree_of(two_heaps()), 2);
   ASSERT_EQ(regions.regions(), 2U);
   EXPECT_EQ(regions.cells()[0].axis, 0U);
   EXPECT_EQ(regions.cells()[0].plane, 2.5);
@@ -175,9 +174,9 @@ TEST(PartitionByTree, HasNoMoreRegionsThanWantedAndThanLeaves) {
   const auto is_leaf = [](const HierarchyNode& node) { return node.is_leaf(); };
   const auto leaves = static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), is_leaf));
   for (const double wanted : {1.0, 2.0, 17.0, 100.0}) {
-    EXPECT_EQ(partition(Kind::tree, tree, wanted).regions(), static_cast<std::size_t>(wanted));
+    EXPECT_EQ(partition(RegionKind::tree, tree, wanted).regions(), static_cast<std::size_t>(wanted));
   }
-  const std::size_t most = partition(Kind::tree, tree, 1e6).regions();
+  const std::size_t most = partition(RegionKind::tree, tree, 1e6).regions();
   EXPECT_LE(most, leaves);
   EXPECT_GT(most, leaves / 2);
 }
@@ -190,7 +189,7 @@ TEST(PartitionByTree, APlaneThatMissesItsCellIsPassedOver) {
   };
   const std::vector<HierarchyNode> nodes{node(0, 9, 2), node(0, 9, 0), node(1, 9, 4), node(1, 2, 0),
                                          node(3, 9, 6), node(3, 6, 0), node(7, 9, 0)};
-  const Partition regions = Partition::make(Kind::tree, {nodes[0].box, nodes}, 9);
+  const Partition regions = Partition::make(RegionKind::tree, {nodes[0].box, nodes}, 9);
   ASSERT_EQ(regions.regions(), 3U);
   EXPECT_EQ(regions.cells()[0].plane, 5);
   EXPECT_EQ(regions.region_at({2, 0, 0}), 0U);
@@ -203,7 +202,7 @@ TEST(PartitionByTree, IsSmallerWherePolygonsAre) {
   PolygonSoup soup = random_town(5, 2000);
   add(soup, {{1000, 0, 0}, {1001, 0, 0}, {1000, 1, 0}});
   const Hierarchy tree = tree_of(soup);
-  const Partition regions = partition(Kind::tree, tree, 200);
+  const Partition regions = partition(RegionKind::tree, tree, 200);
   EXPECT_LT(volume(regions.box(regions.region_at({0, 0, 1}))), volume(regions.box(regions.region_at({800, 0, 1}))) / 100);
 }
 

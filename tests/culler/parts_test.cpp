@@ -21,6 +21,7 @@
 
 #include "cover/cover_triangles.h"
 #include "forged_parts.h"
+#include "frame/culler_access.h"
 #include "frames.h"
 #include "model/bounds.h"
 #include "model/hierarchy_blocks.h"
@@ -32,16 +33,15 @@ namespace parts_test {
 using namespace occlude::culler;
 namespace kernel = occlude::kernel;
 
-using Kind = Partition::Kind;
 using U32 = std::uint32_t;
 using U64 = std::uint64_t;
 
-BuildConfig small_config(Bounds bounds, Kind kind = Kind::grid) {
+BuildConfig small_config(Bounds bounds, RegionKind kind = RegionKind::grid) {
   return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .lists = {.kind = kind, .threshold = 0.05, .regions = 48}};
 }
 
 /// Both bounds, each with another kind of regions.
-const std::array kConfigs{small_config(Bounds::aabb, Kind::tree), small_config(Bounds::obb, Kind::grid)};
+const std::array kConfigs{small_config(Bounds::aabb, RegionKind::tree), small_config(Bounds::obb, RegionKind::grid)};
 
 bool are_same(const CullResult& a, const CullResult& b) {
   const auto same_cull = [](const Culled& x, const Culled& y) {
@@ -74,9 +74,9 @@ TEST(Parts, GiveTheSameCuller) {
     const Culler prepared = ForgedParts(fresh).culler();
     EXPECT_EQ(prepared.hierarchy().oriented(), fresh.hierarchy().oriented());
     EXPECT_EQ(prepared.hierarchy().oriented() > 0, config.hierarchy.bounds == Bounds::obb);
-    EXPECT_GT(prepared.occluders().shells().size(), 0U);
-    EXPECT_EQ(prepared.occluders().shells().most_edges(), fresh.occluders().shells().most_edges());
-    EXPECT_EQ(prepared.occluders().lists().longest(), fresh.occluders().lists().longest());
+    EXPECT_GT(occluders_of(prepared).shells().size(), 0U);
+    EXPECT_EQ(occluders_of(prepared).shells().most_edges(), occluders_of(fresh).shells().most_edges());
+    EXPECT_EQ(occluders_of(prepared).lists().longest(), occluders_of(fresh).lists().longest());
     EXPECT_EQ(prepared.config().lists.regions, config.lists.regions);
     for (std::size_t p = 0; p < soup.size(); ++p) {
       ASSERT_EQ(prepared.hierarchy().original(p), fresh.hierarchy().original(p));
@@ -332,8 +332,8 @@ TEST(Parts, RefuseCellsDeeperThanAStack) {
 TEST(Parts, AskForNoMoreListsThanTheyCouldHold) {
   const std::string regions = "part \"config\": it asks for more regions than its bytes could hold",
                     entries = "part \"config\": it asks for longer lists than its bytes could hold";
-  const OccluderLists::Config few;
-  const auto refusal = [&](Kind kind, double regions_wanted, U64 entries_wanted, U64 left_out) {
+  const ListConfig few;
+  const auto refusal = [&](RegionKind kind, double regions_wanted, U64 entries_wanted, U64 left_out) {
     ForgedParts forged(Culler(varied_town(100), small_config(Bounds::aabb, kind)));
     for (const std::string& name : std::vector<std::string>(forged.names())) {
       if (Culler::method_of(name) == Method::frusta) forged.erase(name);
@@ -343,13 +343,13 @@ TEST(Parts, AskForNoMoreListsThanTheyCouldHold) {
     forged.left_out = left_out;
     return forged.refusal();
   };
-  EXPECT_EQ(refusal(Kind::grid, few.regions, few.entries, 0), "");
-  EXPECT_EQ(refusal(Kind::grid, 0x1p30, few.entries, 0), regions);
-  EXPECT_EQ(refusal(Kind::grid, 1e6, few.entries, 0), regions);
-  EXPECT_EQ(refusal(Kind::grid, 1e6, few.entries, 100'000'000), "") << "the cells themselves may be left out";
-  EXPECT_EQ(refusal(Kind::tree, 0x1p30, few.entries, 0), "") << "there are no more than nodes";
-  EXPECT_EQ(refusal(Kind::grid, few.regions, few.entries + 1, 0), entries);
-  EXPECT_EQ(refusal(Kind::grid, few.regions, few.entries + 1, 200'000'000), "");
+  EXPECT_EQ(refusal(RegionKind::grid, few.regions, few.entries, 0), "");
+  EXPECT_EQ(refusal(RegionKind::grid, 0x1p30, few.entries, 0), regions);
+  EXPECT_EQ(refusal(RegionKind::grid, 1e6, few.entries, 0), regions);
+  EXPECT_EQ(refusal(RegionKind::grid, 1e6, few.entries, 100'000'000), "") << "the cells themselves may be left out";
+  EXPECT_EQ(refusal(RegionKind::tree, 0x1p30, few.entries, 0), "") << "there are no more than nodes";
+  EXPECT_EQ(refusal(RegionKind::grid, few.regions, few.entries + 1, 0), entries);
+  EXPECT_EQ(refusal(RegionKind::grid, few.regions, few.entries + 1, 200'000'000), "");
 }
 
 TEST_F(ForgedPart, OfOrientedBoxes) {
@@ -441,20 +441,20 @@ TEST_F(ForgedPart, ThatIsNoShell) {
   });
   ASSERT_EQ(forged.refusal(), "");
   const Culler culler = forged.culler();
-  const auto regions = culler.occluders().regions().size();
+  const auto regions = occluders_of(culler).regions().size();
   const auto eye = kernel::Viewpoint::eye({-90, -90, 5});
-  EXPECT_TRUE(culler.occluders().polytope(regions).faces().empty());
-  EXPECT_FALSE(culler.occluders().shadow(regions, eye, kernel::Near::surface).frustum.has_value());
-  EXPECT_EQ(culler.occluders().polytope(regions + 1).faces().size(),
-            culler_.occluders().polytope(regions + 1).faces().size());
-  EXPECT_TRUE(culler.occluders().shadow(regions + 1, eye, kernel::Near::surface).frustum.has_value());
+  EXPECT_TRUE(occluders_of(culler).polytope(regions).faces().empty());
+  EXPECT_FALSE(occluders_of(culler).shadow(regions, eye, kernel::Near::surface).frustum.has_value());
+  EXPECT_EQ(occluders_of(culler).polytope(regions + 1).faces().size(),
+            occluders_of(culler_).polytope(regions + 1).faces().size());
+  EXPECT_TRUE(occluders_of(culler).shadow(regions + 1, eye, kernel::Near::surface).frustum.has_value());
 }
 
 TEST_F(ForgedPart, OfTheLists) {
   const std::string lists = "part \"listed\": the lists are not of these regions and occluders",
                     cells = "part \"cells\": it is not a tree of cells",
                     hidden = "part \"hidden\": it is not of these lists";
-  const auto many = static_cast<U32>(culler_.occluders().size());
+  const auto many = static_cast<U32>(occluders_of(culler_).size());
   const auto first = sound_.get<U64>("list first");
   const std::size_t entries = sound_.get<U32>("listed").size();
   EXPECT_EQ(with("listed", entries - 1, many - 1), "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/potential_occluders.h"
+#include "frusta/potential_occluders.h"
 
 #include <gtest/gtest.h>
 

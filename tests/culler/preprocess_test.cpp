@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/preprocess.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "forged_parts.h"
+#include "frame/culler_access.h"
 #include "frames.h"
 #include "frusta/depth_complexity.h"
 #include "occlude/culler/culler.h"
@@ -23,19 +22,17 @@ namespace preprocess_test {
 
 using namespace occlude::culler;
 
-using Kind = Partition::Kind;
-
-BuildConfig small_config(Bounds bounds, Kind kind = Kind::grid) {
+BuildConfig small_config(Bounds bounds, RegionKind kind = RegionKind::grid) {
   return {.hierarchy = {.leaf_size = 4, .bounds = bounds}, .lists = {.kind = kind, .threshold = 0.05, .regions = 48}};
 }
 
 std::vector<float> hidden_of(const Culler& culler) {
-  const auto& hidden = culler.occluders().lists().stored().hidden;
+  const auto& hidden = occluders_of(culler).lists().stored().hidden;
   return {hidden.begin(), hidden.end()};
 }
 
 /// Both bounds, each with another kind of regions.
-const std::array kConfigs{small_config(Bounds::aabb, Kind::tree), small_config(Bounds::obb, Kind::grid)};
+const std::array kConfigs{small_config(Bounds::aabb, RegionKind::tree), small_config(Bounds::obb, RegionKind::grid)};
 
 /// A pavement that looks large and hides nothing, a wall that hides a hundred polygons, and a wall behind it.
 PolygonSoup pavement_and_walls() {
@@ -53,8 +50,8 @@ TEST(Preprocess, WhatOccludersHideChoosesThem) {
   const BuildConfig config{.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}};
   const Culler fresh(soup, config);
   std::vector<float> hidden;
-  for (const std::uint32_t i : fresh.occluders().lists().stored().occluders) {
-    const std::uint32_t polygon = fresh.hierarchy().original(fresh.occluders().parts(i)[0]);
+  for (const std::uint32_t i : occluders_of(fresh).lists().stored().occluders) {
+    const std::uint32_t polygon = fresh.hierarchy().original(occluders_of(fresh).parts(i)[0]);
     hidden.push_back(polygon == 4 ? 100.0F : 0.0F);
   }
   Camera camera;
@@ -62,7 +59,7 @@ TEST(Preprocess, WhatOccludersHideChoosesThem) {
   camera.fov_y_deg = 120;
   const CullOptions options{.occluders = 1};
   EXPECT_EQ(fresh.cull(camera, options).stats.shadow_culled_polygons, 0U);
-  const Culler prepared = fresh.with_hidden(hidden);
+  const Culler prepared = with_hidden(fresh, hidden);
   const CullResult frame = prepared.cull(camera, options);
   ASSERT_EQ(frame.occluders.size(), 1U);
   EXPECT_EQ(original(prepared, frame.occluders[0]), 4U);
@@ -73,14 +70,14 @@ TEST(Preprocess, WhatOccludersHideChoosesThem) {
 TEST(DepthComplexity, CountsWhatOthersLeave) {
   const PolygonSoup soup = pavement_and_walls();
   const Culler culler(soup, {.hierarchy = {.leaf_size = 1}});
-  std::vector<std::uint32_t> all(culler.occluders().size());
+  std::vector<std::uint32_t> all(occluders_of(culler).size());
   std::iota(all.begin(), all.end(), 0U);
-  const std::vector<HiddenBy> best = best_together(culler.hierarchy(), culler.occluders(), all, {0, 0, 0});
+  const std::vector<HiddenBy> best = best_together(culler.hierarchy(), occluders_of(culler), all, {0, 0, 0});
   ASSERT_FALSE(best.empty());
-  EXPECT_EQ(culler.hierarchy().original(culler.occluders().parts(best[0].occluder)[0]), 4U);
+  EXPECT_EQ(culler.hierarchy().original(occluders_of(culler).parts(best[0].occluder)[0]), 4U);
   EXPECT_EQ(best[0].polygons, 100U);
   EXPECT_EQ(best.size(), 1U);
-  EXPECT_TRUE(best_together(culler.hierarchy(), culler.occluders(), {}, {0, 0, 0}).empty());
+  EXPECT_TRUE(best_together(culler.hierarchy(), occluders_of(culler), {}, {0, 0, 0}).empty());
 }
 
 /// Several threads sample regions in any order. What a region finds depends only on its number and the seed. The number of
@@ -88,10 +85,11 @@ TEST(DepthComplexity, CountsWhatOthersLeave) {
 TEST(Preprocess, IsTheSameInEveryRun) {
   const PolygonSoup soup = random_town_of_houses(7, 800);
   for (const auto pattern : {SampleConfig::Pattern::even, SampleConfig::Pattern::random}) {
-    const BuildConfig config = small_config(Bounds::aabb, pattern == SampleConfig::Pattern::even ? Kind::grid : Kind::tree);
+    const BuildConfig config =
+        small_config(Bounds::aabb, pattern == SampleConfig::Pattern::even ? RegionKind::grid : RegionKind::tree);
     const SampleConfig samples{.pattern = pattern, .viewpoints = 2, .seed = 5};
     const std::vector<float> first = hidden_of(preprocess(soup, config, samples));
-    EXPECT_EQ(first.size(), Culler(soup, config).occluders().lists().stored().occluders.size());
+    EXPECT_EQ(first.size(), occluders_of(Culler(soup, config)).lists().stored().occluders.size());
     EXPECT_GT(std::ranges::count_if(first, [](float h) { return h > 0; }), 100);
     for (int run = 0; run < 5; ++run) ASSERT_EQ(hidden_of(preprocess(soup, config, samples)), first);
     EXPECT_NE(hidden_of(preprocess(soup, config, {.pattern = pattern, .viewpoints = 2, .seed = 6})), first);
@@ -101,7 +99,7 @@ TEST(Preprocess, IsTheSameInEveryRun) {
 TEST(Preprocess, WithoutViewpointsNothingIsSampled) {
   const PolygonSoup soup = random_town_of_houses(7, 300);
   const Culler result = preprocess(soup, small_config(Bounds::aabb), {});
-  EXPECT_FALSE(result.occluders().lists().stored().occluders.empty());
+  EXPECT_FALSE(occluders_of(result).lists().stored().occluders.empty());
   EXPECT_TRUE(hidden_of(result).empty());
 }
 
@@ -116,7 +114,7 @@ TEST(Preprocess, TellsHowFarItIsAndStopsWhenThatThrows) {
         total = all;
       });
   EXPECT_EQ(last, total);
-  EXPECT_EQ(calls, result.occluders().lists().partition().regions());
+  EXPECT_EQ(calls, occluders_of(result).lists().partition().regions());
   const auto stop = [](std::size_t, std::size_t) { throw std::runtime_error("stopped"); };
   EXPECT_THROW(static_cast<void>(preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 1}, stop)), std::runtime_error);
 }
@@ -124,16 +122,16 @@ TEST(Preprocess, TellsHowFarItIsAndStopsWhenThatThrows) {
 TEST(Preprocess, RefusesWhatCannotBeHidden) {
   const PolygonSoup soup = random_town_of_houses(9, 300);
   const Culler sound = preprocess(soup, small_config(Bounds::aabb), {.viewpoints = 1});
-  EXPECT_NO_THROW(static_cast<void>(sound.with_hidden(hidden_of(sound))));
+  EXPECT_NO_THROW(static_cast<void>(with_hidden(sound, hidden_of(sound))));
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   for (const float wrong : {nan, infinity, -1.0F}) {
     std::vector<float> hidden = hidden_of(sound);
     hidden[2] = wrong;
-    EXPECT_THROW(static_cast<void>(sound.with_hidden(hidden)), std::invalid_argument) << wrong;
+    EXPECT_THROW(static_cast<void>(with_hidden(sound, hidden)), std::invalid_argument) << wrong;
   }
   std::vector<float> hidden = hidden_of(sound);
   hidden.pop_back();
-  EXPECT_THROW(static_cast<void>(sound.with_hidden(hidden)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(with_hidden(sound, hidden)), std::invalid_argument);
 }
 
 TEST(OccluderLists, RefusesWhatCannotBe) {
@@ -161,7 +159,7 @@ TEST(Preprocess, HeuristicsOfAnyKindKeepThePicture) {
     ForgedParts forged(preprocess(soup, config, {.viewpoints = 1}));
     std::mt19937 random(3);
     forged.edit<float>("hidden", [&](std::vector<float>& hidden) { std::ranges::shuffle(hidden, random); });
-    const std::size_t all = Culler(soup, config).occluders().size();
+    const std::size_t all = occluders_of(Culler(soup, config)).size();
     const auto first = forged.get<std::uint64_t>("list first");
     forged.edit<std::uint32_t>("listed", [&](std::vector<std::uint32_t>& listed) {  // other occluders in the lists, too
       for (std::size_t r = 0; r + 1 < first.size(); ++r) {

@@ -1145,7 +1145,7 @@ TEST(Scene, AThreadThatRoundsOtherwiseDecidesNothing) {
   const Executor upwards(2, [&](std::size_t count, const Executor::Part& part) {
     rounding_upwards(2).run(count, part);
     asked += count;
-    for (const WorkRunner::WorkItem& turn : view.memory().runner.items()) listed += turn.is_done ? 1 : 0;
+    for (const WorkRunner::WorkItem& turn : memory_of(view).runner.items()) listed += turn.is_done ? 1 : 0;
   });
   const Camera camera;
   const SceneStats found = town.scene.cull(camera, {.executor = &upwards}, view).stats;

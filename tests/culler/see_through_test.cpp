@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "forged_parts.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/inner_boxes.h"
 #include "occlude/culler/scene.h"
@@ -135,7 +136,7 @@ TEST(SeeThrough, RefusesPartsInWhichGlassHides) {
 TEST(SeeThrough, RefusesPartsInWhichGlassIsJoined) {
   const Culler opaque(room(Wall::opaque), {.hierarchy = {.leaf_size = 1}});
   const std::size_t polygons = opaque.hierarchy().soup().size();
-  ASSERT_GT(opaque.occluders().regions().size(), polygons) << "the panels are joined";
+  ASSERT_GT(occluders_of(opaque).regions().size(), polygons) << "the panels are joined";
   ForgedParts forged(opaque);
   std::vector<std::uint8_t> marks(polygons);
   std::size_t panel = 0;

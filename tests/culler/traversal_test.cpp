@@ -16,11 +16,12 @@
 
 #include "camera/shadow_rule.h"
 #include "executors.h"
+#include "frame/culler_access.h"
 #include "frame/view_memory.h"
 #include "frusta/node_tests.h"
+#include "model/append_range.h"
 #include "model/bounds.h"
 #include "model/hierarchy_blocks.h"
-#include "occlude/culler/append_range.h"
 #include "occlude/culler/culler.h"
 #include "scenes.h"
 
@@ -40,7 +41,7 @@ class Descent {
 
   void run() {
     static_cast<void>(memory_.frame.view_planes(options_.arithmetic));
-    memory_.frusta.shrink_shadows(result_);
+    memory_.frusta.shrink_shadows(memory_.frame);
     const auto numbers = [](std::size_t size) {
       std::vector<std::uint32_t> result(size);
       for (std::uint32_t i = 0; i < size; ++i) result[i] = i;
@@ -102,7 +103,7 @@ class Descent {
       ++result_.stats.union_tests;
       const Occluder &a = result_.occluders[first], &b = result_.occluders[second];
       const Relation relation = culler_.hierarchy().ask(index, [&](const auto& box) {
-        return decide_cull(kernel::ShadowUnion{a.frustum, b.frustum}, box, Asked{}, result_.margin,
+        return decide_cull(kernel::ShadowUnion{a.frustum, b.frustum}, box, Asked{}, memory_.frame.margin,
                            [&] { return holds_part(index, a.index) || holds_part(index, b.index); })
             .relation;
       });
@@ -139,7 +140,7 @@ class Descent {
 
   bool holds_part(std::uint32_t node, std::uint32_t occluder) const {
     const HierarchyNode& n = culler_.hierarchy().nodes()[node];
-    return std::ranges::any_of(culler_.occluders().parts(occluder),
+    return std::ranges::any_of(occluders_of(culler_).parts(occluder),
                                [&](std::uint32_t p) { return p >= n.first && p < n.first + n.count; });
   }
 
@@ -152,9 +153,9 @@ class Descent {
 
 /// A frame that is to be traversed: with the occluders of a culled one, of which every third is a probe instead. If the
 /// frame has pairs, each occluder is paired with the next: any two may be.
-void take_frame(const CullResult& frame, View::Memory& memory) {
+void take_frame(const CullResult& frame, const ShadowMargin& margin, View::Memory& memory) {
+  memory.frame.margin = margin;
   memory.frame.result.view = frame.view;
-  memory.frame.result.margin = frame.margin;
   for (std::size_t i = 0; i < frame.occluders.size(); ++i) {
     const Occluder occluder{frame.occluders[i].index, frame.occluders[i].frustum, 0};
     (i % 3 == 2 ? memory.frusta.probes : memory.frame.result.occluders).push_back(occluder);
@@ -220,17 +221,19 @@ TEST_P(TraversalTest, AnswersAsADescentNodeByNode) {
     camera.target = camera.eye + glm::dvec3{uniform(random, -1, 1), uniform(random, -1, 1), 0};
     if (frame % 4 == 3) camera.projection = Projection::orthographic;
     const CullResult seen = culler.cull(camera, GetParam().options);
+    const FrameView view(camera, depth(culler.hierarchy().nodes()[0].box, camera.eye));
+    const ShadowMargin margin(view, GetParam().options.margin);
     View::Memory expected;
-    take_frame(seen, expected);
+    take_frame(seen, margin, expected);
     Descent(culler, tree, GetParam().options, expected).run();
     for (std::size_t i = 0; i < executors.size(); ++i) {
       View::Memory& found = memories[i];
       found.frusta.keep_spare(found.frame.result);
       found.frame.begin(culler.hierarchy().nodes().size());
-      take_frame(seen, found);
+      take_frame(seen, margin, found);
       CullOptions options = GetParam().options;
       options.executor = &executors[i];
-      traverse(tree, culler.hierarchy(), &culler.occluders(), unwatched, options, found.frame, found.frusta);
+      traverse(tree, culler.hierarchy(), &occluders_of(culler), unwatched, options, found.frame, found.frusta);
       expect_same(expected, found);
       ASSERT_FALSE(HasFailure()) << "frame " << frame << ", executor " << i << ", seed " << kSeed;
       EXPECT_EQ(found.frame.result.stats.exact_shadow_tests, memories[0].frame.result.stats.exact_shadow_tests);

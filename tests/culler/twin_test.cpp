@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "frame/culler_access.h"
 #include "frames.h"
 #include "model/hierarchy_blocks.h"
 #include "occlude/culler/culler.h"
@@ -117,9 +118,9 @@ void compare(const Culler& culler, bool leaves_alone, std::uint32_t seed, int vi
     tally.shadow_culled += stats.shadow_culled_polygons;
     tally.probe_tests += stats.probe_tests;
     for (const Occluder& o : frame.occluders) {
-      if (culler.occluders().is_shell(o.index)) {
+      if (occluders_of(culler).is_shell(o.index)) {
         tally.by_shells += o.hidden;
-      } else if (culler.occluders().regions().piece(o.index)) {
+      } else if (occluders_of(culler).regions().piece(o.index)) {
         tally.by_pieces += o.hidden;
       }
     }

@@ -7,8 +7,8 @@
 
 #include "allocations.h"
 #include "culler/scenes.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
-#include "occlude/culler/view.h"
 
 namespace view_allocation_test {
 
@@ -41,7 +41,7 @@ std::size_t walk(const Culler& culler, const CullOptions& options, Projection pr
 TEST(View, AllocatesInItsFirstFrameAlone) {
   for (const Bounds bounds : {Bounds::aabb, Bounds::obb}) {
     const Culler culler(random_town_of_houses(31, 3000), {.hierarchy = {.leaf_size = 4, .bounds = bounds}});
-    ASSERT_GT(culler.occluders().shells().size(), 50U);
+    ASSERT_GT(occluders_of(culler).shells().size(), 50U);
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
       for (const bool is_papers : {false, true}) {
         CullOptions options;

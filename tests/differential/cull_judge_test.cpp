@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "culler/scenes.h"
+#include "frame/culler_access.h"
 
 namespace occlude::fuzz {
 namespace cull_judge_test {
@@ -53,7 +54,7 @@ class CullJudgeTest : public testing::Test {
   /// The region that has this polygon.
   std::uint32_t region_of(std::uint32_t polygon) const {
     std::uint32_t region = 0;
-    while (std::ranges::count(culler_.occluders().parts(region), polygon) == 0) ++region;
+    while (std::ranges::count(occluders_of(culler_).parts(region), polygon) == 0) ++region;
     return region;
   }
 
@@ -161,7 +162,7 @@ TEST_F(CullJudgeTest, NamesUnprovedCullsByShadow) {
             }),
             "an occluder culls itself");
   std::size_t wrong = 0;
-  for (std::uint32_t region = 0; region < culler_.occluders().size(); ++region) {
+  for (std::uint32_t region = 0; region < occluders_of(culler_).size(); ++region) {
     wrong += fault_after(with_region(region)).rfind("culled by shadow: ", 0) == 0 ? 1U : 0U;
   }
   EXPECT_GE(wrong, 3U);

@@ -20,6 +20,7 @@
 #include "culler/frames.h"
 #include "culler/scenes.h"
 #include "differential/cull_judge.h"
+#include "frame/culler_access.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/scene.h"
 #include "occlude/oracle/cover.h"
@@ -145,7 +146,7 @@ TEST(CullsByMatrix, AreProvedFromTheExactEye) {
     for (const Culled& culled : frame.culled) {
       if (culled.by != Culled::By::shadow) continue;
       const Occluder& occluder = frame.occluders[culled.index];
-      oracle::Shadow shadow(exact, to_oracle(culler.occluders().geometry(occluder.index)),
+      oracle::Shadow shadow(exact, to_oracle(occluders_of(culler).geometry(occluder.index)),
                             to_oracle(by_frusta.near, {occluder.frustum}));
       ASSERT_EQ(shadow.refute_cull(to_oracle(culler.hierarchy().volume(culled.node))), "")
           << "seed " << seed() << ", frame " << i;

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/culler_access.h"
 #include "harness/rehashed.h"
 #include "harness/store_parts.h"
 #include "occlude/render/city.h"
@@ -116,8 +117,8 @@ TEST_F(StoreTest, CullsAsTheModel) {
     EXPECT_EQ(read.hierarchy().leaf_size(), 4U);
     EXPECT_EQ(read.config().lists.regions, 64);
     // Read for covers, it has no occluders. They are made now, without samples.
-    EXPECT_EQ(read.occluders().lists().stored().hidden.empty(), method == Method::cover);
-    EXPECT_EQ(read.occluders().size(), culler_.occluders().size());
+    EXPECT_EQ(occluders_of(read).lists().stored().hidden.empty(), method == Method::cover);
+    EXPECT_EQ(occluders_of(read).size(), occluders_of(culler_).size());
     const std::vector<std::string> expected = witnesses(culler_, method);
     EXPECT_GT(expected.size(), 100U);
     EXPECT_EQ(witnesses(read, method), expected);

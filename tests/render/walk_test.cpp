@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison.h"
+#include "frame/culler_access.h"
 #include "occlude/render/methods.h"
 #include "occlude/render/model_text.h"
 #include "occlude/render/offscreen_context.h"
@@ -62,7 +63,7 @@ class Judge : public testing::Test {
     culler::CullOptions options;
     options.occluders = 1;
     culler::CullResult frame = culler_.cull(camera_, options);
-    EXPECT_EQ(hierarchy.original(culler_.occluders().parts(frame.occluders.at(0).index)[0]), 0U);
+    EXPECT_EQ(hierarchy.original(occluders_of(culler_).parts(frame.occluders.at(0).index)[0]), 0U);
     frame.culled.clear();
     frame.drawn.clear();
     for (std::uint32_t n = 0; n < hierarchy.nodes().size(); ++n) {

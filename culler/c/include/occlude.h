@@ -163,8 +163,8 @@ OCCLUDE_API occlude_status occlude_mesh_box(const occlude_mesh* mesh, occlude_bo
 // ---- Faces of any shape ----
 
 // A face is a loop of `count` vertices, at least 3. It lies in a plane, or nearly; it may be concave; an opening is joined
-// to the outline by an edge that is passed twice. occlude/culler/face.h says all of it. Numbers nearer to 0 than 2^-100 are
-// taken for 0.
+// to the outline by an edge that is passed twice. occlude/culler/polygon_soup.h says all of it. Numbers nearer to 0 than
+// 2^-100 are taken for 0.
 
 /// Writes to `is_fan` whether the fan of the loop draws the face: nothing outside of it, and nothing twice.
 OCCLUDE_API occlude_status occlude_face_is_fan(const occlude_points* vertices, const uint32_t* loop, size_t count,
@@ -335,7 +335,7 @@ enum {
 /// A camera that is any projective matrix: the one that the renderer has, from the coordinates of the scene to clip space.
 /// The matrix times the column (x, y, z, 1) is (x, y, z, w) in clip space. Perspective or parallel rays, either handedness,
 /// reversed or infinite depth, off-centre or oblique: all of it follows from the matrix. More is said in
-/// occlude/culler/matrix_camera.h.
+/// occlude/culler/camera.h.
 typedef struct occlude_matrix_camera {
   size_t size;         ///< of this struct
   const void* matrix;  ///< 16 numbers of this type, in this order; need not be aligned

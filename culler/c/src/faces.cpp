@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "arrays.h"
-#include "occlude/culler/face.h"
+#include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/validity.h"
 #include "status.h"
 

@@ -8,10 +8,8 @@
 
 #include "occlude.h"
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_mesh.h"
 #include "occlude/culler/scene.h"
-#include "occlude/culler/scene_view.h"
 
 struct occlude_mesh {
   std::shared_ptr<const occlude::culler::OccluderMesh> mesh;

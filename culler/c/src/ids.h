@@ -9,7 +9,7 @@
 
 #include "handles.h"
 #include "occlude.h"
-#include "occlude/culler/scene_id.h"
+#include "occlude/culler/scene.h"
 #include "status.h"
 
 namespace occlude::c {

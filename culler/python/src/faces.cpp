@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/culler/face.h"
+#include "occlude/culler/polygon_soup.h"
 #include "view.h"
 
 namespace occlude::python {

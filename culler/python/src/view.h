@@ -10,9 +10,8 @@
 
 #include "numbers.h"
 #include "occlude/culler/camera.h"
-#include "occlude/culler/matrix_camera.h"
-#include "occlude/culler/scene_view.h"
-#include "occlude/culler/view.h"
+#include "occlude/culler/culler.h"
+#include "occlude/culler/scene.h"
 
 namespace occlude::python {
 

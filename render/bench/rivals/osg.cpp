@@ -14,7 +14,7 @@
 #include <osgUtil/RenderStage>
 #include <osgUtil/StateGraph>
 
-#include "occlude/culler/potential_occluders.h"
+#include "frusta/potential_occluders.h"
 #include "rivals.h"
 
 namespace occlude::experiments {

@@ -10,7 +10,7 @@
 #include "frame_buffer.h"
 #include "gl_program.h"
 #include "glass.h"
-#include "occlude/culler/append_range.h"
+#include "model/append_range.h"
 #include "pixel_counter.h"
 #include "projection.h"
 #include "triangle_list.h"

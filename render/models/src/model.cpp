@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "occlude/culler/face.h"
+#include "occlude/culler/polygon_soup.h"
 
 namespace occlude::render {
 namespace {

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/parallel.h"
 #include "mapped_file.h"
-#include "occlude/culler/parallel.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/input_file.h"
 #include "occlude/render/progress.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "occlude/culler/parallel.h"
+#include "base/parallel.h"
 #include "occlude/culler/parts.h"
 #include "occlude/render/progress.h"
 

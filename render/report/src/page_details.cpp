@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "frame/culler_access.h"
 #include "occlude/render/why.h"
 
 namespace occlude::render {
@@ -107,7 +108,7 @@ void PageDetails::pack_reasons(const culler::MissedReasons::Answers& missed, Byt
 
 std::size_t PageDetails::number_of(std::uint32_t occluder) {
   const auto [found, is_new] = numbers_.try_emplace(occluder, occluders_.size());
-  if (is_new) occluders_.emplace_back(culler_.occluders(), occluder, model_);
+  if (is_new) occluders_.emplace_back(occluders_of(culler_), occluder, model_);
   return found->second;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "frame/culler_access.h"
+
 namespace occlude::render {
 namespace {
 
@@ -47,7 +49,7 @@ void PageFrames::count(const culler::CullResult& frame) {
   for (const culler::Occluder& occluder : frame.occluders) {
     auto found = occluders_.find(occluder.index);
     if (found == occluders_.end()) {
-      const OccluderRecord record{{culler_.occluders(), occluder.index, model_}};
+      const OccluderRecord record{{occluders_of(culler_), occluder.index, model_}};
       found = occluders_.emplace(occluder.index, record).first;
     }
     found->second.did.add(seen_, occluder.hidden);

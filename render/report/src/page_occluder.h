@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "occlude/culler/culler.h"
+#include "frusta/occluder_set.h"
 #include "page_model.h"
 
 namespace occlude::render {

@@ -214,7 +214,7 @@ Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
           {"test", name_of(options.cull.test)},
           {"bounds", build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},
           {"shapes", build.occluders.shells ? "polytope" : "polygon"},
-          {"regions", build.lists.kind == culler::Partition::Kind::tree ? "tree" : "grid"},
+          {"regions", build.lists.kind == culler::RegionKind::tree ? "tree" : "grid"},
           {"unions", options.cull.unions},
           {"preprocess", options.preprocess.empty() ? Json(nullptr) : Json(printable(options.preprocess.native()))}};
 }

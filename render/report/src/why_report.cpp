@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "frame/culler_access.h"
 #include "occlude/render/interrupt.h"
 #include "occlude/render/missed_report.h"
 #include "occlude/render/plates.h"
@@ -48,7 +49,7 @@ std::vector<std::uint32_t> numbers_of(const culler::Culler& culler, std::span<co
 
 /// The polygons of the model that form the occluder.
 std::vector<std::uint32_t> polygons_of(const culler::Culler& culler, std::uint32_t occluder) {
-  return numbers_of(culler, culler.occluders().parts(occluder));
+  return numbers_of(culler, occluders_of(culler).parts(occluder));
 }
 
 /// An occluder in words.
@@ -58,13 +59,13 @@ std::string text_of_occluder(const culler::Culler& culler, std::uint32_t occlude
   std::string text = polygons.size() == 1 ? "polygon" : "polygons";
   for (std::size_t i = 0; i < std::min(polygons.size(), kListed); ++i) text += fmt::format(" {}", polygons[i]);
   if (polygons.size() > kListed) text += fmt::format(" and {} more", polygons.size() - kListed);
-  if (culler.occluders().is_shell(occluder)) return text + ", a closed convex shell";
+  if (occluders_of(culler).is_shell(occluder)) return text + ", a closed convex shell";
   if (polygons.size() > 1) return text + ", flat together";
-  return culler.occluders().regions().piece(occluder) ? "a convex piece of " + text : text;
+  return occluders_of(culler).regions().piece(occluder) ? "a convex piece of " + text : text;
 }
 
 Json json_of_occluder(const culler::Culler& culler, std::uint32_t occluder) {
-  return {{"polygons", polygons_of(culler, occluder)}, {"shell", culler.occluders().is_shell(occluder)}};
+  return {{"polygons", polygons_of(culler, occluder)}, {"shell", occluders_of(culler).is_shell(occluder)}};
 }
 
 /// The silhouette edge of plane `plane` of the shadow; none for the near side.

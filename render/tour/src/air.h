@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "columns.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "place.h"
 
 namespace occlude::render {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/render/camera_path.h"
 #include "place.h"
 

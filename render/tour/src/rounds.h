@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 
 namespace occlude::render {
 

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "occlude/culler/append_range.h"
+#include "frame/culler_access.h"
+#include "model/append_range.h"
 
 namespace occlude::render {
 namespace {
@@ -22,7 +23,7 @@ std::vector<PolygonRange> culled_ranges(const culler::Culler& culler, const cull
 std::vector<PolygonRange> occluder_ranges(const culler::Culler& culler, const culler::CullResult& result) {
   std::vector<PolygonRange> ranges;
   for (const culler::Occluder& occluder : result.occluders) {
-    for (const std::uint32_t polygon : culler.occluders().parts(occluder.index)) ranges.push_back({polygon, 1});
+    for (const std::uint32_t polygon : occluders_of(culler).parts(occluder.index)) ranges.push_back({polygon, 1});
   }
   std::ranges::sort(ranges, {}, &PolygonRange::first);
   return ranges;

@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-#include "occlude/culler/append_range.h"
+#include "model/append_range.h"
 #include "occlude/render/polygon_area.h"
 
 namespace occlude::render {

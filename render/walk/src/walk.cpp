@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "frame/culler_access.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/model_io.h"
@@ -19,20 +20,21 @@ namespace occlude::render {
 namespace {
 
 /// Counts the operations of the frame's shadow tests and passes the tests to on_shadow_test.
-kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::CullResult& culled,
-                                      const WalkOptions& options) {
+kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t frame, const culler::Camera& camera,
+                                      const culler::CullResult& culled, const WalkOptions& options) {
   kernel::Operations total;
-  culler.visit_shadow_tests(culled, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
-    check_interrupt();
-    total += std::visit(
-        [&](const auto& kind) {
-          return kernel::count_operations(occluder.frustum, kind, options.cull.arithmetic, options.cull.test);
-        },
-        box);
-    if (!options.on_shadow_test) return;
-    options.on_shadow_test(
-        {frame, occluder.frustum.viewpoint(), culler.occluders().geometry(occluder.index), options.cull.near, box});
-  });
+  culler::visit_shadow_tests(
+      culler, culled, camera, options.cull, [&](const culler::Occluder& occluder, const culler::Box& box) {
+        check_interrupt();
+        total += std::visit(
+            [&](const auto& kind) {
+              return kernel::count_operations(occluder.frustum, kind, options.cull.arithmetic, options.cull.test);
+            },
+            box);
+        if (!options.on_shadow_test) return;
+        options.on_shadow_test(
+            {frame, occluder.frustum.viewpoint(), occluders_of(culler).geometry(occluder.index), options.cull.near, box});
+      });
   return total;
 }
 
@@ -122,7 +124,7 @@ WalkResult walk(const culler::Culler& culler, const CameraPath& path, const Walk
     const auto reasons = missed_by(finished, culler, camera, options.cull);
     output.add_frame({finished.record, camera, finished.culled, covers, finished.visible, reasons ? &*reasons : nullptr});
     if (reasons) missed.push_back(culler::MissedReasons::count(*reasons));
-    if (finished.is_reference) operations += visit_shadow_tests(culler, frame, finished.culled, options);
+    if (finished.is_reference) operations += visit_shadow_tests(culler, frame, camera, finished.culled, options);
     if (!options.witness) return;
     lines.clear();
     append_witnesses(lines, frame, camera.viewpoint(), culler, finished.culled, options.cull, covers);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "comparison.h"
-#include "occlude/culler/append_range.h"
+#include "model/append_range.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/stopwatch.h"
 #include "occlude/render/view_along_path.h"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <variant>
 
-#include "occlude/culler/clearance.h"
+#include "camera/clearance.h"
 #include "occlude/render/errors.h"
 #include "occlude/render/progress.h"
 #include "occlude/render/witness.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "frame/culler_access.h"
 #include "occlude/render/input_limits.h"
 
 namespace occlude::render {
@@ -53,8 +54,8 @@ std::string name_of(const culler::Hierarchy& hierarchy, std::uint32_t p) {
 
 /// For an occluder that is not one polygon of the model: the triangles of its parts.
 std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
-  const auto parts = culler.occluders().parts(occluder);
-  const auto piece = culler.occluders().regions().piece(occluder);
+  const auto parts = occluders_of(culler).parts(occluder);
+  const auto piece = occluders_of(culler).regions().piece(occluder);
   if (parts.size() == 1 && !piece) return "";
   return R"(,"parts":)" + list(parts, [&](std::uint32_t part) {
            const std::size_t first = culler.hierarchy().first_triangle(part);
@@ -65,7 +66,7 @@ std::string parts_member(const culler::Culler& culler, std::uint32_t occluder) {
 
 /// The members of an occluder, without braces.
 std::string geometry_members(const culler::Culler& culler, std::uint32_t occluder) {
-  const auto geometry = culler.occluders().geometry(occluder);
+  const auto geometry = occluders_of(culler).geometry(occluder);
   if (const auto* polygon = std::get_if<std::vector<kernel::Vec3>>(&geometry)) {
     return fmt::format(R"("polygon":{}{})", list(*polygon, triple<kernel::Vec3>), parts_member(culler, occluder));
   }

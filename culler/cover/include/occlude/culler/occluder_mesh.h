@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
 
@@ -33,11 +33,11 @@ class OccluderMesh {
   /// Holds all vertices. The origin if there are none.
   [[nodiscard]] kernel::Aabb box() const;
 
-  /// For scenes only: src/prepared_mesh.h.
-  struct Prepared;
-  [[nodiscard]] const Prepared& prepared() const { return *prepared_; }
+  struct Prepared;  ///< cover/prepared_mesh.h
 
  private:
+  friend const Prepared& prepared_of(const OccluderMesh& mesh);
+
   std::unique_ptr<const Prepared> prepared_;
 };
 

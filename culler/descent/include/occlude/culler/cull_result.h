@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame draws, what it does not draw and why, and how it is asked for. Reading order: 9.
+// How a model is prepared and a frame is asked for; what the frame draws, what it does not draw, and why. Reading order: 9.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,64 @@
 
 #include "occlude/culler/camera.h"
 #include "occlude/culler/executor.h"
-#include "occlude/culler/method.h"
+#include "occlude/culler/hierarchy.h"
 #include "occlude/culler/polygon_soup.h"
-#include "occlude/culler/shadow_margin.h"
 #include "occlude/kernel/overlap.h"
 #include "occlude/kernel/shadow_frustum.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
+
+/// The best Hierarchy::Config::leaf_size for a method. For covers leaves are small: a hidden polygon is drawn if any part of
+/// its leaf's box is not hidden.
+[[nodiscard]] inline constexpr std::uint32_t leaf_size_for(Method method) { return method == Method::cover ? 4 : 16; }
+
+/// The regions of space that list occluders.
+enum class RegionKind {
+  /// Cubes of one size, in a box that may be larger than the space. The grid is halved across its longest side until each
+  /// cell is one cube.
+  grid,
+  /// Nodes of the hierarchy, so that one structure divides space and holds what is drawn. Boxes of nodes leave gaps and
+  /// overlap, so they cannot be regions themselves. Instead a plane between the boxes of its two children divides the
+  /// cell of a node: across the axis on which they overlap least, as a share of the node, and in the middle of what they
+  /// have in common, or of the gap between them. A plane that misses the cell does not divide it: all of it goes to the
+  /// child on its side, and the other child has no cell. The cell with the largest volume is divided first, until there
+  /// are as many regions as wanted, or all nodes with a cell are leaves. So regions are small where polygons are many,
+  /// and large where there are none.
+  tree,
+};
+
+/// What may be an occluder of frames by frusta.
+struct OccluderConfig {
+  /// Whether to look for convex shells. Without them every occluder is flat.
+  bool shells = true;
+};
+
+/// Which occluders a region lists, for frames by frusta whose eye is in it.
+struct ListConfig {
+  /// What the regions are. The choice of occluders does not depend on it otherwise.
+  RegionKind kind = RegionKind::grid;
+  /// An occluder is listed in every region that holds a viewpoint from which its area-angle exceeds this: steradians,
+  /// above 0.
+  double threshold = 0.01;
+  /// About how many regions to make, from 1 to 2^30; of a tree no more.
+  double regions = 32768;
+  /// The most entries of all lists together. If there would be more, the longest lists are cut to a common length; they
+  /// keep the occluders that look largest from their regions. 2^25 entries take 128 MiB. No list of a grid is cut in the
+  /// models tried (docs/measured.md).
+  std::size_t entries = std::size_t{1} << 25U;
+  /// A second limit, so that small models cost less: kEntriesOfEach entries for each occluder, but never less than
+  /// kEntriesOfFew in all, so that a few occluders that look large from everywhere are not cut. The lists of real models
+  /// have 13 to 116 entries for each polygon, those of a city of 20,010 polygons 560.
+  static constexpr std::size_t kEntriesOfEach = 1024, kEntriesOfFew = std::size_t{1} << 22U;
+};
+
+/// How a model is prepared.
+struct BuildConfig {
+  Hierarchy::Config hierarchy = {};
+  OccluderConfig occluders = {};
+  ListConfig lists = {};
+};
 
 /// The objective of section 4.2, by which occluders are chosen: the product of three criteria, each to the power of its
 /// weight. A weight of 0 switches a criterion off. It is a heuristic: the choice cannot make a cull wrong.
@@ -159,10 +209,16 @@ struct CullResult {
   std::vector<PolygonRange> drawn;  ///< in the order of the leaves, neighbours merged
   std::vector<Culled> culled;       ///< in the order of the tree
   std::vector<HalfSpace> view;      ///< as append_view_frustum() has them
-  ShadowMargin margin;
   std::vector<Occluder> occluders;  ///< in the order in which they were chosen; none by cover
   std::vector<ShadowPair> pairs;    ///< none unless CullOptions::unions
   CullStats stats;
+};
+
+/// How a box would be found in the last frame of a view.
+enum class Visibility {
+  visible,      ///< neither of the other two could be shown
+  occluded,     ///< all of it is in the shadow of one occluder, or of a pair of CullResult::pairs, or behind the cover
+  out_of_view,  ///< all of it is beyond one half-space of the view
 };
 
 /// Options that repeat a frame by cover: with these, the same camera gives the same frame, however long it takes. `options`

@@ -2,28 +2,60 @@
 // The paper's pipeline behind two calls: build once, cull each frame. Reading order: 12.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/box.h"
+#include "occlude/culler/camera.h"
 #include "occlude/culler/cull_result.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/hierarchy.h"
-#include "occlude/culler/matrix_camera.h"
-#include "occlude/culler/occluder_set.h"
 #include "occlude/culler/parts.h"
-#include "occlude/culler/preprocess.h"
-#include "occlude/culler/view.h"
 
 namespace occlude::culler {
 
+/// 1. A view belongs to one camera, and one thread at a time may cull with it. Different views may be culled at once.
+/// 2. If it is used with another culler than in the frame before, it starts anew, as if it had just been made.
+/// 3. After its first frame nothing more is allocated. Exceptions: culler/README.md, Budgets.
+/// 4. A view that was moved from may only be destroyed or assigned to.
+class View {
+ public:
+  View();
+  ~View();
+  View(View&&) noexcept;
+  View& operator=(View&&) noexcept;
+
+  /// The last frame; empty before the first. Valid until the next frame of this view.
+  [[nodiscard]] const CullResult& result() const;
+
+  /// Whether any box, such as that of an object about to be created, would be visible in the last frame.
+  /// 1. It is tested against the frame's half-spaces, and its occluders or cover, with the frame's margin. The tests are
+  ///    certified, whatever the frame's arithmetic. Shadows begin strictly beyond their near planes.
+  /// 2. Before the first frame everything is visible.
+  /// 3. The box may reach farther from the eye than everything that the culler holds. Then the half-spaces are
+  ///    moved outwards by another margin, that of its L1 distance (append_view_frustum()), and no cover hides it.
+  /// 4. Allocates nothing. Many threads may ask the same view at once, while no frame of it is being culled.
+  /// Throws std::invalid_argument for a box that is not legal, and std::runtime_error while the processor does not round to
+  /// nearest (occlude/kernel/validity.h).
+  [[nodiscard]] Visibility visibility(const Box& box) const;
+
+  struct Memory;  ///< frame/view_memory.h
+
+ private:
+  friend Memory& memory_of(const View& view);
+
+  std::unique_ptr<Memory> memory_;
+};
+
 class BlockTree;
-class CoverBuffer;
 class CoverTriangles;
 class HierarchyBlocks;
-class PartReader;
+class OccluderSet;
 template <class T>
 class Lazy;
 
@@ -59,10 +91,6 @@ class Culler {
   /// The method whose frames alone need the part of this name; none if it must always be there.
   [[nodiscard]] static std::optional<Method> method_of(std::string_view part);
 
-  /// The same culler with what listed occluders hide, in the order of the lists (OccluderLists::Stored). Throws
-  /// std::invalid_argument unless there is a finite number, not below 0, for each entry.
-  [[nodiscard]] Culler with_hidden(std::vector<float> hidden) const;
-
   /// Makes what frames by a method need: about two seconds for a million polygons by frusta, up to one by cover. Otherwise
   /// the first such frame makes it, on all processors. It is made once. Throws std::runtime_error while the processor does
   /// not round to nearest, and what `checkpoint` throws; the next call tries again.
@@ -85,11 +113,6 @@ class Culler {
   // What takes a `frame` REQUIRES that it is a frame of this culler, and that `camera` and `options` are those of the frame.
   // Neither is checked.
 
-  /// Calls `visit` for every test of a box against the shadow of one occluder that `frame` took, in the order of the
-  /// traversal. Tests of pairs and of probes are left out.
-  void visit_shadow_tests(const CullResult& frame, const CullOptions& options,
-                          const std::function<void(const Occluder& occluder, const Box& box)>& visit) const;
-
   /// Appends a witness for every cull of the frame, in the order of frame.culled. What hides a cull by cover is not in it:
   /// see append_covers().
   void append_witnesses(const CullResult& frame, std::vector<Witness>& witnesses) const;
@@ -103,11 +126,6 @@ class Culler {
   void append_covers(const CullResult& frame, const MatrixCamera& camera, const CullOptions& options, std::size_t most,
                      std::vector<CoverWitness>& witnesses) const;
 
-  /// The coarse picture (src/cover_buffer.h) as a frame with these options leaves it. Throws as cull().
-  /// REQUIRES: options.method is cover.
-  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const Camera& camera, const CullOptions& options) const;
-  [[nodiscard]] std::shared_ptr<const CoverBuffer> cover(const MatrixCamera& camera, const CullOptions& options) const;
-
   /// The element of frame.culled whose subtree has polygon p of hierarchy().soup(); null if p is drawn.
   /// REQUIRES: p < hierarchy().soup().size().
   [[nodiscard]] const Culled* cull_of(const CullResult& frame, std::uint32_t p) const;
@@ -115,11 +133,10 @@ class Culler {
   /// How the model was prepared.
   [[nodiscard]] const BuildConfig& config() const { return config_; }
   [[nodiscard]] const Hierarchy& hierarchy() const { return hierarchy_; }
-  /// The potential occluders among the polygons of hierarchy().soup(), and the regions that list them. Made now, as by
-  /// prepare(), if neither that nor a frame has.
-  [[nodiscard]] const OccluderSet& occluders() const { return occluders({}); }
 
  private:
+  friend struct CullerAccess;  // frame/culler_access.h
+
   template <class AnyCamera>
   CullResult cull_alone(const AnyCamera& camera, const CullOptions& options) const;
   template <class AnyCamera>
@@ -127,7 +144,7 @@ class Culler {
   template <class AnyCamera>
   void append_covers_of(const CullResult& frame, const AnyCamera& camera, const CullOptions& options, std::size_t most,
                         std::vector<CoverWitness>& witnesses) const;
-  const OccluderSet& occluders(const Checkpoint& checkpoint) const;
+  const OccluderSet& occluders(const Checkpoint& checkpoint = {}) const;
   const CoverTriangles& triangles(const Checkpoint& checkpoint = {}) const;
   const HierarchyBlocks& blocks(const Checkpoint& checkpoint = {}) const;
   BlockTree tree() const;
@@ -135,12 +152,32 @@ class Culler {
   Culler(const PartReader& parts, const Checkpoint& checkpoint);
   Culler(const Culler& other, OccluderSet occluders);
 
-  Identity identity_;
   BuildConfig config_;
   Hierarchy hierarchy_;
-  std::shared_ptr<Lazy<OccluderSet>> occluders_;
+  std::shared_ptr<Lazy<OccluderSet>> occluders_;  ///< tells cullers apart, too
   std::shared_ptr<Lazy<HierarchyBlocks>> blocks_;
   std::shared_ptr<Lazy<CoverTriangles>> triangles_;
 };
+
+/// How depth complexity is sampled (section 4, criterion 2). The same seed gives the same samples.
+struct SampleConfig {
+  enum class Pattern {
+    even,    ///< a sequence of low discrepancy (Roberts 2018), shifted from region to region
+    random,  ///< independent points
+  };
+  Pattern pattern = Pattern::even;
+  /// Viewpoints in each region; 0: nothing is sampled. Takes minutes for a large model. Worth much only to frames that have
+  /// no past (culler/README.md).
+  std::size_t viewpoints = 0;
+  std::uint64_t seed = 1;
+};
+
+/// Prepares the model and samples what its occluders hide: the culler of this soup with OccluderLists::Stored::hidden. Runs
+/// on all processors; the result does not depend on their number. While sampling, calls progress(done, all), if given, after
+/// each of all regions: on any thread, one call at a time. What it or `checkpoint` throws stops the work and is thrown on.
+/// Throws also as the constructor of Culler.
+[[nodiscard]] Culler preprocess(PolygonSoup soup, const BuildConfig& config, const SampleConfig& samples,
+                                const std::function<void(std::size_t done, std::size_t all)>& progress = {},
+                                const Checkpoint& checkpoint = {});
 
 }  // namespace occlude::culler

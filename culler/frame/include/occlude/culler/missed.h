@@ -16,6 +16,8 @@
 
 namespace occlude::culler {
 
+class CoverBuffer;
+class ShadowMargin;
 struct FrameView;
 
 /// Reasons, in the order in which they are tested: the first that holds is the answer.
@@ -68,7 +70,7 @@ class MissedReasons {
 
   struct Answer {
     Missed reason;
-    std::uint32_t occluder = Culled::kNone;  ///< one that hides the polygon alone, in Culler::occluders(), or kNone
+    std::uint32_t occluder = Culled::kNone;  ///< one that hides the polygon alone, as Occluder::index, or kNone
 
     friend bool operator==(const Answer&, const Answer&) = default;
   };
@@ -134,6 +136,7 @@ class MissedReasons {
   const Hierarchy& hierarchy_;
   const CullResult& frame_;
   std::vector<Shadow> chosen_, others_;
+  std::shared_ptr<const ShadowMargin> margin_;    ///< of a frame by frusta
   std::shared_ptr<const CoverBuffer> cover_;      ///< of a frame by cover
   std::shared_ptr<const CoverBuffer> unlimited_;  ///< the same without a budget, if the frame has spent one
 };

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
 

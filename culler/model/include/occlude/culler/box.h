@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The bounding volumes that the culler asks about. Reading order: 3.
+// Boxes, and where things stand. Reading order: 3.
 #pragma once
 
+#include <cstddef>
+#include <stdexcept>
 #include <string_view>
 #include <variant>
 
@@ -15,5 +17,44 @@ using Box = std::variant<kernel::Aabb, kernel::Obb>;
 /// Why a scene refuses the box: a number that is NaN, or min > max. Empty if it takes it. A box that a scene takes need not
 /// be legal.
 [[nodiscard]] std::string_view fault(const Box& box);
+
+/// An affine map: the point p of a mesh is at p.x x + p.y y + p.z z + origin in the scene. The columns need be neither unit
+/// vectors nor perpendicular, so a mesh may be scaled, sheared and mirrored.
+struct Placement {
+  kernel::Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  kernel::Vec3 origin{0, 0, 0};
+
+  /// From a matrix of sixteen numbers, column after column, as MatrixCamera::from_columns() has them. Throws
+  /// std::invalid_argument if the matrix is not affine: its last row is not (0, 0, 0, 1). REQUIRES: `numbers` points to 16
+  /// numbers.
+  template <class Number>
+  [[nodiscard]] static Placement from_columns(const Number* numbers) {
+    return from(numbers, 4, 1);
+  }
+  /// From sixteen numbers, row after row: the transpose of the above. Throws and REQUIRES: as above.
+  template <class Number>
+  [[nodiscard]] static Placement from_rows(const Number* numbers) {
+    return from(numbers, 1, 4);
+  }
+
+  friend bool operator==(const Placement&, const Placement&) = default;
+
+ private:
+  template <class Number>
+  [[nodiscard]] static Placement from(const Number* numbers, std::size_t column, std::size_t row) {
+    const auto at = [&](std::size_t r, std::size_t c) { return static_cast<double>(numbers[r * row + c * column]); };
+    const auto vector = [&](std::size_t c) -> kernel::Vec3 { return {at(0, c), at(1, c), at(2, c)}; };
+    // Not so if a number is NaN.
+    if (!(at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1)) {
+      throw std::invalid_argument("the matrix of a placement is not affine: its last row must be (0, 0, 0, 1)");
+    }
+    return {vector(0), vector(1), vector(2), vector(3)};
+  }
+};
+
+/// A box of a scene for what has this box in coordinates of its own: it holds the image of each point of the box, exact or
+/// rounded as doubles are. It is oriented if that is tighter: where axes are turned, and no edge is nearly in the plane of
+/// the others. REQUIRES: finite numbers.
+[[nodiscard]] Box placed_box(const kernel::Aabb& box, const Placement& at);
 
 }  // namespace occlude::culler

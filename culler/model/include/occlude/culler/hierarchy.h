@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "occlude/culler/array.h"
 #include "occlude/culler/box.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/parts.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/types.h"
 
@@ -34,13 +34,13 @@ struct alignas(64) HierarchyNode {
   [[nodiscard]] bool is_leaf() const { return right == 0; }
 };
 
-/// The most levels of nodes, or of cells (partition.h), below the root. What recurses takes some hundred bytes of stack for
+/// The most levels of nodes, or of cells of space, below the root. What recurses takes some hundred bytes of stack for
 /// each, up to a kilobyte under sanitizers, and so 256 KiB at most. Halving 2^32 items takes 32 levels, and the trees of the
 /// models tried have 22 to 31: what has more is hostile.
 inline constexpr std::uint32_t kMostLevels = 256;
 
 struct BoxTree;
-class PartReader;  // src/part_list.h
+class PartReader;  // model/part_list.h
 class PartWriter;
 
 /// Const calls may run on several threads at once. Indices are not checked.
@@ -59,17 +59,6 @@ class Hierarchy {
   /// Takes the soup, whose vertices stay where they are. What `checkpoint` throws is thrown on.
   /// REQUIRES: soup is well formed and not empty, and its coordinates are in the kernel's legal range.
   [[nodiscard]] static Hierarchy build(PolygonSoup soup, const Config& config, const Checkpoint& checkpoint = {});
-
-  /// The parts of a tree, for Culler::parts().
-  void append_parts(PartWriter& parts) const;
-  /// Whether append_parts() appends a part of this name.
-  [[nodiscard]] static bool is_part(std::string_view name);
-  /// The tree with these parts, which must be one of build() in every respect but the shape of the tree and the oriented
-  /// boxes: the soup is legal, each polygon is in one leaf, and each axis-aligned box is the smallest that holds its
-  /// polygons. Throws std::invalid_argument otherwise. REQUIRES, not checked: an oriented box holds the polygons of its
-  /// node.
-  [[nodiscard]] static Hierarchy from_parts(const PartReader& parts, const Config& config,
-                                            const Checkpoint& checkpoint = {});
 
   /// The polygons in the order of the leaves. It has no `faces`.
   [[nodiscard]] const SoupView& soup() const { return soup_.view; }
@@ -103,7 +92,19 @@ class Hierarchy {
   [[nodiscard]] std::size_t oriented() const { return oriented_boxes_.size(); }
 
  private:
+  friend class Culler;
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// The parts of a tree, for Culler::parts().
+  void append_parts(PartWriter& parts) const;
+  /// Whether append_parts() appends a part of this name.
+  [[nodiscard]] static bool is_part(std::string_view name);
+  /// The tree with these parts, which must be one of build() in every respect but the shape of the tree and the oriented
+  /// boxes: the soup is legal, each polygon is in one leaf, and each axis-aligned box is the smallest that holds its
+  /// polygons. Throws std::invalid_argument otherwise. REQUIRES, not checked: an oriented box holds the polygons of its
+  /// node.
+  [[nodiscard]] static Hierarchy from_parts(const PartReader& parts, const Config& config,
+                                            const Checkpoint& checkpoint = {});
 
   Hierarchy() = default;
   Hierarchy(PolygonSoup soup, const Config& config, BoxTree tree, const Checkpoint& checkpoint);

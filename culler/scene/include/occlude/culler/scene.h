@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The world of an engine: objects with boxes, and occluders that need not be what is drawn. Both come, go and move. Reading
-// order: 15.
+// order: 14.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,14 +13,167 @@
 
 #include "occlude/culler/box.h"
 #include "occlude/culler/camera.h"
+#include "occlude/culler/cull_result.h"
 #include "occlude/culler/executor.h"
-#include "occlude/culler/matrix_camera.h"
 #include "occlude/culler/occluder_mesh.h"
-#include "occlude/culler/placement.h"
-#include "occlude/culler/scene_id.h"
-#include "occlude/culler/scene_view.h"
 
 namespace occlude::culler {
+
+/// What an id names.
+enum class SceneKind : std::uint8_t { object, occluder };
+
+/// Names one object or one occluder of one scene until it is removed; none by default. No two ids that a program ever gets
+/// are equal, whatever scenes they are of and whatever they name. So the id of what was removed names nothing any more, and
+/// an id names nothing in another scene. What it names, its generation and its scene are all in one number:
+/// 28 bits slot, 20 bits generation, 1 bit SceneKind, 15 bits scene, of which none is 0.
+template <SceneKind kOf>
+class SceneId {
+ public:
+  static constexpr SceneKind kKind = kOf;
+  static constexpr unsigned kSlotBits = 28, kGenerationBits = 20, kSceneBits = 15;
+
+  SceneId() = default;
+  /// For scenes. REQUIRES: each has no more than its bits; scene != 0.
+  SceneId(std::uint32_t slot, std::uint32_t generation, std::uint32_t scene)
+      : number_(std::uint64_t{scene} << kSceneAt | std::uint64_t{static_cast<std::uint8_t>(kKind)} << kKindAt |
+                std::uint64_t{generation} << kGenerationAt | slot) {}
+
+  /// For programs that keep numbers, and for other languages; 0 is none. Any other number than those of ids of this type
+  /// names nothing.
+  [[nodiscard]] static SceneId from_number(std::uint64_t number) {
+    SceneId id;
+    id.number_ = number;
+    return id;
+  }
+  [[nodiscard]] std::uint64_t number() const { return number_; }
+
+  [[nodiscard]] bool is_none() const { return number_ == 0; }
+  /// A small number that what is in the scene has to itself, objects apart from occluders. What is added takes the slot of
+  /// what was removed, so an array of a caller's own that is indexed by slots stays short.
+  [[nodiscard]] std::uint32_t slot() const { return field(0, kSlotBits); }
+  [[nodiscard]] std::uint32_t generation() const { return field(kGenerationAt, kGenerationBits); }
+  [[nodiscard]] std::uint32_t scene() const { return field(kSceneAt, kSceneBits); }
+  /// Of another kind than the type says is only what from_number() made of a number of that kind.
+  [[nodiscard]] SceneKind kind() const { return static_cast<SceneKind>(field(kKindAt, 1)); }
+
+  friend auto operator<=>(const SceneId&, const SceneId&) = default;
+
+ private:
+  static constexpr unsigned kGenerationAt = kSlotBits, kKindAt = kGenerationAt + kGenerationBits, kSceneAt = kKindAt + 1;
+  static_assert(kSceneAt + kSceneBits == 64);
+
+  [[nodiscard]] std::uint32_t field(unsigned at, unsigned bits) const {
+    return static_cast<std::uint32_t>(number_ >> at & ((std::uint64_t{1} << bits) - 1));
+  }
+
+  std::uint64_t number_ = 0;
+};
+
+using ObjectId = SceneId<SceneKind::object>;
+using OccluderId = SceneId<SceneKind::occluder>;
+
+/// How a frame of a scene is culled.
+struct SceneOptions {
+  CoverOptions cover = {};
+  /// As CullOptions::margin: what a renderer rounds, as a share of the picture's height. Nothing is hidden if it is negative
+  /// or not a number.
+  double margin = 0;
+  /// Objects and occluders take part if their mask and this one have a bit in common.
+  std::uint32_t mask = ~std::uint32_t{0};
+  /// Objects that look smaller are left out (DrawnObject::size). They are counted in SceneStats::too_small, and nothing is
+  /// said of their visibility.
+  float least_size = 0;
+  /// Whether the objects to draw are listed from front to back. This takes time n log n.
+  bool is_front_to_back = false;
+  /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
+  /// result is the same, to the order of the list. What it throws is thrown on, and all objects that take part are drawn
+  /// then.
+  const Executor* executor = nullptr;
+};
+
+/// An object to draw, and how it looks.
+struct DrawnObject {
+  ObjectId id;
+  /// No less than the height and the width of its box in the picture, as a share of the picture's height: what a level of
+  /// detail depends on. Infinity for a box that reaches before the near plane, and for one that is always drawn.
+  float size;
+  /// About the square of the distance from the eye to its box, or how far along the line of sight the box begins if rays
+  /// are parallel. -infinity for what is always drawn.
+  float distance;
+};
+
+struct SceneStats {
+  std::size_t drawn = 0;        ///< objects to draw
+  std::size_t out_of_view = 0;  ///< beyond a plane of the view
+  std::size_t hidden = 0;       ///< behind occluders
+  std::size_t too_small = 0;    ///< smaller than SceneOptions::least_size
+  std::size_t occluders = 0;    ///< of which at least a part was drawn into the coarse picture
+  CullStats work;               ///< what the descents did
+};
+
+/// The result of one frame. Each object whose mask has a bit of SceneOptions::mask is in `drawn` exactly once, or is counted
+/// in exactly one of the three numbers that follow it in SceneStats.
+struct SceneResult {
+  std::vector<DrawnObject> drawn;  ///< in an order that means nothing, unless SceneOptions::is_front_to_back
+  std::vector<HalfSpace> view;     ///< as append_view_frustum() has them
+  SceneStats stats;
+};
+
+/// What became of an object in a frame, and why.
+struct ObjectFate {
+  enum class Reason {
+    drawn,
+    always_drawn,  ///< it has no place, or ObjectOptions::is_always_drawn
+    out_of_view,   ///< its box is beyond SceneResult::view[plane]
+    hidden,        ///< `by` hide its box
+    too_small,     ///< it looks smaller than SceneOptions::least_size
+    in_no_layer,   ///< it is disabled, or has no bit of SceneOptions::mask
+    not_in_scene,  ///< there was no such object at the last update
+  };
+  /// A polygon that hides.
+  struct Hiding {
+    OccluderId occluder;
+    std::uint32_t polygon = 0;          ///< its number in the soup of the occluder's mesh
+    std::vector<kernel::Vec3> corners;  ///< where they are in the scene
+  };
+
+  Reason reason = Reason::not_in_scene;
+  std::uint32_t plane = 0;
+  std::vector<Hiding> by = {};  ///< each once; together they hide the box, beyond the near plane of the camera
+};
+
+/// The proof of a cull.
+struct ObjectWitness {
+  ObjectId object;
+  /// All of it is hidden, or out of view. Holds the box of the object: it is that box, or the axis-aligned one around it.
+  Box box;
+  ObjectFate fate;  ///< hidden or out_of_view
+};
+
+/// One camera, and its last frame.
+/// 1. One thread at a time may cull with it. Different views may be culled at once.
+/// 2. It may be used with any scene at any time. A frame does not depend on those before it.
+/// 3. After its first frame nothing more is allocated. Exceptions: culler/README.md, Budgets.
+/// 4. A view that was moved from may only be destroyed or assigned to.
+class SceneView {
+ public:
+  SceneView();
+  ~SceneView();
+  SceneView(SceneView&&) noexcept;
+  SceneView& operator=(SceneView&&) noexcept;
+
+  /// The last frame; empty before the first. Valid until the next frame of this view.
+  [[nodiscard]] const SceneResult& result() const;
+  /// Whether any box would be visible in the last frame, as View::visibility().
+  [[nodiscard]] Visibility visibility(const Box& box) const;
+
+  struct Memory;  ///< scene/scene_frame.h
+
+ private:
+  friend Memory& memory_of(const SceneView& view);
+
+  std::unique_ptr<Memory> memory_;
+};
 
 struct ObjectOptions {
   /// Whether it is moved often: those that are cost time in each update(), the others only when they are moved.

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <string_view>
 
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/render/camera_path.h"
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "frusta/potential_occluders.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
 #include "occlude/kernel/operations.h"

@@ -10,9 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/hierarchy.h"
+#include "occlude/culler/parts.h"
 #include "occlude/kernel/types.h"
 
 namespace occlude::culler {
@@ -35,20 +36,6 @@ struct Space {
 /// Const calls may run on several threads at once. Numbers of regions and cells are not checked.
 class Partition {
  public:
-  enum class Kind {
-    /// Cubes of one size, in a box that may be larger than the space. The grid is halved across its longest side until each
-    /// cell is one cube.
-    grid,
-    /// Nodes of the hierarchy, so that one structure divides space and holds what is drawn. Boxes of nodes leave gaps and
-    /// overlap, so they cannot be regions themselves. Instead a plane between the boxes of its two children divides the
-    /// cell of a node: across the axis on which they overlap least, as a share of the node, and in the middle of what they
-    /// have in common, or of the gap between them. A plane that misses the cell does not divide it: all of it goes to the
-    /// child on its side, and the other child has no cell. The cell with the largest volume is divided first, until there
-    /// are as many regions as wanted, or all nodes with a cell are leaves. So regions are small where polygons are many,
-    /// and large where there are none.
-    tree,
-  };
-
   /// A region, or a plane and the cells on both sides. The lower one is the next cell. The cells are in depth-first order.
   struct Cell {
     double plane = 0;
@@ -65,10 +52,11 @@ class Partition {
   /// About as many regions as wanted; of a tree no more. Takes no part of `space` with it. Throws std::invalid_argument
   /// unless it can_have() so many, and what `checkpoint` throws. REQUIRES: kernel::check(space.box) == Refusal::none, and
   /// space.box holds the nodes.
-  [[nodiscard]] static Partition make(Kind kind, const Space& space, double regions, const Checkpoint& checkpoint = {});
+  [[nodiscard]] static Partition make(RegionKind kind, const Space& space, double regions,
+                                      const Checkpoint& checkpoint = {});
 
   /// How many regions make() makes: of a grid so many, of a tree no more. Takes no time.
-  [[nodiscard]] static double most_regions(Kind kind, const Space& space, double regions);
+  [[nodiscard]] static double most_regions(RegionKind kind, const Space& space, double regions);
 
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;

@@ -11,34 +11,17 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
-#include "occlude/culler/partition.h"
-#include "occlude/culler/potential_occluders.h"
+#include "frusta/partition.h"
+#include "frusta/potential_occluders.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/parts.h"
 
 namespace occlude::culler {
 
 /// Const calls may run on several threads at once. Region numbers are not checked.
 class OccluderLists {
  public:
-  struct Config {
-    /// What the regions are. The choice of occluders does not depend on it otherwise.
-    Partition::Kind kind = Partition::Kind::grid;
-    /// An occluder is listed in every region that holds a viewpoint from which its area-angle exceeds this: steradians,
-    /// above 0.
-    double threshold = 0.01;
-    /// About how many regions to make, from 1 to 2^30; of a tree no more.
-    double regions = 32768;
-    /// The most entries of all lists together. If there would be more, the longest lists are cut to a common length; they
-    /// keep the occluders that look largest from their regions. 2^25 entries take 128 MiB. No list of a grid is cut in the
-    /// models tried (docs/measured.md).
-    std::size_t entries = std::size_t{1} << 25U;
-    /// A second limit, so that small models cost less: kEntriesOfEach entries for each occluder, but never less than
-    /// kEntriesOfFew in all, so that a few occluders that look large from everywhere are not cut. The lists of real models
-    /// have 13 to 116 entries for each polygon, those of a city of 20,010 polygons 560.
-    static constexpr std::size_t kEntriesOfEach = 1024, kEntriesOfFew = std::size_t{1} << 22U;
-  };
-
   /// The lists of all regions, one after another, each ascending.
   struct Stored {
     Array<std::uint64_t> first;  ///< region r has the entries [first[r], first[r + 1])
@@ -55,13 +38,13 @@ class OccluderLists {
 
   /// Why no lists can be made so: a threshold that is not above 0, or a number of regions that a partition cannot have.
   /// Empty if they can.
-  [[nodiscard]] static std::string fault(const Config& config);
+  [[nodiscard]] static std::string fault(const ListConfig& config);
 
   /// A partition of `space`, and its lists of the occluders that have an area.
   /// 1. Unless lists are cut, they are conservative: over the box of each region the area-angle is bounded from above.
   /// 2. The work is on all processors; the lists do not depend on their number.
   /// Throws std::invalid_argument for a config with a fault(), and what `checkpoint` throws. REQUIRES as Partition::make().
-  [[nodiscard]] static OccluderLists build(const PotentialOccluders& occluders, const Space& space, const Config& config,
+  [[nodiscard]] static OccluderLists build(const PotentialOccluders& occluders, const Space& space, const ListConfig& config,
                                            const Checkpoint& checkpoint = {});
 
   /// For Culler::parts().

@@ -10,17 +10,17 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/parts.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/convex_polytope.h"
 
 namespace occlude::culler {
 
-struct SidePair;   // src/adjacency.h
-class PartReader;  // src/part_list.h
+struct SidePair;   // model/adjacency.h
+class PartReader;  // model/part_list.h
 class PartWriter;
-class ShellPolytopes;  // src/shell_polytopes.h
+class ShellPolytopes;  // frusta/shell_polytopes.h
 
 /// 1. Every shell is closed and convex exactly: the kernel has checked it.
 /// 2. No polygon is in two shells.

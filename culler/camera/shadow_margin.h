@@ -14,8 +14,8 @@
 
 namespace occlude::culler {
 
-struct FrameView;    // src/frame_view.h
-class ShrunkShadow;  // src/shrunk_shadow.h
+struct FrameView;    // camera/frame_view.h
+class ShrunkShadow;  // frusta/shrunk_shadow.h
 
 /// The shadow less the margin is the set of points that stay in the shadow under both of these moves:
 /// 1. In the picture, by up to the margin. Each plane n . x >= d of the shadow, relative to the eye, becomes

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "occlude/culler/checkpoint.h"
-#include "occlude/culler/occluder_lists.h"
+#include "frusta/occluder_lists.h"
+#include "frusta/potential_occluders.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/polygon_soup.h"
-#include "occlude/culler/potential_occluders.h"
 
 namespace occlude::culler {
 
@@ -18,8 +18,8 @@ class OccluderSet : public PotentialOccluders {
  public:
   /// The potential occluders of the soup, and the lists of the regions of `space`. REQUIRES and throws as
   /// PotentialOccluders::find() and OccluderLists::build().
-  [[nodiscard]] static OccluderSet build(SharedSoup soup, const Space& space, const Config& config,
-                                         const OccluderLists::Config& of_lists, const Checkpoint& checkpoint = {}) {
+  [[nodiscard]] static OccluderSet build(SharedSoup soup, const Space& space, const OccluderConfig& config,
+                                         const ListConfig& of_lists, const Checkpoint& checkpoint = {}) {
     PotentialOccluders potential = find(std::move(soup), config, checkpoint);
     OccluderLists lists = OccluderLists::build(potential, space, of_lists, checkpoint);
     return {std::move(potential), std::move(lists)};

@@ -10,10 +10,11 @@
 #include <variant>
 #include <vector>
 
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
-#include "occlude/culler/convex_regions.h"
-#include "occlude/culler/convex_shells.h"
+#include "frusta/convex_regions.h"
+#include "frusta/convex_shells.h"
+#include "occlude/culler/cull_result.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/parts.h"
 #include "occlude/culler/polygon_soup.h"
 #include "occlude/kernel/shadow_frustum.h"
 
@@ -42,14 +43,10 @@ using OccluderGeometry = std::variant<std::vector<kernel::Vec3>, kernel::Polytop
 /// Const calls may run on several threads at once. Occluder numbers are not checked.
 class PotentialOccluders {
  public:
-  struct Config {
-    /// Whether to look for convex shells. Without them every occluder is flat.
-    bool shells = true;
-  };
-
   /// All potential occluders of the soup: its polygons, the regions that they make up and the shells that they form. Keeps
   /// the soup. What `checkpoint` throws is thrown on. REQUIRES: the soup is well formed and has finite coordinates.
-  [[nodiscard]] static PotentialOccluders find(SharedSoup soup, const Config& config, const Checkpoint& checkpoint = {});
+  [[nodiscard]] static PotentialOccluders find(SharedSoup soup, const OccluderConfig& config,
+                                               const Checkpoint& checkpoint = {});
   /// For Culler::parts().
   void append_parts(PartWriter& parts) const;
   /// The potential occluders with these parts. Throws std::invalid_argument as those of ConvexRegions and ConvexShells, and

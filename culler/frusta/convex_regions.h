@@ -11,14 +11,14 @@
 #include <span>
 #include <vector>
 
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
+#include "occlude/culler/parts.h"
 #include "occlude/culler/polygon_soup.h"
 
 namespace occlude::culler {
 
-struct SidePair;   // src/adjacency.h
-class PartReader;  // src/part_list.h
+struct SidePair;   // model/adjacency.h
+class PartReader;  // model/part_list.h
 class PartWriter;
 
 /// Triangles [first, first + count) of the fan that a polygon is drawn as.
@@ -54,7 +54,7 @@ class ConvexRegions {
   static constexpr std::uint32_t kMostJoined = 32;
 
   /// Called by PotentialOccluders::find(). REQUIRES: the soup is well formed, its coordinates are finite, and `adjacency` is
-  /// what find_adjacency() (src/adjacency.h) finds in it. What `checkpoint` throws is thrown on.
+  /// what find_adjacency() (model/adjacency.h) finds in it. What `checkpoint` throws is thrown on.
   [[nodiscard]] static ConvexRegions find(SoupView soup, std::span<const SidePair> adjacency,
                                           const Checkpoint& checkpoint = {});
   /// For Culler::parts().

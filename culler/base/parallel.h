@@ -8,7 +8,6 @@
 #include <exception>
 #include <mutex>
 
-#include "occlude/culler/checkpoint.h"
 #include "occlude/culler/executor.h"
 #include "occlude/kernel/validity.h"
 
