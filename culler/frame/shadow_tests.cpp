@@ -4,8 +4,8 @@
 #include "descent/frame.h"
 #include "frame/culler_access.h"
 #include "frusta/node_tests.h"
-#include "model/bounds.h"
 #include "model/block_tree.h"
+#include "model/bounds.h"
 
 namespace occlude::culler {
 

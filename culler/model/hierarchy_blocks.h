@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "model/block_tree.h"
-#include "occlude/culler/array.h"
-#include "occlude/culler/checkpoint.h"
+#include "occlude/culler/executor.h"
 #include "occlude/culler/hierarchy.h"
+#include "occlude/culler/parts.h"
 
 namespace occlude::culler {
 
