@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Checks that every build gives the same answers bit for bit. On this machine: g++ and clang++, -O0 and -O3, without and with
 # FMA, and batches on every instruction set. On others: all tests of the kernel and the culler, on 64-bit ARM and a big-endian
-# machine (IBM Z) under QEMU, and on Windows under Wine; and as WebAssembly, which has no threads, those of the kernel, under
-# node. Prints one line per build, with a hash of its answers. Exit code 1 if one fails.
+# machine (IBM Z) under QEMU, and on Windows under Wine; and as WebAssembly, which has no threads and pointers of 32 bits, those
+# of the kernel and of the C interface, under node. Prints one line per build, with a hash of its answers. Exit code 1 if one fails.
 # Usage: bash tests/builds.sh [g++|clang++|aarch64|s390x|windows|wasm]... (default: all; x86-64, Debian 12, as root or with sudo)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -33,7 +33,7 @@ on_this_machine() {
   GTEST_FILTER='*Answers*:*Batch*' build_and_test "build/answers/$1${2// /}"
 }
 
-# on_platform NAME: all tests of the kernel and, where there are threads, of the culler, and the examples.
+# on_platform NAME: all tests of the kernel, the C interface and, where there are threads, of the culler, and the examples.
 on_platform() {
   local folder=$PWD/build/platforms/$1
   bash tests/platforms/libraries.sh "$1" "$folder" || { echo "FAILED to build libraries: $folder/libraries.txt"; return 1; }
@@ -45,7 +45,7 @@ on_platform() {
   local options=("-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$1.cmake" "-DCMAKE_PREFIX_PATH=$folder/prefix"
     -DCMAKE_BUILD_TYPE=Release)
   local targets=(kernel_tests culler_tests {contents,matrix,model,scene,tutorial}_example c_tests) chosen='^(kernel|culler)$'
-  [ "$1" != wasm ] || { targets=(kernel_tests) chosen='^kernel$'; }
+  [ "$1" != wasm ] || { targets=(kernel_tests c_tests) chosen='^(kernel|c)$'; }
   build_and_test "$folder/build"
 }
 

@@ -382,6 +382,9 @@ OCCLUDE_API void occlude_view_destroy(occlude_view* view) OCCLUDE_NO_THROW;
 /// How a frame is culled.
 typedef struct occlude_cull_options {
   size_t size;  ///< of this struct
+  /// Where the objects are tested; null: on the calling thread. Occluders are drawn on the calling thread. The result is the
+  /// same, to the order of the arrays.
+  const occlude_executor* executor;
   /// The coarse picture in pixels, clamped to [64, 4096] and rounded up to multiples of 8. A larger one hides more and costs
   /// more.
   int32_t cover_width, cover_height;
@@ -399,13 +402,10 @@ typedef struct occlude_cull_options {
   /// Whether the objects to draw are listed from front to back.
   int32_t is_front_to_back;
   int32_t reserved;  ///< 0
-  /// Where the objects are tested; null: on the calling thread. Occluders are drawn on the calling thread. The result is the
-  /// same, to the order of the arrays.
-  const occlude_executor* executor;
 } occlude_cull_options;
 
 #define OCCLUDE_CULL_OPTIONS_INIT \
-  { sizeof(occlude_cull_options), 576, 360, 0, 0, 0, 0xffffffffu, 0, 0, 0, NULL }
+  { sizeof(occlude_cull_options), NULL, 576, 360, 0, 0, 0, 0xffffffffu, 0, 0, 0 }
 
 /// What to draw, for the next frame of the view. If the camera is refused, the view keeps its last frame. When memory runs
 /// out, it may be empty.

@@ -21,10 +21,6 @@
 namespace occlude::c {
 namespace {
 
-static_assert(sizeof(occlude_matrix_camera) == 2 * sizeof(std::size_t) + 24, "no padding: structs.h");
-static_assert(sizeof(occlude_look_at_camera) == sizeof(std::size_t) + 120, "no padding: structs.h");
-static_assert(sizeof(occlude_cull_options) == 2 * sizeof(std::size_t) + 48, "no padding: structs.h");
-
 glm::dvec3 dvec3(const double* v) { return {v[0], v[1], v[2]}; }
 
 culler::Camera to_camera(const occlude_look_at_camera* given) {

@@ -16,8 +16,6 @@
 namespace occlude::c {
 namespace {
 
-static_assert(sizeof(occlude_object_options) == sizeof(std::size_t) + 16, "no padding: structs.h");
-
 culler::ObjectOptions to_options(const occlude_object_options* given) {
   const auto options = read_options(given, occlude_object_options OCCLUDE_OBJECT_OPTIONS_INIT, "options");
   return {.moves = options.moves != 0, .is_always_drawn = options.is_always_drawn != 0, .mask = options.mask};

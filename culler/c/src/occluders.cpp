@@ -15,8 +15,6 @@
 namespace occlude::c {
 namespace {
 
-static_assert(sizeof(occlude_occluder_options) == sizeof(std::size_t) + 24, "no padding: structs.h");
-
 culler::OccluderOptions to_options(const occlude_scene* scene, const occlude_occluder_options* given) {
   const auto options = read_options(given, occlude_occluder_options OCCLUDE_OCCLUDER_OPTIONS_INIT, "options");
   return {

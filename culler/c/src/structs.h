@@ -8,13 +8,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "layout.h"
 #include "occlude.h"
 #include "status.h"
 
 namespace occlude::c {
 
-/// The size that a caller's struct of `most` bytes says. Structs grow by whole words, and no word has padding, so whatever
-/// word a shorter one ends with, all its members are whole.
+/// The size that a caller's struct of `most` bytes says. Structs grow by whole words, and none ends in padding (layout.h),
+/// so all members of an older version are whole.
 [[nodiscard]] inline std::size_t said_size(const void* given, std::size_t most, const char* name) {
   require(given, name);
   std::size_t size = 0;
