@@ -39,8 +39,8 @@ std::string fault(const Camera& camera) {
   // With a smaller angle, rounding would exceed the margin of the planes. With a larger one, the tangent of its half grows
   // without bound.
   if (!(camera.fov_y_deg >= 0.001 && camera.fov_y_deg <= 179)) return "the opening must be from 0.001 to 179 degrees";
-  if (!is_legal_length(camera.near)) return "the near plane must be before the eye and in range";
-  if (!(camera.far > camera.near) || (std::isfinite(camera.far) && !is_legal_length(camera.far)))
+  if (!is_legal_length(camera.near_plane)) return "the near plane must be before the eye and in range";
+  if (!(camera.far_plane > camera.near_plane) || (std::isfinite(camera.far_plane) && !is_legal_length(camera.far_plane)))
     return "the far plane must be beyond the near plane";
   if (!is_legal_length(camera.height)) return "the picture must have a height";
   if (!(camera.aspect >= 1 / kLargestAspect && camera.aspect <= kLargestAspect))

@@ -80,7 +80,7 @@ FrameView::FrameView(const Camera& camera, double reach)
       half_height(is_perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) : camera.height / 2),
       area(camera.height * camera.height * camera.aspect),
       near_normal(axes.forward),
-      near_distance(camera.near + kDepthMargin * reach),
+      near_distance(camera.near_plane + kDepthMargin * reach),
       near(near_distance),
       is_oblique(false),
       eye_uncertainty(0) {
@@ -98,8 +98,8 @@ FrameView::FrameView(const Camera& camera, double reach)
       append(across, camera.eye - half * across);
     }
   }
-  append(forward, camera.eye + camera.near * forward);
-  if (std::isfinite(camera.far)) append(-forward, camera.eye + camera.far * forward);
+  append(forward, camera.eye + camera.near_plane * forward);
+  if (std::isfinite(camera.far_plane)) append(-forward, camera.eye + camera.far_plane * forward);
 }
 
 /// Why this holds for every eye within the radius r, and for wherever the exact eye is: the camera at eye + e sees what a

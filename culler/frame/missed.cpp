@@ -71,7 +71,7 @@ void MissedReasons::keep_others(const FrameView& view, const CullOptions& option
     if (std::ranges::find(chosen_, i, &Shadow::occluder) != chosen_.end()) continue;
     occluders.vertices(i, vertices);
     if (view.may_clip(vertices)) continue;
-    auto [frustum, refusal] = occluders.shadow(i, view.viewpoint, options.near);
+    auto [frustum, refusal] = occluders.shadow(i, view.viewpoint, options.shadow_near);
     if (frustum) others_.push_back({i, std::move(*frustum)});
   }
 }
@@ -102,11 +102,11 @@ kernel::Relation MissedReasons::relation(const Shadow& shadow, const AnyBox& box
 
 /// Of the shadows that meet the parent, those that meet the node. If one of the others holds the whole node, the rest of
 /// them are not tested.
-MissedReasons::Near MissedReasons::narrowed(const Near& above, std::uint32_t node, Work& work) const {
+MissedReasons::Meeting MissedReasons::narrowed(const Meeting& above, std::uint32_t node, Work& work) const {
   const auto relation_to = [&](const Shadow& shadow) {
     return hierarchy_.ask(node, [&](const auto& box) { return relation(shadow, box, work); });
   };
-  Near here;
+  Meeting here;
   for (const Shadow* shadow : above.chosen) {
     if (relation_to(*shadow) != kernel::Relation::outside) here.chosen.push_back(shadow);
   }
@@ -123,8 +123,8 @@ MissedReasons::Near MissedReasons::narrowed(const Near& above, std::uint32_t nod
   return here;
 }
 
-MissedReasons::Near MissedReasons::all() const {
-  Near result;
+MissedReasons::Meeting MissedReasons::all() const {
+  Meeting result;
   for (const Shadow& shadow : chosen_) result.chosen.push_back(&shadow);
   for (const Shadow& shadow : others_) result.others.push_back(&shadow);
   return result;
@@ -164,23 +164,25 @@ Missed MissedReasons::missed_by_cover(const kernel::Aabb& box, Work& work) const
   return gap == CoverBuffer::Gap::open ? Missed::open_pixel : Missed::not_behind;
 }
 
-MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Near& near, Work& work) const {
+MissedReasons::Answer MissedReasons::answer(std::uint32_t p, const Meeting& meeting, Work& work) const {
   if (is_out_of_view(p, work)) return {Missed::out_of_view, Culled::kNone};
   const kernel::Aabb box = hierarchy_.soup().box(p);
   if (cover_) return {missed_by_cover(box, work), Culled::kNone};
-  for (const Shadow* shadow : near.chosen) {
+  for (const Shadow* shadow : meeting.chosen) {
     if (hides(*shadow, p, work) && hides(*shadow, box, work)) return {Missed::coarse_node, shadow->occluder};
   }
-  for (const Shadow* shadow : near.chosen) {
+  for (const Shadow* shadow : meeting.chosen) {
     if (hides(*shadow, p, work)) return {Missed::straddling_box, shadow->occluder};
   }
   const bool is_in_several = std::ranges::all_of(hierarchy_.soup().loop(p), [&](std::uint32_t index) {
     const kernel::Vec3 corner = to_kernel(hierarchy_.soup().vertices[index]);
-    return std::ranges::any_of(near.chosen, [&](const Shadow* s) { return hides(*s, kernel::Aabb{corner, corner}, work); });
+    return std::ranges::any_of(meeting.chosen, [&](const Shadow* s) {
+      return hides(*s, kernel::Aabb{corner, corner}, work);
+    });
   });
   if (is_in_several) return {Missed::several, Culled::kNone};
-  if (near.holder != nullptr && hides(*near.holder, p, work)) return {Missed::not_chosen, near.holder->occluder};
-  for (const Shadow* shadow : near.others) {
+  if (meeting.holder != nullptr && hides(*meeting.holder, p, work)) return {Missed::not_chosen, meeting.holder->occluder};
+  for (const Shadow* shadow : meeting.others) {
     if (hides(*shadow, p, work)) return {Missed::not_chosen, shadow->occluder};
   }
   return {Missed::no_single_one, Culled::kNone};
@@ -190,13 +192,13 @@ MissedReasons::Answer MissedReasons::answer(std::uint32_t p) const {
   const Checkpoint none;
   Work unbounded(std::numeric_limits<std::size_t>::max(), none);
   std::uint32_t node = 0;
-  Near near = narrowed(all(), node, unbounded);
+  Meeting meeting = narrowed(all(), node, unbounded);
   while (!hierarchy_.nodes()[node].is_leaf()) {
     const std::uint32_t right = hierarchy_.nodes()[node].right;
     node = p < hierarchy_.nodes()[right].first ? node + 1 : right;
-    near = narrowed(near, node, unbounded);
+    meeting = narrowed(meeting, node, unbounded);
   }
-  return answer(p, near, unbounded);
+  return answer(p, meeting, unbounded);
 }
 
 MissedReasons::Counts MissedReasons::count(const Answers& answers) {
@@ -225,7 +227,7 @@ class MissedReasons::Asking {
   void descend(const Subtree& above, std::uint32_t polygons, const OnSubtree& on_subtree) {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[above.node];
     if (!work_.is_left() || missed_in(n) == 0) return;
-    Subtree here{above.node, reasons_.narrowed(above.near, above.node, work_)};
+    Subtree here{above.node, reasons_.narrowed(above.meeting, above.node, work_)};
     if (n.is_leaf() || n.count <= polygons) return on_subtree(std::move(here));
     here.node = above.node + 1;
     descend(here, polygons, on_subtree);
@@ -237,7 +239,7 @@ class MissedReasons::Asking {
     const HierarchyNode& n = reasons_.hierarchy_.nodes()[leaf.node];
     for (std::uint32_t p = n.first; p < n.first + n.count; ++p) {
       if (!missed_[p] || !work_.is_left()) continue;
-      const Answer answer = reasons_.answer(p, leaf.near, work_);
+      const Answer answer = reasons_.answer(p, leaf.meeting, work_);
       if (work_.is_left()) asked.push_back({p, answer});
     }
   }

@@ -30,7 +30,7 @@ class ShellPolytopes;  // frusta/shell_polytopes.h
 /// Const calls may run on several threads at once. Indices are not checked.
 class ConvexShells {
  public:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = (std::numeric_limits<std::uint32_t>::max)();
 
   /// Called by PotentialOccluders::find(). REQUIRES as ConvexRegions::find(). What `checkpoint` throws is thrown on.
   [[nodiscard]] static ConvexShells find(SoupView soup, std::span<const SidePair> adjacency,

@@ -38,7 +38,7 @@ class NodeTests {
         frusta_(memory.frusta),
         margin_(frame.margin) {
     memory.shrink_shadows(frame);
-    memory.take_casters(frame.result, occluders, options.near);
+    memory.take_casters(frame.result, occluders, options.shadow_near);
   }
 
   [[nodiscard]] const ViewPlanes& view() const { return volumes_.view(); }

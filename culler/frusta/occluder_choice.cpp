@@ -339,7 +339,7 @@ bool OccluderChoice::add(std::uint32_t i) {
   }
   std::vector<kernel::ShadowFrustum>& spare = memory_.spare;
   const kernel::Refusal refusal =
-      is_shell ? add_shell(i, spare.back()) : spare.back().assign(view_.viewpoint, memory_.loop, options_.near);
+      is_shell ? add_shell(i, spare.back()) : spare.back().assign(view_.viewpoint, memory_.loop, options_.shadow_near);
   if (refusal != kernel::Refusal::none) {
     work_.take(PlaneWork::kExact);  // the kernel refuses where signs are zero, which takes the exact stage
     return false;
@@ -372,7 +372,7 @@ bool OccluderChoice::make_probes() {
 }
 
 void OccluderChoice::make(UnmadeProbe& unmade) {
-  unmade.refusal = memory_.probes[unmade.probe].frustum.assign(view_.viewpoint, unmade.loop, options_.near);
+  unmade.refusal = memory_.probes[unmade.probe].frustum.assign(view_.viewpoint, unmade.loop, options_.shadow_near);
 }
 
 /// Keeps the probes before the first that the kernel refuses. Those after it are tried again, because its parts come before
@@ -399,7 +399,7 @@ bool OccluderChoice::keep_made() {
 kernel::Refusal OccluderChoice::add_shell(std::uint32_t i, kernel::ShadowFrustum& frustum) {
   const kernel::ConvexPolytope& polytope = occluders_.polytope(i);
   kernel::PolytopeSilhouette& seen = memory_.silhouettes.of(static_cast<std::uint32_t>(i - occluders_.regions().size()));
-  const kernel::Refusal refusal = frustum.assign(view_.viewpoint, polytope, options_.near, seen);
+  const kernel::Refusal refusal = frustum.assign(view_.viewpoint, polytope, options_.shadow_near, seen);
   frame_.stats.silhouette_faces += polytope.faces().size();
   frame_.stats.silhouette_faces_asked += seen.faces_asked();
   return refusal;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "model/bounds.h"
 #include "model/legal_soup.h"
@@ -32,6 +34,11 @@ bool is_well_formed(SoupView soup, const Checkpoint& checkpoint) {
   return !soup.first.empty() && soup.first.front() == 0 && soup.first.back() == soup.indices.size() &&
          are_faces(soup.faces, soup.size()) && are_marks(soup.see_through, soup.size()) &&
          are_all(soup.size(), has_corners, checkpoint) && are_all(soup.indices.size(), is_vertex, checkpoint);
+}
+
+std::uint32_t PolygonSoup::narrowed(std::size_t number) {
+  if (number > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("more than 2^32 vertices or corners");
+  return static_cast<std::uint32_t>(number);
 }
 
 FaceShape PolygonSoup::add_large_face(std::span<const std::uint32_t> loop) {

@@ -212,8 +212,9 @@ culler::Camera any_camera(Choices& choices) {
   camera.fov_y_deg = choices.chance(0.3) ? 0.001 + choices.scale(-10, 0) : choices.real(0.01, 179);
   camera.height = choices.scale(-10, 10);
   camera.aspect = choices.scale(-16, 16);
-  camera.near = choices.scale(-20, 5);
-  camera.far = choices.chance(0.5) ? camera.near * choices.scale(1, 20) : std::numeric_limits<double>::infinity();
+  camera.near_plane = choices.scale(-20, 5);
+  camera.far_plane =
+      choices.chance(0.5) ? camera.near_plane * choices.scale(1, 20) : std::numeric_limits<double>::infinity();
   return camera;
 }
 
@@ -232,8 +233,8 @@ Share planes_of_cameras(Choices& choices) {
                         : i == 5              ? Vector(-forward)
                         : view.is_perspective ? Vector(half * forward + across)
                                               : across;
-  const Vector through = i == 4                ? Vector(eye + Exact(camera.near) * forward)
-                         : i == 5              ? Vector(eye + Exact(camera.far) * forward)
+  const Vector through = i == 4                ? Vector(eye + Exact(camera.near_plane) * forward)
+                         : i == 5              ? Vector(eye + Exact(camera.far_plane) * forward)
                          : view.is_perspective ? eye
                                                : Vector(eye - half * across);
   const Vector p = bound_check::vector_of(camera.eye + depth * choices.point() / 3.0);

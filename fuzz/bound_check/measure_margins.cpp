@@ -30,7 +30,7 @@ struct Square {
 
   [[nodiscard]] culler::FrameView view(double reach) const {
     culler::Camera camera;
-    camera.near = distance / 2;
+    camera.near_plane = distance / 2;
     if (!is_perspective) camera.projection = culler::Projection::orthographic;
     return {camera, reach};
   }

@@ -52,7 +52,7 @@ culler::ConservativeViewport any_picture(Choices& choices, bool is_moved) {
   camera.fov_y_deg = choices.chance(0.3) ? 0.001 + choices.scale(-10, 0) : choices.real(0.01, 179);
   camera.height = depth * choices.scale(-10, 2);
   camera.aspect = choices.scale(-3, 3);
-  camera.near = depth * choices.scale(-40, -1);
+  camera.near_plane = depth * choices.scale(-40, -1);
   if (!fault(camera).empty()) camera = {};
   const int width = 8 * static_cast<int>(choices.real(5, 80)), height = 8 * static_cast<int>(choices.real(5, 80));
   return {culler::FrameView(camera, depth), {width, height, 16}, is_moved ? culler::kSinglePrecision * depth : 0};

@@ -249,7 +249,7 @@ class CullJudge {
     if (shadows_[index]) return *shadows_[index];
     const culler::Occluder& occluder = result_.occluders[index];
     return shadows_[index].emplace(proof::viewpoint_of(camera_), to_oracle(occluders_.geometry(occluder.index)),
-                                   to_oracle(options_.near, {occluder.frustum}));
+                                   to_oracle(options_.shadow_near, {occluder.frustum}));
   }
 
   const culler::Culler& culler_;

@@ -57,7 +57,7 @@ CullOptions some_options(Random& random) {
   options.probes = std::array<std::size_t, 3>{0, 1, 8}[random.index(3)];
   options.objective = some_objective(random);
   options.unions = random.chance(0.5);
-  if (random.chance(0.3)) options.near = kernel::Near::farthest;
+  if (random.chance(0.3)) options.shadow_near = kernel::Near::farthest;
   if (random.chance(0.3)) options.test = kernel::Test::overlap;
   if (random.chance(0.2)) options.margin = std::array{0x1p-80, 0x1p-20, 0x1p-6, 1.0}[random.index(4)];
   return options;
@@ -159,7 +159,7 @@ bool is_of_this_frame(const Culler& culler, const Camera& camera, const CullOpti
   const kernel::Vec3 value{at.x, at.y, at.z};  // derived without the culler's own viewpoint
   const auto viewpoint = camera.projection == culler::Projection::perspective ? kernel::Viewpoint::eye(value)
                                                                               : kernel::Viewpoint::direction(value);
-  const kernel::ShadowFrustumResult fresh = occluders_of(culler).shadow(occluder.index, viewpoint, options.near);
+  const kernel::ShadowFrustumResult fresh = occluders_of(culler).shadow(occluder.index, viewpoint, options.shadow_near);
   return fresh.frustum && std::ranges::equal(fresh.frustum->silhouette(), occluder.frustum.silhouette()) &&
          fresh.frustum->near_count() == occluder.frustum.near_count() &&
          kernel::stored(*fresh.frustum)->cap_vertices == kernel::stored(occluder.frustum)->cap_vertices;

@@ -54,8 +54,8 @@ Camera forged_camera(Random& random, SoupView soup) {
     if (random.chance(0.5)) camera.fov_y_deg = std::array{0.001, 1.0, 60.0, 120.0, 170.0, 179.0}[random.index(6)];
     if (random.chance(0.5))
       camera.aspect = std::array{16.0 / 9, 4.0, 0.25, 100.0, 0.01, 65536.0, 1 / 65536.0}[random.index(7)];
-    if (random.chance(0.3)) camera.near = std::array{1e-6, 0.01, 2.0, 8.0}[random.index(4)];
-    if (random.chance(0.3)) camera.far = camera.near * (1 + std::ldexp(1.0, random.integer(-20, 12)));
+    if (random.chance(0.3)) camera.near_plane = std::array{1e-6, 0.01, 2.0, 8.0}[random.index(4)];
+    if (random.chance(0.3)) camera.far_plane = camera.near_plane * (1 + std::ldexp(1.0, random.integer(-20, 12)));
     return fault(camera).empty() ? std::optional(camera) : std::nullopt;
   });
 }
@@ -283,7 +283,7 @@ class Forger {
     const double reach = random_.real(1, 4 * kReach), cut = random_.chance(0.5) ? reach : half * reach;
     const double narrower = 1 - (random_.chance(0.5) ? 0 : std::ldexp(1.0, -random_.integer(1, 50)));
     const auto corner = [&](double depth) { return std::min(perspective ? half * depth : half, cut) * narrower; };
-    const dvec3 near = camera.eye + camera.near * forward + corner(camera.near) * across;
+    const dvec3 near = camera.eye + camera.near_plane * forward + corner(camera.near_plane) * across;
     const dvec3 far = camera.eye + reach * forward + corner(reach) * across;
     const dvec3 normal = glm::cross(far - near, along);
     return plane_at(glm::dot(normal, across) < 0 ? normal : -normal, far);

@@ -158,9 +158,9 @@ Camera some_camera(Random& random, SoupView soup) {
   camera.fov_y_deg = std::array{60.0, 90.0, 20.0, 150.0}[random.index(4)];
   camera.height = random.integer(1, 4 * kReach);
   camera.aspect = random.chance(0.5) ? 1 : 16.0 / 9;
-  camera.near = std::array{0.1, 1.0, 3.0}[random.index(3)];
+  camera.near_plane = std::array{0.1, 1.0, 3.0}[random.index(3)];
   if (random.chance(0.3)) camera.projection = culler::Projection::orthographic;
-  if (random.chance(0.3)) camera.far = camera.near + random.integer(1, 2 * kReach);
+  if (random.chance(0.3)) camera.far_plane = camera.near_plane + random.integer(1, 2 * kReach);
   return camera;
 }
 
@@ -172,9 +172,9 @@ culler::MatrixCamera matrix_of(Random& random, const Camera& camera) {
     return glm::dvec4(axis * scale, -glm::dot(axis, camera.eye) * scale);
   };
   const glm::dvec4 along = row(forward, 1), one(0, 0, 0, 1);
-  const bool is_reversed = random.chance(0.5), is_zero_to_w = random.chance(0.5), has_far = std::isfinite(camera.far);
+  const bool is_reversed = random.chance(0.5), is_zero_to_w = random.chance(0.5), has_far = std::isfinite(camera.far_plane);
   // The depth is 0 at the near plane and w at the far plane, or the other way round.
-  const double near = camera.near, far = camera.far;
+  const double near = camera.near_plane, far = camera.far_plane;
   glm::dvec4 depth = along - near * one;
   if (is_perspective && has_far) depth = far / (far - near) * depth;
   if (!is_perspective) depth = (has_far ? 1 / (far - near) : 0x1p-20) * depth;

@@ -25,7 +25,7 @@ bool may_be_out_of_picture(const dvec3& point, const Camera& camera) {
   const double half = perspective ? std::tan(glm::radians(camera.fov_y_deg) / 2) * depth : camera.height / 2;
   const double slack = kMargin * (glm::length(camera.eye) + glm::length(point));
   const auto is_within = [&](double across, double limit) { return std::fabs(across) + slack < limit * (1 - kMargin); };
-  return !(depth > camera.near + slack && depth + slack < camera.far && is_within(glm::dot(way, up), half) &&
+  return !(depth > camera.near_plane + slack && depth + slack < camera.far_plane && is_within(glm::dot(way, up), half) &&
            is_within(glm::dot(way, right), half * camera.aspect));
 }
 

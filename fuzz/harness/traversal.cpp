@@ -58,8 +58,8 @@ Camera camera_of(Decoder& decoder) {
   camera.fov_y_deg = kOpenings[decoder.below(kOpenings.size())];
   camera.aspect = kAspects[decoder.below(kAspects.size())];
   camera.height = decoder.number();
-  if (decoder.flag()) camera.near = decoder.number();
-  if (decoder.flag()) camera.far = decoder.number();
+  if (decoder.flag()) camera.near_plane = decoder.number();
+  if (decoder.flag()) camera.far_plane = decoder.number();
   return camera;
 }
 
@@ -77,7 +77,7 @@ culler::BuildConfig config_of(Decoder& decoder) {
 culler::CullOptions options_of(Decoder& decoder) {
   culler::CullOptions options;
   options.occluders = decoder.below(12);
-  if (decoder.flag()) options.near = kernel::Near::farthest;
+  if (decoder.flag()) options.shadow_near = kernel::Near::farthest;
   if (decoder.flag()) options.test = kernel::Test::overlap;
   if (decoder.below(8) == 7) options.arithmetic = kernel::Arithmetic::plain;
   return options;

@@ -33,7 +33,7 @@ const proof::Prover& prover() {
                                                     culler::Camera camera;
                                                     camera.eye = {0, 0, static_cast<double>(frame)};
                                                     camera.aspect = 1;
-                                                    camera.far = 100;
+                                                    camera.far_plane = 100;
                                                     return camera;
                                                   }});
   return instance;

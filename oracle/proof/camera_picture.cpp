@@ -48,8 +48,8 @@ oracle::Picture picture(const culler::Camera& camera, double outward) {
     const double tilted = std::copysign(kRounded, outward) * (1 + half) * (1 + x + y);
     picture.sides.push_back(perspective ? within((half + tilted) * forward - across, 0) : within(-across, half));
   }
-  picture.depth.push_back(within(forward, -camera.near));
-  if (std::isfinite(camera.far)) picture.depth.push_back(within(-forward, camera.far));
+  picture.depth.push_back(within(forward, -camera.near_plane));
+  if (std::isfinite(camera.far_plane)) picture.depth.push_back(within(-forward, camera.far_plane));
   return picture;
 }
 

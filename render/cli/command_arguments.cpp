@@ -235,7 +235,7 @@ render::WalkOptions WalkArguments::options() const {
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;
   options.read = read_.options();
-  options.cull.near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
+  options.cull.shadow_near = near_ == "surface" ? kernel::Near::surface : kernel::Near::farthest;
   options.cull.arithmetic = arithmetic_ == "certified" ? kernel::Arithmetic::certified : kernel::Arithmetic::plain;
   options.build = build_.config(options.cull.method);
   options.cull.test = test_ == "overlap" ? kernel::Test::overlap : kernel::Test::conservative;

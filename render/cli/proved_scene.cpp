@@ -18,7 +18,8 @@ bool is_proved(const culler::Camera& camera, const culler::ObjectFate& fate, con
   std::vector<oracle::Loop> polygons;
   for (const auto& hiding : fate.by) polygons.push_back(cases::to_oracle(hiding.corners));
   const glm::dvec3 forward = camera.axes().forward;
-  const oracle::HalfSpaceCoefficients drawn{forward.x, forward.y, forward.z, -glm::dot(forward, camera.eye) - camera.near};
+  const oracle::HalfSpaceCoefficients drawn{forward.x, forward.y, forward.z,
+                                            -glm::dot(forward, camera.eye) - camera.near_plane};
   const oracle::Answer answer =
       oracle::relation_to_cover({point_of(camera.eye), false}, polygons, cases::to_oracle(box), drawn);
   return answer.refusal.empty() && answer.relation == oracle::Relation::inside;

@@ -107,8 +107,8 @@ void occlude_lens(bool is_perspective, double fov_y_deg, double height, double n
   camera.projection = is_perspective ? culler::Projection::perspective : culler::Projection::orthographic;
   camera.fov_y_deg = fov_y_deg;
   camera.height = height;
-  camera.near = near;
-  camera.far = far;
+  camera.near_plane = near;
+  camera.far_plane = far;
   camera.up = {up_x, up_y, up_z};
 }
 

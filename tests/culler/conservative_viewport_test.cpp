@@ -109,7 +109,7 @@ TEST(ConservativeViewport, NoEdgeInThePictureIsOffByMoreThanItsError) {
     constexpr double kDepth = 0x1p20;
     Camera camera;
     camera.target = {1, 0, 0};
-    camera.near = 0x1p-10;
+    camera.near_plane = 0x1p-10;
     camera.fov_y_deg = uniform(random, 20, 120);
     const ConservativeViewport picture(FrameView(camera, kDepth), {576, 360, 60},
                                        i % 4 == 0 ? 0 : kSinglePrecision * kDepth);

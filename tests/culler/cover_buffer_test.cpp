@@ -72,7 +72,7 @@ class Judge {
       }
     }
     const glm::dvec3 forward = camera.axes().forward;
-    const kernel::HalfSpace drawn{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+    const kernel::HalfSpace drawn{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near_plane};
     cover_ = kernel::Cover::make(camera.viewpoint(), polygons, drawn).cover;
   }
 
@@ -358,7 +358,7 @@ TEST_P(CoverBufferSoundness, WhatItHidesIsHiddenExactly) {
     Camera camera = looking_along_x();
     if (random() % 3 == 0) camera.projection = Projection::orthographic;
     if (random() % 2 == 0) camera.target = {1, uniform(random, -0.3, 0.3), uniform(random, -0.3, 0.3)};
-    if (random() % 2 == 0) camera.near = 0.5;
+    if (random() % 2 == 0) camera.near_plane = 0.5;
     const Judge judge(camera, some_mesh(random), random() % 8 == 0 ? 0x1p16 : 64);
     for (int i = 0; i < 40; ++i) {
       const kernel::Aabb box = cube(some_point(random, 1, 12, 2), std::ldexp(1.0, -static_cast<int>(random() % 7)));

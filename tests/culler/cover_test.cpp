@@ -39,7 +39,7 @@ std::vector<kernel::Vec3> polygon(SoupView soup, std::uint32_t p) {
 /// The half-space beyond the camera's near plane.
 kernel::HalfSpace drawn_of(const Camera& camera) {
   const glm::dvec3 forward = camera.axes().forward;
-  return {to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+  return {to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near_plane};
 }
 
 bool is_hidden(SoupView soup, std::span<const std::uint32_t> polygons, const Camera& camera, const Box& box) {
@@ -169,7 +169,7 @@ TEST(CoverFrame, AGlobeHidesMostOfItsFarSide) {
   camera.eye = {0, 0, kRadius + 2000};
   camera.target = camera.eye + glm::dvec3{1000, 0, -20};
   camera.aspect = 16.0 / 9;
-  camera.near = 1;
+  camera.near_plane = 1;
   const Culler culler = culler_of(soup);
   CullOptions options{.method = Method::cover};
   options.margin = 1.0 / 256;
@@ -228,7 +228,7 @@ TEST(CoverFrame, WhatCoversFewPixelsIsNotDrawn) {
   EXPECT_EQ(culler_of(passing).cull(camera, kCover).stats.cover_triangles, 4U);
   camera.eye = {9.5, 0, -2};
   camera.target = {9.5, 2, 0};
-  camera.near = 1;
+  camera.near_plane = 1;
   EXPECT_EQ(drawn(4.0 / 600, camera), 4U);
   Camera parallel;
   parallel.target = {10, 0, 0};

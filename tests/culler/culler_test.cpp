@@ -62,7 +62,7 @@ TEST(Culler, DrawsWhatBruteForceDraws) {
   for (int i = 0; i < 200; ++i) {
     const Camera camera = random_camera(random);
     CullOptions options;
-    options.near = i % 2 ? kernel::Near::surface : kernel::Near::farthest;
+    options.shadow_near = i % 2 ? kernel::Near::surface : kernel::Near::farthest;
     options.test = i % 3 ? kernel::Test::conservative : kernel::Test::overlap;
     const CullResult frame = culler.cull(camera, options);
     ASSERT_EQ(drawn_polygons(culler, frame), brute_force(culler, frame, options.arithmetic, options.test))
@@ -236,7 +236,7 @@ TEST(ViewFrustum, HoldsAllThatTheCameraShows) {
   for (int i = 0; i < 200; ++i) {
     const Camera camera = random_camera(random);
     const auto [right, up, forward] = camera.axes();
-    for (const double depth : {camera.near, std::isfinite(camera.far) ? camera.far : 1e6}) {
+    for (const double depth : {camera.near_plane, std::isfinite(camera.far_plane) ? camera.far_plane : 1e6}) {
       const double half = camera.projection == Projection::perspective
                               ? std::tan(camera.fov_y_deg / 360 * 3.14159265358979323846) * depth
                               : camera.height / 2;
@@ -264,7 +264,7 @@ TEST(ViewFrustum, IsClosedOnEverySideOfThePicture) {
     std::vector<glm::dvec3> outside{middle - (across + beside) * right, middle + (across + beside) * right,
                                     middle - (half + beside) * up, middle + (half + beside) * up,
                                     camera.eye - beside * forward};
-    if (std::isfinite(camera.far)) outside.push_back(camera.eye + (camera.far + beside) * forward);
+    if (std::isfinite(camera.far_plane)) outside.push_back(camera.eye + (camera.far_plane + beside) * forward);
     const std::vector<HalfSpace> planes = view_frustum(camera);
     ASSERT_EQ(planes.size(), outside.size());
     for (std::size_t k = 0; k < planes.size(); ++k) {
@@ -308,7 +308,7 @@ TEST(ViewFrustum, HoldsWhatSinglePrecisionMovesIntoThePicture) {
   camera.fov_y_deg = 90;
   camera.aspect = 1;
   camera.height = 2;
-  camera.far = 3;
+  camera.far_plane = 3;
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     camera.projection = projection;
     std::vector<HalfSpace> planes;
@@ -345,8 +345,8 @@ TEST(Culler, RefusesModelsAndCamerasThatCannotBeRight) {
   EXPECT_NE(fault_with([](Camera& c) { c.up = c.target - c.eye; }), "");
   EXPECT_NE(fault_with([](Camera& c) { c.fov_y_deg = 180; }), "");
   EXPECT_NE(fault_with([](Camera& c) { c.fov_y_deg = 1e-9; }), "");
-  EXPECT_NE(fault_with([](Camera& c) { c.near = 0; }), "");
-  EXPECT_NE(fault_with([](Camera& c) { c.far = c.near; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.near_plane = 0; }), "");
+  EXPECT_NE(fault_with([](Camera& c) { c.far_plane = c.near_plane; }), "");
   EXPECT_NE(fault_with([](Camera& c) { c.height = 1e-200; }), "");
 }
 
@@ -385,7 +385,7 @@ Walk walk_on(const Culler& culler, const Executor& executor, CullOptions options
 TEST(Culler, AWalkDoesNotDependOnTheExecutor) {
   const Culler culler(random_town_of_houses(11, 4000), {.hierarchy = {.leaf_size = 4}, .lists = {.regions = 64}});
   for (const CullOptions& options : {CullOptions{}, CullOptions{.occluders = 0}, CullOptions{.occluders = 3, .probes = 0},
-                                     CullOptions{.near = kernel::Near::farthest}, CullOptions{.unions = true}}) {
+                                     CullOptions{.shadow_near = kernel::Near::farthest}, CullOptions{.unions = true}}) {
     const Walk expected = walk_on(culler, Executor(), options);
     EXPECT_EQ(expected.deferred, 0U);
     for (const Executor& executor : some_executors()) {
@@ -438,7 +438,7 @@ TEST(Culler, ASubtreeWithMuchOfTheWorkIsDividedInTheNextFrame) {
   Camera camera;
   camera.eye = {40, 5, 2};
   camera.target = {41, 5, 2};
-  camera.far = 8;
+  camera.far_plane = 8;
   for (int frame = 0; frame < 3; ++frame) {
     const CullResult& found = culler.cull(camera, options, view);
     EXPECT_EQ(found.drawn, culler.cull(camera, {}, alone).drawn);
@@ -519,7 +519,7 @@ TEST(Culler, AShellDoesNotHideItself) {
   add_wall(soup, 5, -1, 1, -1, 1);
   for (const auto near : {kernel::Near::surface, kernel::Near::farthest}) {
     const Culler culler = one_polygon_leaves(soup);
-    const CullResult frame = look(culler, {.occluders = 1, .near = near});
+    const CullResult frame = look(culler, {.occluders = 1, .shadow_near = near});
     ASSERT_TRUE(occluders_of(culler).is_shell(frame.occluders.at(0).index));
     for (std::uint32_t face = 0; face < 6; ++face) EXPECT_TRUE(is_drawn(culler, frame, face));
     EXPECT_FALSE(is_drawn(culler, frame, 6));
@@ -624,14 +624,14 @@ TEST(Culler, PartsHideWhereTheirWholeCannot) {
   Camera camera;
   camera.target = {1, 0, 0};
   camera.fov_y_deg = 120;
-  camera.near = 1;
+  camera.near_plane = 1;
   for (const double nearest : {5.0, 0.5}) {
     const Culler culler(wall_of_two(nearest), {.hierarchy = {.leaf_size = 1}, .lists = {.threshold = 1e-6, .regions = 1}});
     ASSERT_EQ(occluders_of(culler).size(), 4U);
     const CullResult frame = culler.cull(camera);
     EXPECT_FALSE(is_drawn(culler, frame, 2)) << "nearest " << nearest;
     ASSERT_EQ(frame.occluders.size(), 1U) << "and nothing that adds nothing";
-    EXPECT_EQ(occluders_of(culler).parts(frame.occluders[0].index).size(), nearest < camera.near ? 1U : 2U);
+    EXPECT_EQ(occluders_of(culler).parts(frame.occluders[0].index).size(), nearest < camera.near_plane ? 1U : 2U);
   }
 }
 

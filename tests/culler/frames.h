@@ -48,7 +48,7 @@ inline Camera random_camera(std::mt19937& random) {
   camera.eye = {number(-45, 45), number(-45, 45), number(0.5, 4)};
   camera.target = camera.eye + glm::dvec3{number(-1, 1), number(-1, 1), number(-0.2, 0.2)};
   if (random() % 4 == 0) camera.projection = Projection::orthographic;
-  if (random() % 3 == 0) camera.far = 40;
+  if (random() % 3 == 0) camera.far_plane = 40;
   camera.height = 20;
   return camera;
 }
@@ -58,7 +58,7 @@ inline MatrixCamera matrix_of(const Camera& camera) {
   const auto [right, up, forward] = camera.axes();
   const bool perspective = camera.projection == Projection::perspective;
   const double half = perspective ? std::tan(camera.fov_y_deg * std::numbers::pi / 360) : camera.height / 2;
-  const double far = std::isfinite(camera.far) || perspective ? camera.far : 1e4;
+  const double far = std::isfinite(camera.far_plane) || perspective ? camera.far_plane : 1e4;
   std::array<double, 16> rows{};
   const auto set = [&](std::size_t row, const glm::dvec3& normal, double constant) {
     for (int k = 0; k < 3; ++k) rows[4 * row + static_cast<std::size_t>(k)] = normal[k];
@@ -68,11 +68,11 @@ inline MatrixCamera matrix_of(const Camera& camera) {
   set(1, up / half, 0);
   if (perspective) {
     const bool is_infinite = std::isinf(far);
-    set(2, (is_infinite ? 1 : far / (far - camera.near)) * forward,
-        -camera.near * (is_infinite ? 1 : far / (far - camera.near)));
+    set(2, (is_infinite ? 1 : far / (far - camera.near_plane)) * forward,
+        -camera.near_plane * (is_infinite ? 1 : far / (far - camera.near_plane)));
     set(3, forward, 0);
   } else {
-    set(2, forward / (far - camera.near), -camera.near / (far - camera.near));
+    set(2, forward / (far - camera.near_plane), -camera.near_plane / (far - camera.near_plane));
     rows[15] = 1;
   }
   return MatrixCamera::from_rows(rows.data(), ClipDepth::zero_to_w, Nearer::less);

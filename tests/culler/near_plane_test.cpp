@@ -168,7 +168,7 @@ TEST(NearPlane, NothingDisappearsForACameraInAShell) {
     }
     EXPECT_EQ(shells_in_use(culler, frame), 0U) << "eye at " << camera.eye.x;
     // The first thing in front of the camera is seen: a wall in the shell, the far wall of the shell, or what is outside.
-    const double depth = camera.eye.x + camera.near;
+    const double depth = camera.eye.x + camera.near_plane;
     std::size_t first = is_inside ? 1 : outside;
     for (std::size_t p = outside; p-- > 6;) {
       if (soup.vertices[soup.loop(p)[0]].x > depth) first = p;
@@ -333,7 +333,7 @@ TEST(FarPlane, AtInfinityIsNoPlane) {
     EXPECT_EQ(is_drawn(culler, frame, hidden), projection == Projection::orthographic);
     EXPECT_TRUE(is_drawn(culler, frame, beside));
   }
-  camera.far = 1e8;
+  camera.far_plane = 1e8;
   const CullResult frame = culler.cull(camera);
   EXPECT_EQ(frame.view.size(), 6U);
   EXPECT_FALSE(is_drawn(culler, frame, beside));
@@ -413,7 +413,7 @@ TEST(OccluderShape, CollinearFirstCornersAndAnyScale) {
       for (glm::dvec3& v : soup.vertices) v *= scale;
       const Culler culler = far_reaching(soup);
       Camera camera;
-      camera.near = 0.1 * scale;
+      camera.near_plane = 0.1 * scale;
       const CullResult frame = culler.cull(camera, {.occluders = 1});
       ASSERT_EQ(frame.occluders.size(), 1U) << "scale " << scale;
       EXPECT_EQ(original(culler, frame.occluders[0]), 0U);

@@ -248,7 +248,7 @@ class Worlds : public testing::TestWithParam<std::uint32_t> {
     std::vector<kernel::HalfSpace> planes;
     for (const HalfSpace& h : result.view) planes.push_back(culler::to_kernel(h));
     const glm::dvec3 forward = camera.axes().forward;
-    const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+    const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near_plane};
     const auto cover = kernel::Cover::make(camera.viewpoint(), hiding(options.mask, camera), beyond_near);
     for (const auto& [slot, entry] : world_.objects) {
       const ObjectId id = entry.first;
@@ -905,7 +905,7 @@ TEST(Scene, SaysWhatBecameOfEachObjectAndWhy) {
     const std::vector<ObjectFate> fates = scene.why(camera, options, view, ids);
     ASSERT_EQ(fates.size(), ids.size());
     const glm::dvec3 forward = camera.axes().forward;
-    const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near};
+    const kernel::HalfSpace beyond_near{to_kernel(forward), -glm::dot(forward, camera.eye) - camera.near_plane};
     for (std::size_t k = 0; k < ids.size(); ++k) {
       const ObjectFate& fate = fates[k];
       ++counts[fate.reason];

@@ -21,7 +21,7 @@ namespace see_through_test {
 
 using namespace occlude::culler;
 
-constexpr Camera kCamera{.eye = {0, 0, 0}, .target = {1, 0, 0}, .near = 0.1};
+constexpr Camera kCamera{.eye = {0, 0, 0}, .target = {1, 0, 0}, .near_plane = 0.1};
 
 enum class Wall { opaque, glass, glass_before_opaque, opaque_before_glass, half_glass };
 

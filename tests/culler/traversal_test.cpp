@@ -256,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(Options, TraversalTest,
                                          Case{"many", Bounds::aabb, {.occluders = 40}},
                                          Case{"overlap", Bounds::aabb, {.test = kernel::Test::overlap}},
                                          Case{"plain", Bounds::aabb, {.arithmetic = kernel::Arithmetic::plain}},
-                                         Case{"farthest", Bounds::aabb, {.near = kernel::Near::farthest}},
+                                         Case{"farthest", Bounds::aabb, {.shadow_near = kernel::Near::farthest}},
                                          Case{"margin", Bounds::aabb, {.margin = 0.002}},
                                          Case{"unions", Bounds::aabb, {.occluders = 24, .unions = true}}),
                          [](const auto& c) { return std::string(c.param.name); });

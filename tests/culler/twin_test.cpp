@@ -74,7 +74,7 @@ class Twin {
 
 CullOptions some_options(std::mt19937& random) {
   CullOptions options;
-  options.near = random() % 2 ? kernel::Near::surface : kernel::Near::farthest;
+  options.shadow_near = random() % 2 ? kernel::Near::surface : kernel::Near::farthest;
   options.test = random() % 2 ? kernel::Test::conservative : kernel::Test::overlap;
   options.occluders = std::array<std::size_t, 4>{0, 3, 8, 40}[random() % 4];
   options.probes = random() % 2 ? 8 : 0;

@@ -45,7 +45,7 @@ TEST(View, AllocatesInItsFirstFrameAlone) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
       for (const bool is_papers : {false, true}) {
         CullOptions options;
-        if (is_papers) options.near = occlude::kernel::Near::farthest;
+        if (is_papers) options.shadow_near = occlude::kernel::Near::farthest;
         if (is_papers) options.test = occlude::kernel::Test::overlap;
         if (is_papers) options.margin = 0.001;
         View view;

@@ -175,7 +175,7 @@ TEST_F(CullJudgeTest, NamesAnOccluderThatTheNearPlaneClips) {
   const Culler culler(soup, {.hierarchy = {.leaf_size = 1}, .lists = {}});
   const CullResult result = culler.cull(camera_, options_);
   EXPECT_EQ(result.stats.shadow_culled_polygons, 1U);
-  camera_.near = 5.5;
+  camera_.near_plane = 5.5;
   EXPECT_EQ(fault_of(culler, camera_, options_, result), "the near plane clips an occluder");
 }
 

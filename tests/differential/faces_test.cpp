@@ -128,7 +128,7 @@ TEST(Faces, NothingIsCulledThatOneSeesThroughTheirOpenings) {
         soup.add_polygon(std::array{a, b, soup.add_vertex({16, y, z + 0.25})});
       }
     }
-    const culler::Camera camera{.eye = {0, 0, 0}, .target = {1, 0, 0}, .near = 0.1};
+    const culler::Camera camera{.eye = {0, 0, 0}, .target = {1, 0, 0}, .near_plane = 0.1};
     const culler::Culler culler(soup, {.hierarchy = {.leaf_size = 1}});
     const culler::Hierarchy& hierarchy = culler.hierarchy();
     const std::vector<bool> shows = proof::visible_triangles(hierarchy.soup(), camera);

@@ -128,7 +128,7 @@ TEST(ViewProof, TakesEveryPlaneThatTheCullerMakes) {
           camera.height = fov;
           camera.eye += away;
           camera.target = camera.eye + dvec3{0.3, 0.7, -0.2};
-          camera.far = 1e4;
+          camera.far_plane = 1e4;
           ASSERT_EQ(culler::fault(camera), "");
           const oracle::Aabb model{{away.x - 100, away.y - 100, away.z - 100}, {away.x + 100, away.y + 100, away.z + 100}};
           std::vector<culler::HalfSpace> planes;
@@ -316,9 +316,9 @@ TEST_F(CoverCull, CountsWhatIsDrawn) {
   culler::add(soup_, {{0.05, -4, 0.01}, {4, -4, -1}, {4, 4, -1}, {0.05, 4, 0.01}});
   const std::string box = R"({"min":[9,-1,-1],"max":[9,1,0]})";
   Camera camera = looking_along_x(60, 1);
-  camera.near = 0.04;
+  camera.near_plane = 0.04;
   EXPECT_EQ(fault("5", box, camera), "");
-  camera.near = 0.3;
+  camera.near_plane = 0.3;
   EXPECT_EQ(fault("5", box, camera), "the polygons do not hide the box");
 }
 

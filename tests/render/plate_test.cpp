@@ -224,7 +224,7 @@ TEST_F(PlateTest, FromOutsideARoomIsCutOpen) {
   const culler::Culler culler(soup, culler::BuildConfig());
   culler::View view;
   Camera camera = camera_at({2, 5, 1}, {8, 5, 1});
-  camera.near = 0.01;
+  camera.near_plane = 0.01;
   const culler::CullResult& result = culler.cull(camera, {}, view);
   FramePainter painter(culler, kWidth, kHeight);
   const PolygonRange box{6, 1};

@@ -270,12 +270,12 @@ TEST_F(SceneRendererTest, NearAndFarPlanesClip) {
   add_wall(soup, 10, -100, 100, -100, 100);
   add_wall(soup, 20, -100, 100, -100, 100);
   Camera camera = camera_at({0, 0, 0});
-  camera.near = 6;
+  camera.near_plane = 6;
   EXPECT_EQ(pixels(items_of(soup, camera), 1), std::size_t{kWidth * kHeight});
-  camera.near = 11;
-  camera.far = 19;
+  camera.near_plane = 11;
+  camera.far_plane = 19;
   EXPECT_EQ(pixels(items_of(soup, camera), kNothing), std::size_t{kWidth * kHeight});
-  camera.far = 21;
+  camera.far_plane = 21;
   EXPECT_EQ(pixels(items_of(soup, camera), 2), std::size_t{kWidth * kHeight});
 }
 
@@ -290,9 +290,9 @@ TEST_F(SceneRendererTest, OrthographicSizesDoNotShrinkWithDistance) {
   EXPECT_EQ(pixels(items, 0), std::size_t{kWidth / 2 * kHeight / 2});
   EXPECT_EQ(pixels(items, 1), std::size_t{kWidth / 2 * kHeight / 2});
   EXPECT_EQ(items.at(0, 0), 0U);
-  camera.far = 8000;
+  camera.far_plane = 8000;
   EXPECT_EQ(pixels(items_of(soup, camera), 1), 0U);
-  camera.near = 11;
+  camera.near_plane = 11;
   EXPECT_EQ(pixels(items_of(soup, camera), 0), 0U);
 }
 

@@ -66,8 +66,8 @@ class Eyes {
     camera.eye = eye();
     camera.target = random_.index(2) == 0 ? anywhere() : vertex();
     camera.fov_y_deg = random_.real(20, 120);
-    camera.near = extent * std::array{0x1p-20, 0x1p-9, 0x1p-5}[random_.index(3)];
-    if (random_.index(4) == 0) camera.far = extent * random_.real(0.2, 1);
+    camera.near_plane = extent * std::array{0x1p-20, 0x1p-9, 0x1p-5}[random_.index(3)];
+    if (random_.index(4) == 0) camera.far_plane = extent * random_.real(0.2, 1);
     if (random_.index(4) == 0) {
       camera.projection = Projection::orthographic;
       camera.height = extent * random_.real(0.1, 1);
@@ -113,7 +113,7 @@ class Eyes {
 CullOptions options_of(std::size_t frame) {
   CullOptions options;
   options.test = frame % 2 == 0 ? kernel::Test::conservative : kernel::Test::overlap;
-  options.near = frame / 2 % 3 == 0 ? kernel::Near::farthest : kernel::Near::surface;
+  options.shadow_near = frame / 2 % 3 == 0 ? kernel::Near::farthest : kernel::Near::surface;
   options.unions = frame / 6 % 2 == 0;
   options.occluders = frame % 5 == 0 ? 32 : 8;
   return options;

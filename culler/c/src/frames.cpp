@@ -37,8 +37,8 @@ culler::Camera to_camera(const occlude_look_at_camera* given) {
           .fov_y_deg = camera.fov_y_deg,
           .height = camera.height,
           .aspect = camera.aspect,
-          .near = camera.near_plane,
-          .far = camera.far_plane == 0 ? std::numeric_limits<double>::infinity() : camera.far_plane};
+          .near_plane = camera.near_plane,
+          .far_plane = camera.far_plane == 0 ? std::numeric_limits<double>::infinity() : camera.far_plane};
 }
 
 template <class Number>

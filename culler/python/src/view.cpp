@@ -29,8 +29,8 @@ Camera make_camera(const Doubles& eye, const Doubles& target, const Doubles& up,
                       .fov_y_deg = fov_y_deg,
                       .height = height,
                       .aspect = aspect,
-                      .near = near,
-                      .far = far};
+                      .near_plane = near,
+                      .far_plane = far};
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
   return camera;
 }
@@ -41,7 +41,8 @@ py::object to_text(const Camera& c) {
   const char* projection = c.projection == culler::Projection::perspective ? "perspective" : "orthographic";
   return py::
       str("occlude.Camera(eye={}, target={}, up={}, projection={!r}, fov_y_deg={}, height={}, aspect={}, near={}, far={})")
-          .format(list(c.eye), list(c.target), list(c.up), projection, c.fov_y_deg, c.height, c.aspect, c.near, c.far);
+          .format(list(c.eye), list(c.target), list(c.up), projection, c.fov_y_deg, c.height, c.aspect, c.near_plane,
+                  c.far_plane);
 }
 
 culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string& depth, const py::object& nearer,
@@ -122,7 +123,7 @@ void define_cameras(py::module_& module) {
   py::class_<Camera>(module, "Camera", "A right-handed camera that looks from `eye` to `target`.")
       .def(py::init(&make_camera), "eye"_a, "target"_a, "up"_a = std::vector<double>{0, 0, 1},
            "projection"_a = "perspective", "fov_y_deg"_a = Camera{}.fov_y_deg, "height"_a = Camera{}.height,
-           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near, "far"_a = Camera{}.far)
+           "aspect"_a = Camera{}.aspect, "near"_a = Camera{}.near_plane, "far"_a = Camera{}.far_plane)
       .def("__repr__", [](const Camera& camera) { return to_text(camera); });
 }
 

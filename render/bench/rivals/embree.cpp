@@ -110,8 +110,8 @@ class Rays : public VisibilityWay {
     const auto first = rays.ray(0.5, 0.5), right = rays.ray(1.5, 0.5), below = rays.ray(0.5, 1.5);
     origin_ = {first.origin - centre_, right.origin - first.origin, below.origin - first.origin};
     direction_ = {first.direction, right.direction - first.direction, below.direction - first.direction};
-    near_ = static_cast<float>(camera.near);
-    far_ = static_cast<float>(camera.far);
+    near_ = static_cast<float>(camera.near_plane);
+    far_ = static_cast<float>(camera.far_plane);
   }
 
   /// A vector that is linear in the coordinates of a pixel.

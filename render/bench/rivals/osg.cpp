@@ -160,13 +160,13 @@ class OccluderNodes : public VisibilityWay {
 
   /// Without a far plane of the camera's there is one behind the model.
   [[nodiscard]] osg::Matrixd projection_of(const Camera& camera) const {
-    const double behind = local(camera.eye).length() + 2 * radius_ + camera.near;
-    const double far = std::isinf(camera.far) ? behind : camera.far;
+    const double behind = local(camera.eye).length() + 2 * radius_ + camera.near_plane;
+    const double far = std::isinf(camera.far_plane) ? behind : camera.far_plane;
     if (camera.projection == culler::Projection::perspective) {
-      return osg::Matrixd::perspective(camera.fov_y_deg, camera.aspect, camera.near, far);
+      return osg::Matrixd::perspective(camera.fov_y_deg, camera.aspect, camera.near_plane, far);
     }
     const double up = camera.height / 2, right = up * camera.aspect;
-    return osg::Matrixd::ortho(-right, right, -up, up, camera.near, far);
+    return osg::Matrixd::ortho(-right, right, -up, up, camera.near_plane, far);
   }
 
   void choose_occluders(osg::RefMatrix* view, osg::RefMatrix* projection) {

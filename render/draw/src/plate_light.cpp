@@ -74,8 +74,8 @@ std::optional<culler::Camera> sun_camera(const SeenSurface& seen, culler::SoupVi
   camera.projection = culler::Projection::orthographic;
   camera.height = std::max(glm::length(high - low), behind * 1e-6);
   camera.aspect = aspect;
-  camera.near = std::max(behind, camera.height) * 1e-3;
-  camera.eye = middle + (behind + 2 * camera.near) * sun;
+  camera.near_plane = std::max(behind, camera.height) * 1e-3;
+  camera.eye = middle + (behind + 2 * camera.near_plane) * sun;
   camera.target = middle;
   return camera;
 }

@@ -196,7 +196,7 @@ Image PlateRenderer::draw(const culler::Camera& camera, std::span<const PlateLay
   std::optional<Impl::Samples> from_sun;
   if (const auto sun = sun_camera(first, impl_->soup, camera.aspect)) from_sun.emplace(*impl_, *sun, ranges);
   Image image = impl_->shaded(seen, {from_sun ? &*from_sun : nullptr, kClear * impl_->renderer.haze_depth(camera)});
-  draw_lines(image, first, camera.near, extras.lines);
+  draw_lines(image, first, camera.near_plane, extras.lines);
   draw_legend(image, extras.legend);
   return image;
 }

@@ -24,9 +24,10 @@ glm::dmat4 from_rows(const dvec4& x, const dvec4& y, const dvec4& z, const dvec4
 glm::dmat4 perspective(const Camera& camera, const Camera::Axes& axes) {
   const double y_scale = 1 / std::tan(glm::radians(camera.fov_y_deg) / 2);
   // depth = z / w, where w is the distance along the line of sight: near / w, or near (far - w) / (far - near) / w.
-  const bool endless = std::isinf(camera.far);
-  const double slope = endless ? 0 : -camera.near / (camera.far - camera.near);
-  const double constant = endless ? camera.near : camera.near * (camera.far / (camera.far - camera.near));
+  const bool endless = std::isinf(camera.far_plane);
+  const double slope = endless ? 0 : -camera.near_plane / (camera.far_plane - camera.near_plane);
+  const double constant =
+      endless ? camera.near_plane : camera.near_plane * (camera.far_plane / (camera.far_plane - camera.near_plane));
   return from_rows(row(y_scale / camera.aspect * axes.right, 0), row(y_scale * axes.up, 0),
                    row(slope * axes.forward, constant), row(axes.forward, 0));
 }
@@ -40,9 +41,9 @@ double farthest(const Extent& model, const Camera& camera, const dvec3& forward)
 
 glm::dmat4 orthographic(const Camera& camera, const Camera::Axes& axes, const Extent& model) {
   // Twice as far as the model reaches, so that rounding cannot clip it.
-  const double behind_model = camera.near + 2 * std::max(farthest(model, camera, axes.forward), camera.near);
-  const double far = std::min(camera.far, behind_model);
-  const double y_scale = 2 / camera.height, z_scale = 1 / (far - camera.near);
+  const double behind_model = camera.near_plane + 2 * std::max(farthest(model, camera, axes.forward), camera.near_plane);
+  const double far = std::min(camera.far_plane, behind_model);
+  const double y_scale = 2 / camera.height, z_scale = 1 / (far - camera.near_plane);
   return from_rows(row(y_scale / camera.aspect * axes.right, 0), row(y_scale * axes.up, 0),
                    row(-z_scale * axes.forward, far * z_scale), row(dvec3(0, 0, 0), 1));
 }

@@ -71,8 +71,8 @@ culler::Camera CameraPath::camera(std::size_t frame, double aspect) const {
   camera.fov_y_deg = fov_y_deg;
   camera.height = height;
   camera.aspect = aspect;
-  camera.near = near;
-  camera.far = far;
+  camera.near_plane = near;
+  camera.far_plane = far;
   return camera;
 }
 

@@ -81,7 +81,7 @@ LiveStart start_beside(culler::SoupView model) {
   camera.eye = middle + length * glm::dvec3{-0.5, -0.7, 0.4};
   camera.target = middle;
   camera.aspect = kAspect;
-  camera.near = std::min(camera.near, length / 1000);
+  camera.near_plane = std::min(camera.near_plane, length / 1000);
   return {{camera}, length / kSecondsThrough};
 }
 

@@ -209,7 +209,7 @@ Json json_of(const WalkOptions& options, const culler::BuildConfig& build) {
             {"depth_complexity", objective.depth_complexity},
             {"coherence", objective.coherence}}},
           {"pixel_margin", options.cull.margin * options.height},
-          {"near", name_of(options.cull.near)},
+          {"near", name_of(options.cull.shadow_near)},
           {"arithmetic", name_of(options.cull.arithmetic)},
           {"test", name_of(options.cull.test)},
           {"bounds", build.hierarchy.bounds == culler::Bounds::obb ? "obb" : "aabb"},

@@ -104,7 +104,7 @@ std::string conditions(const Summary& summary) {
       is_cover(summary)
           ? fmt::format("joined shadows in a picture of {}&times;{}", cull.cover.width, cull.cover.height)
           : fmt::format("{} occluders{}, near plane {}, {} test", cull.occluders,
-                        cull.unions ? " and unions of pairs of them" : "", name_of(cull.near), name_of(cull.test));
+                        cull.unions ? " and unions of pairs of them" : "", name_of(cull.shadow_near), name_of(cull.test));
   const std::string drawn = options.render
                                 ? fmt::format(
                                       "Every frame was drawn with both methods, one after the other, in alternating order, "

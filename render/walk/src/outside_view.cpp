@@ -30,7 +30,7 @@ double depth_of_scene(const culler::Culler& culler, const culler::Camera& camera
   if (distances.empty()) return 1;
   const auto quantile = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 2 / 5);
   std::nth_element(distances.begin(), quantile, distances.end());
-  return std::max(*quantile, 100 * camera.near);
+  return std::max(*quantile, 100 * camera.near_plane);
 }
 
 culler::Camera outside_camera(const culler::Camera& camera, double depth) {
@@ -41,8 +41,8 @@ culler::Camera outside_camera(const culler::Camera& camera, double depth) {
   ahead = glm::length(ahead) > 0 ? glm::normalize(ahead) : camera.axes().up;
   outside.projection = culler::Projection::perspective;
   outside.fov_y_deg = 50;
-  outside.near = depth / 1000;
-  outside.far = std::numeric_limits<double>::infinity();
+  outside.near_plane = depth / 1000;
+  outside.far_plane = std::numeric_limits<double>::infinity();
   outside.eye = camera.eye - 0.55 * depth * ahead + 0.95 * depth * up;
   outside.target = camera.eye + 0.42 * depth * ahead;
   return outside;
@@ -53,7 +53,7 @@ std::optional<double> cut_height(const culler::Camera& camera, const culler::Cam
   culler::Camera back = outside;
   back.eye = camera.eye;
   back.target = outside.eye;
-  back.near = camera.near;
+  back.near_plane = camera.near_plane;
   const PolygonRange all = soup.all();
   const ItemBuffer items = renderer.item_buffer(back, std::span(&all, 1));
   const std::uint32_t between = items.at(items.width / 2, items.height / 2);

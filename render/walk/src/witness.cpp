@@ -154,7 +154,7 @@ void append_witnesses(std::vector<std::string>& lines, std::size_t frame, const 
                       const culler::Culler& culler, const culler::CullResult& result, const culler::CullOptions& options,
                       std::span<const culler::CoverWitness> covers) {
   const culler::Hierarchy& hierarchy = culler.hierarchy();
-  const Reasons reasons(culler, result, options.near);
+  const Reasons reasons(culler, result, options.shadow_near);
   Lines of_frame(lines, frame, viewpoint, hierarchy);
   std::vector<culler::Witness> witnesses;
   culler.append_witnesses(result, witnesses);

@@ -29,11 +29,11 @@ struct Camera {
   glm::dvec3 target{1, 0, 0};
   glm::dvec3 up{0, 0, 1};
   Projection projection = Projection::perspective;
-  double fov_y_deg = 60;                                 ///< full vertical opening angle, perspective only
-  double height = 100;                                   ///< full vertical extent in model units, orthographic only
-  double aspect = 16.0 / 9.0;                            ///< width over height of the picture
-  double near = 0.1;                                     ///< distance of the near plane from the eye, model units
-  double far = std::numeric_limits<double>::infinity();  ///< as `near`; infinite: no far plane
+  double fov_y_deg = 60;                                       ///< full vertical opening angle, perspective only
+  double height = 100;                                         ///< full vertical extent in model units, orthographic only
+  double aspect = 16.0 / 9.0;                                  ///< width over height of the picture
+  double near_plane = 0.1;                                     ///< distance of the near plane from the eye, model units
+  double far_plane = std::numeric_limits<double>::infinity();  ///< as `near_plane`; infinite: no far plane
 
   /// The axes of the picture, orthonormal up to rounding. `forward` is the line of sight. Its coordinates are legal for the
   /// kernel.
@@ -62,10 +62,10 @@ struct HalfSpace {
 void append_view_frustum(const Camera& camera, double depth, std::vector<HalfSpace>& planes);
 
 /// Why the camera cannot be used; empty if it can. All numbers are checked, whatever the projection. The faults are:
-/// 1. a number that is not finite (`far` may be infinite) or is out of the kernel's legal range;
+/// 1. a number that is not finite (`far_plane` may be infinite) or is out of the kernel's legal range;
 /// 2. an eye at its target, or an `up` of zero or within 1e-9 radians of the line of sight;
 /// 3. fov_y_deg outside [0.001, 179], or aspect outside [1/65536, 65536];
-/// 4. height <= 0, near <= 0 or far <= near.
+/// 4. height <= 0, near_plane <= 0 or far_plane <= near_plane.
 [[nodiscard]] std::string fault(const Camera& camera);
 
 /// The clip volume is -w <= x <= w, -w <= y <= w, and of the depth z:

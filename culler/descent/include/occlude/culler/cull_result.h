@@ -96,7 +96,7 @@ struct CoverOptions {
   int width = 576, height = 360;
   /// Once so many triangles are drawn into the picture, no more are; the nearest come first. Triangles are drawn in groups,
   /// so that the last group may exceed the number by some hundred.
-  std::size_t triangles = std::numeric_limits<std::size_t>::max();
+  std::size_t triangles = (std::numeric_limits<std::size_t>::max)();
   /// The same once the frame has taken so many milliseconds. What is culled then depends on the machine's speed. Even then
   /// nothing visible is culled.
   double ms = std::numeric_limits<double>::infinity();
@@ -116,7 +116,7 @@ struct CullOptions {
   /// Frusta. How occluders are chosen.
   Objective objective = {};
   /// Frusta. Where a shadow begins.
-  kernel::Near near = kernel::Near::surface;
+  kernel::Near shadow_near = kernel::Near::surface;
   /// Both methods. The arithmetic of the half-spaces and, with frusta, of the shadows of single occluders. With `plain`
   /// something visible may be culled.
   kernel::Arithmetic arithmetic = kernel::Arithmetic::certified;
@@ -155,7 +155,7 @@ struct ShadowPair {
 
 /// A subtree that is not drawn, and why. `node` is its root in Hierarchy::nodes().
 struct Culled {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = (std::numeric_limits<std::uint32_t>::max)();
 
   enum class By { view, shadow, cover };
   std::uint32_t node = 0;

@@ -108,13 +108,13 @@ class MissedReasons {
     kernel::ShadowFrustum frustum;
   };
   /// The shadows that meet a node.
-  struct Near {
+  struct Meeting {
     std::vector<const Shadow*> chosen, others;
     const Shadow* holder = nullptr;  ///< one of the others, that has all of it
   };
   struct Subtree {
     std::uint32_t node;
-    Near near;
+    Meeting meeting;
   };
   class Asking;
   class Work;
@@ -122,9 +122,9 @@ class MissedReasons {
   template <class AnyCamera>
   void find_what_hides(const AnyCamera& camera, const CullOptions& options);
   void keep_others(const FrameView& view, const CullOptions& options);
-  [[nodiscard]] Near all() const;
-  [[nodiscard]] Near narrowed(const Near& above, std::uint32_t node, Work& work) const;
-  [[nodiscard]] Answer answer(std::uint32_t p, const Near& near, Work& work) const;
+  [[nodiscard]] Meeting all() const;
+  [[nodiscard]] Meeting narrowed(const Meeting& above, std::uint32_t node, Work& work) const;
+  [[nodiscard]] Answer answer(std::uint32_t p, const Meeting& meeting, Work& work) const;
   template <class AnyBox>
   [[nodiscard]] kernel::Relation relation(const Shadow& shadow, const AnyBox& box, Work& work) const;
   [[nodiscard]] bool hides(const Shadow& shadow, std::uint32_t p, Work& work) const;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string_view>
 #include <variant>
 
@@ -44,12 +43,11 @@ struct Placement {
   [[nodiscard]] static Placement from(const Number* numbers, std::size_t column, std::size_t row) {
     const auto at = [&](std::size_t r, std::size_t c) { return static_cast<double>(numbers[r * row + c * column]); };
     const auto vector = [&](std::size_t c) -> kernel::Vec3 { return {at(0, c), at(1, c), at(2, c)}; };
-    // Not so if a number is NaN.
-    if (!(at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1)) {
-      throw std::invalid_argument("the matrix of a placement is not affine: its last row must be (0, 0, 0, 1)");
-    }
+    require_affine(at(3, 0), at(3, 1), at(3, 2), at(3, 3));
     return {vector(0), vector(1), vector(2), vector(3)};
   }
+  /// Throws if this is not the last row of an affine matrix.
+  static void require_affine(double x, double y, double z, double w);
 };
 
 /// A box of a scene for what has this box in coordinates of its own: it holds the image of each point of the box, exact or

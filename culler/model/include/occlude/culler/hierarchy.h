@@ -93,7 +93,7 @@ class Hierarchy {
 
  private:
   friend class Culler;
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = (std::numeric_limits<std::uint32_t>::max)();
 
   /// The parts of a tree, for Culler::parts().
   void append_parts(PartWriter& parts) const;

@@ -7,11 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -133,10 +131,7 @@ struct PolygonSoup {
   void add_box(const glm::dvec3& low, const glm::dvec3& high);
 
   /// The same number in 32 bits. Throws std::length_error if it does not fit.
-  [[nodiscard]] static std::uint32_t narrowed(std::size_t number) {
-    if (number > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("more than 2^32 vertices or corners");
-    return static_cast<std::uint32_t>(number);
-  }
+  [[nodiscard]] static std::uint32_t narrowed(std::size_t number);
 
  private:
   FaceShape add_large_face(std::span<const std::uint32_t> loop);
