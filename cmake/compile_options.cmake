@@ -3,14 +3,16 @@
 # occlude_options carries the flags privately: nothing of it reaches a project that links our libraries.
 add_library(occlude_options INTERFACE)
 target_compile_features(occlude_options INTERFACE cxx_std_20)
-target_compile_options(occlude_options INTERFACE
-  # A contracted a*b+c rounds once instead of twice. The error-free operations (kernel/src/error_free.h) compute what each
-  # rounding loses. If the compiler left one out, their results would no longer be exact, and the exact stage would be wrong.
-  # The filter's bounds would still hold, but `plain` and every figure in the files would differ between machines.
-  -ffp-contract=off
-  # A project that embeds us may compile with -ffast-math; the kernel's arithmetic must not be rearranged.
-  -fno-fast-math)
-if(PROJECT_IS_TOP_LEVEL)
+# A contracted a*b+c rounds once instead of twice. The error-free operations (kernel/src/error_free.h) compute what each
+# rounding loses. If the compiler left one out, their results would no longer be exact, and the exact stage would be wrong.
+# The filter's bounds would still hold, but `plain` and every figure in the files would differ between machines.
+# A project that embeds us may compile with -ffast-math; the kernel's arithmetic must not be rearranged.
+if(MSVC)  # /fp:precise does both with cl of Visual Studio 2022; clang-cl would contract
+  target_compile_options(occlude_options INTERFACE /utf-8 /fp:precise $<$<CXX_COMPILER_ID:Clang>:/clang:-ffp-contract=off>)
+else()
+  target_compile_options(occlude_options INTERFACE -ffp-contract=off -fno-fast-math)
+endif()
+if(PROJECT_IS_TOP_LEVEL AND NOT MSVC)
   target_compile_options(occlude_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # False positives on std::string concatenation (GCC bug 105651, fixed in 13).

@@ -3,12 +3,14 @@
 # Checks that every build gives the same answers bit for bit. On this machine: g++ and clang++, -O0 and -O3, without and with
 # FMA, and batches on every instruction set. On others: all tests of the kernel and the culler, on 64-bit ARM and a big-endian
 # machine (IBM Z) under QEMU, and on Windows under Wine; and as WebAssembly, which has no threads and pointers of 32 bits, those
-# of the kernel and of the C interface, under node. Prints one line per build, with a hash of its answers. Exit code 1 if one fails.
-# Usage: bash tests/builds.sh [g++|clang++|aarch64|s390x|windows|wasm]... (default: all; x86-64, Debian 12, as root or with sudo)
+# of the kernel and of the C interface, under node. Prints one line per build, with a hash of its answers. `msvc` only compiles
+# the libraries, by clang, in the language of Microsoft's compiler. Exit code 1 if one fails.
+# Usage: bash tests/builds.sh [g++|clang++|msvc|aarch64|s390x|windows|wasm]...
+#   (default: all; x86-64, Debian 12, as root or with sudo)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 builds=("$@")
-[ $# -gt 0 ] || builds=(g++ clang++ aarch64 s390x windows wasm)
+[ $# -gt 0 ] || builds=(g++ clang++ msvc aarch64 s390x windows wasm)
 
 # build_and_test FOLDER: builds `targets` with the CMake `options` and runs the tests whose label `chosen` matches. Prints
 # "passed" or "FAILED", how many tests, and a hash of the answers to the million cases. The logs stay in the folder.
@@ -33,6 +35,20 @@ on_this_machine() {
   GTEST_FILTER='*Answers*:*Batch*' build_and_test "build/answers/$1${2// /}"
 }
 
+# as_msvc: the libraries and the public headers, as Microsoft's compiler takes C++, which has no integers of 128 bits. The headers of
+# the standard library are those of this machine: they need clang to be a GNU compiler too, and say so in a warning.
+as_msvc() {
+  local folder=build/platforms/msvc flags='-fms-extensions -fms-compatibility -fmsc-version=1934 -fdelayed-template-parsing'
+  flags+=' -D_MSC_FULL_VER=193431937 -fgnuc-version=4.2.1 -U__SIZEOF_INT128__ -Wno-#warnings'
+  mkdir -p "$folder"
+  {
+    cmake -S . -B "$folder" -G Ninja -DOCCLUDE_TOOLS=OFF -DOCCLUDE_PYTHON=OFF -DCMAKE_BUILD_TYPE= -DCMAKE_UNITY_BUILD=OFF \
+      -DCMAKE_CXX_COMPILER=clang++ "-DCMAKE_CXX_FLAGS=$flags" &&
+      cmake --build "$folder" --target occlude_kernel occlude_kernel_judge occlude_culler occlude_c public_headers
+  } >"$folder/log.txt" 2>&1 || { echo "FAILED to build: $folder/log.txt"; return 1; }
+  echo "compiled"
+}
+
 # on_platform NAME: all tests of the kernel, the C interface and, where there are threads, of the culler, and the examples.
 on_platform() {
   local folder=$PWD/build/platforms/$1
@@ -44,8 +60,8 @@ on_platform() {
   fi
   local options=("-DCMAKE_TOOLCHAIN_FILE=$PWD/tests/platforms/$1.cmake" "-DCMAKE_PREFIX_PATH=$folder/prefix"
     -DCMAKE_BUILD_TYPE=Release)
-  local targets=(kernel_tests culler_tests {contents,matrix,model,scene,tutorial}_example c_tests) chosen='^(kernel|culler)$'
-  [ "$1" != wasm ] || { targets=(kernel_tests c_tests) chosen='^(kernel|c)$'; }
+  local targets=(kernel_tests culler_tests public_headers {contents,matrix,model,scene,tutorial}_example c_tests) chosen='^(kernel|culler)$'
+  [ "$1" != wasm ] || { targets=(kernel_tests c_tests public_headers) chosen='^(kernel|c)$'; }
   build_and_test "$folder/build"
 }
 
@@ -66,6 +82,7 @@ for name in "${builds[@]}"; do
         report "$name $flags" on_this_machine "$name" "$flags"
       done
       ;;
+    msvc) report "$name" as_msvc ;;
     aarch64 | s390x | windows | wasm) report "$name" on_platform "$name" ;;
     *)
       echo "There is no build $name" >&2

@@ -90,9 +90,9 @@ HWY_INLINE void touch_rows(const BorderTiles& tiles, int y, Integers x0, Integer
     std::uint64_t rows = 0;
     std::uint8_t row_bytes[kTile] = {};
     hn::StoreU(hn::U8FromU32(bits), bytes, row_bytes);
-    std::memcpy(&rows, row_bytes, sizeof rows);
     // The first row is the lowest byte, which a big-endian machine reads as the highest.
-    if constexpr (std::endian::native == std::endian::big) rows = __builtin_bswap64(rows);
+    if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(row_bytes);
+    std::memcpy(&rows, row_bytes, sizeof rows);
     tiles.at(x / kTile, y / kTile).touched |= rows << (y % kTile * kTile);
   }
 }

@@ -16,7 +16,7 @@
 // two factors alone, which are at least u^2 2^-608 before scaling.
 #pragma once
 
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(_M_FP_CONTRACT)
 #error "the kernel is exact only in IEEE arithmetic: compile it without -ffast-math"
 #endif
 
