@@ -34,7 +34,7 @@ PolygonSoup make_model(const std::vector<Aabb>& town) {
 }
 
 /// Pictures are 1080 pixels high. Shadows are taken 1/128 pixel smaller, so that no rounding of the renderer shows.
-constexpr double kMargin = 1.0 / 128 / 1080;
+constexpr double kMargin = margin_for(1080);
 
 void cull_model(const PolygonSoup& model) {
   // Once, when the model is loaded.

@@ -231,7 +231,7 @@ render::WalkOptions WalkArguments::options() const {
   const PictureSize cover = parse_size("--cover-size", cover_size_, culler::kLeastCoverSide, culler::kMostCoverSide);
   options.cull.cover.width = cover.width;
   options.cull.cover.height = cover.height;
-  options.cull.margin = pixel_margin_ / options.height;
+  options.cull.margin = culler::margin_for(options.height, pixel_margin_);
   options.cull.objective.angle = angle_ == "exact" ? culler::Objective::Angle::exact : culler::Objective::Angle::area;
   options.preprocess = preprocess_;
   options.read = read_.options();

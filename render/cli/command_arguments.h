@@ -77,7 +77,7 @@ class WalkArguments {
   ReadArguments read_;
   BuildArguments build_;
   std::vector<Option> build_options_;  ///< and those of add_model_to(), once they are added
-  double pixel_margin_ = render::kPixelMargin;
+  double pixel_margin_ = culler::kPixelMargin;
   culler::CullOptions cull_;
 };
 

@@ -477,6 +477,46 @@ static void order(void) {
   CHECK(is_front_to_back(1) && !is_front_to_back(0));
 }
 
+/// The matrix of a camera culls as the camera does, and may be the renderer's: reversed and infinite.
+static void matrices_of_cameras(void) {
+  occlude_object behind = OCCLUDE_NONE, beside = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_object(scene, &kBehind, NULL, &behind));
+  CHECK_OK(occlude_scene_add_object(scene, &kBeside, NULL, &beside));
+  occlude_occluder occluder = OCCLUDE_NONE;
+  CHECK_OK(occlude_scene_add_occluder(scene, wall, NULL, NULL, &occluder));
+  CHECK_OK(occlude_scene_update(scene));
+
+  occlude_look_at_camera camera = OCCLUDE_LOOK_AT_CAMERA_INIT;
+  camera.fov_y_deg = 90;
+  camera.aspect = 2;
+  double matrix[16];
+  CHECK_OK(occlude_look_at_matrix(&camera, OCCLUDE_DEPTH_ZERO_TO_W, OCCLUDE_NEARER_GREATER, matrix));
+  const double expected[16] = {0, 0, 0, 1, -0.5, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.1, 0};
+  for (int i = 0; i < 16; ++i) CHECK(fabs(matrix[i] - expected[i]) < 1e-15);
+  occlude_matrix_camera same = OCCLUDE_MATRIX_CAMERA_INIT;
+  same.matrix = matrix;
+  same.depth = OCCLUDE_DEPTH_ZERO_TO_W;
+  same.nearer = OCCLUDE_NEARER_GREATER;
+  occlude_cull_options options = OCCLUDE_CULL_OPTIONS_INIT;
+  options.margin = occlude_margin_for(1080);
+  CHECK(options.margin == 1.0 / 128 / 1080);
+  CHECK_OK(occlude_scene_cull(scene, &same, &options, view));
+  CHECK(!draws(view, behind) && draws(view, beside));
+
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "which depths are nearer is not said",
+                occlude_look_at_matrix(&camera, OCCLUDE_DEPTH_ZERO_TO_W, OCCLUDE_NEARER_UNSAID, matrix));
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "depth of the camera is not said",
+                occlude_look_at_matrix(&camera, OCCLUDE_DEPTH_UNSAID, OCCLUDE_NEARER_LESS, matrix));
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "matrix is null",
+                occlude_look_at_matrix(&camera, OCCLUDE_DEPTH_ZERO_TO_W, OCCLUDE_NEARER_LESS, NULL));
+  camera.projection = OCCLUDE_ORTHOGRAPHIC;
+  CHECK_REFUSED(OCCLUDE_INVALID_ARGUMENT, "parallel rays without a far plane have no matrix",
+                occlude_look_at_matrix(&camera, OCCLUDE_DEPTH_ZERO_TO_W, OCCLUDE_NEARER_LESS, matrix));
+  options.margin = occlude_margin_for(0);
+  CHECK_OK(occlude_scene_cull(scene, &same, &options, view));
+  CHECK(draws(view, behind));
+}
+
 int main(void) {
   CHECK(occlude_version() == OCCLUDE_VERSION);
   run_test(objects_come_and_go);
@@ -485,6 +525,7 @@ int main(void) {
   run_test(occluders_in_arrays);
   run_test(arrays_with_strides);
   run_test(matrix_cameras);
+  run_test(matrices_of_cameras);
   run_test(order);
   return end_of_test();
 }

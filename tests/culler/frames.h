@@ -53,29 +53,10 @@ inline Camera random_camera(std::mt19937& random) {
   return camera;
 }
 
-/// The matrix of a Camera.
-inline MatrixCamera matrix_of(const Camera& camera) {
-  const auto [right, up, forward] = camera.axes();
-  const bool perspective = camera.projection == Projection::perspective;
-  const double half = perspective ? std::tan(camera.fov_y_deg * std::numbers::pi / 360) : camera.height / 2;
-  const double far = std::isfinite(camera.far_plane) || perspective ? camera.far_plane : 1e4;
-  std::array<double, 16> rows{};
-  const auto set = [&](std::size_t row, const glm::dvec3& normal, double constant) {
-    for (int k = 0; k < 3; ++k) rows[4 * row + static_cast<std::size_t>(k)] = normal[k];
-    rows[4 * row + 3] = constant - glm::dot(normal, camera.eye);
-  };
-  set(0, right / (half * camera.aspect), 0);
-  set(1, up / half, 0);
-  if (perspective) {
-    const bool is_infinite = std::isinf(far);
-    set(2, (is_infinite ? 1 : far / (far - camera.near_plane)) * forward,
-        -camera.near_plane * (is_infinite ? 1 : far / (far - camera.near_plane)));
-    set(3, forward, 0);
-  } else {
-    set(2, forward / (far - camera.near_plane), -camera.near_plane / (far - camera.near_plane));
-    rows[15] = 1;
-  }
-  return MatrixCamera::from_rows(rows.data(), ClipDepth::zero_to_w, Nearer::less);
+/// The matrix of a Camera, with a far plane where it must have one.
+inline MatrixCamera matrix_of(Camera camera) {
+  if (camera.projection == Projection::orthographic && std::isinf(camera.far_plane)) camera.far_plane = 1e4;
+  return MatrixCamera::from_camera(camera, ClipDepth::zero_to_w, Nearer::less);
 }
 
 /// The message of the std::invalid_argument that `call` throws; "" if it throws none.

@@ -746,16 +746,92 @@ TEST(MatrixCamera, NothingVisibleFromAnyOfItsEyesIsCulled) {
   EXPECT_GT(from_others, 1000U);
 }
 
+/// A Camera that has a matrix.
+Camera random_camera_with_matrix(std::mt19937& random) {
+  Camera camera = random_camera(random);
+  if (camera.projection == Projection::orthographic && std::isinf(camera.far_plane)) camera.far_plane = 1e4;
+  return camera;
+}
+
+/// Where the matrix shows a point: x, y and z over w.
+dvec3 shown_at(const MatrixCamera& camera, const dvec3& point) {
+  const glm::dvec4 clip = camera.matrix * glm::dvec4(point, 1);
+  return dvec3(clip) / clip.w;
+}
+
+/// The point of the camera's picture at x and y in [-1, 1], this far along the line of sight.
+dvec3 point_at(const Camera& camera, double x, double y, double distance) {
+  const auto [right, up, forward] = camera.axes();
+  const bool is_perspective = camera.projection == Projection::perspective;
+  const double half = is_perspective ? distance * std::tan(camera.fov_y_deg * std::numbers::pi / 360) : camera.height / 2;
+  return camera.eye + half * camera.aspect * x * right + half * y * up + distance * forward;
+}
+
+TEST(MatrixCamera, OfACameraShowsWhatItShows) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 200; ++i) {
+    Camera camera = random_camera_with_matrix(random);
+    camera.fov_y_deg = uniform(random, 1, 170);
+    camera.aspect = uniform(random, 0.3, 3);
+    for (const ClipDepth depth : {ClipDepth::minus_w_to_w, ClipDepth::zero_to_w}) {
+      for (const Nearer nearer : {Nearer::less, Nearer::greater}) {
+        const MatrixCamera made = MatrixCamera::from_camera(camera, depth, nearer);
+        ASSERT_EQ(fault(made), "");
+        EXPECT_TRUE(made.depth == depth && made.nearer == nearer && made.eye_radius == 0);
+        const double least = depth == ClipDepth::zero_to_w ? 0 : -1;
+        const double at_near = nearer == Nearer::less ? least : 1, at_far = nearer == Nearer::less ? 1 : least;
+        const double far = std::min(camera.far_plane, 1e13);  // so far that depths are those of infinity
+        const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+        for (const auto& [distance, z] : {std::pair{camera.near_plane, at_near}, {far, at_far}}) {
+          const dvec3 shown = shown_at(made, point_at(camera, x, y, distance));
+          // Rounding of the eye, some 45 of its distance, at the near plane of 0.1.
+          EXPECT_NEAR(shown.x, x, 1e-10);
+          EXPECT_NEAR(shown.y, y, 1e-10);
+          EXPECT_NEAR(shown.z, z, 1e-10);
+        }
+      }
+    }
+  }
+}
+
+TEST(MatrixCamera, OfACameraAtTheOriginIsAProjection) {
+  Camera lens{.eye = {0, 0, 0}, .target = {0, 0, -1}, .up = {0, 1, 0}, .fov_y_deg = 90, .aspect = 2, .near_plane = 0.25};
+  const auto rows = [&](ClipDepth depth, Nearer nearer) {
+    return glm::transpose(MatrixCamera::from_camera(lens, depth, nearer).matrix);
+  };
+  const auto expect_row = [](const glm::dvec4& row, const glm::dvec4& expected) {
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(row[k], expected[k], 1e-15);
+  };
+  const glm::dmat4 endless = rows(ClipDepth::zero_to_w, Nearer::greater);
+  expect_row(endless[0], {0.5, 0, 0, 0});
+  expect_row(endless[1], {0, 1, 0, 0});
+  expect_row(endless[2], {0, 0, 0, 0.25});
+  expect_row(endless[3], {0, 0, -1, 0});
+  lens.far_plane = 1;
+  expect_row(rows(ClipDepth::minus_w_to_w, Nearer::less)[2], {0, 0, -5.0 / 3, -2.0 / 3});  // glFrustum
+}
+
+TEST(MatrixCamera, OfNoCameraIsRefused) {
+  const auto made = [](const Camera& camera, Nearer nearer) {
+    return refusal([&] { static_cast<void>(MatrixCamera::from_camera(camera, ClipDepth::zero_to_w, nearer)); });
+  };
+  EXPECT_EQ(made({.aspect = -1}, Nearer::less), fault(Camera{.aspect = -1}));
+  EXPECT_EQ(made({.projection = Projection::orthographic}, Nearer::less),
+            "parallel rays without a far plane have no matrix");
+  EXPECT_EQ(made({}, Nearer::unsaid), "which depths are nearer is not said");
+}
+
 TEST(MatrixCamera, CullsAsTheCameraDoes) {
   std::mt19937 random(4);
   const Culler culler(random_town_of_houses(4, 2000), {.hierarchy = {.leaf_size = 4}});
   std::array<std::size_t, 2> by_camera{}, by_matrix{}, viewed_by_camera{}, viewed_by_matrix{};
   for (int i = 0; i < 60; ++i) {
-    const Camera camera = random_camera(random);
+    const Camera camera = random_camera_with_matrix(random);
+    const MatrixCamera matrix = MatrixCamera::from_camera(camera, ClipDepth::zero_to_w, Nearer::less);
     for (const Method method : {Method::frusta, Method::cover}) {
       const auto m = static_cast<std::size_t>(method);
       const CullStats a = culler.cull(camera, options_of(method)).stats;
-      const CullStats b = culler.cull(matrix_of(camera), options_of(method)).stats;
+      const CullStats b = culler.cull(matrix, options_of(method)).stats;
       by_camera[m] += a.shadow_culled_polygons;
       by_matrix[m] += b.shadow_culled_polygons;
       viewed_by_camera[m] += a.view_culled_polygons;

@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   const std::size_t frames = std::strtoul(argv[4], nullptr, 10);
   culler::CullOptions options;
   options.method = std::string_view(argv[3]) == "cover" ? culler::Method::cover : culler::Method::frusta;
-  options.margin = render::kPixelMargin / 360;
+  options.margin = culler::margin_for(360);
   culler::BuildConfig config;
   config.hierarchy.leaf_size = culler::leaf_size_for(culler::Method::cover);
   const culler::Culler culler(render::read_model(argv[1]).soup, config);

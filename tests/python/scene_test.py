@@ -228,6 +228,17 @@ class Scenes(unittest.TestCase):
                 occlude.MatrixCamera(*arguments)
         with self.assertRaisesRegex(ValueError, "the view has no frame of a scene"):
             world.scene.why([1], occlude.View())
+        made = occlude.MatrixCamera.from_camera(same, "zero_to_w", nearer="greater")  # reversed and infinite
+        frame = world.scene.cull(made, margin=occlude.margin_for(1080))
+        self.assertLess(len(set(frame.drawn["id"]) ^ set(other.drawn["id"])), 10)
+        clip = made.matrix @ [*(eye - 0.1 * axes[2]), 1]
+        np.testing.assert_allclose(clip / clip[3], [0, 0, 1, 1], atol=1e-12)
+        self.assertEqual(occlude.margin_for(1080), 1 / 128 / 1080)
+        self.assertEqual(occlude.margin_for(1080, pixels=0.5), 0.5 / 1080)
+        with self.assertRaisesRegex(ValueError, "a picture has more than 0 rows"):
+            occlude.margin_for(0)
+        with self.assertRaisesRegex(ValueError, "parallel rays without a far plane have no matrix"):
+            occlude.MatrixCamera.from_camera(occlude.Camera(eye, eye + 1, projection="orthographic"), "zero_to_w", "less")
 
     def refuses(self, scene, text, ids, occluders):
         """Everything that takes an id of an object refuses `ids`, and that of an occluder `occluders`: arrays of one."""

@@ -90,7 +90,7 @@ class Stubs(unittest.TestCase):
             is_property = any(ast.unparse(d) == "property" for d in member.decorator_list)
             self.assertEqual(is_property, isinstance(value, property), name)
             if not is_property:
-                self.check_function(member, name, value.__doc__)
+                self.check_function(member, name, getattr(made, name).__doc__)
             elif "::" not in value.fget.__doc__:
                 returned = ast.parse(value.fget.__doc__.split("->")[1].strip(), mode="eval").body
                 types = alternatives(returned)

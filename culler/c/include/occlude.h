@@ -370,7 +370,16 @@ typedef struct occlude_look_at_camera {
 #define OCCLUDE_LOOK_AT_CAMERA_INIT \
   { sizeof(occlude_look_at_camera), {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 60, 100, 16.0 / 9.0, 0.1, 0, OCCLUDE_PERSPECTIVE, 0 }
 
+/// Writes the matrix of this camera to `matrix`, 16 numbers, column after column: for the renderer, and for
+/// occlude_scene_cull(). With OCCLUDE_NEARER_GREATER and no far plane, depth is reversed and infinite. Both enumerators must
+/// be said. Refused is an orthographic camera without a far plane.
+OCCLUDE_API occlude_status occlude_look_at_matrix(const occlude_look_at_camera* camera, occlude_clip_depth depth,
+                                                  occlude_nearer nearer, double* matrix) OCCLUDE_NO_THROW;
+
 // ---- Frames ----
+
+/// occlude_cull_options.margin for a picture of so many rows of pixels, drawn by a rasteriser with a grid of 1/256 pixel.
+OCCLUDE_API double occlude_margin_for(uint32_t rows) OCCLUDE_NO_THROW;
 
 /// One camera, and its last frame. It may be used with any scene at any time. A frame does not depend on those before it.
 typedef struct occlude_view occlude_view;

@@ -216,6 +216,17 @@ occlude_visibility to_visibility(culler::Visibility visibility) {
 
 using namespace occlude::c;
 
+occlude_status occlude_look_at_matrix(const occlude_look_at_camera* camera, occlude_clip_depth depth, occlude_nearer nearer,
+                                      double* matrix) noexcept {
+  return guarded([&] {
+    require(matrix, "matrix");
+    const auto made = occlude::culler::MatrixCamera::from_camera(to_camera(camera), to_depth(depth), to_nearer(nearer));
+    for (int i = 0; i < 16; ++i) matrix[i] = made.matrix[i / 4][i % 4];
+  });
+}
+
+double occlude_margin_for(uint32_t rows) noexcept { return occlude::culler::margin_for(rows); }
+
 occlude_status occlude_view_create(occlude_view** view) noexcept {
   return guarded([&] {
     require(view, "view");

@@ -118,7 +118,7 @@ bool NodeScene::cull(osgUtil::CullVisitor& visitor) {
   const osg::Matrixd to_clip = *visitor.getModelViewMatrix() * *visitor.getProjectionMatrix();
   const MatrixCamera camera = MatrixCamera::from_columns(to_clip.ptr(), culler::ClipDepth::minus_w_to_w);
   if (!culler::fault(camera).empty()) return false;
-  const culler::SceneOptions options{.margin = options_.margin / visitor.getViewport()->height()};
+  const culler::SceneOptions options{.margin = culler::margin_for(visitor.getViewport()->height(), options_.margin)};
   Viewing& viewing = viewing_of(visitor);
   viewing.slots.clear();
   for (const culler::DrawnObject& drawn : scene_.cull(camera, options, viewing.view).drawn) {

@@ -19,7 +19,7 @@ namespace occlude::example {
 
 struct NodeSceneOptions {
   /// As SceneOptions::margin, in pixels.
-  double margin = 1.0 / 128;
+  double margin = culler::kPixelMargin;
   /// What is smaller does not hide: the least length of the second longest side of what a node fills. Small things hide
   /// little and cost time, most of all if they move.
   double least_occluder = 0;

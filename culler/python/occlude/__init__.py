@@ -21,6 +21,7 @@ from ._occlude import (
     View,
     __version__,
     is_fan,
+    margin_for,
     triangulate,
 )
 
@@ -44,6 +45,7 @@ __all__ = [
     "Visibility",
     "__version__",
     "is_fan",
+    "margin_for",
     "slot",
     "triangulate",
 ]

@@ -45,6 +45,16 @@ py::object to_text(const Camera& c) {
                   c.far_plane);
 }
 
+culler::ClipDepth to_depth(const std::string& depth) {
+  return to_choice(
+      depth, "depth",
+      {std::pair{"minus_w_to_w", culler::ClipDepth::minus_w_to_w}, {"zero_to_w", culler::ClipDepth::zero_to_w}});
+}
+
+culler::Nearer to_nearer(const std::string& nearer) {
+  return to_choice(nearer, "nearer", {std::pair{"less", culler::Nearer::less}, {"greater", culler::Nearer::greater}});
+}
+
 culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string& depth, const py::object& nearer,
                                         double eye_radius) {
   if (matrix.ndim() != 2 || matrix.shape(0) != 4 || matrix.shape(1) != 4) {
@@ -54,16 +64,17 @@ culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) camera.matrix[column][row] = matrix.at(row, column);
   }
-  camera.depth =
-      to_choice(depth, "depth",
-                {std::pair{"minus_w_to_w", culler::ClipDepth::minus_w_to_w}, {"zero_to_w", culler::ClipDepth::zero_to_w}});
-  if (!nearer.is_none()) {
-    camera.nearer = to_choice(nearer.cast<std::string>(), "nearer",
-                              {std::pair{"less", culler::Nearer::less}, {"greater", culler::Nearer::greater}});
-  }
+  camera.depth = to_depth(depth);
+  if (!nearer.is_none()) camera.nearer = to_nearer(nearer.cast<std::string>());
   camera.eye_radius = eye_radius;
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
   return camera;
+}
+
+std::vector<double> rows_of(const glm::dmat4& matrix) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 16; ++i) numbers.push_back(matrix[i % 4][i / 4]);
+  return numbers;
 }
 
 py::object to_text(const culler::MatrixCamera& c) {
@@ -129,12 +140,32 @@ void define_cameras(py::module_& module) {
 
 void define_matrix_cameras(py::module_& module) {
   using py::literals::operator""_a;
+  module.def(
+      "margin_for",
+      [](double rows, double pixels) {
+        if (!(rows > 0)) throw std::invalid_argument("a picture has more than 0 rows");
+        return culler::margin_for(rows, pixels);
+      },
+      "rows"_a, "pixels"_a = culler::kPixelMargin, "The margin of a frame for a picture of so many rows of pixels.");
   py::class_<culler::MatrixCamera>(
       module, "MatrixCamera",
       "Any projective matrix: matrix @ (x, y, z, 1) is a point in clip space. The depth is 'minus_w_to_w', as in OpenGL, "
       "or 'zero_to_w', as in Vulkan, Direct3D and Metal. With parallel rays, 'less' or 'greater' is nearer.")
       .def(py::init(&make_matrix_camera), "matrix"_a, "depth"_a, "nearer"_a = py::none(), "eye_radius"_a = 0.0)
+      .def_static(
+          "from_camera",
+          [](const Camera& camera, const std::string& depth, const std::string& nearer) {
+            return culler::MatrixCamera::from_camera(camera, to_depth(depth), to_nearer(nearer));
+          },
+          "camera"_a, "depth"_a, "nearer"_a,
+          "What a Camera shows. With nearer='greater' and no far plane, depth is reversed and infinite.")
       .def("__repr__", [](const culler::MatrixCamera& camera) { return to_text(camera); })
+      .def_property_readonly(
+          "matrix",
+          [](const culler::MatrixCamera& camera) {
+            return to_array(rows_of(camera.matrix), {4, 4});
+          },
+          "Four rows of four numbers.")
       .def_property_readonly(
           "eye",
           [](const culler::MatrixCamera& camera) {

@@ -124,6 +124,12 @@ struct MatrixCamera {
     return from(numbers, 1, 4, depth, nearer);
   }
 
+  /// What `camera` shows, up to rounding. With Nearer::greater and no far plane, depth is reversed and infinite. A camera at
+  /// the origin that looks along -z, with y up, gives the projection of a renderer that has a matrix of the view:
+  /// from_camera(...).matrix * view. Throws std::invalid_argument for a camera with a fault(), for parallel rays without a
+  /// far plane, and for Nearer::unsaid.
+  [[nodiscard]] static MatrixCamera from_camera(const Camera& camera, ClipDepth depth, Nearer nearer);
+
   /// The eye, up to rounding. With parallel rays, a point of the near plane in the middle of the picture. REQUIRES: the
   /// camera has no fault().
   [[nodiscard]] glm::dvec3 eye() const;
@@ -167,5 +173,14 @@ void append_view_frustum(const MatrixCamera& camera, double depth, std::vector<H
 [[nodiscard]] std::string fault(const MatrixCamera& camera);
 /// The same for a frame by this method. By Method::frusta, an eye_radius above 0 is a fault: shadows are from one point.
 [[nodiscard]] std::string fault(const MatrixCamera& camera, Method method);
+
+/// The pixels by which shadows must be taken smaller, so that a picture is the same with and without what they hide. A
+/// rasteriser with a grid of 1/256 pixel moves a border by up to 1/512 pixel on each axis, sqrt(2)/512 in all. The borders
+/// of what hides and of what is hidden can move towards each other: 0.0055. Where depths are moved away over up to 1/256
+/// pixel, those of what hides are off by sqrt(2)/512 + 1/256 = 0.0067 pixel at the near side of the shadow.
+inline constexpr double kPixelMargin = 1.0 / 128;
+
+/// CullOptions::margin and SceneOptions::margin for a picture of so many rows of pixels: a share of its height.
+[[nodiscard]] constexpr double margin_for(double rows, double pixels = kPixelMargin) { return pixels / rows; }
 
 }  // namespace occlude::culler

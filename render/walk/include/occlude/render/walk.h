@@ -31,12 +31,6 @@ struct ShadowTest {
   culler::Box box;
 };
 
-/// The pixels by which shadows must shrink so that a picture is the same with and without the polygons that they hide. The
-/// rasteriser moves a border by up to 1/512 pixel on each axis, sqrt(2)/512 in all. The borders of the occluder and of a
-/// hidden polygon can move towards each other: 0.0055. Depths are moved away over up to 1/256 pixel (scene_renderer.cpp), so
-/// at the near side of the shadow the occluder's depths are off by sqrt(2)/512 + 1/256 = 0.0067 pixel.
-inline constexpr double kPixelMargin = 1.0 / 128;
-
 struct WalkOptions {
   int width = 640, height = 360;  ///< size of the picture, pixels
   std::size_t begin = 0, end = SIZE_MAX,
