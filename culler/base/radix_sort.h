@@ -14,12 +14,12 @@ namespace occlude::culler {
 /// Sorts by a key below `end`, which is std::invoke(key, value). Elements with the same key stay in their order. `room` is
 /// memory, and its elements are lost.
 template <class T, class Key>
-void radix_sort(std::vector<T>& values, std::vector<T>& room, std::size_t end, const Key& key) {
+void radix_sort(std::vector<T>& values, std::vector<T>& room, std::uint64_t end, const Key& key) {
   // The counts of 2^11 digits are 8 KiB, which the first-level cache holds beside what is moved.
-  constexpr unsigned kBits = 11;
-  constexpr std::uint32_t kDigits = 1U << kBits;
+  constexpr unsigned kDigitBits = 11;
+  constexpr std::uint32_t kDigits = 1U << kDigitBits;
   room.resize(values.size());
-  for (unsigned shift = 0; shift < 32 && end >> shift != 0; shift += kBits) {
+  for (unsigned shift = 0; shift < 32 && end >> shift != 0; shift += kDigitBits) {
     const auto digit = [&](const T& value) { return std::uint32_t{std::invoke(key, value)} >> shift & (kDigits - 1); };
     std::array<std::uint32_t, kDigits> starts{};
     for (const T& value : values) ++starts[digit(value)];

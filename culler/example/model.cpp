@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A mesh as an engine stores it, with vertices and an index buffer: a wall with rows of small pyramids behind it. The
-// example walks past the wall and prints how much of the mesh is drawn.
+// A mesh as an engine stores it, with vertices, an index buffer and materials: a wall with rows of small pyramids of three
+// colours behind it. The example walks past the wall and prints how much of the mesh is drawn.
 #include <occlude/culler/culler.h>
+#include <occlude/culler/draw_order.h>
 
 #include <array>
 #include <cstddef>
@@ -17,7 +18,7 @@ namespace {
 struct Device {
   std::size_t calls = 0, indices = 0;
 
-  void draw_indexed(std::uint32_t /*first_index*/, std::uint32_t index_count) {
+  void draw_indexed(std::uint32_t /*material*/, std::uint32_t /*first_index*/, std::uint32_t index_count) {
     ++calls;
     indices += index_count;
   }
@@ -25,20 +26,23 @@ struct Device {
 
 struct Mesh {
   std::vector<std::array<float, 3>> vertices;
-  std::vector<std::uint32_t> indices;  // three per triangle
+  std::vector<std::uint32_t> indices;    // three per triangle
+  std::vector<std::uint32_t> materials;  // one per triangle
 };
 
-void add_pyramid(Mesh& mesh, float x, float y) {
+void add_pyramid(Mesh& mesh, float x, float y, std::uint32_t material) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), {{x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0}, {x, y + 1, 0}, {x, y, 1}});
   for (const std::uint32_t corner : {0U, 1U, 4U, 1U, 2U, 4U, 2U, 3U, 4U, 3U, 0U, 4U}) mesh.indices.push_back(first + corner);
+  mesh.materials.insert(mesh.materials.end(), 4, material);
 }
 
 Mesh wall_and_pyramids() {
-  Mesh mesh{{{-10, 10, 0}, {10, 10, 0}, {10, 10, 4}, {-10, 10, 4}}, {0, 1, 2, 0, 2, 3}};
+  Mesh mesh{{{-10, 10, 0}, {10, 10, 0}, {10, 10, 4}, {-10, 10, 4}}, {0, 1, 2, 0, 2, 3}, {0, 0}};
   for (int row = 0; row < 20; ++row) {
     for (int column = 0; column < 40; ++column) {
-      add_pyramid(mesh, 2 * static_cast<float>(column) - 40, 15 + 2 * static_cast<float>(row));
+      const auto colour = static_cast<std::uint32_t>((row + column) % 3);
+      add_pyramid(mesh, 2 * static_cast<float>(column) - 40, 15 + 2 * static_cast<float>(row), 1 + colour);
     }
   }
   return mesh;
@@ -57,22 +61,26 @@ int main() {
   const Culler culler(soup);       // throws std::invalid_argument, with the place, where the soup is not legal
   culler.prepare(Method::frusta);  // otherwise the first frame does
 
-  // The triangles in the order of the culler's tree. Upload this index buffer instead of your own.
+  // The triangles by material, those of each in the order of the culler's tree. Upload this index buffer instead of your
+  // own.
+  const DrawOrder order(culler.hierarchy(), mesh.materials);
   std::vector<std::uint32_t> ordered;
-  for (std::uint32_t p = 0; p < soup.size(); ++p) {
-    for (const std::uint32_t vertex : soup.loop(culler.hierarchy().original(p))) ordered.push_back(vertex);
+  for (const std::uint32_t p : order.polygons()) {
+    for (const std::uint32_t vertex : soup.loop(p)) ordered.push_back(vertex);
   }
 
   // Once for each camera. Each view is used by one thread at a time.
   View view;
   Camera camera;
+  std::vector<MaterialRange> ranges;
   for (int frame = 0; frame < 10; ++frame) {
     camera.eye = {2.0 * frame - 10, 0, 2};
     camera.target = camera.eye + glm::dvec3{0, 1, 0};
     Device device;
-    // Each frame, draw ranges of the ordered index buffer.
+    // Each frame, draw ranges of the ordered index buffer. Without materials, result.drawn are the ranges to draw.
     const CullResult& result = culler.cull(camera, {.occluders = 8}, view);
-    for (const auto& [first, count] : result.drawn) device.draw_indexed(3 * first, 3 * count);
+    order.find_ranges(result.drawn, ranges);
+    for (const auto& [material, first, count] : ranges) device.draw_indexed(material, 3 * first, 3 * count);
     std::printf("frame %d: %4zu of %zu triangles in %zu calls\n", frame, device.indices / 3, soup.size(), device.calls);
   }
 }

@@ -58,6 +58,19 @@ class Faces(unittest.TestCase):
 
 
 class Models(unittest.TestCase):
+    def test_materials_of_another_model_are_refused(self):
+        triangles = np.arange(18.0).reshape(6, 3) ** 2
+        small, large = occlude.Culler(triangles, [[0, 1, 2]]), occlude.Culler(triangles, [[0, 1, 2], [3, 4, 5]])
+        order = occlude.DrawOrder(small, [7])
+        self.assertEqual(repr(order), "<occlude.DrawOrder: 1 polygon of 1 material>")
+        frame = large.cull(occlude.Camera(triangles[0] - 9, triangles[1]))
+        self.assertEqual(len(frame.polygons), 2)
+        with self.assertRaisesRegex(ValueError, "the frame is of another model"):
+            order.ranges(frame)
+        for text, materials in (("2 materials for 1 faces", [1, 2]), ("below 0", [-1]), ("above", [2**32]), ("whole", [0.5])):
+            with self.assertRaisesRegex(ValueError, text):
+                occlude.DrawOrder(small, materials)
+
     def check_path(self, culler, view, triangles, rng, **options):
         culled, weights = 0, rng.dirichlet([1, 1, 1], 4)
         for step in range(6):
@@ -65,6 +78,13 @@ class Models(unittest.TestCase):
             frame = culler.cull(occlude.Camera(eye, eye + [1, 0.7, -0.1]), view, **options)
             in_ranges = [p for first, count in frame.drawn for p in culler.order[first : first + count]]
             np.testing.assert_array_equal(frame.polygons, in_ranges)
+            materials = rng.choice([5, 0, 2**32 - 1], len(triangles))
+            order = occlude.DrawOrder(culler, materials)
+            parts = [order.polygons[first : first + count] for _, first, count in order.ranges(frame)]
+            for part, material in zip(parts, order.ranges(frame)["material"]):
+                self.assertTrue(len(part) > 0 and np.all(materials[part] == material))
+            np.testing.assert_array_equal(np.sort(np.concatenate([[], *parts])), np.sort(frame.polygons))
+            self.assertEqual(order.materials["material"].tolist(), np.unique(materials).tolist())
             ranges = [culler.order[row["first"] : row["first"] + row["count"]] for row in frame.culled]
             np.testing.assert_array_equal(np.sort(np.concatenate([frame.polygons, *ranges])), np.arange(len(triangles)))
             self.assertEqual(frame.statistics["drawn_polygons"], len(frame.polygons))

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._occlude import (
     Camera,
     Culler,
+    DrawOrder,
     Fate,
     MatrixCamera,
     ModelFrame,
@@ -29,6 +30,7 @@ __all__ = [
     "Camera",
     "CulledBy",
     "Culler",
+    "DrawOrder",
     "Fate",
     "MatrixCamera",
     "ModelFrame",

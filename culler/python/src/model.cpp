@@ -2,11 +2,13 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "occlude/culler/culler.h"
+#include "occlude/culler/draw_order.h"
 #include "view.h"
 
 namespace occlude::python {
@@ -113,6 +115,54 @@ std::unique_ptr<Culler> make_culler(const Doubles& vertices, const py::object& p
   return std::make_unique<Culler>(std::move(soup), config);
 }
 
+culler::DrawOrder make_draw_order(const Culler& culler, const py::object& materials) {
+  const std::vector<std::uint64_t> numbers = to_whole(materials, "materials", std::numeric_limits<std::uint32_t>::max());
+  const std::vector<std::uint32_t> narrow(numbers.begin(), numbers.end());
+  const py::gil_scoped_release others_run;
+  return culler::DrawOrder(culler.hierarchy(), narrow);
+}
+
+py::object ranges_of(const culler::DrawOrder& order, const ModelFrame& frame) {
+  std::vector<culler::PolygonRange> drawn;
+  for (py::ssize_t i = 0; i < frame.drawn.size(); ++i) {
+    const auto [first, count] = frame.drawn.at(i);
+    if (std::uint64_t{first} + count > order.polygons().size()) {
+      throw std::invalid_argument("the frame is of another model");
+    }
+    drawn.push_back({first, count});
+  }
+  std::vector<culler::MaterialRange> ranges;
+  order.find_ranges(drawn, ranges);
+  return to_array(std::move(ranges));
+}
+
+void define_draw_orders(py::module_& module) {
+  using py::literals::operator""_a;
+  using culler::DrawOrder, culler::MaterialRange;
+  PYBIND11_NUMPY_DTYPE(MaterialRange, material, first, count);
+  py::class_<DrawOrder>(module, "DrawOrder",
+                        "Polygons of a Culler by materials, whole numbers, one for each: an order for index buffers.")
+      .def(py::init(&make_draw_order), "culler"_a, "materials"_a)
+      .def_property_readonly(
+          "polygons",
+          [](const DrawOrder& order) {
+            return to_array(std::vector<std::uint32_t>(order.polygons().begin(), order.polygons().end()));
+          },
+          "The polygons in this order, as they were numbered when given.")
+      .def_property_readonly(
+          "materials",
+          [](const DrawOrder& order) {
+            return to_array(std::vector<MaterialRange>(order.materials().begin(), order.materials().end()));
+          },
+          "Rows (material, first, count): the range of each material that there is.")
+      .def("ranges", &ranges_of, "frame"_a,
+           "Rows (material, first, count): ranges of `polygons` that draw what the frame draws.")
+      .def("__repr__", [](const DrawOrder& order) {
+        return described("DrawOrder", count_of(order.polygons().size(), "polygon") + " of " +
+                                          count_of(order.materials().size(), "material"));
+      });
+}
+
 template <class Camera>
 void define_cull(py::class_<Culler>& culler) {
   using py::literals::operator""_a;
@@ -164,6 +214,7 @@ void define_models(py::module_& module) {
           "The number that each polygon of the culler's order had when given.");
   define_cull<culler::Camera>(culler);
   define_cull<culler::MatrixCamera>(culler);
+  define_draw_orders(module);
 }
 
 }  // namespace occlude::python
