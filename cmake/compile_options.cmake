@@ -56,6 +56,9 @@ if(OCCLUDE_FUZZERS)
   target_compile_options(occlude_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# What is installed. These libraries are shared or static as BUILD_SHARED_LIBS says, all others are static.
+set(occlude_installed kernel culler)
+
 # occlude_module(NAME ROOMS...): makes the library occlude::NAME from the sources in the folder src, with its public headers in the
 # folder include; or from those in these folders, each with its own public headers in a folder include.
 function(occlude_module name)
@@ -71,7 +74,11 @@ function(occlude_module name)
   endif()
   list(TRANSFORM folders APPEND /*.cpp)
   file(GLOB sources CONFIGURE_DEPENDS ${folders})
-  add_library(occlude_${name} STATIC ${sources})
+  set(kind STATIC)
+  if(name IN_LIST occlude_installed)
+    set(kind)
+  endif()
+  add_library(occlude_${name} ${kind} ${sources})
   # In a unity build, too, Highway compiles these files once per instruction set, each by itself.
   foreach(source IN LISTS sources)
     file(STRINGS ${source} is_per_target REGEX "^#include <hwy/foreach_target\\.h>")
@@ -84,9 +91,20 @@ function(occlude_module name)
   set_target_properties(occlude_${name} PROPERTIES OCCLUDE_PUBLIC "${public}")  # for install.cmake
   target_compile_features(occlude_${name} PUBLIC cxx_std_20)
   target_link_libraries(occlude_${name} PRIVATE $<BUILD_INTERFACE:occlude_options>)
-  # For shared libraries and modules that are made of it. What is hidden is called directly there, too.
-  set_target_properties(occlude_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
-    VISIBILITY_INLINES_HIDDEN ON)
+  get_target_property(type occlude_${name} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY")
+    # It exports all that it has. Before 1.0 a new minor version may change the interface.
+    set_target_properties(occlude_${name} PROPERTIES WINDOWS_EXPORT_ALL_SYMBOLS ON INSTALL_RPATH "$ORIGIN"
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # No program replaces a function of it, so that calls within it are inlined.
+      target_compile_options(occlude_${name} PRIVATE -fno-semantic-interposition)
+    endif()
+  else()
+    # For shared libraries and modules that are made of it. What is hidden is called directly there, too.
+    set_target_properties(occlude_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+      VISIBILITY_INLINES_HIDDEN ON)
+  endif()
 endfunction()
 
 # occlude_embed(MODULE NAME HEADER FUNCTION FILES...): makes the files part of the library occlude::MODULE, in NAME.cpp. FUNCTION

@@ -2,5 +2,8 @@
 include(CMakeFindDependencyMacro)
 find_dependency(glm)
 find_dependency(Threads)
-find_dependency(hwy)  # the libraries are static, so a program that links them must link what they call
 include(${CMAKE_CURRENT_LIST_DIR}/occlude-targets.cmake)
+get_target_property(occlude_type occlude::kernel TYPE)
+if(occlude_type STREQUAL "STATIC_LIBRARY")
+  find_dependency(hwy)  # a program that links them must link what they call
+endif()

@@ -99,11 +99,33 @@ else
   fail "CMake in C: does not build: $(cat log)"
 fi
 
-# With the sources inside. FetchContent adds the folder as add_subdirectory does, so one of them builds the libraries anew: in
-# few optimisations and few files, because that is most of the time.
+# With the sources inside. FetchContent adds the folder as add_subdirectory does, so one of them builds the libraries anew: as
+# shared ones, in few optimisations and few files, because that is most of the time.
 configure_consumer add_subdirectory -DOCCLUDE_BY=add_subdirectory -DOCCLUDE_FOLDER="$source"
 cmake_consumer hostile_FetchContent -DOCCLUDE_BY=FetchContent -DOCCLUDE_FOLDER="$source" -DCMAKE_BUILD_TYPE=None \
-  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_CXX_FLAGS='-O1 -ffast-math -Wall -Wextra -Werror'
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DCMAKE_CXX_FLAGS='-O1 -ffast-math -Wall -Wextra -Werror' \
+  -DBUILD_SHARED_LIBS=ON -DOCCLUDE_INSTALL=ON
+
+# The shared libraries, installed and moved: a program of CMake finds them, and others in the folder that pkg-config names.
+cmake --install hostile_FetchContent --prefix "$here/third" >log 2>&1 || fail "install of shared libraries: $(cat log)"
+mv third elsewhere/fourth
+rm -r hostile_FetchContent
+prefix=$here/elsewhere/fourth
+[ -z "$(find "$prefix" -name 'libocclude_[!c]*.a' -o -name 'libocclude_culler.a')" ] || fail "static libraries beside shared ones"
+cmake_consumer shared -DOCCLUDE_BY=find_package -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_DISABLE_FIND_PACKAGE_hwy=ON
+PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name occlude.pc)")
+export LD_LIBRARY_PATH
+LD_LIBRARY_PATH=$(pkg-config --variable=libdir occlude)
+mkdir shared_pkg-config
+if flags=$(pkg-config --cflags --libs occlude 2>&1) && [[ $flags != *hwy* ]] &&
+  "$compiler" -std=c++20 -Wall -Wextra -Werror "$tests/consumer/main.cpp" $flags -o shared_pkg-config/consumer >log 2>&1 &&
+  flags=$(pkg-config --cflags --libs occlude-c 2>&1) &&
+  "$compiler_of_c" -std=c11 "$tests/c_consumer/main.c" $flags -o shared_pkg-config/c_consumer >log 2>&1; then
+  run_consumer shared_pkg-config
+  run_consumer shared_pkg-config c_consumer
+else
+  fail "pkg-config of shared libraries: does not build: $flags $(cat log)"
+fi
 
 [ $failures -eq 0 ] && echo "All package tests passed"
 exit $failures
