@@ -1,5 +1,5 @@
 # What `cmake --install` puts under a prefix: the kernel, the culler and the C interface, which other programs link, with
-# descriptions for CMake and pkg-config; and the command if it is built. No file contains the path of the build or of the prefix, so the
+# descriptions for CMake and pkg-config; documents and examples; and the command if it is built. No file contains the path of the build or of the prefix, so the
 # prefix may be moved. Included once, from the top.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -41,6 +41,7 @@ foreach(name IN ITEMS occlude occlude-c)
 endforeach()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
+include(cmake/documents.cmake)
 if(OCCLUDE_TOOLS)
   if(BUILD_SHARED_LIBS)
     cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR} OUTPUT_VARIABLE to_libraries)

@@ -50,6 +50,25 @@ diff <(for folder in "$source"/kernel/include "$source"/culler/*/include; do hea
 [ "$(headers "$prefix/include" | grep -c '^./occlude/culler/')" -le 12 ] || fail "more headers of the culler than one remembers"
 cmp "$source/culler/c/include/occlude.h" "$prefix/include/occlude.h" || fail "not the header of the C interface"
 [ -s "$prefix/share/doc/occlude/LICENSE" ] || fail "no licence"
+# Documents, of which each link leads to something that is installed; and examples, which are programs of their own.
+documents=$prefix/share/doc/occlude
+[ "$(ls "$documents/docs")" = "$(cd "$source/docs" && ls ./*.md | xargs -n 1 basename)" ] || fail "not the guides"
+links=0
+for document in "$documents"/*.md "$documents"/docs/*.md; do
+  for link in $(sed '/^ *```/,/^ *```$/d; s/`[^`]*`//g' "$document" | grep -oE '\]\([^)[:space:]]+\)' | sed 's/^](//; s/)$//; s/#.*//'); do
+    [[ $link == http* ]] || [ -e "$(dirname "$document")/$link" ] || fail "$document: $link is not installed"
+    links=$((links + 1))
+  done
+done
+[ $links -gt 50 ] || fail "only $links links in documents"
+if {
+  cmake -S "$documents/examples" -B examples -G Ninja -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache)" && cmake --build examples --parallel 2
+} >log 2>&1; then
+  for example in contents matrix model scene tutorial scene_in_c; do run_consumer examples "$example"; done
+else
+  fail "examples: do not build: $(cat log)"
+fi
 if [ -e "$build/occlude" ]; then
   "$prefix/bin/occlude" --version >log 2>&1 || fail "the command: $(cat log)"
   grep -q 'SH OCCLUDE WALK' "$prefix/share/man/man1/occlude.1" || fail "no manual page"

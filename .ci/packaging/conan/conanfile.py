@@ -20,7 +20,7 @@ class Occlude(ConanFile):
 
     def export_sources(self):
         root = pathlib.Path(self.recipe_folder).parents[2]
-        for pattern in "CMakeLists.txt", "LICENSE", "cmake/*", "kernel/*", "culler/*":
+        for pattern in "CMakeLists.txt", "*.md", "LICENSE", "cmake/*", "docs/*", "kernel/*", "culler/*", "render/images/*":
             copy(self, pattern, root, self.export_sources_folder)
 
     def layout(self):
