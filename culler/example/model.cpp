@@ -2,7 +2,7 @@
 // A mesh as an engine stores it, with vertices, an index buffer and materials: a wall with rows of small pyramids of three
 // colours behind it. The example walks past the wall and prints how much of the mesh is drawn.
 #include <occlude/culler/culler.h>
-#include <occlude/culler/draw_order.h>
+#include <occlude/culler/hierarchy.h>
 
 #include <array>
 #include <cstddef>

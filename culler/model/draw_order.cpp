@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/draw_order.h"
-
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "base/radix_sort.h"
+#include "occlude/culler/hierarchy.h"
 
 namespace occlude::culler {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "occlude/culler/box.h"
-
 #include <stdexcept>
+
+#include "occlude/culler/box.h"
 
 namespace occlude::culler {
 

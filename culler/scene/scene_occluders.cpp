@@ -8,7 +8,6 @@
 
 #include "cover/placed.h"
 #include "model/bounds.h"
-#include "model/curve_order.h"
 #include "occlude/kernel/validity.h"
 
 namespace occlude::culler {
@@ -111,21 +110,21 @@ void SceneOccluders::update() {
 }
 
 void SceneOccluders::build(std::size_t forest) {
-  std::vector<Standing> occluders;
-  std::vector<kernel::Aabb> boxes;
+  BuildMemory& found = build_memory_;
+  found.occluders.clear();
+  found.boxes.clear();
   slots_.for_each([&](OccluderId id, const Placed& occluder) {
     const auto& [mesh, placement, options, is_enabled] = occluder;
     if (!is_enabled || mesh->size() == 0 || options.moves != (forest == 1)) return;
-    occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
-                         placement == Placement{}, is_mirrored(placement)});
-    boxes.push_back(placed(placement, mesh->box()));
+    found.occluders.push_back({id, mesh.get(), placement, options.mask, options.object, options.is_one_sided,
+                               placement == Placement{}, is_mirrored(placement)});
+    found.boxes.push_back(placed(placement, mesh->box()));
   });
-  CurveOrder curve;
-  curve.sort(boxes);
+  found.curve.sort(found.boxes);
   Forest& built = forests_[forest];
-  built.tree.build(boxes, curve.order());
+  built.tree.build(found.boxes, found.curve.order());
   built.occluders.clear();
-  for (const std::uint32_t i : curve.order()) built.occluders.push_back(occluders[i]);
+  for (const std::uint32_t i : found.curve.order()) built.occluders.push_back(found.occluders[i]);
 }
 
 kernel::Aabb SceneOccluders::box() const {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "model/curve_order.h"
 #include "model/packed_tree.h"
 #include "occlude/culler/box.h"
 #include "occlude/culler/occluder_mesh.h"
@@ -76,6 +77,13 @@ class SceneOccluders {
   std::array<bool, 2> has_changed_{};
 
   std::array<Forest, 2> forests_;
+  /// The occluders of a forest that is being built, in any order.
+  struct BuildMemory {
+    std::vector<Standing> occluders;
+    std::vector<kernel::Aabb> boxes;
+    CurveOrder curve;
+  };
+  BuildMemory build_memory_;
 };
 
 }  // namespace occlude::culler

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/trigonometric.hpp>
 #include <variant>
 
 #include "cases/to_oracle.h"
@@ -16,22 +14,12 @@
 namespace occlude::cli {
 namespace {
 
-/// The matrix of a camera for OpenGL, as GLM makes it. With parallel rays it has a far plane; `beyond` is how far that is
-/// where the camera has none.
-culler::MatrixCamera matrix_of(const culler::Camera& camera, double beyond) {
-  culler::MatrixCamera result;
-  const bool has_far = std::isfinite(camera.far);
-  if (camera.projection == culler::Projection::orthographic) {
-    const double up = camera.height / 2, right = up * camera.aspect;
-    result.matrix = glm::orthoRH_NO(-right, right, -up, up, camera.near, has_far ? camera.far : beyond);
-    result.nearer = culler::Nearer::less;
-  } else if (has_far) {
-    result.matrix = glm::perspectiveRH_NO(glm::radians(camera.fov_y_deg), camera.aspect, camera.near, camera.far);
-  } else {
-    result.matrix = glm::infinitePerspective(glm::radians(camera.fov_y_deg), camera.aspect, camera.near);
-  }
-  result.matrix = result.matrix * glm::lookAtRH(camera.eye, camera.target, camera.up);
-  return result;
+/// The matrix of a camera for OpenGL. With parallel rays it has a far plane; `beyond` is how far that is where the camera
+/// has none.
+culler::MatrixCamera matrix_of(culler::Camera camera, double beyond) {
+  const bool is_endless = camera.projection == culler::Projection::orthographic && std::isinf(camera.far_plane);
+  if (is_endless) camera.far_plane = beyond;
+  return culler::MatrixCamera::from_camera(camera, culler::ClipDepth::minus_w_to_w, culler::Nearer::less);
 }
 
 }  // namespace
@@ -40,7 +28,7 @@ proof::AnyCamera Walked::camera(std::size_t frame) const {
   const culler::Camera camera = path.camera(frame, render::aspect(options));
   if (!by_matrix) return camera;
   const double reach = proof::depth_of(cases::to_oracle(culler.hierarchy().nodes()[0].box), camera);
-  const culler::MatrixCamera matrix = matrix_of(camera, camera.near + 2 * reach);
+  const culler::MatrixCamera matrix = matrix_of(camera, camera.near_plane + 2 * reach);
   if (const std::string reason = culler::fault(matrix); !reason.empty()) {
     throw render::InputError(fmt::format("frame {}: the matrix of the camera cannot be used: {}", frame, reason));
   }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Ranges to draw that never cross materials.
-#include "occlude/culler/draw_order.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 
 #include "frames.h"
 #include "occlude/culler/culler.h"
+#include "occlude/culler/hierarchy.h"
 #include "scenes.h"
 
 namespace draw_order_test {

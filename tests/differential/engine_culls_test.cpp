@@ -147,7 +147,7 @@ TEST(CullsByMatrix, AreProvedFromTheExactEye) {
       if (culled.by != Culled::By::shadow) continue;
       const Occluder& occluder = frame.occluders[culled.index];
       oracle::Shadow shadow(exact, to_oracle(occluders_of(culler).geometry(occluder.index)),
-                            to_oracle(by_frusta.near, {occluder.frustum}));
+                            to_oracle(by_frusta.shadow_near, {occluder.frustum}));
       ASSERT_EQ(shadow.refute_cull(to_oracle(culler.hierarchy().volume(culled.node))), "")
           << "seed " << seed() << ", frame " << i;
       ++proved[1];

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "occlude/culler/culler.h"
-#include "occlude/culler/draw_order.h"
+#include "occlude/culler/hierarchy.h"
 #include "view.h"
 
 namespace occlude::python {

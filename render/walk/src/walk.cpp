@@ -32,8 +32,8 @@ kernel::Operations visit_shadow_tests(const culler::Culler& culler, std::size_t 
             },
             box);
         if (!options.on_shadow_test) return;
-        options.on_shadow_test(
-            {frame, occluder.frustum.viewpoint(), occluders_of(culler).geometry(occluder.index), options.cull.shadow_near, box});
+        options.on_shadow_test({frame, occluder.frustum.viewpoint(), occluders_of(culler).geometry(occluder.index),
+                                options.cull.shadow_near, box});
       });
   return total;
 }
