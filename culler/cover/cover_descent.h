@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One descent of a tree of blocks that culls by the view and by what a cover buffer has closed, eight boxes at a time.
+// The descent of a tree of blocks that culls by the view and by what a cover buffer has closed, eight boxes at a time.
 //
 // Where what is seen closes pixels for what lies behind it, the descent goes from front to back. Nothing hides itself,
 // because a box is never strictly beyond what it holds.
@@ -15,6 +15,7 @@
 #include "base/each_bit.h"
 #include "cover/cover_buffer.h"
 #include "cover/projected_boxes.h"
+#include "descent/block_descent.h"
 #include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
@@ -55,24 +56,35 @@ class CoverDescent {
   /// Descends from the first block, whose nodes `straddled_planes` has a bit for each plane that may cross.
   void run(std::uint32_t straddled_planes) {
     if (tree_.empty()) return;
-    if (!nodes_.is_few(tree_.items())) return visit_in_order(0, straddled_planes);
-    visit_below(0, visit(0, straddled_planes));
-    nodes_.join();
+    const bool is_few = nodes_.is_few(tree_.items());
+    BlockDescent(tree_, *this).visit(0, {straddled_planes, is_few});
+    if (is_few) nodes_.join();
   }
 
  private:
   using Bits = kernel::BoxBits;
   using Tested = TestedBlock<decltype(std::declval<const Nodes&>().boxes(std::declval<const TreeBlock&>()))>;
 
-  /// The nodes of a block to go below, and the planes that may cross each of them.
-  struct Entered {
-    Bits nodes = 0;
-    std::array<std::uint32_t, TreeBlock::kNodes> straddled_planes;
+  friend class BlockDescent<CoverDescent>;
+  struct State {
+    std::uint32_t straddled_planes;  ///< a bit for each plane that may cross the node
+    bool is_few;                     ///< whether it has few items, or is below a node that has
   };
 
-  /// Visits the parts of a node, nearest first.
-  void visit_in_order(std::uint32_t at, std::uint32_t straddled_planes) {
-    const Tested tested = test(at, straddled_planes);
+  /// For the descent.
+  template <class Enter>
+  void visit(const TreeBlock& block, const State& above, const Enter& enter) {
+    const Tested tested = test(block, above.straddled_planes);
+    if (above.is_few) {
+      visit_in_any_order(tested, enter);
+    } else {
+      visit_in_order(tested, enter);
+    }
+  }
+
+  /// Nearest first.
+  template <class Enter>
+  void visit_in_order(const Tested& tested, const Enter& enter) {
     std::array<std::uint8_t, TreeBlock::kNodes> order{};
     std::size_t size = 0;
     for_each_bit(tested.left, [&](std::uint32_t i) {
@@ -82,40 +94,26 @@ class CoverDescent {
       order[k] = static_cast<std::uint8_t>(i);
     });
     for (const std::uint8_t i : std::span(order).first(size)) {
-      const bool is_entered = nodes_.decide(tested, i), is_few = nodes_.is_few(tested.block.items(i));
-      const std::uint32_t below = tested.block.below[i], planes = tested.straddled_planes[i];
-      if (is_entered && !is_few) visit_in_order(below, planes);
-      if (is_entered && is_few) visit_below(below, visit(below, planes));
+      const bool is_few = nodes_.is_few(tested.block.items(i));
+      if (nodes_.decide(tested, i)) enter(i, State{tested.straddled_planes[i], is_few});
       if (is_few) nodes_.join();
     }
   }
 
-  /// Visits the blocks below a block, in any order. All of them are visited before those below them, so that memory has time
-  /// to fetch these.
-  void visit_below(std::uint32_t at, const Entered& entered) {
-    const TreeBlock& block = tree_[at];
-    std::array<Entered, TreeBlock::kNodes> below;
-    for_each_bit(entered.nodes, [&](std::uint32_t i) { below[i] = visit(block.below[i], entered.straddled_planes[i]); });
-    for_each_bit(entered.nodes, [&](std::uint32_t i) {
-      if (below[i].nodes != 0) visit_below(block.below[i], below[i]);
-    });
-  }
-
-  Entered visit(std::uint32_t at, std::uint32_t straddled_planes) {
-    const Tested tested = test(at, straddled_planes);
-    Entered entered;
-    entered.straddled_planes = tested.straddled_planes;
+  /// Decides about all nodes first, so that memory has time to fetch what is below.
+  template <class Enter>
+  void visit_in_any_order(const Tested& tested, const Enter& enter) {
+    Bits entered = 0;
     for_each_bit(tested.left, [&](std::uint32_t i) {
       if (!nodes_.decide(tested, i)) return;
-      entered.nodes = static_cast<Bits>(entered.nodes | 1U << i);
+      entered = static_cast<Bits>(entered | 1U << i);
       tree_.prefetch(tested.block.below[i]);
       nodes_.prefetch(tested.block.items(i));
     });
-    return entered;
+    for_each_bit(entered, [&](std::uint32_t i) { enter(i, State{tested.straddled_planes[i], true}); });
   }
 
-  Tested test(std::uint32_t at, std::uint32_t straddled_planes) {
-    const TreeBlock& block = tree_[at];
+  Tested test(const TreeBlock& block, std::uint32_t straddled_planes) {
     Tested tested(block, nodes_.boxes(block), nodes_.asked(block), straddled_planes);
     stats_.nodes_visited += kernel::count(tested.left);
     if (straddled_planes != 0 && tested.left != 0) keep_in_view(tested, straddled_planes);

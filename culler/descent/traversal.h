@@ -17,6 +17,7 @@
 #include "base/each_bit.h"
 #include "base/sparse_zero_array.h"
 #include "camera/view_planes.h"
+#include "descent/block_descent.h"
 #include "model/block_tree.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
@@ -210,20 +211,24 @@ class Traversal {
 
   void traverse(std::uint32_t block, const Active& active, const ItemRange& items) {
     drawn_from_ = items.first;
-    visit(block, active);
+    BlockDescent(tree_, *this).visit(block, active);
     draw_until(items.first + items.count);
   }
 
-  void visit(std::uint32_t block, const Active& active) {
-    tree_.prefetch_boxes(block + 1);  // most often it is the first below this one, and is entered
-    Visit here(tree_[block], active);
+  friend class BlockDescent<Traversal>;
+  using State = ActiveTests;
+
+  /// For the descent.
+  template <class Enter>
+  void visit(const TreeBlock& block, const Active& active, const Enter& enter) {
+    Visit here(block, active);
     ask_planes(here);
     for (std::size_t g = active.begin; g < active.end; ++g) ask_shadows(here, active_[g]);
     const Bits before_pairs = here.hidden;
     if (!result_.pairs.empty()) ask_pairs(here);
     count_tests(here, here.hidden & ~before_pairs);
     if (here.is_held) hold(here);
-    descend(here, here.entered());
+    descend(here, here.entered(), enter);
   }
 
   void ask_planes(Visit& here) {
@@ -348,11 +353,12 @@ class Traversal {
   }
 
   /// Culls or enters nodes of the block, in the order of the tree. What is neither is drawn.
-  void descend(const Visit& here, Bits entered) {
+  template <class Enter>
+  void descend(const Visit& here, Bits entered, const Enter& enter) {
     for_each_bit(here.culled() | entered, [&](std::uint32_t i) {
       if (has(entered, i)) {
         prefetch_below_next(here, entered, i);
-        enter(here, i);
+        put_off_or_enter(here, i, enter);
       } else {
         cull(here, i);
       }
@@ -366,23 +372,25 @@ class Traversal {
   }
 
   /// Visits the block below a node with what straddles the node, or puts the node off, whole or in parts.
-  void enter(const Visit& here, std::uint32_t i) {
-    if (!may_put_off(here.block.count(i))) return enter_below(here, i);
+  template <class Enter>
+  void put_off_or_enter(const Visit& here, std::uint32_t i, const Enter& enter) {
+    if (!may_put_off(here.block.count(i))) return enter_below(here, i, enter);
     std::vector<DividedSubtree>& divided = deferred_->divided;
     const bool is_too_much = deferred_->work.get(here.block.below[i]) > deferred_->most_work;
     if (!is_too_much || divided.size() == deferred_->limit) return deferred(here, i);
     const std::size_t at = divided.size(), before = result_.stats.nodes_visited;
     divided.push_back({here.block.below[i], deferred_->size, 0, 0});
-    enter_below(here, i);
+    enter_below(here, i, enter);
     divided[at].end = deferred_->size;
     divided[at].work = result_.stats.nodes_visited - before;
   }
-  void enter_below(const Visit& here, std::uint32_t i) {
+  template <class Enter>
+  void enter_below(const Visit& here, std::uint32_t i, const Enter& enter) {
     tree_.prefetch(here.block.below[i]);
     const Active below = active_below(here, i, active_, here.active.end);
     const std::size_t holding = holding_.size();
     for_each_holding(here, i, [&](std::uint32_t probe) { holding_.push_back(probe); });
-    visit(here.block.below[i], below);
+    enter(i, below);
     while (holding_.size() > holding) holding_.pop_back();
   }
   /// What straddles a node, in a stack from `begin` on.
