@@ -49,7 +49,7 @@ expect_error "slanting.pre: made from another model" "$occlude" walk good.ply --
 head -c 300 slanting.pre >short.pre
 expect_error "short.pre: the file ends" "$occlude" walk slanting.ply --path path.json --out out --preprocess short.pre
 printf '\001' | dd of=one.pre bs=1 seek=19 conv=notrunc status=none
-expect_error "one.pre: format version 1, but this program reads version 6: preprocess the model again" \
+expect_error "one.pre: format version 1, but this program reads version 7: preprocess the model again" \
   "$occlude" walk slanting.ply --path path.json --out out --preprocess one.pre
 printf '\001' | dd of=again.pre bs=1 seek=5000 conv=notrunc status=none
 expect_error "is damaged: preprocess the model again" "$occlude" walk slanting.ply --path path.json --out out --preprocess again.pre

@@ -195,7 +195,7 @@ TEST_F(StoreTest, WhatIsRefused) {
   for (const int version : {1, 2, 7}) {
     EXPECT_EQ(
         refusal([&](std::string& bytes) { bytes[19] = static_cast<char>(version); }),
-        "format version " + std::to_string(version) + ", but this program reads version 6: preprocess the model again");
+        "format version " + std::to_string(version) + ", but this program reads version 7: preprocess the model again");
   }
   EXPECT_EQ(refusal([](std::string& bytes) { bytes += 'x'; }), "there is data after the last section");
 }

@@ -20,7 +20,7 @@ namespace occlude::render {
 ///    begins. They are the parts of a culler (occlude/culler/parts.h), in their layout in memory.
 /// A hash is XXH3 with 64 bits. That of a section is the hash of the hashes of its pieces of 1 MiB; what fills it up must
 /// be 0. So no bit of the file can change unnoticed.
-inline constexpr std::uint32_t kStoreVersion = 6;
+inline constexpr std::uint32_t kStoreVersion = 7;
 
 /// Writes the culler, after making what frames by either method need. The caller commits the file. The same culler gives the
 /// same bytes.
