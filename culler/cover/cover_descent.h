@@ -39,14 +39,15 @@ struct TestedBlock {
 };
 
 /// `nodes` says what the tree holds:
-/// boxes(block): its kernel::BoxBlock, or a reference to it;
-/// asked(block): those that take part; the others are not heard of again;
-/// relations(block, boxes, asked): of the planes of the view and the nodes, as kernel::relations();
-/// prefetch(items): a hint that asked() comes for a block of these;
-/// cull(block, i, culled): called for each node that is culled when it is tested; Culled::node is not set;
-/// decide(tested, i): called for each node that is left, when its turn comes. Whether to go below it, which no leaf may
-/// have; is_few(items): whether nodes of these items can be visited in any order; join(): called after each subtree of few
-/// items that is not below another.
+///  - boxes(block): its kernel::BoxBlock, or a reference to it;
+///  - asked(block): those that take part; the others are not heard of again;
+///  - relations(block, boxes, asked): of the planes of the view and the nodes, as kernel::relations();
+///  - prefetch(items): a hint that asked() comes for a block of these;
+///  - cull(block, i, culled): called for each node that is culled when it is tested; Culled::node is not set;
+///  - decide(tested, i): called for each node that is left, when its turn comes. Returns whether to go below it: false of a
+///  leaf;
+///  - is_few(items): whether what is below a node of these items can be visited in any order;
+///  - join(): called after each leaf and each subtree of few items, unless it is below such a subtree.
 template <class Nodes>
 class CoverDescent {
  public:
@@ -94,7 +95,7 @@ class CoverDescent {
       order[k] = static_cast<std::uint8_t>(i);
     });
     for (const std::uint8_t i : std::span(order).first(size)) {
-      const bool is_few = nodes_.is_few(tested.block.items(i));
+      const bool is_few = tested.block.is_leaf(i) || nodes_.is_few(tested.block.items(i));
       if (nodes_.decide(tested, i)) enter(i, State{tested.straddled_planes[i], is_few});
       if (is_few) nodes_.join();
     }

@@ -15,7 +15,7 @@
 
 namespace occlude::culler {
 
-/// How polygons instance in a scene: where, and which of their sides hide.
+/// How polygons stand in a scene: where, and which of their sides hide.
 struct OccluderInstance {
   const Placement* placement = nullptr;  ///< nullptr: where their vertices are
   CoverMesh::Front front = CoverMesh::Front::both;

@@ -20,7 +20,7 @@ namespace occlude::culler {
 /// Polygons that hide in frames by cover, in the order of a tree.
 struct CoverSource {
   const CoverTriangles& triangles;
-  OccluderInstance instance = {};  ///< how they instance in the scene
+  OccluderInstance instance = {};  ///< how they stand in the scene
 };
 
 /// What is kept from frame to frame, so that only the first allocates.
@@ -41,7 +41,7 @@ class CoverPainter {
   /// Empties the picture. REQUIRES: `view` reaches as far as all that is tested or hides; what is given outlives this.
   CoverPainter(const FrameView& view, const CoverOptions& options, double margin, CoverMemory& memory, CullStats& stats);
 
-  /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is taken and not joined.
+  /// The calls that follow are about this source, which outlives them. REQUIRES: nothing is enqueued.
   void use(const CoverSource& source);
   /// Keeps the polygons of a leaf of the source for flush_group(). No point of it has more than this nearness.
   void enqueue(const ItemRange& leaf, float nearness);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A frame by cover, from top to bottom: half-spaces, and one descent of the tree from front to back, in which what is seen
-// closes pixels. Reading order: 13.
+// closes pixels. Reading order: 12.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "cover/cover_frame.h"
 #include "cover/cover_painter.h"
 #include "cover/opening.h"
+#include "cover/worth_drawing.h"
 #include "descent/frame.h"
 #include "descent/volumes.h"
 #include "model/hierarchy_blocks.h"
@@ -17,7 +18,7 @@
 
 namespace occlude::culler {
 
-/// Observes a frame by cover, and does nothing.
+/// The default observer of a frame by cover: it does nothing.
 struct Unwatched {
   static void begin() {}
   static void joined(const CoverPainter&) {}
@@ -84,7 +85,7 @@ void cull_by_cover(const Hierarchy& hierarchy, const BlockTree& tree, const Cove
                    const CullOptions& options, Frame& frame, CoverMemory& memory, CoverLeaves& leaves, Watch&& watch = {}) {
   const CoverSource source{triangles};
   CoverPainter painter(frame.view, options.cover, options.margin, memory, frame.result.stats);
-  frame.result.method = Method::cover;  // the picture is this frame's from here on
+  frame.result.method = Method::cover;  // View::visibility() asks the picture from here on
   painter.use(source);
   watch.begin();
 

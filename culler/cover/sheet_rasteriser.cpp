@@ -10,6 +10,7 @@
 #include "base/rounded_float.h"
 #include "cover/projected_edge.h"
 #include "cover/projected_plane.h"
+#include "cover/worth_drawing.h"
 
 namespace occlude::culler {
 namespace {
@@ -17,16 +18,11 @@ namespace {
 /// A triangle in at most so many tiles across and up is taken to be as far as its farthest corner. Its plane would be nearer
 /// by little: without it frames draw 0.1 to 0.3 % more.
 constexpr int kOfCorners = 2;
-/// A triangle in at most so many tiles across or up is laid in all tiles of its rows: to find where it begins and ends in
+/// A triangle in at most so many tiles across or up is drawn in all tiles of its rows: to find where it begins and ends in
 /// each takes longer. Beside the triangle, its plane may be too far, so frames draw up to 0.1 % more.
 constexpr int kOfWholeRows = 6;
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
-
-/// A sheet that closes fewer pixels is not worth drawing. With this limit a third of the castle's triangles and an eighth of
-/// Utrecht's and Sponza's stay undrawn, which would bring nearer 0.2 % and 0.03 % to 0.1 % of the pixels that are brought
-/// nearer. With 16 it is two fifths and a seventh, and 0.5 % and 0.06 % to 0.3 %.
-constexpr double kLeastClosed = 8;
 
 /// About how many pixels of a grid are inside of a shape of this area and extent: in the mean over all places of the grid,
 /// exactly so many if the shape is an upright rectangle with sides of a pixel or more, and about so many if it is convex.
@@ -92,7 +88,7 @@ bool SheetRasteriser::find(std::size_t sheet) {
     area += outline.area;
     for (const std::uint32_t v : mesh_.triangles[t]) nearest = std::min(nearest, seen_[v].forward);
   }
-  if (all.is_empty() || pixels_inside(area, all) < kLeastClosed) return false;
+  if (all.is_empty() || pixels_inside(area, all) < kWorthwhile) return false;
   const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return false;
   found_ = {r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
@@ -101,13 +97,13 @@ bool SheetRasteriser::find(std::size_t sheet) {
 }
 
 void SheetRasteriser::rasterise_depth(const PixelRectangle& tiles) {
-  laid_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
+  window_ = {tiles.x0 * kTile, tiles.y0 * kTile, tiles.x1 * kTile, tiles.y1 * kTile};
   work_ = 0;
   clear(tiles);
   ++sheet_number_;
   for (std::size_t i = 0; i < sheet_.size(); ++i) {
     sheet_of_[sheet_[i]] = sheet_number_;
-    if (outlines_[i].extent.may_meet(laid_)) rasterise_depth(mesh_.triangles[sheet_[i]], outlines_[i]);
+    if (outlines_[i].extent.may_meet(window_)) rasterise_depth(mesh_.triangles[sheet_[i]], outlines_[i]);
   }
 }
 
@@ -174,8 +170,8 @@ int SheetRasteriser::sign(const CoverMesh::Triangle& triangle) const {
 /// nor, within a tile, than its plane.
 void SheetRasteriser::rasterise_depth(const CoverMesh::Triangle& triangle, const CoverOutline& outline) {
   const PixelRectangle touched = picture_.pixels(outline.extent.low, outline.extent.high, 0);
-  const PixelRectangle r{std::max(touched.x0, laid_.x0), std::max(touched.y0, laid_.y0), std::min(touched.x1, laid_.x1),
-                         std::min(touched.y1, laid_.y1)};
+  const PixelRectangle r{std::max(touched.x0, window_.x0), std::max(touched.y0, window_.y0),
+                         std::min(touched.x1, window_.x1), std::min(touched.y1, window_.y1)};
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return;
   const PixelRectangle tiles{r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};
   const int across = tiles.x1 - tiles.x0, up = tiles.y1 - tiles.y0;

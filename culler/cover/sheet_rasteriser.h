@@ -7,8 +7,8 @@
 // the border is drawn. So it does not matter for correctness which triangles are in the set and whether they overlap: a bad
 // choice can leave a pixel open, but never close a wrong one.
 //
-// Meshes are therefore drawn sheet by sheet. The triangles of a sheet are connected across edges that, as seen, have a
-// triangle on either side. A sheet has no fold and no inner border, and its depth is its own.
+// Meshes are drawn sheet by sheet, because that leaves few pixels open. The triangles of a sheet are connected across edges
+// that, as seen, have a triangle on either side. A sheet has no fold and no inner border, and its depth is its own.
 #pragma once
 
 #include <array>
@@ -91,15 +91,15 @@ class SheetRasteriser {
   CoverSheets sheets_;
   std::span<const std::uint32_t> sheet_;  ///< the triangles of the sheet that was found
   std::vector<CoverOutline> outlines_;    ///< of these
-  std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of sheet_number_ that it was laid for
+  std::vector<std::uint32_t> sheet_of_;   ///< for each triangle, the last of sheet_number_ whose depth it was part of
   bool is_cut_ = false;
-  PixelRectangle found_{};  ///< tiles
-  PixelRectangle laid_{};   ///< pixels
+  PixelRectangle found_{};   ///< tiles
+  PixelRectangle window_{};  ///< pixels
   float nearest_ = 0;
   std::size_t work_ = 0;
 
   int tiles_across_ = 0;
-  std::uint32_t sheet_number_ = 0;  ///< counts those of the mesh
+  std::uint32_t sheet_number_ = 0;  ///< counts those of the mesh whose depth was found
   CoverBorder border_;
   std::vector<std::uint64_t> closed_;  ///< of each tile
   std::vector<float> nearness_;

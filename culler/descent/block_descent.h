@@ -8,7 +8,7 @@
 
 namespace occlude::culler {
 
-/// `Tests` has a type State: what is known above a block, of which a part follows for the nodes in it; and
+/// `Tests` has a type State: what is known above a block, from which it follows for the nodes in it; and
 /// visit(block, state, enter), which tests the nodes of a block, all at once, and then calls enter(i, below), in the order
 /// that it chooses, for each node i that the descent is to go below, with what is known there. When enter() returns, all
 /// that is below the node has been visited.

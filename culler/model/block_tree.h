@@ -21,7 +21,7 @@ struct ItemRange {
   std::uint32_t first = 0, count = 0;
 };
 
-/// Up to eight nodes of a tree, side by side: the parts of a node in the block above, in the order of the tree. Together
+/// Up to eight nodes of a tree, side by side: those that a node in the block above is divided into, in order. Together
 /// they have its items. A leaf is not divided further.
 struct alignas(64) TreeBlock {
   static constexpr std::size_t kNodes = kernel::BoxBlock::kBoxes;
@@ -61,7 +61,8 @@ struct alignas(64) TreeBlock {
   [[nodiscard]] bool is_leaf(std::size_t i) const { return (divided >> i & 1U) == 0; }
 };
 
-/// The blocks of a tree, where they lie. The first one has the root or its parts, and every other is below one before it.
+/// The blocks of a tree, where they lie. The first one has the root, or what it is divided into, and every other is below
+/// one before it.
 class BlockTree {
  public:
   BlockTree() = default;

@@ -72,17 +72,17 @@ void CurveOrder::sort_by_codes() {
   }
 }
 
-std::vector<ItemRange> CurveOrder::parts(std::uint32_t most) const {
-  std::vector<ItemRange> parts;
-  if (!order_.empty()) divide({0, static_cast<std::uint32_t>(order_.size())}, most, parts);
-  return parts;
+std::vector<ItemRange> CurveOrder::runs(std::uint32_t most) const {
+  std::vector<ItemRange> runs;
+  if (!order_.empty()) divide({0, static_cast<std::uint32_t>(order_.size())}, most, runs);
+  return runs;
 }
 
-void CurveOrder::divide(const ItemRange& range, std::uint32_t most, std::vector<ItemRange>& parts) const {
-  if (range.count <= most) return parts.push_back(range);
+void CurveOrder::divide(const ItemRange& range, std::uint32_t most, std::vector<ItemRange>& runs) const {
+  if (range.count <= most) return runs.push_back(range);
   const std::uint32_t left = left_of(range);
-  divide({range.first, left}, most, parts);
-  divide({range.first + left, range.count - left}, most, parts);
+  divide({range.first, left}, most, runs);
+  divide({range.first + left, range.count - left}, most, runs);
 }
 
 /// How many boxes go left. So there are no more levels than a place has bits, and the logarithm of the number of boxes more.

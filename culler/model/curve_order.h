@@ -21,16 +21,16 @@ class CurveOrder {
 
   /// The indices of the boxes in the order of the curve.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
-  /// The order in parts of at most so many boxes, one or more: what has more is divided where the highest bit of the places
+  /// The order in runs of at most so many boxes, one or more: what has more is divided where the highest bit of the places
   /// changes (Lauterbach et al. 2009), or in halves where all are the same.
-  [[nodiscard]] std::vector<ItemRange> parts(std::uint32_t most) const;
+  [[nodiscard]] std::vector<ItemRange> runs(std::uint32_t most) const;
   /// The bytes of memory that it holds.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   void find_codes(std::span<const kernel::Aabb> boxes);
   void sort_by_codes();
-  void divide(const ItemRange& range, std::uint32_t most, std::vector<ItemRange>& parts) const;
+  void divide(const ItemRange& range, std::uint32_t most, std::vector<ItemRange>& runs) const;
   [[nodiscard]] std::uint32_t left_of(const ItemRange& range) const;
 
   std::vector<std::uint32_t> order_, codes_;              ///< the boxes, and their places on the curve

@@ -32,43 +32,43 @@ class BlockPartition {
       if (nodes[node].is_leaf()) continue;
       Visits& visits = visits_[node];
       visits[0] = static_cast<float>(scale * total_width(nodes[node].box)) + shared(node, kMost).visits;
-      for (std::size_t parts = 2; parts <= kMost; ++parts) {
-        visits[parts - 1] = std::min(visits[0], shared(node, parts).visits);
+      for (std::size_t places = 2; places <= kMost; ++places) {
+        visits[places - 1] = std::min(visits[0], shared(node, places).visits);
       }
     }
   }
 
-  /// Into how many parts the left and the right child of a node are divided, at most, and how often blocks below them are
-  /// visited then.
+  /// How many places of a block the left and the right child of a node may take, and how often blocks below them are visited
+  /// then.
   struct Share {
     std::size_t left, right;
     float visits;
   };
-  /// The best shares where the node may be divided into so many parts, two or more. REQUIRES: it is not a leaf.
-  [[nodiscard]] Share shared(std::uint32_t node, std::size_t parts) const {
+  /// The best shares where the node may take so many places, two or more. REQUIRES: it is not a leaf.
+  [[nodiscard]] Share shared(std::uint32_t node, std::size_t places) const {
     const std::uint32_t left = node + 1, right = nodes_[node].right;
-    const std::size_t most_left = most_parts(node, left), most_right = most_parts(node, right);
+    const std::size_t most_left = most_places(node, left), most_right = most_places(node, right);
     const auto share = [&](std::size_t i) -> Share {
-      const std::size_t of_left = std::min(i, most_left), of_right = std::min(parts - i, most_right);
+      const std::size_t of_left = std::min(i, most_left), of_right = std::min(places - i, most_right);
       return {of_left, of_right, visits_[left][of_left - 1] + visits_[right][of_right - 1]};
     };
-    Share best = share(parts / 2);  // where all are alike, halves fill blocks best
-    for (std::size_t i = 1; i < parts; ++i) {
+    Share best = share(places / 2);  // where all are alike, halves fill blocks best
+    for (std::size_t i = 1; i < places; ++i) {
       if (const Share other = share(i); other.visits < best.visits) best = other;
     }
     return best;
   }
-  /// Whether a node is divided in the block, where there may be so many parts of it.
-  [[nodiscard]] bool is_divided(std::uint32_t node, std::size_t parts) const {
-    return !nodes_[node].is_leaf() && parts > 1 && shared(node, parts).visits <= visits_[node][0];
+  /// Whether a node that may take so many places is divided in the block.
+  [[nodiscard]] bool is_divided(std::uint32_t node, std::size_t places) const {
+    return !nodes_[node].is_leaf() && places > 1 && shared(node, places).visits <= visits_[node][0];
   }
 
  private:
-  /// For each number of parts that a node may have in a block: how often blocks below it are visited, at best.
+  /// For each number of places that a node may take in a block: how often blocks below it are visited, at best.
   using Visits = std::array<float, kMost>;
 
-  /// Into how many parts a child may be divided beside others: one, where a subtree of few items begins.
-  [[nodiscard]] std::size_t most_parts(std::uint32_t parent, std::uint32_t child) const {
+  /// How many places a child may take beside others: one, where a subtree of few items begins.
+  [[nodiscard]] std::size_t most_places(std::uint32_t parent, std::uint32_t child) const {
     return nodes_[parent].count > kFewItems && nodes_[child].count <= kFewItems ? 1 : kMost;
   }
 
@@ -76,10 +76,10 @@ class BlockPartition {
   std::vector<Visits> visits_;
 };
 
-/// The parts of a node, in the order of the tree: of a leaf, itself.
-class NodeParts {
+/// What a node is divided into, in the order of the tree: a leaf, into itself.
+class NodeFront {
  public:
-  NodeParts(std::span<const HierarchyNode> nodes, const BlockPartition& partition, std::uint32_t node) : nodes_(nodes) {
+  NodeFront(std::span<const HierarchyNode> nodes, const BlockPartition& partition, std::uint32_t node) : nodes_(nodes) {
     if (nodes[node].is_leaf()) {
       found_[size_++] = node;
     } else {
@@ -90,14 +90,14 @@ class NodeParts {
   [[nodiscard]] std::span<const std::uint32_t> found() const { return std::span(found_).first(size_); }
 
  private:
-  void divide(const BlockPartition& partition, std::uint32_t node, std::size_t parts) {
-    const BlockPartition::Share share = partition.shared(node, parts);
+  void divide(const BlockPartition& partition, std::uint32_t node, std::size_t places) {
+    const BlockPartition::Share share = partition.shared(node, places);
     take(partition, node + 1, share.left);
     take(partition, nodes_[node].right, share.right);
   }
-  void take(const BlockPartition& partition, std::uint32_t node, std::size_t parts) {
-    if (partition.is_divided(node, parts)) {
-      divide(partition, node, parts);
+  void take(const BlockPartition& partition, std::uint32_t node, std::size_t places) {
+    if (partition.is_divided(node, places)) {
+      divide(partition, node, places);
     } else {
       found_[size_++] = node;
     }
@@ -123,7 +123,7 @@ TreeBlock block_of(const Hierarchy& hierarchy, std::span<const std::uint32_t> ta
 }
 
 /// Whether the block is of nodes of this tree, side by side, and all that are no leaves are divided in blocks after it, into
-/// two parts or more. So no descent meets a block twice.
+/// two nodes or more. So no descent meets a block twice.
 bool is_of(const Hierarchy& hierarchy, std::span<const TreeBlock> blocks, std::size_t index) {
   const TreeBlock& block = blocks[index];
   const auto nodes = hierarchy.nodes();
@@ -138,8 +138,8 @@ bool is_of(const Hierarchy& hierarchy, std::span<const TreeBlock> blocks, std::s
     if (nodes[taken[i]].is_leaf()) continue;
     const std::uint32_t below = block.below[i];
     if (below <= index || below >= blocks.size() || blocks[below].size() < 2) return false;
-    const ItemRange parts = blocks[below].items();
-    if (parts.first != block.begin[i] || parts.count != block.count(i)) return false;
+    const ItemRange items = blocks[below].items();
+    if (items.first != block.begin[i] || items.count != block.count(i)) return false;
     expected.divide(i, below);
   }
   return std::memcmp(&expected, &block, sizeof block) == 0;  // NOLINT: doubles must have the same bits
@@ -151,7 +151,7 @@ HierarchyBlocks::HierarchyBlocks(const Hierarchy& hierarchy, const Checkpoint& c
   const auto nodes = hierarchy.nodes();
   const BlockPartition partition(nodes);
   std::vector<TreeBlock> blocks;
-  // Depth-first, as the descents read them. Parts of a node that are still to be made are below node i of a block.
+  // Depth-first, as the descents read them. What is still to be made is below node i of a block.
   struct Pending {
     std::uint32_t node, block, i;
   };
@@ -160,12 +160,12 @@ HierarchyBlocks::HierarchyBlocks(const Hierarchy& hierarchy, const Checkpoint& c
     checkpoint.at(blocks.size());
     const auto [node, above, at] = pending.back();
     pending.pop_back();
-    const NodeParts parts(nodes, partition, node);
+    const NodeFront front(nodes, partition, node);
     const auto index = static_cast<std::uint32_t>(blocks.size());
     if (above != TreeBlock::kNone) blocks[above].divide(at, index);
-    blocks.push_back(block_of(hierarchy, parts.found()));
-    for (auto i = static_cast<std::uint32_t>(parts.found().size()); i-- > 0;) {
-      if (!nodes[parts.found()[i]].is_leaf()) pending.push_back({parts.found()[i], index, i});
+    blocks.push_back(block_of(hierarchy, front.found()));
+    for (auto i = static_cast<std::uint32_t>(front.found().size()); i-- > 0;) {
+      if (!nodes[front.found()[i]].is_leaf()) pending.push_back({front.found()[i], index, i});
     }
   }
   blocks.shrink_to_fit();

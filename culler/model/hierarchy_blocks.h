@@ -22,7 +22,7 @@ class PartWriter;
 inline constexpr std::uint32_t kFewItems = 256;
 
 /// A block has nodes of a binary tree of which none is below another. Nodes between them and the node that they divide are
-/// left out. A block has parts of a subtree of few items only if it has nothing else.
+/// left out. A block has nodes within a subtree of few items only if it has no others.
 class HierarchyBlocks {
  public:
   static constexpr std::string_view kPart = "blocks";

@@ -37,8 +37,8 @@ void PackedTree::build(std::span<const kernel::Aabb> boxes, std::span<const std:
 void PackedTree::build_level_above(std::size_t level, std::size_t below, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     TreeBlock& block = blocks_[level + i / TreeBlock::kNodes];
-    const TreeBlock& part = blocks_[below + i];
-    block.add(box_around(part), part.items());
+    const TreeBlock& under = blocks_[below + i];
+    block.add(box_around(under), under.items());
     block.divide(i % TreeBlock::kNodes, static_cast<std::uint32_t>(below + i));
   }
 }

@@ -14,6 +14,7 @@
 #include "cover/opening.h"
 #include "cover/placed.h"
 #include "cover/prepared_mesh.h"
+#include "cover/worth_drawing.h"
 #include "descent/add_counts.h"
 #include "model/bounds.h"
 #include "scene/object_listing.h"

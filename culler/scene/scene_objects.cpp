@@ -229,7 +229,7 @@ void SceneObjects::place_large_batch(const Executor& executor) {
     std::uint32_t group;
   };
   std::vector<Chunk> work;
-  for (const auto& [first, count] : curve.parts(kMost)) {
+  for (const auto& [first, count] : curve.runs(kMost)) {
     work.push_back({curve.order().subspan(first, count), free_group(count)});
   }
   const std::size_t parts = executor.threads(), length = (work.size() + parts - 1) / parts;

@@ -12,6 +12,7 @@
 
 #include "base/radix_sort.h"
 #include "cover/opening.h"
+#include "cover/worth_drawing.h"
 #include "model/hierarchy_blocks.h"
 #include "occlude/culler/camera.h"
 #include "scenes.h"

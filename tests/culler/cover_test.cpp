@@ -17,6 +17,7 @@
 
 #include "frames.h"
 #include "model/bounds.h"
+#include "model/hierarchy_blocks.h"
 #include "model/outer_box.h"
 #include "occlude/culler/culler.h"
 #include "occlude/culler/missed.h"
@@ -147,6 +148,15 @@ TEST(CoverFrame, PanelsHideTogetherWhatNoneHidesAlone) {
   const Culler culler = culler_of(soup);
   EXPECT_LT(look(culler, {.occluders = 64}).stats.shadow_culled_polygons, 200U);
   EXPECT_EQ(look(culler, kCover).stats.shadow_culled_polygons, 200U);
+}
+
+/// What is seen of a leaf closes pixels for the leaves behind it, however many polygons it has.
+TEST(CoverFrame, LeavesOfManyPolygonsHide) {
+  PolygonSoup soup = panels(40);
+  for (int i = 0; i < 100; ++i) add_wall(soup, 22 + i * 0.01, -1, 1, -1, 1);
+  const Culler culler(soup, {.hierarchy = {.leaf_size = 400}});
+  for (const HierarchyNode& node : culler.hierarchy().nodes()) EXPECT_TRUE(!node.is_leaf() || node.count > kFewItems);
+  EXPECT_EQ(look(culler, kCover).stats.shadow_culled_polygons, 300U);
 }
 
 /// A globe of triangles like a planet's, from low over one of its vertices. What lies below is large and near the eye, and

@@ -120,7 +120,7 @@ std::vector<Aabb> town(std::mt19937& random, std::size_t count) {
   return boxes;
 }
 
-TEST(CurveOrder, HasPartsOfBoxesThatAreNear) {
+TEST(CurveOrder, HasRunsOfBoxesThatAreNear) {
   std::mt19937 random(kSeed);
   CurveOrder curve;
   for (const std::size_t count : {0U, 1U, 99U, 100U, 101U, 5000U}) {
@@ -128,8 +128,8 @@ TEST(CurveOrder, HasPartsOfBoxesThatAreNear) {
     curve.sort(boxes);
     std::uint32_t next = 0;
     double surfaces = 0;
-    const auto parts = curve.parts(100);
-    for (const auto& [first, size] : parts) {
+    const auto runs = curve.runs(100);
+    for (const auto& [first, size] : runs) {
       EXPECT_EQ(first, next);
       EXPECT_GT(size, 0U);
       EXPECT_LE(size, 100U);
@@ -140,7 +140,7 @@ TEST(CurveOrder, HasPartsOfBoxesThatAreNear) {
     }
     EXPECT_EQ(next, count);
     if (count < 5000) continue;
-    EXPECT_LT(surfaces, 0.2 * half_area({{-100, -100, 0}, {101, 101, 101}}) * static_cast<double>(parts.size()));
+    EXPECT_LT(surfaces, 0.2 * half_area({{-100, -100, 0}, {101, 101, 101}}) * static_cast<double>(runs.size()));
   }
 }
 
@@ -148,8 +148,8 @@ TEST(CurveOrder, HasHalvesWhereAllIsAtOnePlace) {
   const std::vector<Aabb> boxes(1024, Aabb{{1, 1, 1}, {2, 2, 2}});
   CurveOrder curve;
   curve.sort(boxes);
-  const auto parts = curve.parts(1);
-  EXPECT_EQ(parts.size(), 1024U);
+  const auto runs = curve.runs(1);
+  EXPECT_EQ(runs.size(), 1024U);
 }
 
 TEST(SplitOrder, MakesABetterTreeThanTheCurve) {

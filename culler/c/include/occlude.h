@@ -392,7 +392,7 @@ OCCLUDE_API void occlude_view_destroy(occlude_view* view) OCCLUDE_NO_THROW;
 typedef struct occlude_cull_options {
   size_t size;  ///< of this struct
   /// Where the objects are tested; null: on the calling thread. Occluders are drawn on the calling thread. The result is the
-  /// same, to the order of the arrays.
+  /// same, and so is the order of the arrays.
   const occlude_executor* executor;
   /// The coarse picture in pixels, clamped to [64, 4096] and rounded up to multiples of 8. A larger one hides more and costs
   /// more.
@@ -475,7 +475,7 @@ OCCLUDE_API occlude_status occlude_view_statistics(const occlude_view* view,
 
 typedef int32_t occlude_visibility;
 enum {
-  OCCLUDE_VISIBLE = 0,     ///< neither of the other two could be shown
+  OCCLUDE_VISIBLE = 0,     ///< neither of the other two could be proved
   OCCLUDE_OCCLUDED = 1,    ///< all of it is behind occluders
   OCCLUDE_OUT_OF_VIEW = 2  ///< all of it is beyond one plane of the view
 };

@@ -60,7 +60,7 @@ OccluderId = typing.NewType("OccluderId", np.uint64)
 class Visibility(enum.IntEnum):
     """Of a box in the last frame of a view."""
 
-    VISIBLE = 0  # neither of the other two could be shown
+    VISIBLE = 0  # neither of the other two could be proved
     OCCLUDED = 1  # all of it is hidden
     OUT_OF_VIEW = 2  # all of it is beyond one plane of the view
 

@@ -14,13 +14,13 @@ namespace occlude::culler {
 /// results of this library do not depend on it.
 class Executor {
  public:
-  /// Work calls of one part. It never throws, and may run on any thread.
+  /// One part of the work, called with its number. It never throws, and may run on any thread.
   using Part = std::function<void(std::size_t)>;
   /// Calls part(0), …, part(count - 1), each once, in any order and on any threads, at once or one after another. Returns
   /// when all have returned.
   using Run = std::function<void(std::size_t count, const Part& part)>;
 
-  /// More than machines have, and few enough to be multiplied.
+  /// More than machines have, and few enough that products of two do not overflow.
   static constexpr std::size_t kMostThreads = 65536;
 
   /// The calling thread alone.

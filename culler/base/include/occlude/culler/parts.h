@@ -59,7 +59,7 @@ struct Part {
 /// IEEE doubles, but may change from version to version of this library: kPartsVersion tells.
 struct Parts {
   std::vector<Part> parts;
-  std::shared_ptr<const void> keep;  ///< what the bytes are in. They are there, and stay as they are, as long as it is.
+  std::shared_ptr<const void> keep;  ///< what the bytes are in. The bytes stay valid and unchanged while this lives.
   std::uint64_t left_out = 0;        ///< bytes of the parts that the model has beside these
 };
 

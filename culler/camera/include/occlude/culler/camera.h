@@ -35,8 +35,8 @@ struct Camera {
   double near_plane = 0.1;                                     ///< distance of the near plane from the eye, model units
   double far_plane = std::numeric_limits<double>::infinity();  ///< as `near_plane`; infinite: no far plane
 
-  /// The axes of the picture, orthonormal up to rounding. `forward` is the line of sight. Its coordinates are legal for the
-  /// kernel.
+  /// The axes of the picture, orthonormal up to rounding. `forward` is the line of sight, with coordinates that are legal
+  /// for the kernel.
   struct Axes {
     glm::dvec3 right, up, forward;
   };
@@ -124,9 +124,9 @@ struct MatrixCamera {
     return from(numbers, 1, 4, depth, nearer);
   }
 
-  /// What `camera` shows, up to rounding. With Nearer::greater and no far plane, depth is reversed and infinite. A camera at
-  /// the origin that looks along -z, with y up, gives the projection of a renderer that has a matrix of the view:
-  /// from_camera(...).matrix * view. Throws std::invalid_argument for a camera with a fault(), for parallel rays without a
+  /// What `camera` shows, up to rounding. With Nearer::greater and no far plane, depth is reversed and infinite. For a
+  /// projection alone, place the camera at the origin, looking along -z with y up; its matrix times your view matrix is the
+  /// camera's. Throws std::invalid_argument for a camera with a fault(), for parallel rays without a
   /// far plane, and for Nearer::unsaid.
   [[nodiscard]] static MatrixCamera from_camera(const Camera& camera, ClipDepth depth, Nearer nearer);
 

@@ -94,11 +94,12 @@ struct CoverOptions {
   /// The size in pixels, clamped to the limits above and then rounded up to multiples of 8. A larger picture hides more and
   /// costs more.
   int width = 576, height = 360;
-  /// Once so many triangles are drawn into the picture, no more are; the nearest come first. Triangles are drawn in groups,
-  /// so that the last group may exceed the number by some hundred.
+  /// Once so many triangles are drawn into the picture, no more are; the nearest come first. One that is drawn again with
+  /// what touches it counts again. Triangles are drawn in groups, so that the last group may exceed the number by some
+  /// hundred.
   std::size_t triangles = (std::numeric_limits<std::size_t>::max)();
-  /// The same once the frame has taken so many milliseconds. What is culled then depends on the machine's speed. Even then
-  /// nothing visible is culled.
+  /// The same once so many milliseconds have gone since drawing began. What is culled then depends on the machine's speed.
+  /// Even then nothing visible is culled.
   double ms = std::numeric_limits<double>::infinity();
 };
 
@@ -216,7 +217,7 @@ struct CullResult {
 
 /// How a box would be found in the last frame of a view.
 enum class Visibility {
-  visible,      ///< neither of the other two could be shown
+  visible,      ///< neither of the other two could be proved
   occluded,     ///< all of it is in the shadow of one occluder, or of a pair of CullResult::pairs, or behind the cover
   out_of_view,  ///< all of it is beyond one half-space of the view
 };

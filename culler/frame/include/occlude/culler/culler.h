@@ -96,14 +96,16 @@ class Culler {
   /// not round to nearest, and what `checkpoint` throws; the next call tries again.
   void prepare(Method method, const Checkpoint& checkpoint = {}) const;
 
-  /// What to draw for this camera: view-frustum culling, shadow culling and drawing in one traversal (section 5). Nothing
-  /// visible is culled if options.arithmetic is certified. There are no probes. Throws std::invalid_argument for a camera
-  /// with a fault(), and std::runtime_error while the processor does not round to nearest.
+  /// What to draw for this camera, by options.method. Nothing visible is culled if options.arithmetic is certified. By
+  /// frusta, a frame without a view has no probes and chooses occluders by what they look like alone. Throws
+  /// std::invalid_argument for a camera with a fault(), and std::runtime_error while the processor does not round to
+  /// nearest.
   [[nodiscard]] CullResult cull(const Camera& camera, const CullOptions& options = {}) const;
 
-  /// The same for the next frame of a camera that moves. Occluders are chosen by what they hid in the frames before, which
-  /// culls far more. Returns view.result(), valid until the next frame of the view. A view that was used with another culler
-  /// starts anew. If the camera or the rounding mode is refused, the view keeps its last frame.
+  /// The same for the next frame of a camera that moves. By frusta, occluders are chosen by what they hid in the frames
+  /// before, which culls far more; by cover, memory is kept, and nothing else. Returns view.result(), valid until the next
+  /// frame of the view. A view that was used with another culler starts anew. If the camera or the rounding mode is refused,
+  /// the view keeps its last frame.
   const CullResult& cull(const Camera& camera, const CullOptions& options, View& view) const;
 
   /// Both for a camera that is a matrix. Throws std::invalid_argument for a camera with a fault(), the method's included.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Why hidden polygons are drawn: what a better choice of occluders, a finer tree, or joined shadows could still cull.
-// Reading order: 15.
+// Reading order: 17.
 #pragma once
 
 #include <array>
@@ -63,8 +63,8 @@ class MissedReasons {
   /// corner is tested against (README.md, Budgets).
   static constexpr std::size_t kMostWork = std::size_t{1} << 28U;
 
-  /// REQUIRES: `frame` is what `culler` made of this camera with these options, which is not checked; both outlive this
-  /// object. For a frame by cover, culls the frame again, and throws as Culler::cull().
+  /// REQUIRES: `frame` is what `culler` made of this camera with these options, which is not checked; `culler` and `frame`
+  /// outlive this object. For a frame by cover, culls the frame again, and throws as Culler::cull().
   MissedReasons(const Culler& culler, const Camera& camera, const CullOptions& options, const CullResult& frame);
   MissedReasons(const Culler& culler, const MatrixCamera& camera, const CullOptions& options, const CullResult& frame);
 

@@ -50,9 +50,8 @@ struct Placement {
   static void require_affine(double x, double y, double z, double w);
 };
 
-/// A box of a scene for what has this box in coordinates of its own: it holds the image of each point of the box, exact or
-/// rounded as doubles are. It is oriented if that is tighter: where axes are turned, and no edge is nearly in the plane of
-/// the others. REQUIRES: finite numbers.
+/// A box in the scene that holds the placed image of each point of the box, exact or rounded as doubles are. It is oriented
+/// if that is tighter: where axes are turned, and no edge is nearly in the plane of the others. REQUIRES: finite numbers.
 [[nodiscard]] Box placed_box(const kernel::Aabb& box, const Placement& at);
 
 }  // namespace occlude::culler

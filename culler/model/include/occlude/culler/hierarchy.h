@@ -142,7 +142,8 @@ class DrawOrder {
   [[nodiscard]] std::span<const std::uint32_t> polygons() const { return polygons_; }
   /// Number of fan triangles in the first `i` of these polygons.
   [[nodiscard]] std::size_t first_triangle(std::size_t i) const { return first_triangle_[i]; }
-  /// The range of each material that there is. For an index buffer of its own, its ranges begin at its first polygon.
+  /// The range of each material that there is. With an index buffer for each material, subtract its `first` from those of
+  /// its ranges.
   [[nodiscard]] std::span<const MaterialRange> materials() const { return materials_; }
 
   /// Replaces `ranges` with what to draw where the culler draws `drawn` (CullResult::drawn): the same polygons, in ascending

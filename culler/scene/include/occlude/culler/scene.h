@@ -48,12 +48,12 @@ class SceneId {
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
   [[nodiscard]] bool is_none() const { return number_ == 0; }
-  /// A small number that what is in the scene has to itself, objects apart from occluders. What is added takes the slot of
+  /// A small number, unique among the objects, or the occluders, that are in the scene now. What is added takes the slot of
   /// what was removed, so an array of a caller's own that is indexed by slots stays short.
   [[nodiscard]] std::uint32_t slot() const { return field(0, kSlotBits); }
   [[nodiscard]] std::uint32_t generation() const { return field(kGenerationAt, kGenerationBits); }
   [[nodiscard]] std::uint32_t scene() const { return field(kSceneAt, kSceneBits); }
-  /// Of another kind than the type says is only what from_number() made of a number of that kind.
+  /// That of the type, unless from_number() was given a number of the other kind.
   [[nodiscard]] SceneKind kind() const { return static_cast<SceneKind>(field(kKindAt, 1)); }
 
   friend auto operator<=>(const SceneId&, const SceneId&) = default;
@@ -86,8 +86,8 @@ struct SceneOptions {
   /// Whether the objects to draw are listed from front to back. This takes time n log n.
   bool is_front_to_back = false;
   /// On which threads the objects are tested; nullptr: on the calling thread. Occluders are drawn on the calling thread. The
-  /// result is the same, to the order of the list. What it throws is thrown on, and all objects that take part are drawn
-  /// then.
+  /// result is the same, and so is the order of the list. What it throws is thrown on, and all objects that take part are
+  /// drawn then.
   const Executor* executor = nullptr;
 };
 
