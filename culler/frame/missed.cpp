@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "base/parallel.h"
@@ -257,7 +259,12 @@ class MissedReasons::Asking {
 
 MissedReasons::Answers MissedReasons::answers(const std::vector<bool>& shows, const Checkpoint& checkpoint,
                                               std::size_t most_work) const {
-  std::vector<bool> missed = polygons_of(frame_.drawn, hierarchy_.soup().size());
+  const std::size_t size = hierarchy_.soup().size();
+  if (shows.size() != size) {
+    throw std::invalid_argument(std::to_string(shows.size()) + " polygons that show or do not, for a model of " +
+                                std::to_string(size));
+  }
+  std::vector<bool> missed = polygons_of(frame_.drawn, size);
   for (std::size_t p = 0; p < missed.size(); ++p) missed[p] = missed[p] && !shows[p];
   // Divides the model into subtrees, so that all processors have some.
   constexpr std::uint32_t kShares = 64;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "occlude/culler/scene.h"
 
+#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,12 +22,26 @@ FrameView view_of(const SceneObjects& objects, const SceneOccluders& occluders, 
   return FrameView(camera, reach(objects, occluders, eye_of(camera)));
 }
 
-template <class AnyCamera>
-const SceneResult& cull_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
-                            const SceneOptions& options, SceneView& view) {
-  memory_of(view).view = view_of(objects, occluders, camera);
-  cull_scene(objects, occluders, options, memory_of(view));
+/// A number that no other scene has, nor this one before.
+std::uint64_t new_edition() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
+/// `scene` is a Scene::Parts; so below.
+template <class Parts, class AnyCamera>
+const SceneResult& cull_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options, SceneView& view) {
+  SceneView::Memory& memory = memory_of(view);
+  memory.view = view_of(scene.objects, scene.occluders, camera);
+  memory.edition = scene.edition;
+  cull_scene(scene.objects, scene.occluders, options, memory);
   return view.result();
+}
+
+template <class Parts>
+void require_frame_of(const Parts& scene, const SceneView& view) {
+  if (memory_of(view).edition == scene.edition) return;
+  throw std::invalid_argument("the view's last frame is not of this scene as the last update() left it");
 }
 
 /// The options that repeat the last frame of the view.
@@ -35,11 +50,21 @@ SceneOptions repeated(const SceneView& view, SceneOptions options) {
   return options;
 }
 
-template <class AnyCamera>
-std::vector<ObjectFate> why_any(const SceneObjects& objects, const SceneOccluders& occluders, const AnyCamera& camera,
-                                const SceneOptions& options, const SceneView& view, std::span<const ObjectId> ids) {
-  objects.require(ids);
-  return fates_of(objects, occluders, view_of(objects, occluders, camera), repeated(view, options), ids);
+template <class Parts, class AnyCamera>
+std::vector<ObjectFate> why_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options,
+                                const SceneView& view, std::span<const ObjectId> ids) {
+  scene.objects.require(ids);
+  require_frame_of(scene, view);
+  const FrameView again = view_of(scene.objects, scene.occluders, camera);
+  return fates_of(scene.objects, scene.occluders, again, repeated(view, options), ids);
+}
+
+template <class Parts, class AnyCamera>
+void append_any(const Parts& scene, const AnyCamera& camera, const SceneOptions& options, const SceneView& view,
+                std::vector<ObjectWitness>& witnesses) {
+  require_frame_of(scene, view);
+  const FrameView again = view_of(scene.objects, scene.occluders, camera);
+  append_witnesses_of(scene.objects, scene.occluders, again, repeated(view, options), witnesses);
 }
 
 }  // namespace
@@ -62,6 +87,7 @@ struct Scene::Parts {
   SceneNumber number;
   SceneObjects objects{number};
   SceneOccluders occluders{number};
+  std::uint64_t edition = new_edition();  ///< that of what views see
 
   /// Throws std::invalid_argument unless the object that draws an occluder, if any, is there.
   void require_drawn(const OccluderOptions& options) const {
@@ -112,35 +138,34 @@ bool Scene::contains(OccluderId occluder) const { return parts_->occluders.conta
 std::string Scene::fault(OccluderId occluder) const { return parts_->occluders.fault(occluder); }
 
 void Scene::update(const Executor& executor) {
+  parts_->edition = new_edition();
   parts_->objects.update(executor);
   parts_->occluders.update();
 }
 
 const SceneResult& Scene::cull(const Camera& camera, const SceneOptions& options, SceneView& view) const {
-  return cull_any(parts_->objects, parts_->occluders, camera, options, view);
+  return cull_any(*parts_, camera, options, view);
 }
 const SceneResult& Scene::cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const {
-  return cull_any(parts_->objects, parts_->occluders, camera, options, view);
+  return cull_any(*parts_, camera, options, view);
 }
 
 std::vector<ObjectFate> Scene::why(const Camera& camera, const SceneOptions& options, const SceneView& view,
                                    std::span<const ObjectId> objects) const {
-  return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
+  return why_any(*parts_, camera, options, view, objects);
 }
 std::vector<ObjectFate> Scene::why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
                                    std::span<const ObjectId> objects) const {
-  return why_any(parts_->objects, parts_->occluders, camera, options, view, objects);
+  return why_any(*parts_, camera, options, view, objects);
 }
 
 void Scene::append_witnesses(const Camera& camera, const SceneOptions& options, const SceneView& view,
                              std::vector<ObjectWitness>& witnesses) const {
-  const auto& [number, objects, occluders] = *parts_;
-  append_witnesses_of(objects, occluders, view_of(objects, occluders, camera), repeated(view, options), witnesses);
+  append_any(*parts_, camera, options, view, witnesses);
 }
 void Scene::append_witnesses(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
                              std::vector<ObjectWitness>& witnesses) const {
-  const auto& [number, objects, occluders] = *parts_;
-  append_witnesses_of(objects, occluders, view_of(objects, occluders, camera), repeated(view, options), witnesses);
+  append_any(*parts_, camera, options, view, witnesses);
 }
 
 std::size_t Scene::objects() const { return parts_->objects.size(); }

@@ -35,7 +35,8 @@ struct SceneView::Memory {
   };
 
   SceneResult result;
-  FrameView view;  ///< of the last frame
+  FrameView view;             ///< of the last frame
+  std::uint64_t edition = 0;  ///< of the scene that it shows; 0 before the first
   CoverMemory cover;
   std::vector<kernel::HalfSpace> planes;
   std::vector<SeenGroup> groups;

@@ -52,6 +52,15 @@ MissedReasons::Answer why_drawn(const Culler& culler, std::uint32_t original, co
 
 Culler with_leaves(const PolygonSoup& soup, std::uint32_t size) { return Culler(soup, {.hierarchy = {.leaf_size = size}}); }
 
+TEST(Missed, IsAskedOfEachPolygon) {
+  PolygonSoup soup;
+  add_wall(soup, 10, -1, 1, -1, 1);
+  const Culler culler = with_leaves(soup, 16);
+  const CullResult frame = culler.cull(Camera());
+  const MissedReasons reasons(culler, Camera(), {}, frame);
+  EXPECT_EQ(refusal([&] { static_cast<void>(reasons.answers({})); }), "0 polygons that show or do not, for a model of 1");
+}
+
 TEST(Missed, NotByAShadowWhereItIsOutOfView) {
   PolygonSoup soup;
   add_wall(soup, 10, -1, 1, -1, 1);

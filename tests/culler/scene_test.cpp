@@ -1285,4 +1285,33 @@ TEST(Scene, MemoryDoesNotGrowWithWhatHasGone) {
   EXPECT_LE(scene.object_bytes(), settled * 3 / 2);
 }
 
+/// What became of objects is asked of a frame. A later update, or another scene, would answer for no frame at all.
+TEST(Scene, TellsWhyOfItsOwnFrameAlone) {
+  Scene scene, other;
+  const std::array ids{scene.add(Box(kernel::Aabb{{5, -1, -1}, {6, 1, 1}}))};
+  scene.update();
+  other.update();
+  SceneView view;
+  const auto why = [&] { return refusal([&] { static_cast<void>(scene.why(Camera{}, {}, view, ids)); }); };
+  const auto prove = [&] {
+    std::vector<ObjectWitness> witnesses;
+    return refusal([&] { scene.append_witnesses(Camera{}, {}, view, witnesses); });
+  };
+  const std::string stale = "the view's last frame is not of this scene as the last update() left it";
+  EXPECT_EQ(why(), stale) << "no frame";
+  scene.cull(Camera{}, {}, view);
+  EXPECT_EQ(why(), "");
+  EXPECT_EQ(prove(), "");
+  scene.move(ids[0], Box(kernel::Aabb{{-6, -1, -1}, {-5, 1, 1}}));
+  EXPECT_EQ(why(), "") << "views do not see it yet";
+  scene.update();
+  EXPECT_EQ(why(), stale);
+  EXPECT_EQ(prove(), stale);
+  scene.cull(Camera{}, {}, view);
+  EXPECT_EQ(why(), "");
+  other.cull(Camera{}, {}, view);
+  EXPECT_EQ(why(), stale);
+  EXPECT_EQ(prove(), stale);
+}
+
 }  // namespace scene_test

@@ -71,6 +71,17 @@ class Models(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, text):
                 occlude.DrawOrder(small, materials)
 
+    def test_options_of_another_type_are_refused(self):
+        triangles = np.arange(18.0).reshape(6, 3) ** 2
+        culler, camera = occlude.Culler(triangles, [[0, 1, 2]]), occlude.Camera(triangles[0] - 9, triangles[1])
+        for triangle_limit in (-1, 1.5, "x", 2**70):
+            with self.assertRaisesRegex(TypeError, "^cover_triangles is no number from 0 on$"):
+                culler.cull(camera, method="cover", cover_triangles=triangle_limit)
+        with self.assertRaisesRegex(TypeError, "^cover_ms is no number$"):
+            culler.cull(camera, method="cover", cover_ms="x")
+        with self.assertRaisesRegex(TypeError, "^nearer is no text$"):
+            occlude.MatrixCamera(np.eye(4), "zero_to_w", 5)
+
     def check_path(self, culler, view, triangles, rng, **options):
         culled, weights = 0, rng.dirichlet([1, 1, 1], 4)
         for step in range(6):

@@ -513,9 +513,9 @@ typedef struct occlude_fate {
   const occlude_hiding* by;  ///< each polygon once; together they hide the box
 } occlude_fate;
 
-/// What became of these objects, all of them in the scene, in the last frame of the view, which must be of this scene, not
-/// updated since. Takes the time of some frames. Writes as many fates as there are objects; their arrays belong to the view,
-/// until its next frame or the next call of this function. Refused before the first frame.
+/// What became of these objects, all of them in the scene, in the last frame of the view. Refused before the first frame, if
+/// the frame is of another scene, and if the scene was updated since. Takes the time of some frames. Writes as many fates as
+/// there are objects; their arrays belong to the view, until its next frame or the next call of this function.
 OCCLUDE_API occlude_status occlude_scene_why(const occlude_scene* scene, occlude_view* view, const occlude_object* objects,
                                              size_t count, occlude_fate* fates) OCCLUDE_NO_THROW;
 

@@ -51,6 +51,16 @@ culler::ClipDepth to_depth(const std::string& depth) {
       {std::pair{"minus_w_to_w", culler::ClipDepth::minus_w_to_w}, {"zero_to_w", culler::ClipDepth::zero_to_w}});
 }
 
+/// A TypeError with this text for what is not of the type.
+template <class T>
+T to_option(const py::object& option, const char* text) {
+  try {
+    return option.cast<T>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(text);
+  }
+}
+
 culler::Nearer to_nearer(const std::string& nearer) {
   return to_choice(nearer, "nearer", {std::pair{"less", culler::Nearer::less}, {"greater", culler::Nearer::greater}});
 }
@@ -65,7 +75,7 @@ culler::MatrixCamera make_matrix_camera(const Doubles& matrix, const std::string
     for (int column = 0; column < 4; ++column) camera.matrix[column][row] = matrix.at(row, column);
   }
   camera.depth = to_depth(depth);
-  if (!nearer.is_none()) camera.nearer = to_nearer(nearer.cast<std::string>());
+  if (!nearer.is_none()) camera.nearer = to_nearer(to_option<std::string>(nearer, "nearer is no text"));
   camera.eye_radius = eye_radius;
   if (const std::string reason = fault(camera); !reason.empty()) throw std::invalid_argument(reason);
   return camera;
@@ -124,8 +134,8 @@ py::array_t<double> to_array(const std::vector<culler::HalfSpace>& planes) {
 
 culler::CoverOptions to_cover_options(const std::pair<int, int>& size, const py::object& triangles, const py::object& ms) {
   culler::CoverOptions options{.width = size.first, .height = size.second};
-  if (!triangles.is_none()) options.triangles = triangles.cast<std::size_t>();
-  if (!ms.is_none()) options.ms = ms.cast<double>();
+  if (!triangles.is_none()) options.triangles = to_option<std::size_t>(triangles, "cover_triangles is no number from 0 on");
+  if (!ms.is_none()) options.ms = to_option<double>(ms, "cover_ms is no number");
   return options;
 }
 

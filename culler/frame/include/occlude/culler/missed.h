@@ -88,8 +88,7 @@ class MissedReasons {
   using Answers = std::vector<MissedPolygon>;
   /// Everything that the frame missed, ascending, with the reasons as far as `most_work` goes. Runs on all processors; the
   /// result does not depend on their number. shows[p] tells whether polygon p of Hierarchy::soup() is visible in the frame.
-  /// What `checkpoint` throws is thrown on.
-  /// REQUIRES: shows.size() is the number of polygons.
+  /// What `checkpoint` throws is thrown on. Throws std::invalid_argument unless shows.size() is the number of polygons.
   [[nodiscard]] Answers answers(const std::vector<bool>& shows, const Checkpoint& checkpoint = {},
                                 std::size_t most_work = kMostWork) const;
 

@@ -279,8 +279,10 @@ class Scene {
   const SceneResult& cull(const Camera& camera, const SceneOptions& options, SceneView& view) const;
   const SceneResult& cull(const MatrixCamera& camera, const SceneOptions& options, SceneView& view) const;
 
-  /// What became of these objects, all of them in the scene, in the last frame of the view. `camera` and `options` are those
-  /// of that frame, and the scene was not updated since. Takes the time of some frames, and allocates. Throws as cull().
+  /// What became of these objects, all of them in the scene, in the last frame of the view. REQUIRES, not checked: `camera`
+  /// and `options` are those of that frame. Takes the time of some frames, and allocates. Throws as cull(), and
+  /// std::invalid_argument for an object that is not in the scene, and if the frame is not of this scene or the scene was
+  /// updated since.
   [[nodiscard]] std::vector<ObjectFate> why(const Camera& camera, const SceneOptions& options, const SceneView& view,
                                             std::span<const ObjectId> objects) const;
   [[nodiscard]] std::vector<ObjectFate> why(const MatrixCamera& camera, const SceneOptions& options, const SceneView& view,
