@@ -32,7 +32,7 @@ struct TestedBlock {
   std::size_t groups = 0;  ///< how many had been drawn when they were found not to be hidden
   std::array<std::uint32_t, TreeBlock::kNodes> straddled_planes;  ///< of each box, a bit for each plane that may cross it
 
-  TestedBlock(const TreeBlock& tested, Boxes stand, kernel::BoxBits asked, std::uint32_t planes)
+  TestedBlock(const TreeBlock& tested, Boxes&& stand, kernel::BoxBits asked, std::uint32_t planes)
       : block(tested), boxes(std::forward<Boxes>(stand)), left(asked) {
     straddled_planes.fill(planes);
   }

@@ -88,7 +88,7 @@ bool SheetRasteriser::find(std::size_t sheet) {
     area += outline.area;
     for (const std::uint32_t v : mesh_.triangles[t]) nearest = std::min(nearest, seen_[v].forward);
   }
-  if (all.is_empty() || pixels_inside(area, all) < kWorthwhile) return false;
+  if (all.is_empty() || pixels_inside(area, all) < kWorthPixels) return false;
   const PixelRectangle r = picture_.clipped(picture_.pixels(all.low, all.high, 0));
   if (r.x0 >= r.x1 || r.y0 >= r.y1) return false;
   found_ = {r.x0 / kTile, r.y0 / kTile, (r.x1 - 1) / kTile + 1, (r.y1 - 1) / kTile + 1};

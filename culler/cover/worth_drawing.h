@@ -14,18 +14,18 @@ namespace occlude::culler {
 ///   pixels   triangles of the castle   of Utrecht and Sponza
 ///        8   a third, 0.2 %            an eighth, 0.03 to 0.1 %
 ///       16   two fifths, 0.5 %         a seventh, 0.06 to 0.3 %
-inline constexpr int kWorthwhile = 8;
+inline constexpr int kWorthPixels = 8;
 
 /// A leaf that is seen through fewer pixels shows through slits that nothing closes. With half of this, frames of models
 /// would draw 50 % more triangles and cull only a few thousandths more. An occluder of a scene costs more, because it is
 /// found in two trees: with the limit of a leaf, a cull takes 8 % longer and draws 1 % fewer objects.
-inline constexpr int kWorthOfLeaf = kWorthwhile, kWorthOfOccluder = kWorthwhile * 3 / 2;
+inline constexpr int kWorthOfLeaf = kWorthPixels, kWorthOfOccluder = kWorthPixels * 3 / 2;
 
 /// The more a frame has drawn, the less another leaf is worth: the limit is the number of its triangles over 512, but at
-/// least the limit above and at most three times kWorthwhile. Frames of up to 4,096 triangles stay as they are. The castle
+/// least the limit above and at most three times kWorthPixels. Frames of up to 4,096 triangles stay as they are. The castle
 /// and Sponza, of 18,000 to 28,000, draw half to two thirds of that, take 0.7 to 0.8 of the time, and cull less: of what is
 /// hidden 0.2 to 0.8 % in the castle, 1 to 5 % in Sponza.
-inline constexpr std::size_t kTrianglesOfPixel = 512, kMostWorth = std::size_t{3} * kWorthwhile;
+inline constexpr std::size_t kTrianglesOfPixel = 512, kMostWorth = std::size_t{3} * kWorthPixels;
 
 /// Through how many pixels a leaf must be seen to be worth drawing, at least so many, once so many triangles are drawn.
 [[nodiscard]] inline int worth_closing(int least, std::size_t triangles) {
@@ -33,9 +33,9 @@ inline constexpr std::size_t kTrianglesOfPixel = 512, kMostWorth = std::size_t{3
 }
 
 /// The polygons of a leaf that cover fewer pixels together are not worth drawing, in how many pixels ever the box of the
-/// leaf is seen: half of kWorthwhile, because with other leaves they may close more. With this limit the models tried draw
+/// leaf is seen: half of kWorthPixels, because with other leaves they may close more. With this limit the models tried draw
 /// 15 to 45 % fewer triangles, and of what is hidden they cull 0.13 % less to 1.5 % more. With three quarters of
-/// kWorthwhile, they cull up to 7 % less.
-inline constexpr double kWorthOfPolygons = kWorthwhile / 2.0;
+/// kWorthPixels, they cull up to 7 % less.
+inline constexpr double kWorthOfPolygons = kWorthPixels / 2.0;
 
 }  // namespace occlude::culler
