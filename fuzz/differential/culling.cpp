@@ -11,6 +11,7 @@
 #include "any_case.h"
 #include "cull_judge.h"
 #include "frame/culler_access.h"
+#include "model/block_tree.h"
 #include "occlude/culler/culler.h"
 #include "occlude/kernel/half_space.h"
 #include "occlude/kernel/overlap.h"
@@ -112,12 +113,16 @@ class BruteForce {
   const PictureMargin& margin_;
 };
 
-/// A traversal that asks all of that at every node, and the polygons that it draws.
+/// A traversal that asks all of that at every node of the blocks, and the polygons that it draws.
 class Twin {
  public:
   Twin(const Culler& culler, const BruteForce& ask)
-      : hierarchy_(culler.hierarchy()), occluders_(occluders_of(culler)), ask_(ask), drawn_(hierarchy_.soup().size()) {
-    visit(0);
+      : hierarchy_(culler.hierarchy()),
+        tree_(culler::CullerAccess::tree(culler)),
+        occluders_(occluders_of(culler)),
+        ask_(ask),
+        drawn_(hierarchy_.soup().size()) {
+    visit_block(0);
   }
 
   [[nodiscard]] const std::vector<bool>& drawn() const { return drawn_; }
@@ -129,7 +134,10 @@ class Twin {
                                [&](std::uint32_t part) { return part >= node.first && part - node.first < node.count; });
   }
 
-  void visit(std::uint32_t index) {
+  void visit_block(std::uint32_t block) {
+    for (std::size_t i = 0; i < tree_[block].size(); ++i) visit(tree_[block].node[i], tree_[block].below[i]);
+  }
+  void visit(std::uint32_t index, std::uint32_t below) {
     const auto& node = hierarchy_.nodes()[index];
     const auto may_hide = [&](const culler::Occluder& occluder) { return !holds_part(node, occluder); };
     const auto is_culled = [&](const auto& box) { return ask_.is_out_of_view(box) || ask_.is_hidden(box, may_hide); };
@@ -138,11 +146,11 @@ class Twin {
       for (std::size_t p = node.first; p < std::size_t{node.first} + node.count; ++p) drawn_[p] = true;
       return;
     }
-    visit(index + 1);
-    visit(node.right);
+    visit_block(below);
   }
 
   const culler::Hierarchy& hierarchy_;
+  const culler::BlockTree tree_;
   const culler::PotentialOccluders& occluders_;
   const BruteForce& ask_;
   std::vector<bool> drawn_;
