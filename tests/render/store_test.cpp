@@ -192,7 +192,7 @@ TEST_F(StoreTest, WhatIsRefused) {
   EXPECT_EQ(refusal([](std::string&) {}), "");
   EXPECT_EQ(refusal([](std::string& bytes) { bytes.clear(); }), "not a file of occlude preprocess");
   EXPECT_EQ(refusal([](std::string& bytes) { bytes = "ply\n" + bytes; }), "not a file of occlude preprocess");
-  for (const int version : {1, 2, 7}) {
+  for (const int version : {1, 2, 6, 8}) {
     EXPECT_EQ(
         refusal([&](std::string& bytes) { bytes[19] = static_cast<char>(version); }),
         "format version " + std::to_string(version) + ", but this program reads version 7: preprocess the model again");
