@@ -17,6 +17,7 @@
 #include "cover/projected_boxes.h"
 #include "descent/block_descent.h"
 #include "model/block_tree.h"
+#include "model/hierarchy_blocks.h"
 #include "occlude/culler/cull_result.h"
 #include "occlude/kernel/box_block.h"
 
@@ -38,14 +39,23 @@ struct TestedBlock {
   }
 };
 
+/// What nodes say, unless they say otherwise: all take part, where they are, and nothing is to be done beside them.
+struct StandingNodes {
+  static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
+  static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
+  static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
+  static void prefetch(const ItemRange&) {}
+  static void join() {}
+};
+
 /// `nodes` says what the tree holds:
 ///  - boxes(block): its kernel::BoxBlock, or a reference to it;
 ///  - asked(block): those that take part; the others are not heard of again;
 ///  - relations(block, boxes, asked): of the planes of the view and the nodes, as kernel::relations();
 ///  - prefetch(items): a hint that asked() comes for a block of these;
 ///  - cull(block, i, culled): called for each node that is culled when it is tested; Culled::node is not set;
-///  - decide(tested, i): called for each node that is left, when its turn comes. Returns whether to go below it: false of a
-///  leaf;
+///  - decide(tested, i): called for each node that is left, when its turn comes. Returns whether to go below it, which is
+///    false for a leaf;
 ///  - is_few(items): whether what is below a node of these items can be visited in any order;
 ///  - join(): called after each leaf and each subtree of few items, unless it is below such a subtree.
 template <class Nodes>

@@ -27,20 +27,16 @@ struct Unwatched {
 
 /// The nodes of a model, for a descent of its tree.
 template <class Watch>
-class ModelNodes {
+class ModelNodes : public StandingNodes {
  public:
   ModelNodes(const Volumes& volumes, const CoverBuffer& buffer, CoverPainter& painter, CoverFrame& found, CullStats& stats,
              Watch& watch)
       : volumes_(volumes), buffer_(buffer), painter_(painter), found_(found), stats_(stats), watch_(watch) {}
 
-  static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
-  static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
   [[nodiscard]] kernel::BlockRelations relations(const TreeBlock& block, const kernel::BoxBlock&,
                                                  kernel::BoxBytes asked) const {
     return volumes_.relations(block, asked);
   }
-  static void prefetch(const ItemRange&) {}
-  static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
 
   void cull(const TreeBlock& block, std::uint32_t i, Culled culled) {
     culled.node = block.node[i];

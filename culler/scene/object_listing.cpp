@@ -10,11 +10,10 @@
 namespace occlude::culler {
 
 /// The objects of a group, for a descent of its tree.
-class ObjectListing::Objects {
+class ObjectListing::Objects : public StandingNodes {
  public:
   Objects(ObjectListing& listing, const ObjectGroup& group) : listing_(listing), group_(group) {}
 
-  static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
   kernel::BoxBits asked(const TreeBlock& block) {
     if (block.divided != 0) return block.used;
     const ObjectGroup::Kinds kinds = group_.kinds(block.begin[0], listing_.options_.mask);
@@ -56,7 +55,6 @@ class ObjectListing::Objects {
     }
     return false;
   }
-  static void join() {}
 
  private:
   ObjectListing& listing_;

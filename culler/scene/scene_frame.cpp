@@ -43,20 +43,17 @@ struct PlacedBoxes {
 /// The nodes of a tree of occluders, or of polygons of one. see(items, straddled_planes, nearness) is called for each leaf
 /// that is seen through more than a slit. Where nothing is, the descent does not enter.
 template <class BoxesOf, class See, class Join>
-class ClosingNodes {
+class ClosingNodes : public StandingNodes {
  public:
   ClosingNodes(const BoxesOf& boxes_of, const ViewPlanes& view, const CoverBuffer& buffer, const CullStats& stats,
                const See& see, const Join& join)
       : boxes_of_(boxes_of), view_(view), buffer_(buffer), stats_(stats), see_(see), join_(join) {}
 
   decltype(auto) boxes(const TreeBlock& block) const { return boxes_of_(block); }
-  static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
   [[nodiscard]] kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock& boxes,
                                                  kernel::BoxBytes asked) const {
     return kernel::relations(view_.planes, boxes, asked);
   }
-  static void prefetch(const ItemRange&) {}
-  static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
   static void cull(const TreeBlock&, std::uint32_t, const Culled&) {}
 
   template <class Boxes>
@@ -198,7 +195,7 @@ class SceneFrame {
   }
 
   /// The groups of a scene, for a descent of their tree.
-  class Groups {
+  class Groups : public StandingNodes {
    public:
     Groups(const SceneFrame& frame, ObjectListing& listing)
         : objects_(frame.objects_),
@@ -207,13 +204,10 @@ class SceneFrame {
           seen_(frame.memory_.groups),
           listing_(listing) {}
 
-    static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
-    static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
     [[nodiscard]] kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock& boxes,
                                                    kernel::BoxBytes asked) const {
       return kernel::relations(view_.planes, boxes, asked);
     }
-    static void prefetch(const ItemRange&) {}
     static bool is_few(const ItemRange&) { return true; }
     void cull(const TreeBlock& block, std::uint32_t i, const Culled& culled) {
       listing_.count(culled.by, objects_.count(block.items(i), mask_));
@@ -224,7 +218,6 @@ class SceneFrame {
       seen_.push_back({tested.block.begin[i], tested.straddled_planes[i]});
       return false;
     }
-    static void join() {}
 
    private:
     const SceneObjects& objects_;

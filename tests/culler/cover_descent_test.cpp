@@ -45,17 +45,13 @@ class WorthDrawing : public testing::Test {
   }
 
   /// Asks of each leaf what the nodes of models and of occluders ask.
-  struct Nodes {
+  struct Nodes : StandingNodes {
     const CoverBuffer& buffer;
     std::size_t triangles;
     int least;
     std::map<std::uint32_t, bool>& leaves;
 
-    static const kernel::BoxBlock& boxes(const TreeBlock& block) { return block.boxes; }
-    static kernel::BoxBits asked(const TreeBlock& block) { return block.used; }
     static kernel::BlockRelations relations(const TreeBlock&, const kernel::BoxBlock&, kernel::BoxBytes) { return {}; }
-    static void prefetch(const ItemRange&) {}
-    static bool is_few(const ItemRange& items) { return items.count <= kFewItems; }
     static void cull(const TreeBlock&, std::uint32_t, const Culled&) { ADD_FAILURE() << "nothing is hidden"; }
     template <class Boxes>
     bool decide(const TestedBlock<Boxes>& tested, std::uint32_t i) {
@@ -64,14 +60,13 @@ class WorthDrawing : public testing::Test {
       leaves[tested.block.node[i]] = Opening(buffer, tested, i, 0, worth).open >= worth;
       return false;
     }
-    static void join() {}
   };
 
   /// The leaves that a descent passes on once so many triangles are drawn, and whether each is worth drawing.
   [[nodiscard]] std::map<std::uint32_t, bool> found(int least, std::size_t triangles) const {
     std::map<std::uint32_t, bool> leaves;
     CullStats stats;
-    Nodes nodes{buffer_, triangles, least, leaves};
+    Nodes nodes{{}, buffer_, triangles, least, leaves};
     const HierarchyBlocks blocks(tree_);
     CoverDescent(blocks.tree(), buffer_, stats, nodes).run(0);
     return leaves;

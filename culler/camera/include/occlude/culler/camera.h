@@ -126,8 +126,8 @@ struct MatrixCamera {
 
   /// What `camera` shows, up to rounding. With Nearer::greater and no far plane, depth is reversed and infinite. For a
   /// projection alone, place the camera at the origin, looking along -z with y up; its matrix times your view matrix is the
-  /// camera's. Throws std::invalid_argument for a camera with a fault(), for parallel rays without a
-  /// far plane, and for Nearer::unsaid.
+  /// camera's. Throws std::invalid_argument for a camera with a fault(), for parallel rays without a far plane, and for
+  /// Nearer::unsaid.
   [[nodiscard]] static MatrixCamera from_camera(const Camera& camera, ClipDepth depth, Nearer nearer);
 
   /// The eye, up to rounding. With parallel rays, a point of the near plane in the middle of the picture. REQUIRES: the
